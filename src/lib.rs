@@ -1,0 +1,4 @@
+//! `assur`: a small declarative language for planar mechanism problems, and the compiler that solves them.
+
+pub mod math;
+pub mod source;

@@ -1,0 +1,154 @@
+//! Vectors of the plane, x to the right and y up.
+
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+use super::Scalar;
+
+/// A vector of the plane. As a direction it is the pair (cos, sin).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct V2<S> {
+    /// Component along x.
+    pub x: S,
+    /// Component along y.
+    pub y: S,
+}
+
+/// A vector of `f64`.
+pub type Vec2 = V2<f64>;
+
+impl<S: Scalar> V2<S> {
+    /// The vector (x, y).
+    #[inline(always)]
+    pub const fn new(x: S, y: S) -> Self {
+        Self { x, y }
+    }
+
+    /// The null vector.
+    #[inline(always)]
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::new(S::zero(), S::zero())
+    }
+
+    /// The same `f64` vector in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(v: Vec2) -> Self {
+        Self::new(S::of(v.x), S::of(v.y))
+    }
+
+    /// Scalar product.
+    #[inline(always)]
+    pub fn dot(self, o: Self) -> S {
+        self.x * o.x + self.y * o.y
+    }
+
+    /// The z component of the vector product `self` × `o`.
+    #[inline(always)]
+    pub fn cross(self, o: Self) -> S {
+        self.x * o.y - self.y * o.x
+    }
+
+    /// Turned by +90°: the left normal, and ω × r for ω = 1.
+    #[inline(always)]
+    #[must_use]
+    pub fn perp(self) -> Self {
+        Self::new(-self.y, self.x)
+    }
+
+    /// Magnitude.
+    #[inline(always)]
+    pub fn norm(self) -> S {
+        self.dot(self).sqrt()
+    }
+
+    /// Turned by the angle of the direction `u`: local coordinates to ground axes.
+    #[inline(always)]
+    #[must_use]
+    pub fn turned(self, u: Self) -> Self {
+        Self::new(self.x * u.x - self.y * u.y, self.x * u.y + self.y * u.x)
+    }
+
+    /// Turned back by the angle of the direction `u`: ground axes to local coordinates.
+    #[inline(always)]
+    #[must_use]
+    pub fn turned_back(self, u: Self) -> Self {
+        Self::new(self.x * u.x + self.y * u.y, self.y * u.x - self.x * u.y)
+    }
+}
+
+impl Vec2 {
+    /// The direction of an angle, rad.
+    #[must_use]
+    pub fn direction(angle: f64) -> Self {
+        let (sin, cos) = libm::sincos(angle);
+        Self::new(cos, sin)
+    }
+
+    /// The angle of the vector in (−π, π], rad.
+    #[must_use]
+    pub fn angle(self) -> f64 {
+        libm::atan2(self.y, self.x)
+    }
+
+    /// The vector over its magnitude; `None` for the null vector and for components that are not finite.
+    #[must_use]
+    pub fn unit(self) -> Option<Self> {
+        let n = libm::hypot(self.x, self.y);
+        (n > 0.0 && n.is_finite()).then(|| self / n)
+    }
+}
+
+impl<S: Scalar> Add for V2<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, o: Self) -> Self {
+        Self::new(self.x + o.x, self.y + o.y)
+    }
+}
+
+impl<S: Scalar> Sub for V2<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, o: Self) -> Self {
+        Self::new(self.x - o.x, self.y - o.y)
+    }
+}
+
+impl<S: Scalar> Neg for V2<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y)
+    }
+}
+
+impl<S: Scalar> Mul<S> for V2<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, k: S) -> Self {
+        Self::new(self.x * k, self.y * k)
+    }
+}
+
+impl<S: Scalar> Div<S> for V2<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, k: S) -> Self {
+        Self::new(self.x / k, self.y / k)
+    }
+}
+
+impl<S: Scalar> AddAssign for V2<S> {
+    #[inline(always)]
+    fn add_assign(&mut self, o: Self) {
+        *self = *self + o;
+    }
+}
+
+impl<S: Scalar> SubAssign for V2<S> {
+    #[inline(always)]
+    fn sub_assign(&mut self, o: Self) {
+        *self = *self - o;
+    }
+}
