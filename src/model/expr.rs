@@ -1,0 +1,259 @@
+//! Typed expressions over results: what a `find`, an `expect`, a load or a condition computes at a pose.
+
+use super::{BalanceId, Display, DriveId, LinkId, LoadId, PairId, QuantityId};
+use crate::math::Vec2;
+use crate::source::Span;
+
+/// A value in SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A number.
+    Scalar(f64),
+    /// A vector in ground axes.
+    Vector(Vec2),
+    /// A truth.
+    Truth(bool),
+}
+
+/// An expression whose types and dimensions are checked. Angles are in radians; `%` is folded into the numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expr {
+    /// A constant.
+    Constant(Value),
+    /// (x, y).
+    Vector(Box<Expr>, Box<Expr>),
+    /// magnitude @ angle.
+    Polar(Box<Expr>, Box<Expr>),
+    /// A component of a vector.
+    Component(Box<Expr>, Axis),
+    /// Minus; scalars and vectors.
+    Negate(Box<Expr>),
+    /// Two operands: scalars, or vectors where the operation makes sense.
+    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// Raised to a power.
+    Power(Box<Expr>, Box<Expr>),
+    /// A mathematical function.
+    Call(Function, Vec<Expr>),
+    /// A comparison of two scalars.
+    Compare(Comparison, Box<Expr>, Box<Expr>),
+    /// Both.
+    And(Box<Expr>, Box<Expr>),
+    /// Either.
+    Or(Box<Expr>, Box<Expr>),
+    /// Not.
+    Not(Box<Expr>),
+    /// Another quantity of this pose.
+    Quantity(QuantityId),
+    /// A result.
+    Query(Query),
+}
+
+/// Operations on two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BinaryOp {
+    /// Sum of equal types.
+    Add,
+    /// Difference of equal types.
+    Sub,
+    /// Product; one may be a vector.
+    Mul,
+    /// Quotient; the numerator may be a vector.
+    Div,
+}
+
+/// Comparisons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Comparison {
+    /// <
+    Less,
+    /// <=
+    LessEqual,
+    /// >
+    Greater,
+    /// >=
+    GreaterEqual,
+}
+
+/// Components of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// To the right.
+    X,
+    /// Up.
+    Y,
+}
+
+/// Mathematical functions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    /// Square root.
+    Sqrt,
+    /// Magnitude of a scalar.
+    Abs,
+    /// Sine.
+    Sin,
+    /// Cosine.
+    Cos,
+    /// Tangent.
+    Tan,
+    /// Inverse sine.
+    Asin,
+    /// Inverse cosine.
+    Acos,
+    /// Inverse tangent.
+    Atan,
+    /// Angle of (x, y) from `atan2(y, x)`.
+    Atan2,
+    /// Magnitude of a vector (of a scalar: `Abs`).
+    Mag,
+    /// Scalar product.
+    Dot,
+    /// z of the vector product.
+    Cross,
+    /// A vector over its magnitude.
+    Unit,
+    /// Angle of a vector, (−π, π].
+    Direction,
+}
+
+/// A point whose motion is asked: fixed in its link, or the point of the link that lies under another link's point now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PointRef {
+    /// A point of the link, in its frame, m.
+    Fixed(LinkId, Vec2),
+    /// The point of the first link that lies under this point of the second.
+    Under(LinkId, (LinkId, Vec2)),
+}
+
+/// A result of a pose, in SI. `LinkId` after a pair is the link the force acts on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Query {
+    /// Position of a point, a vector.
+    Position(PointRef),
+    /// Velocity of a point, a vector.
+    Velocity(PointRef),
+    /// Acceleration of a point, a vector.
+    Acceleration(PointRef),
+    /// Angle of a link's x axis, continuous over a sweep.
+    Angle(LinkId),
+    /// Angular velocity of a link.
+    Omega(LinkId),
+    /// Angular acceleration of a link.
+    Alpha(LinkId),
+    /// Direction (cos, sin) of a link's x axis.
+    LinkDirection(LinkId),
+    /// Coordinate of a pair.
+    Displacement(PairId),
+    /// First derivative of the coordinate.
+    RelativeVelocity(PairId),
+    /// Second derivative of the coordinate.
+    RelativeAcceleration(PairId),
+    /// Coriolis acceleration in a pair, a vector: 2 ω × v_rel with ω of the line's link.
+    Coriolis(PairId),
+    /// Force on a link in a pair, a vector.
+    Reaction(PairId, LinkId),
+    /// Couple on a link in a pair about the pair's reference point.
+    Moment(PairId, LinkId),
+    /// Part of the force on the link along the line's left normal (contacts: along the common normal into the link).
+    Normal(PairId, LinkId),
+    /// Force at one of two contact points of a prismatic pair (1 or 2) along the left normal, on the sliding link.
+    ContactForce(PairId, u8),
+    /// Where the resultant crosses the guide, in the pair's coordinate.
+    LineOffset(PairId),
+    /// −m a_S, a vector.
+    InertiaForce(LinkId),
+    /// −J α.
+    InertiaTorque(LinkId),
+    /// |M| / |F| of the inertia load.
+    InertiaArm(LinkId),
+    /// Replacement of a link's mass by masses at two points (link frame, m).
+    StaticSubstitution(LinkId, Vec2, Vec2, SubstitutionPart),
+    /// Dynamically equal replacement, one point given (link frame, m).
+    DynamicSubstitution(LinkId, Vec2, SubstitutionPart),
+    /// Transmission angle of an asserted group (index into `Mechanism::groups`).
+    TransmissionAngle(usize),
+    /// Pressure angle of a contact, slot or prismatic pair.
+    PressureAngle(PairId),
+    /// Value of an unknown effort.
+    Balance(BalanceId),
+    /// Effort of a drive where nothing is declared to balance.
+    Effort(DriveId),
+    /// An applied load: a vector for a force, a scalar for a torque or a force in a pair.
+    Load(LoadId),
+    /// Power of an unknown effort.
+    BalancePower(BalanceId),
+    /// Power of an applied load.
+    LoadPower(LoadId),
+    /// Power of a drive's effort.
+    EffortPower(DriveId),
+    /// Coordinate of a pair above its least value over the drive's turn.
+    Travel(PairId),
+    /// Difference of the greatest and the least coordinate. Needs no pose.
+    Stroke(PairId),
+    /// The longer way over the shorter. Needs no pose.
+    TimeRatio(PairId),
+    /// Drive value where the coordinate is least (1) or greatest (2), in [0, one turn). Needs no pose.
+    Dead(PairId, u8),
+}
+
+/// Parts of a mass substitution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SubstitutionPart {
+    /// Mass at the first point, kg.
+    M1,
+    /// Mass at the second point, kg.
+    M2,
+    /// Second point in the link's frame, m (a vector).
+    P2,
+    /// Distance of the second point from the mass centre, m.
+    L2,
+    /// Acceleration of the second point (a vector).
+    A2,
+    /// Inertia force of the first mass (a vector).
+    F1,
+    /// Inertia force of the second mass (a vector).
+    F2,
+    /// Moment of inertia left over: that of the two masses less the link's, kg m².
+    DJ,
+}
+
+/// A quantity with one value per pose.
+#[derive(Clone, Debug)]
+pub struct Quantity {
+    /// Name.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// What it is.
+    pub expr: Expr,
+    /// How it is printed.
+    pub display: Display,
+}
+
+impl Expr {
+    /// A constant number.
+    #[must_use]
+    pub const fn number(x: f64) -> Self {
+        Self::Constant(Value::Scalar(x))
+    }
+
+    /// Calls `visit` on every result the expression asks for.
+    pub fn queries(&self, visit: &mut impl FnMut(&Query)) {
+        match self {
+            Self::Constant(_) | Self::Quantity(_) => {}
+            Self::Query(q) => visit(q),
+            Self::Component(a, _) | Self::Negate(a) | Self::Not(a) => a.queries(visit),
+            Self::Vector(a, b)
+            | Self::Polar(a, b)
+            | Self::Binary(_, a, b)
+            | Self::Power(a, b)
+            | Self::Compare(_, a, b)
+            | Self::And(a, b)
+            | Self::Or(a, b) => {
+                a.queries(visit);
+                b.queries(visit);
+            }
+            Self::Call(_, args) => args.iter().for_each(|a| a.queries(visit)),
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Links with their points, lines and circles.
+
+use crate::math::Vec2;
+use crate::source::Span;
+
+/// A rigid link. Its frame is its own: points, lines and circles are given in it.
+#[derive(Clone, Debug, Default)]
+pub struct Link {
+    /// Name; `ground` for the ground, `c1.barrel` and `c1.rod` for the two links of a cylinder.
+    pub name: String,
+    /// The number of the textbook, where written.
+    pub number: Option<String>,
+    /// Place of the name.
+    pub span: Span,
+    /// Named points.
+    pub points: Vec<Point>,
+    /// Named lines.
+    pub lines: Vec<Line>,
+    /// Named circles.
+    pub circles: Vec<Circle>,
+    /// Mass properties, where declared.
+    pub mass: Option<MassProperties>,
+}
+
+/// Mass of a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MassProperties {
+    /// Mass, kg, > 0 (zero where only an inertia is declared).
+    pub mass: f64,
+    /// Mass centre in the link's frame, m.
+    pub centre: Vec2,
+    /// Moment of inertia about the mass centre, kg m², ≥ 0.
+    pub inertia: f64,
+}
+
+/// A point of a link.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Name.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// Coordinates in the link's frame, m.
+    pub at: Vec2,
+}
+
+/// A directed, unbounded line of a link.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// Name.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// Its `through` point in the link's frame, m: the zero of the coordinate along it.
+    pub through: Vec2,
+    /// Unit direction in the link's frame.
+    pub along: Vec2,
+}
+
+/// A circle of a link.
+#[derive(Clone, Debug)]
+pub struct Circle {
+    /// Name.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// Centre in the link's frame, m.
+    pub centre: Vec2,
+    /// Radius, m, > 0.
+    pub radius: f64,
+}

@@ -1,0 +1,127 @@
+//! Applied loads, springs and unknown efforts.
+
+use super::{Expr, LinkId, PairId};
+use crate::math::Vec2;
+use crate::source::Span;
+
+/// The acceleration of free fall as a vector in ground axes, m/s².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gravity {
+    /// Acceleration, m/s².
+    pub acceleration: Vec2,
+    /// Place of the statement.
+    pub span: Span,
+}
+
+/// Where on a link a force acts.
+#[derive(Clone, Debug)]
+pub enum Place {
+    /// A point of the link, in its frame, m.
+    Local(Vec2),
+    /// A place in ground axes at this instant, m (a vector expression).
+    Ground(Expr),
+}
+
+/// An applied load.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// Name, where it has one.
+    pub name: Option<String>,
+    /// Place of the statement.
+    pub span: Span,
+    /// What acts.
+    pub kind: LoadKind,
+    /// Acts only where this truth holds.
+    pub when: Option<Expr>,
+}
+
+/// What acts where. Expressions are in SI; those that need no results are folded to numbers.
+#[derive(Clone, Debug)]
+pub enum LoadKind {
+    /// A force on a link; a vector expression, N, in ground axes or in the axes of `frame`.
+    Force {
+        /// The link it acts on.
+        on: LinkId,
+        /// Where.
+        at: Place,
+        /// The force.
+        value: Expr,
+        /// The link whose axes the components are in.
+        frame: Option<LinkId>,
+    },
+    /// A force of this magnitude (scalar, N) against the velocity of its point.
+    ForceAgainstMotion {
+        /// The link it acts on.
+        on: LinkId,
+        /// Where.
+        at: Place,
+        /// Its magnitude.
+        value: Expr,
+    },
+    /// A torque on a link, N m, counter-clockwise positive.
+    Torque {
+        /// The link it acts on.
+        on: LinkId,
+        /// The torque.
+        value: Expr,
+        /// `value` is a magnitude that acts against the angular velocity.
+        against_motion: bool,
+    },
+    /// A force (N) or torque (N m) between the two links of a pair, positive along its coordinate.
+    InPair {
+        /// The pair: prismatic, slot, cylinder or revolute of two links.
+        pair: PairId,
+        /// The effort.
+        value: Expr,
+    },
+}
+
+/// A spring, with a damper beside it, between two points.
+#[derive(Clone, Debug)]
+pub struct Spring {
+    /// Name.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// One end: link and point in its frame, m.
+    pub from: (LinkId, Vec2),
+    /// The other end.
+    pub to: (LinkId, Vec2),
+    /// N/m.
+    pub stiffness: f64,
+    /// m.
+    pub free_length: f64,
+    /// N s/m.
+    pub damping: f64,
+}
+
+/// An unknown effort, found from equilibrium.
+#[derive(Clone, Debug)]
+pub struct Balance {
+    /// Name.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// What is unknown.
+    pub kind: BalanceKind,
+}
+
+/// Kinds of unknown effort.
+#[derive(Clone, Debug)]
+pub enum BalanceKind {
+    /// A torque on a link from outside, counter-clockwise positive.
+    Torque(LinkId),
+    /// A force on a link from outside along a direction, positive along it.
+    Force {
+        /// The link.
+        on: LinkId,
+        /// Where.
+        at: Place,
+        /// Unit direction in ground axes or in the axes of `frame`.
+        along: Vec2,
+        /// The link whose axes `along` is in.
+        frame: Option<LinkId>,
+    },
+    /// The force or torque inside a pair, positive along its coordinate.
+    InPair(PairId),
+}

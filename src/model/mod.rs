@@ -1,0 +1,101 @@
+//! The mechanism as plain data: SI units, radians, typed ids. What the compiler knows after `check` and before any
+//! structure is found.
+
+mod expr;
+mod id;
+mod link;
+mod load;
+mod motion;
+mod pair;
+mod request;
+
+pub use expr::{
+    Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
+};
+pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
+pub use link::{Circle, Line, Link, MassProperties, Point};
+pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
+pub use motion::{Drive, DriveTarget, Hint, HintKind, NamedPose, Positions};
+pub use pair::{Guide, Pair, PairKind, Pin, Profile, ProfileShape};
+pub use request::{At, Display, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
+
+use crate::source::Span;
+
+/// A checked mechanism: every name resolved, every number in SI, every expression typed.
+#[derive(Clone, Debug, Default)]
+pub struct Mechanism {
+    /// The title, empty where the file has none.
+    pub title: String,
+    /// The problem's text: the comment lines below the title.
+    pub notes: Vec<String>,
+    /// All links; the first is the ground.
+    pub links: Vec<Link>,
+    /// All pairs as declared; a pin in several links is one of them.
+    pub pairs: Vec<Pair>,
+    /// Asserted structural groups.
+    pub groups: Vec<GroupAssertion>,
+    /// The drives.
+    pub drives: Vec<Drive>,
+    /// Poses beside the sweep's own.
+    pub poses: Vec<NamedPose>,
+    /// What `assemble` says.
+    pub hints: Vec<Hint>,
+    /// The acceleration of free fall, where declared.
+    pub gravity: Option<Gravity>,
+    /// Applied forces and torques.
+    pub loads: Vec<Load>,
+    /// Springs.
+    pub springs: Vec<Spring>,
+    /// Unknown efforts.
+    pub balances: Vec<Balance>,
+    /// `ignore inertia` stands in the file.
+    pub ignore_inertia: bool,
+    /// Quantities with one value per pose: `let` from results and named items of `find`.
+    pub quantities: Vec<Quantity>,
+    /// What is asked.
+    pub finds: Vec<Find>,
+    /// What the answer key expects.
+    pub expects: Vec<Expect>,
+    /// Constructs that are understood but cannot be solved yet.
+    pub unsupported: Vec<Unsupported>,
+    /// The unit the file uses most for a dimension: what results without a unit of their own are printed in.
+    pub displays: Vec<Display>,
+    /// Given and derived values that need no pose, in the order of the file: name, SI value, display.
+    pub values: Vec<NamedValue>,
+}
+
+/// `group NAME: a, b`: these links are asserted to be one structural group.
+#[derive(Clone, Debug)]
+pub struct GroupAssertion {
+    /// Name and its place.
+    pub name: String,
+    /// Place of the statement.
+    pub span: Span,
+    /// The links named.
+    pub links: Vec<LinkId>,
+}
+
+/// A `given` or `let` with its value.
+#[derive(Clone, Debug)]
+pub struct NamedValue {
+    /// Name.
+    pub name: String,
+    /// SI value.
+    pub value: Value,
+    /// How to print it.
+    pub display: Display,
+}
+
+impl Mechanism {
+    /// The link with this id.
+    #[must_use]
+    pub fn link(&self, id: LinkId) -> &Link {
+        &self.links[id.index()]
+    }
+
+    /// The pair with this id.
+    #[must_use]
+    pub fn pair(&self, id: PairId) -> &Pair {
+        &self.pairs[id.index()]
+    }
+}

@@ -1,0 +1,119 @@
+//! Drives, poses and the choice of assembly.
+
+use super::{DriveId, Expr, LinkId, PairId};
+use crate::math::Vec2;
+use crate::source::Span;
+
+/// A drive: a motion that is known.
+#[derive(Clone, Debug)]
+pub struct Drive {
+    /// As written: `crank`, `c1`, `arm.C`.
+    pub name: String,
+    /// Place of the statement.
+    pub span: Span,
+    /// What is driven.
+    pub target: DriveTarget,
+    /// Its positions, rad, m, or a vector in m for a point. Expressions hang on nothing but `dead`, `stroke`.
+    pub positions: Positions,
+    /// Signed speed, rad/s, m/s, or a vector for a point. `None` where the file gives none.
+    pub speed: Option<Expr>,
+    /// Signed acceleration; `None` where the file gives none (zero).
+    pub acceleration: Option<Expr>,
+    /// `turning ccw`, `moving forward` +1; `cw`, `moving back` −1. A drive with a sense and no speed gives velocities as ratios.
+    pub sense: Option<f64>,
+}
+
+/// What a drive moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DriveTarget {
+    /// The angle of a link to the ground.
+    Link(LinkId),
+    /// The coordinate of a pair.
+    Pair(PairId),
+    /// A point (in the link's frame, m): the link is an outer link of a group given alone.
+    Point(LinkId, Vec2),
+}
+
+/// Positions of a drive, in SI.
+#[derive(Clone, Debug)]
+pub enum Positions {
+    /// None written: rates only.
+    None,
+    /// Listed values; one value is a list of one.
+    List(Vec<Expr>),
+    /// `from .. to in n steps`.
+    Range {
+        /// First value.
+        from: Expr,
+        /// Last value.
+        to: Expr,
+        /// Number of steps, ≥ 1.
+        steps: usize,
+    },
+}
+
+/// A pose beside the sweep's own.
+#[derive(Clone, Debug)]
+pub struct NamedPose {
+    /// Its name, as `4'`.
+    pub name: String,
+    /// Place of the statement.
+    pub span: Span,
+    /// Drive values.
+    pub at: Vec<(DriveId, Expr)>,
+}
+
+/// One clause of `assemble`.
+#[derive(Clone, Debug)]
+pub struct Hint {
+    /// Place of the clause.
+    pub span: Span,
+    /// What it says.
+    pub kind: HintKind,
+}
+
+/// A point of a link: link and coordinates in its frame, m.
+pub type LinkPoint = (LinkId, Vec2);
+
+/// What a clause of `assemble` says.
+#[derive(Clone, Debug)]
+pub enum HintKind {
+    /// The point lies left (or right) of the line from one point to another.
+    Side {
+        /// The point.
+        point: LinkPoint,
+        /// Seen from here
+        from: LinkPoint,
+        /// towards here.
+        to: LinkPoint,
+        /// Left, or right.
+        left: bool,
+    },
+    /// The point lies ahead of (or behind) another along the guide of a prismatic pair.
+    Along {
+        /// The point.
+        point: LinkPoint,
+        /// The other point.
+        other: LinkPoint,
+        /// The prismatic pair whose line gives the direction.
+        pair: PairId,
+        /// Ahead, or behind.
+        ahead: bool,
+    },
+    /// The pair's coordinate is greater (or less) than a value, SI.
+    Coordinate {
+        /// The pair.
+        pair: PairId,
+        /// The bound.
+        bound: f64,
+        /// Greater, or less.
+        greater: bool,
+    },
+    /// The point is near a place in ground axes, m.
+    Near {
+        /// The point.
+        point: LinkPoint,
+        /// The place.
+        place: Vec2,
+    },
+}

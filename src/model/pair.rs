@@ -1,0 +1,136 @@
+//! Kinematic pairs as declared.
+
+use super::LinkId;
+use crate::math::Vec2;
+use crate::source::Span;
+
+/// A kinematic pair.
+#[derive(Clone, Debug)]
+pub struct Pair {
+    /// Name.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// What it joins, and how.
+    pub kind: PairKind,
+}
+
+/// The kinds of pair.
+#[derive(Clone, Debug)]
+pub enum PairKind {
+    /// Hinge: the pins' points coincide. The pin sits in the first link; k links make k − 1 lower pairs.
+    Revolute(Vec<Pin>),
+    /// Slider: the slider keeps its orientation to the line and its point on it. A lower pair.
+    Prismatic(Guide),
+    /// Pin in slot: the point stays on the line. A higher pair.
+    Slot(Guide),
+    /// Contact of two profiles. A higher pair.
+    Contact {
+        /// The first profile as written.
+        first: Profile,
+        /// The second profile as written.
+        second: Profile,
+        /// One circle lies inside the other.
+        internal: bool,
+    },
+    /// Barrel and rod between two points: two links, two revolutes and a prismatic pair.
+    Cylinder {
+        /// The barrel's link.
+        barrel: LinkId,
+        /// The rod's link.
+        rod: LinkId,
+        /// Where the barrel is hinged.
+        from: Pin,
+        /// Where the rod is hinged.
+        to: Pin,
+    },
+}
+
+/// A point of a link where a hinge stands.
+#[derive(Clone, Debug)]
+pub struct Pin {
+    /// The link.
+    pub link: LinkId,
+    /// Name of the point.
+    pub name: String,
+    /// The point in the link's frame, m.
+    pub at: Vec2,
+}
+
+/// A point on a line. The coordinate is that of the point, measured along the line from its `through` point.
+#[derive(Clone, Debug)]
+pub struct Guide {
+    /// The link that carries the point.
+    pub slider: LinkId,
+    /// Name of the point on the slider (of its line's `through` point where two lines slide).
+    pub point_name: String,
+    /// The point in the slider's frame, m.
+    pub point: Vec2,
+    /// Unit direction in the slider's frame that lies along the line (meaningless for a slot).
+    pub direction: Vec2,
+    /// The link that carries the line.
+    pub guide: LinkId,
+    /// Name of the line.
+    pub line_name: String,
+    /// The line's `through` point in the guide's frame, m.
+    pub through: Vec2,
+    /// The line's unit direction in the guide's frame.
+    pub along: Vec2,
+    /// Coordinates of two contact points relative to the pair's point, m.
+    pub contacts: Option<[f64; 2]>,
+    /// The line's link was written first: `from` is the guide and `on` the slider in a list of reactions.
+    pub guide_first: bool,
+}
+
+/// A profile in contact.
+#[derive(Clone, Debug)]
+pub struct Profile {
+    /// The link that carries it.
+    pub link: LinkId,
+    /// Name of the point, line or circle.
+    pub name: String,
+    /// Its shape.
+    pub shape: ProfileShape,
+}
+
+/// Shapes of profiles, in the frame of their link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ProfileShape {
+    /// A point.
+    Point(Vec2),
+    /// A circle: centre and radius, m.
+    Circle(Vec2, f64),
+    /// A line: a point of it and its unit direction.
+    Line(Vec2, Vec2),
+}
+
+impl PairKind {
+    /// The links joined, in the order written.
+    #[must_use]
+    pub fn links(&self) -> Vec<LinkId> {
+        match self {
+            Self::Revolute(pins) => pins.iter().map(|p| p.link).collect(),
+            Self::Prismatic(g) | Self::Slot(g) if g.guide_first => vec![g.guide, g.slider],
+            Self::Prismatic(g) | Self::Slot(g) => vec![g.slider, g.guide],
+            Self::Contact { first, second, .. } => vec![first.link, second.link],
+            Self::Cylinder { from, to, .. } => vec![from.link, to.link],
+        }
+    }
+
+    /// Number of lower pairs it counts for.
+    #[must_use]
+    pub fn lower(&self) -> usize {
+        match self {
+            Self::Revolute(pins) => pins.len().saturating_sub(1),
+            Self::Prismatic(_) => 1,
+            Self::Cylinder { .. } => 3,
+            Self::Slot(_) | Self::Contact { .. } => 0,
+        }
+    }
+
+    /// Number of higher pairs it counts for.
+    #[must_use]
+    pub fn higher(&self) -> usize {
+        usize::from(matches!(self, Self::Slot(_) | Self::Contact { .. }))
+    }
+}

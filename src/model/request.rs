@@ -1,0 +1,107 @@
+//! What is asked and what is expected.
+
+use super::{DriveId, Expr};
+use crate::source::Span;
+
+/// How a value is printed: SI value over `factor`, followed by `unit`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Display {
+    /// Unit as the author writes it; empty for plain numbers and truths.
+    pub unit: String,
+    /// SI value of one unit.
+    pub factor: f64,
+    /// Exponents of length, mass, time; the angle kind.
+    pub dimension: [i8; 4],
+}
+
+/// One item of `find`.
+#[derive(Clone, Debug)]
+pub struct Find {
+    /// Its name, or its own text with single blanks: column, JSON key, and what `expect` may use.
+    pub name: String,
+    /// Place of the item.
+    pub span: Span,
+    /// What is asked.
+    pub kind: FindKind,
+}
+
+/// What an item of `find` asks.
+#[derive(Clone, Debug)]
+pub enum FindKind {
+    /// A value at every pose.
+    Value {
+        /// The expression.
+        expr: Expr,
+        /// How it is printed.
+        display: Display,
+        /// Needs no pose: given values, `dead`, `stroke`, `time_ratio`.
+        poseless: bool,
+    },
+    /// All reactions in all pairs.
+    Reactions,
+}
+
+/// One `expect`.
+#[derive(Clone, Debug)]
+pub struct Expect {
+    /// The left side's own text with single blanks.
+    pub text: String,
+    /// Place of the statement.
+    pub span: Span,
+    /// What is computed.
+    pub expr: Expr,
+    /// What is expected of it.
+    pub relation: Relation,
+    /// Tolerance.
+    pub tolerance: Tolerance,
+    /// Where it holds; `None`: the file's one pose, all poses for a list, or no pose needed.
+    pub at: Option<At>,
+    /// Compared modulo one turn.
+    pub angle: bool,
+    /// How it is printed.
+    pub display: Display,
+    /// Needs no pose.
+    pub poseless: bool,
+}
+
+/// What is expected of a value.
+#[derive(Clone, Debug)]
+pub enum Relation {
+    /// Equal: one value, or one value per pose.
+    Equal(Vec<Expr>),
+    /// Stands in this relation to a bound.
+    Compare(super::Comparison, Expr),
+    /// A truth that holds.
+    Truth,
+}
+
+/// The tolerance of an equality, all in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Tolerance {
+    /// Relative to the expected value.
+    Relative(f64),
+    /// Absolute.
+    Absolute(f64),
+    /// Inferred from the digits written, one per expected value: absolute, SI.
+    Written(Vec<f64>),
+    /// Comparisons and truths have none.
+    None,
+}
+
+/// Where an `expect` holds.
+#[derive(Clone, Debug)]
+pub enum At {
+    /// A pose by name: of the sweep (`4`), or one of its own (`4'`).
+    Pose(String, Span),
+    /// Drive values: solved in addition to the sweep.
+    Drives(Vec<(DriveId, Expr)>),
+}
+
+/// A construct that parses and checks but cannot be solved yet.
+#[derive(Clone, Debug)]
+pub struct Unsupported {
+    /// What it is, as in "friction in a pair".
+    pub what: String,
+    /// Its place.
+    pub span: Span,
+}
