@@ -3,3 +3,4 @@
 pub mod math;
 pub mod model;
 pub mod source;
+pub mod structure;
