@@ -1,7 +1,9 @@
 //! 2-vectors, the scalar trait and small linear solves with their condition.
 
+mod rigid;
 mod scalar;
 mod vec2;
 
+pub use rigid::{acceleration_at, velocity_at};
 pub use scalar::Scalar;
 pub use vec2::{V2, Vec2};
