@@ -1,4 +1,7 @@
 //! `assur`: a small declarative language for planar mechanism problems, and the compiler that solves them.
 
+pub mod diagnostic;
 pub mod math;
 pub mod source;
+pub mod syntax;
+pub mod units;
