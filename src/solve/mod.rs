@@ -1,0 +1,28 @@
+//! Plan × positions → Solution.
+
+mod assemble;
+mod contact;
+mod error;
+mod evaluate;
+mod extremes;
+mod forces;
+mod general;
+mod inputs;
+mod loads;
+mod motion;
+mod positions;
+mod residual;
+mod solution;
+mod state;
+mod substitution;
+mod sweep;
+mod track;
+mod view;
+
+pub use error::SolveError;
+pub use evaluate::compare;
+pub use extremes::Statics;
+pub use solution::{DriveValue, Pose, PoseOrigin, Residuals, Scene, Solution, Solved};
+pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};
+pub use sweep::solve;
+pub use view::View;
