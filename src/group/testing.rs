@@ -30,6 +30,11 @@ impl Random {
         Vec2::new(self.within(-size, size), self.within(-size, size))
     }
 
+    /// A unit vector.
+    pub fn direction(&mut self) -> Vec2 {
+        Vec2::direction(self.within(-3.0, 3.0))
+    }
+
     /// A force and a moment.
     pub fn wrench(&mut self) -> (Vec2, f64) {
         (self.vector(100.0), self.within(-50.0, 50.0))
@@ -105,6 +110,10 @@ impl Body {
             omega: random.within(-2.0, 2.0),
             alpha: random.within(-2.0, 2.0),
         }
+    }
+    /// The same path, turning with `other` at a constant angle to it.
+    pub fn turning_with(self, other: &Body, angle: f64) -> Self {
+        Self { origin: self.origin, angle: other.angle + angle, omega: other.omega, alpha: other.alpha }
     }
     pub fn origin(&self, t: f64) -> Vec2 {
         self.origin.at(t)
