@@ -88,9 +88,10 @@ fn radii(step: &MotionStep) -> [f64; 2] {
 
 fn same(scene: &Scene<'_>, a: &State, b: &State) -> bool {
     let extent = super::track::extent(scene);
-    a.bodies.iter().zip(&b.bodies).all(|(x, y)| {
-        (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME
-    })
+    a.bodies
+        .iter()
+        .zip(&b.bodies)
+        .all(|(x, y)| (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME)
 }
 
 /// The first group whose solution settles a link.
@@ -187,10 +188,8 @@ fn bare_view<'a>(scene: &Scene<'a>, state: &'a State) -> View<'a> {
 fn nearest(scene: &Scene<'_>, candidates: Vec<Candidate>) -> Result<State, SolveError> {
     let least = candidates.iter().map(|c| c.far).fold(f64::INFINITY, f64::min);
     let close = super::track::extent(scene) * SAME;
-    let mut best: Vec<Candidate> = candidates
-        .into_iter()
-        .filter(|c| c.far.sqrt() <= least.sqrt() + close || c.far.is_nan())
-        .collect();
+    let mut best: Vec<Candidate> =
+        candidates.into_iter().filter(|c| c.far.sqrt() <= least.sqrt() + close || c.far.is_nan()).collect();
     if best.len() == 1 { Ok(best.swap_remove(0).state) } else { Err(ambiguous(scene, &best)) }
 }
 
@@ -221,7 +220,10 @@ fn ambiguous(scene: &Scene<'_>, candidates: &[Candidate]) -> SolveError {
     }
     SolveError::Ambiguous {
         count: lines.len(),
-        help: format!("write one of\n{}", lines.iter().map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n")),
+        help: format!(
+            "write one of\n{}",
+            lines.iter().map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n")
+        ),
         labels: group_labels(scene, index),
     }
 }
@@ -237,7 +239,10 @@ fn not_met(scene: &Scene<'_>, hint: &Hint, others: &[Candidate], index: usize) -
     let mut labels = vec![label("no assembly fits this", hint.span)];
     labels.extend(group_labels(scene, index));
     SolveError::HintNotMet {
-        help: format!("these exist:\n{}", lines.iter().map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n")),
+        help: format!(
+            "these exist:\n{}",
+            lines.iter().map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n")
+        ),
         labels,
     }
 }
@@ -276,16 +281,16 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
     let replaced = &scene.structure.replaced;
     let real = |i: usize| {
         let pair = scene.mechanism.pair(replaced.joint(group.joints[i].joint).pair);
-        let simple = matches!(pair.kind, crate::model::PairKind::Revolute(_) | crate::model::PairKind::Prismatic(_));
+        let simple =
+            matches!(pair.kind, crate::model::PairKind::Revolute(_) | crate::model::PairKind::Prismatic(_));
         simple.then_some(pair)
     };
     let pin = |i: usize| {
         let joint = group.joints[i];
         match &replaced.joint(joint.joint).kind {
-            JointKind::Revolute(members) => members
-                .iter()
-                .find(|m| m.0 == joint.body)
-                .map(|m| state.bodies[joint.body.0].position(m.1)),
+            JointKind::Revolute(members) => {
+                members.iter().find(|m| m.0 == joint.body).map(|m| state.bodies[joint.body.0].position(m.1))
+            }
             JointKind::Prismatic { .. } => None,
         }
     };
@@ -298,8 +303,7 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
         Dyad::Rrp => {
             let (a, c) = (pin(0)?, pin(1)?);
             let guide = real(2)?;
-            let JointKind::Prismatic { guide: base, along, .. } =
-                replaced.joint(group.joints[2].joint).kind
+            let JointKind::Prismatic { guide: base, along, .. } = replaced.joint(group.joints[2].joint).kind
             else {
                 return None;
             };

@@ -151,8 +151,7 @@ fn power(scene: &Scene<'_>, state: &State) -> f64 {
 }
 
 fn slider_speed(scene: &Scene<'_>, state: &State, joint: crate::structure::JointId) -> f64 {
-    let JointKind::Prismatic { slider, point, guide, along, .. } =
-        scene.structure.replaced.joint(joint).kind
+    let JointKind::Prismatic { slider, point, guide, along, .. } = scene.structure.replaced.joint(joint).kind
     else {
         return 0.0;
     };

@@ -157,6 +157,13 @@ impl General {
         if condition > f64::EPSILON { Ok(condition) } else { Err(Failure::Singular) }
     }
 
+    /// Changes a constraint: a drive's value, the side of an offset, the line of a force. Its kind stays.
+    pub fn change(&mut self, index: usize, edit: impl FnOnce(&mut Constraint)) {
+        if let Some(constraint) = self.constraints.get_mut(index) {
+            edit(constraint);
+        }
+    }
+
     /// Sign of the determinant of the Jacobian last factored: one branch keeps it.
     #[must_use]
     pub fn branch(&self) -> f64 {
