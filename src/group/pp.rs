@@ -36,6 +36,7 @@ pub struct Reactions<S> {
 }
 
 impl<S: Scalar> Pp<S> {
+    /// The group in one position.
     /// # Given    `d_1`, `d_2` unit directions of the guides, not parallel.
     #[inline(always)]
     pub fn new(d_1: V2<S>, d_2: V2<S>) -> Self {

@@ -69,6 +69,7 @@ pub struct Reactions<S> {
 }
 
 impl<S: Scalar> Rpp<S> {
+    /// The group in one position.
     /// # Given    `d_1`, `d_2` unit directions of the line of body 2 and of the guide, not parallel.
     #[inline(always)]
     pub fn new(d_1: V2<S>, d_2: V2<S>) -> Self {

@@ -94,6 +94,7 @@ pub struct Reactions<S> {
 }
 
 impl<S: Scalar> Rpr<S> {
+    /// The group in one position.
     /// # Given    `r` = B − A, m; `e` unit direction of the line; `h` offset of B, m; `s` its coordinate, m, not 0.
     #[inline(always)]
     pub fn new(r: V2<S>, e: V2<S>, h: S, s: S) -> Self {

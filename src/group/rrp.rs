@@ -92,6 +92,7 @@ pub struct Reactions<S> {
 }
 
 impl<S: Scalar> Rrp<S> {
+    /// The group in one position.
     /// # Given    `r_1` = C − A, m; `d` unit direction of the guide, not at right angles to it.
     #[inline(always)]
     pub fn new(r_1: V2<S>, d: V2<S>) -> Self {

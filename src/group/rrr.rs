@@ -133,6 +133,7 @@ pub struct Reactions<S> {
 }
 
 impl<S: Scalar> Rrr<S> {
+    /// The group in one position.
     /// # Given    `r_1` = C − A, `r_2` = C − B, m, not in line.
     #[inline(always)]
     pub fn new(r_1: V2<S>, r_2: V2<S>) -> Self {
