@@ -9,9 +9,9 @@
 //! a = (s² + L² − g²) / 2L,    2A = L b,    16A² = (x + (y + z)) (z − (x − y)) (z + (x − y)) (x + (y − z)),
 //! ```
 //!
-//! A the area of the triangle, x ≥ y ≥ z its sides L, l_1, l_2 in Kahan's order. a is formed by adding the least square to (m − g)(m + g), m = max(s, L),
-//! where m − g is exact. Both are accurate for the sides as given, and measured from O their errors are in
-//! proportion to the short link, however short it is.
+//! A the area of the triangle, x ≥ y ≥ z its sides L, l_1, l_2 in Kahan's order. a is formed by adding the least
+//! square to (m − g)(m + g), m = max(s, L), where m − g is exact. Both are accurate for the sides as given, and
+//! measured from O their errors are in proportion to the short link, however short it is.
 //!
 //! Velocity:      v_A + ω_1 × r_1 = v_B + ω_2 × r_2.
 //! Acceleration:  a_A + α_1 × r_1 − ω_1² r_1 = a_B + α_2 × r_2 − ω_2² r_2.
