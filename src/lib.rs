@@ -5,3 +5,10 @@ pub mod math;
 pub mod source;
 pub mod syntax;
 pub mod units;
+
+/// What the author of a text is told about it, without colour, 100 columns wide; empty where nothing is wrong.
+#[must_use]
+pub fn diagnose(source: &source::Source) -> String {
+    let (_, problems) = syntax::parse(source);
+    diagnostic::render(&problems, source, diagnostic::Style::PLAIN)
+}
