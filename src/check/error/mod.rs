@@ -1,5 +1,11 @@
 //! What can be wrong with the meaning of a document: one enum per topic.
 
+mod expect;
 mod name;
+mod request;
+mod unit;
 
+pub use expect::ExpectError;
 pub use name::NameError;
+pub use request::RequestError;
+pub use unit::UnitsError;
