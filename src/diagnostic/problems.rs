@@ -1,0 +1,88 @@
+//! The collection.
+
+use miette::{Diagnostic, Severity};
+
+/// Any stage's diagnostic.
+pub type AnyDiagnostic = Box<dyn Diagnostic + Send + Sync + 'static>;
+
+/// All that is wrong with, or worth saying about, one text.
+#[derive(Debug, Default)]
+pub struct Problems {
+    items: Vec<AnyDiagnostic>,
+}
+
+impl Problems {
+    /// Nothing yet.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds one.
+    pub fn push(&mut self, problem: impl Diagnostic + Send + Sync + 'static) {
+        self.items.push(Box::new(problem));
+    }
+
+    /// Adds all of another collection.
+    pub fn append(&mut self, other: Self) {
+        self.items.extend(other.items);
+    }
+
+    /// Whether there is nothing to say.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.items.is_empty()
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.items.len()
+    }
+
+    /// How many of them are errors.
+    #[must_use]
+    pub fn errors(&self) -> usize {
+        self.items.iter().filter(|p| is_error(p.as_ref())).count()
+    }
+
+    /// How many are no errors.
+    #[must_use]
+    pub fn warnings(&self) -> usize {
+        self.len() - self.errors()
+    }
+
+    /// Whether the text cannot be used.
+    #[must_use]
+    pub fn has_errors(&self) -> bool {
+        self.errors() > 0
+    }
+
+    /// All of them by place; at equal place errors first, then in the order found. Those without place come first.
+    #[must_use]
+    pub fn sorted(&self) -> Vec<&(dyn Diagnostic + Send + Sync + 'static)> {
+        let mut all = self.items.iter().map(AsRef::as_ref).collect::<Vec<_>>();
+        all.sort_by_key(|p| (offset(*p), !is_error(*p)));
+        all
+    }
+}
+
+impl IntoIterator for Problems {
+    type Item = AnyDiagnostic;
+    type IntoIter = std::vec::IntoIter<AnyDiagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.items.into_iter()
+    }
+}
+
+/// Whether it is an error; what says nothing of its severity is one.
+pub(super) fn is_error(problem: &dyn Diagnostic) -> bool {
+    matches!(problem.severity(), None | Some(Severity::Error))
+}
+
+/// The first byte of the place it is about: that of the primary label, else of the first.
+fn offset(problem: &dyn Diagnostic) -> Option<usize> {
+    let labels = problem.labels()?.collect::<Vec<_>>();
+    labels.iter().find(|l| l.primary()).or(labels.first()).map(miette::LabeledSpan::offset)
+}

@@ -1,0 +1,94 @@
+//! Diagnostics for machines.
+
+use super::Problems;
+use super::problems::is_error;
+use crate::source::Source;
+use miette::{Diagnostic, LabeledSpan, Severity};
+use serde::Serialize;
+
+/// A diagnostic as it stands in JSON.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DiagnosticView {
+    /// `mech::<stage>::<what_is_wrong>`
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub code: Option<String>,
+    /// `error`, `warning` or `advice`
+    pub severity: &'static str,
+    /// What is wrong.
+    pub message: String,
+    /// What to do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub help: Option<String>,
+    /// The places it is about, the primary one first.
+    pub spans: Vec<SpanView>,
+}
+
+/// A place in the text with what is said of it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SpanView {
+    /// The text's name.
+    pub file: String,
+    /// Its first character.
+    pub start: Place,
+    /// One past its last.
+    pub end: Place,
+    /// What is said of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub label: Option<String>,
+}
+
+/// A place between characters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Place {
+    /// From 1.
+    pub line: usize,
+    /// From 1, in characters.
+    pub column: usize,
+    /// From 0.
+    pub byte: usize,
+}
+
+/// Line and column of a byte; a byte past the end is the end, one within a character is that character's first.
+#[must_use]
+pub fn place(text: &str, byte: usize) -> Place {
+    let mut byte = byte.min(text.len());
+    while !text.is_char_boundary(byte) {
+        byte -= 1;
+    }
+    let before = &text[..byte];
+    let line_start = before.rfind('\n').map_or(0, |i| i + 1);
+    Place { line: before.matches('\n').count() + 1, column: before[line_start..].chars().count() + 1, byte }
+}
+
+impl Problems {
+    /// All of them as they stand in JSON, sorted by place.
+    #[must_use]
+    pub fn views(&self, source: &Source) -> Vec<DiagnosticView> {
+        self.sorted().into_iter().map(|p| view(p, source)).collect()
+    }
+}
+
+fn view(problem: &dyn Diagnostic, source: &Source) -> DiagnosticView {
+    let mut labels = problem.labels().map(Iterator::collect::<Vec<_>>).unwrap_or_default();
+    labels.sort_by_key(|l| !l.primary());
+    DiagnosticView {
+        code: problem.code().map(|c| c.to_string()),
+        severity: match problem.severity() {
+            Some(Severity::Advice) => "advice",
+            _ if is_error(problem) => "error",
+            _ => "warning",
+        },
+        message: problem.to_string(),
+        help: problem.help().map(|h| h.to_string()),
+        spans: labels.iter().map(|l| span_view(l, source)).collect(),
+    }
+}
+
+fn span_view(label: &LabeledSpan, source: &Source) -> SpanView {
+    SpanView {
+        file: source.name.clone(),
+        start: place(&source.text, label.offset()),
+        end: place(&source.text, label.offset() + label.len()),
+        label: label.label().map(str::to_owned),
+    }
+}

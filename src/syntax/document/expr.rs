@@ -1,0 +1,104 @@
+//! Expressions.
+
+use super::Name;
+use crate::source::{Span, Spanned};
+
+/// An expression and its place. Brackets leave no node; the place of what they enclose includes them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// What an expression is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExprKind {
+    /// `100`, `100 mm`
+    Number(Number),
+    /// `r`
+    Name(String),
+    /// `reaction(B, rod).x`, `ram.F`: the part of a thing.
+    Member(Box<Expr>, Name),
+    /// `velocity(C)`, `journal_torque(load = 5 N)`
+    Call {
+        /// The function's name.
+        function: Name,
+        /// Its arguments in the order written.
+        args: Vec<Arg>,
+    },
+    /// `(x, y)`
+    Vector(Box<Expr>, Box<Expr>),
+    /// `r @ phi`: length and direction.
+    Polar(Box<Expr>, Box<Expr>),
+    /// `-x`, `+x`, `not x`
+    Unary(Spanned<UnaryOp>, Box<Expr>),
+    /// Operators of one precedence, from left to right: `a + b - c`, `a * b / c`, `a and b`, `a or b`.
+    Chain(Box<Expr>, Vec<(Spanned<BinaryOp>, Expr)>),
+    /// `a ^ b`
+    Power(Box<Expr>, Box<Expr>),
+    /// `a < b`, `a < b <= c`
+    Compare(Box<Expr>, Vec<(Spanned<CompareOp>, Expr)>),
+}
+
+/// A number as written, with its unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Number {
+    /// Its value in the unit written.
+    pub value: f64,
+    /// Its digits as written, without the unit.
+    pub text: String,
+    /// The unit as written, not looked up.
+    pub unit: Option<Spanned<String>>,
+}
+
+/// An argument of a call.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arg {
+    /// `load` in `load = 5 N`.
+    pub name: Option<Name>,
+    /// Its value.
+    pub value: Expr,
+}
+
+/// An operator before its operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnaryOp {
+    /// `-`
+    Minus,
+    /// `+`
+    Plus,
+    /// `not`
+    Not,
+}
+
+/// An operator of a [`ExprKind::Chain`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BinaryOp {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `and`
+    And,
+    /// `or`
+    Or,
+}
+
+/// A comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CompareOp {
+    /// `<`
+    Less,
+    /// `<=`
+    LessOrEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterOrEqual,
+}

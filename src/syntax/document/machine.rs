@@ -1,0 +1,286 @@
+//! What the machine is: links, pairs, transmissions, machine elements.
+
+use super::{Body, Expr, Name, Path, Turn};
+use crate::source::{Span, Spanned};
+
+/// `ground 0 { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ground {
+    /// The number used in printed symbols.
+    pub number: Option<Spanned<String>>,
+    /// Its points, lines and wheels.
+    pub body: Body,
+}
+
+/// `link 1 crank A-B r { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Link {
+    /// The number used in printed symbols.
+    pub number: Option<Spanned<String>>,
+    /// Its name.
+    pub name: Name,
+    /// `A-B r`
+    pub bar: Option<Bar>,
+    /// Its members.
+    pub body: Body,
+}
+
+/// `A-B r`: short for `{ A (0, 0); B (r, 0) }`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bar {
+    /// The point at the origin.
+    pub from: Name,
+    /// The point on the x axis.
+    pub to: Name,
+    /// Their distance.
+    pub length: Expr,
+}
+
+/// `shaft P on H { wheel p teeth 18 }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shaft {
+    /// Its name.
+    pub name: Name,
+    /// The carrier it turns on.
+    pub on: Option<Name>,
+    /// Its members.
+    pub body: Body,
+}
+
+/// `slider A`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slider {
+    /// Its name.
+    pub name: Name,
+    /// Its members.
+    pub body: Body,
+}
+
+/// A pair or a transmission between links.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// Which.
+    pub kind: Spanned<JointKind>,
+    /// Its name.
+    pub name: Name,
+    /// What it joins, in the order written; two or more.
+    pub ends: Vec<End>,
+    /// What stands in its braces.
+    pub properties: Vec<Property>,
+}
+
+/// The kinds of joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum JointKind {
+    /// A pin: two links turn on each other.
+    Revolute,
+    /// A slide: two links move along each other.
+    Prismatic,
+    /// A pin in a slot.
+    Slot,
+    /// Two profiles that touch.
+    Contact,
+    /// Barrel and rod of a hydraulic cylinder.
+    Cylinder,
+    /// Two gear wheels.
+    Mesh,
+    /// A rope over wheels and sliders.
+    Rope,
+    /// A belt between two wheels.
+    Belt,
+    /// A chain between two wheels.
+    Chain,
+    /// A gear wheel on a toothed line.
+    Rack,
+    /// A worm and its wheel.
+    Worm,
+    /// A spindle and its nut.
+    Screw,
+}
+
+impl JointKind {
+    /// Every kind.
+    pub const ALL: [Self; 12] = [
+        Self::Revolute,
+        Self::Prismatic,
+        Self::Slot,
+        Self::Contact,
+        Self::Cylinder,
+        Self::Mesh,
+        Self::Rope,
+        Self::Belt,
+        Self::Chain,
+        Self::Rack,
+        Self::Worm,
+        Self::Screw,
+    ];
+
+    /// The statement's word.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Revolute => "revolute",
+            Self::Prismatic => "prismatic",
+            Self::Slot => "slot",
+            Self::Contact => "contact",
+            Self::Cylinder => "cylinder",
+            Self::Mesh => "mesh",
+            Self::Rope => "rope",
+            Self::Belt => "belt",
+            Self::Chain => "chain",
+            Self::Rack => "rack",
+            Self::Worm => "worm",
+            Self::Screw => "screw",
+        }
+    }
+}
+
+/// One end of a joint.
+#[derive(Clone, Debug, PartialEq)]
+pub enum End {
+    /// `crank`, `piston.C`, `ground.guide`, `w1`
+    At(Path),
+    /// `over(C)`: an idler, declared here.
+    Over(Name),
+    /// `under(P)`: a movable pulley on slider P.
+    Under(Name),
+}
+
+impl End {
+    /// The place of what is named.
+    #[must_use]
+    pub fn span(&self) -> Span {
+        match self {
+            Self::At(path) => path.span(),
+            Self::Over(name) | Self::Under(name) => name.span,
+        }
+    }
+}
+
+/// `friction 0.1`, `contacts -20 mm, 25 mm`, `with_cam`, `rim { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Property {
+    /// The word.
+    pub name: Name,
+    /// Its values; none for a word that stands alone.
+    pub values: Vec<Expr>,
+    /// The properties in its own braces.
+    pub properties: Vec<Property>,
+    /// The whole property.
+    pub span: Span,
+}
+
+/// `spring k: BDE.D - ground.C { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spring {
+    /// Its name.
+    pub name: Name,
+    /// One end.
+    pub from: Path,
+    /// The other.
+    pub to: Path,
+    /// Stiffness, free length, damping.
+    pub properties: Vec<Property>,
+}
+
+/// `group rod_piston: rod, piston`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Its name.
+    pub name: Name,
+    /// Its links.
+    pub links: Vec<Name>,
+}
+
+/// `cam plate { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cam {
+    /// Its name.
+    pub name: Name,
+    /// What stands in its braces.
+    pub members: Vec<Spanned<CamMember>>,
+}
+
+/// What a cam is described by.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CamMember {
+    /// `turning cw`
+    Turning(Spanned<Turn>),
+    /// `follower oscillating roller { … }`
+    Follower(Follower),
+    /// `rise 60 deg through 18 deg parabolic`
+    Phase(Box<Phase>),
+    /// `base_radius 50 mm`, and what else may come
+    Property(Property),
+    /// What could not be read; reported already.
+    Bad(super::Bad),
+}
+
+/// `follower oscillating roller { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Follower {
+    /// `oscillating` or `translating`
+    pub motion: Name,
+    /// `roller`, `knife` or `flat`
+    pub shape: Name,
+    /// What stands in its braces.
+    pub properties: Vec<Property>,
+}
+
+/// A part of the cam's turn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Phase {
+    /// Which.
+    pub kind: Spanned<PhaseKind>,
+    /// The angle the cam turns.
+    pub angle: Expr,
+    /// How far the follower goes.
+    pub through: Option<Expr>,
+    /// By which law.
+    pub law: Option<Spanned<CamLaw>>,
+}
+
+/// The parts of a cam's turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PhaseKind {
+    /// The follower goes out.
+    Rise,
+    /// It stands.
+    Dwell,
+    /// It comes back.
+    Fall,
+}
+
+/// The laws of a follower's motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CamLaw {
+    /// Constant speed.
+    Uniform,
+    /// Constant acceleration, then constant deceleration.
+    Parabolic,
+    /// A half cosine.
+    Harmonic,
+    /// The acceleration is a whole sine.
+    Cycloidal,
+    /// A polynomial of the powers 3 to 5.
+    Poly345,
+    /// A polynomial of the powers 4 to 7.
+    Poly4567,
+    /// The acceleration is a trapezoid with rounded flanks.
+    ModifiedTrapezoid,
+    /// The acceleration is a sine with stretched middle.
+    ModifiedSine,
+}
+
+/// `flywheel J on O1 for Mb { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flywheel {
+    /// Its name, also that of the moment of inertia found.
+    pub name: Name,
+    /// The shaft or link it sits on.
+    pub on: Name,
+    /// The torque whose work it evens out.
+    pub torque: Option<Name>,
+    /// What stands in its braces.
+    pub properties: Vec<Property>,
+}

@@ -1,0 +1,165 @@
+//! The document: what a `.mech` text says, statement by statement, with the place of every part.
+//!
+//! Nothing here is checked for meaning: names are not resolved, units are written text, and a property list may hold
+//! anything. A statement or member that could not be read is kept as `Bad` with the names it seems to declare, so
+//! that later stages do not report those names as unknown.
+
+mod body;
+mod expr;
+mod machine;
+mod motion;
+mod question;
+
+pub use body::{About, At, PointFrom, WheelSize};
+pub use body::{
+    Body, CircleMember, LineDirection, LineMember, Member, PointMember, ProfileMember, WheelMember,
+};
+pub use expr::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
+pub use machine::{
+    Bar, Cam, CamLaw, CamMember, End, Flywheel, Follower, Ground, Group, Joint, JointKind, Link,
+};
+pub use machine::{Phase, PhaseKind, Property, Shaft, Slider, Spring};
+pub use motion::{
+    Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind,
+};
+pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Start, Turn, Way};
+pub use question::{Column, Expect, ExpectAt, Find, FindItem, Row, Simulate, Until, Variants};
+
+use crate::source::{Span, Spanned};
+
+/// A name as written, in NFC, and its place.
+pub type Name = Spanned<String>;
+
+/// A name, or a part of a named thing: `crank`, `piston.C`, `ground.guide`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path {
+    /// The name before the dot.
+    pub head: Name,
+    /// The name after the dot, if there is one.
+    pub tail: Option<Name>,
+}
+
+impl Path {
+    /// The place of the whole path.
+    #[must_use]
+    pub fn span(&self) -> Span {
+        self.tail.as_ref().map_or(self.head.span, |tail| self.head.span.to(tail.span))
+    }
+}
+
+/// What a text says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Document {
+    /// The statements in the order written.
+    pub statements: Vec<Spanned<Statement>>,
+    /// The comment lines directly below the title: the problem's text, without the slashes.
+    pub notes: Vec<Spanned<String>>,
+    /// Comments and blank lines, which carry no meaning but must survive formatting.
+    pub trivia: Trivia,
+}
+
+/// Comments and blank lines of a text.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trivia {
+    /// Every comment from its slashes to the end of its line, trailing blanks left out.
+    pub comments: Vec<Span>,
+    /// The first byte of every line that holds nothing but blanks.
+    pub blank_lines: Vec<usize>,
+}
+
+/// One statement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Statement {
+    /// `mech 1`
+    Edition(Spanned<String>),
+    /// `mechanism "…"`: the title without its quotes.
+    Title(Spanned<String>),
+    /// `given r = 100 mm`
+    Given(Definition),
+    /// `let l = 3.5 * r`
+    Let(Definition),
+    /// `gravity 9.81 m/s^2`: a magnitude, or a vector.
+    Gravity(Expr),
+    /// `ground { … }`
+    Ground(Ground),
+    /// `link crank A-B 100 mm { … }`
+    Link(Link),
+    /// `shaft P on H { … }`
+    Shaft(Shaft),
+    /// `slider A`
+    Slider(Slider),
+    /// A pair, or a transmission: `revolute B: crank - rod { … }`
+    Joint(Joint),
+    /// `spring k: BDE.D - ground.C { … }`
+    Spring(Spring),
+    /// `group rod_piston: rod, piston`
+    Group(Group),
+    /// `drive crank = 45 deg at 1500 rpm`
+    Drive(Drive),
+    /// `pose 4' at crank = 90 deg`
+    Pose(Pose),
+    /// `assemble C ahead of B`
+    Assemble(Assemble),
+    /// `balance torque Mb on crank`
+    Balance(Balance),
+    /// `force P on ram at E = 1000 N @ 180 deg`
+    Load(Box<Load>),
+    /// `cam plate { … }`
+    Cam(Cam),
+    /// `flywheel J on O1 for Mb { … }`
+    Flywheel(Flywheel),
+    /// `all revolute { friction_circle 5 mm }`
+    All(AllJoints),
+    /// `find reactions, Mb as kN*m`
+    Find(Find),
+    /// `expect Mb = 26 N*m within 1 %`
+    Expect(Box<Expect>),
+    /// `variants { … }`
+    Variants(Variants),
+    /// `start OF = -0.0617 rad at 0 rad/s`
+    Start(Start),
+    /// `simulate 0 s .. 0.03 s within 1e-9`
+    Simulate(Simulate),
+    /// `until angle(crank) = 360 deg`
+    Until(Until),
+    /// `ignore inertia`
+    Ignore(Name),
+    /// What could not be read; reported already.
+    Bad(Bad),
+}
+
+/// A statement or member that could not be read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bad {
+    /// The names that stand in it, in NFC: one of them may be what it was meant to declare.
+    pub names: Vec<String>,
+}
+
+/// `NAME = EXPRESSION` behind `given` or `let`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Definition {
+    /// The name defined.
+    pub name: Name,
+    /// Its value.
+    pub value: Expr,
+}
+
+/// Properties for every joint of one kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AllJoints {
+    /// Which joints.
+    pub kind: Spanned<JointKind>,
+    /// What holds for each of them that does not say otherwise.
+    pub properties: Vec<Property>,
+}
+
+impl Document {
+    /// The title, where there is one.
+    #[must_use]
+    pub fn title(&self) -> Option<&Spanned<String>> {
+        self.statements.iter().find_map(|s| match &s.node {
+            Statement::Title(title) => Some(title),
+            _ => None,
+        })
+    }
+}

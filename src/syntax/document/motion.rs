@@ -1,0 +1,236 @@
+//! How the machine moves and what acts on it.
+
+use super::{CompareOp, Expr, Name, Path};
+use crate::source::{Span, Spanned};
+
+/// A sense of turning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// Counter-clockwise, positive.
+    Ccw,
+    /// Clockwise, negative.
+    Cw,
+}
+
+/// A sense of travel along a coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// The coordinate grows.
+    Forward,
+    /// It shrinks.
+    Back,
+}
+
+/// A side of a directed line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Counter-clockwise of its direction.
+    Left,
+    /// Clockwise of it.
+    Right,
+}
+
+/// An order along a directed line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// Further along.
+    Ahead,
+    /// Less far.
+    Behind,
+}
+
+/// A value that may be followed by `cw` (which negates it) or `ccw`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensed {
+    /// The value as written.
+    pub value: Expr,
+    /// The sense behind it.
+    pub sense: Option<Spanned<Turn>>,
+}
+
+/// `drive crank = 45 deg at 20 rad/s cw accelerating -5 rad/s^2`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drive {
+    /// A link, a pair's coordinate, or a point.
+    pub target: Path,
+    /// Where it stands; absent where only rates are given.
+    pub position: Option<DrivePosition>,
+    /// Its speed.
+    pub rate: Option<Sensed>,
+    /// Its acceleration.
+    pub acceleration: Option<Sensed>,
+    /// The sense of a motion without speed.
+    pub direction: Option<Spanned<Direction>>,
+}
+
+/// Where a drive stands.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DrivePosition {
+    /// One value or several.
+    Values(Vec<Sensed>),
+    /// `0 deg .. 360 deg in 12 steps`
+    Range(Box<Course>),
+}
+
+/// `0 deg .. 360 deg in 12 steps`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Course {
+    /// The first value.
+    pub from: Expr,
+    /// The last value.
+    pub to: Expr,
+    /// Into how many steps it is divided.
+    pub steps: Expr,
+}
+
+/// `turning cw`, `moving forward`
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// `turning ccw`, `turning cw`
+    Turning(Turn),
+    /// `moving forward`, `moving back`
+    Moving(Way),
+}
+
+/// `crank = 90 deg` behind `at`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting {
+    /// The drive, or `time`.
+    pub target: Path,
+    /// Its value.
+    pub value: Sensed,
+}
+
+/// `pose 4' at crank = 90 deg`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    /// Its name, which may begin with a digit.
+    pub name: Name,
+    /// The drives' values.
+    pub settings: Vec<Setting>,
+}
+
+/// `assemble s > 0, F behind B`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assemble {
+    /// Its clauses.
+    pub clauses: Vec<Spanned<AssembleClause>>,
+}
+
+/// What names one of several poses.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AssembleClause {
+    /// `C near (420 mm, 0)`
+    Near {
+        /// What.
+        what: Path,
+        /// A place in the ground's axes.
+        at: Expr,
+    },
+    /// `C left of B-D`
+    Side {
+        /// What.
+        what: Path,
+        /// Which side.
+        side: Spanned<Side>,
+        /// From where one looks.
+        from: Path,
+        /// Whereto.
+        to: Path,
+    },
+    /// `F ahead of B`, `F behind B`
+    Order {
+        /// What.
+        what: Path,
+        /// Further or less far along the guide.
+        order: Spanned<Order>,
+        /// Than what.
+        than: Path,
+    },
+    /// `s > 0`
+    Sign {
+        /// A pair.
+        what: Path,
+        /// The comparison.
+        op: Spanned<CompareOp>,
+        /// With what.
+        bound: Expr,
+    },
+}
+
+/// Force or torque.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoadKind {
+    /// A force.
+    Force,
+    /// A torque.
+    Torque,
+}
+
+/// On what a load acts.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Site {
+    /// `in c1`: between the two links of a pair.
+    Pair(Name),
+    /// `on crank at B`: on one link.
+    Link {
+        /// The link.
+        link: Name,
+        /// Where on it.
+        at: Option<Place>,
+    },
+}
+
+/// Where a force acts.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Place {
+    /// A point of the link.
+    Point(Name),
+    /// A place in the ground's axes, at this instant.
+    Ground(Expr),
+}
+
+/// `balance force Fb on crank at B along 90 deg in crank`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Balance {
+    /// Force or torque.
+    pub kind: Spanned<LoadKind>,
+    /// The unknown's name.
+    pub name: Name,
+    /// On what it acts.
+    pub site: Site,
+    /// The direction of a force.
+    pub along: Option<Expr>,
+    /// The link that direction turns with; the ground where nothing is said.
+    pub frame: Option<Name>,
+}
+
+/// `force R on ram at Q = 1400 N against motion when …`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Load {
+    /// Force or torque.
+    pub kind: Spanned<LoadKind>,
+    /// Its name.
+    pub name: Option<Name>,
+    /// On what it acts.
+    pub site: Site,
+    /// How much.
+    pub value: Sensed,
+    /// The link its direction turns with; the ground where nothing is said.
+    pub frame: Option<Name>,
+    /// `against motion`
+    pub against_motion: Option<Span>,
+    /// The condition under which it acts.
+    pub when: Option<Expr>,
+}
+
+/// `start OF = -0.0617 rad at 0 rad/s`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start {
+    /// A link or a pair's coordinate.
+    pub target: Path,
+    /// Its first value.
+    pub value: Sensed,
+    /// Its first rate.
+    pub rate: Option<Sensed>,
+}

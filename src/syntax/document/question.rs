@@ -1,0 +1,99 @@
+//! What is asked and what the answer key says.
+
+use super::{Expr, Name, Number, Setting};
+use crate::source::{Span, Spanned};
+
+/// `find F_I3 = inertia_force(piston), Mb as kN*m, reactions`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Find {
+    /// Its items.
+    pub items: Vec<FindItem>,
+}
+
+/// One thing to find.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FindItem {
+    /// The name it is given.
+    pub name: Option<Name>,
+    /// What is asked.
+    pub value: Expr,
+    /// What is asked as written, with single blanks: what it is called where it has no name.
+    pub text: String,
+    /// `in 72 steps`
+    pub steps: Option<Expr>,
+    /// `as kN*m`: the unit to print it in, not looked up.
+    pub unit: Option<Spanned<String>>,
+    /// The whole item.
+    pub span: Span,
+}
+
+/// `expect Mb = 26 N*m within 1 % at crank = 90 deg`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expect {
+    /// What is expected: a quantity where `values` follow, otherwise a truth.
+    pub what: Expr,
+    /// That as written, with single blanks.
+    pub text: String,
+    /// The values behind `=`; empty for a truth such as `locked()` or `a > b`.
+    pub values: Vec<Expr>,
+    /// The tolerance.
+    pub within: Option<Expr>,
+    /// The pose it holds for.
+    pub at: Option<ExpectAt>,
+}
+
+/// The pose an expectation holds for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExpectAt {
+    /// `at pose 4'`
+    Pose(Name),
+    /// `at crank = 90 deg`
+    Settings(Vec<Setting>),
+}
+
+/// `variants { … }`
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Variants {
+    /// The header.
+    pub columns: Vec<Column>,
+    /// The rows; a row's length may differ from the header's.
+    pub rows: Vec<Row>,
+}
+
+/// `vA [m/s]`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// The name that the column sets.
+    pub name: Name,
+    /// The unit of its numbers, not looked up.
+    pub unit: Option<Spanned<String>>,
+}
+
+/// A row of plain numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Its numbers; none has a unit.
+    pub cells: Vec<Spanned<Number>>,
+    /// The whole row.
+    pub span: Span,
+}
+
+/// `simulate 0 s .. 0.03 s within 1e-9`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Simulate {
+    /// The first instant.
+    pub from: Expr,
+    /// The last.
+    pub to: Expr,
+    /// The tolerance of the integration.
+    pub within: Option<Expr>,
+}
+
+/// `until angle(crank) = 360 deg`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Until {
+    /// What is watched.
+    pub what: Expr,
+    /// The value at which the motion ends.
+    pub value: Expr,
+}

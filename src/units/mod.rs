@@ -1,0 +1,15 @@
+//! Dimensions, and units as data.
+//!
+//! Inside, everything is SI and radians; a [`Unit`] stands at the border, where numbers come in and answers go out.
+
+mod dimension;
+mod error;
+mod lookup;
+mod spelling;
+mod table;
+mod unit;
+
+pub use dimension::{Dimension, Kind};
+pub use error::UnitError;
+pub use lookup::{Factor, factors, is_unit, lookup};
+pub use unit::Unit;

@@ -1,0 +1,68 @@
+//! What an unknown unit may have been meant to be.
+
+use super::lookup::factors;
+use super::table::{SYMBOLS, Symbol, symbol};
+use crate::diagnostic::did_you_mean;
+
+/// Spellings of the whole word that are units, the nearest first; at most three.
+pub(super) fn nearest(word: &str) -> Vec<String> {
+    let mut spellings = vec![String::new()];
+    let mut from = 0;
+    for part in factors(word) {
+        let before = &word[from..part.start];
+        let choices = part_choices(&word[part.start..part.end], part.symbol);
+        spellings = spellings
+            .iter()
+            .flat_map(|s| choices.iter().map(move |c| format!("{s}{before}{c}")))
+            .take(3)
+            .collect();
+        from = part.end;
+    }
+    spellings
+}
+
+/// Spellings for one factor; `text` is the symbol with its power.
+fn part_choices(text: &str, written: &str) -> Vec<String> {
+    if symbol(written).is_some() {
+        return vec![text.to_owned()];
+    }
+    let power = &text[written.len()..];
+    let whole = symbol_choices(written);
+    if !whole.is_empty() {
+        return whole.into_iter().map(|s| format!("{s}{power}")).collect();
+    }
+    let bare = written.trim_end_matches(|c: char| c.is_ascii_digit());
+    let digits = &written[bare.len()..];
+    if !digits.is_empty() && power.is_empty() {
+        let fixed = if symbol(bare).is_some() { vec![bare.to_owned()] } else { product(bare) };
+        if !fixed.is_empty() {
+            return fixed.into_iter().map(|s| format!("{s}^{digits}")).collect();
+        }
+    }
+    let split = product(written);
+    if !split.is_empty() {
+        return split.into_iter().map(|s| format!("{s}{power}")).collect();
+    }
+    let symbols = SYMBOLS.iter().map(|s| s.text).collect::<Vec<_>>();
+    did_you_mean(written, symbols).into_iter().map(|s| format!("{s}{power}")).collect()
+}
+
+/// Other words for a symbol, then symbols that differ in their capitals alone.
+fn symbol_choices(written: &str) -> Vec<&'static str> {
+    let is_alias = |s: &&Symbol| s.also.contains(&written) || s.also.contains(&&*written.to_lowercase());
+    let aliases = SYMBOLS.iter().filter(is_alias).map(|s| s.text).collect::<Vec<_>>();
+    if !aliases.is_empty() {
+        return aliases;
+    }
+    let alike = |s: &&Symbol| s.text.to_lowercase() == written.to_lowercase();
+    SYMBOLS.iter().filter(alike).map(|s| s.text).collect()
+}
+
+/// `Nm` as `N*m`, `kgm` as `kg*m`.
+fn product(written: &str) -> Vec<String> {
+    let splits = written.char_indices().skip(1).map(|(i, _)| written.split_at(i));
+    splits
+        .filter(|(a, b)| symbol(a).is_some() && symbol(b).is_some())
+        .map(|(a, b)| format!("{a}*{b}"))
+        .collect()
+}

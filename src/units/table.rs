@@ -1,0 +1,64 @@
+//! The units, as data.
+
+use super::Dimension;
+use std::f64::consts::PI;
+
+/// A unit of one word without power.
+pub(super) struct Symbol {
+    pub(super) text: &'static str,
+    /// How many SI units it is.
+    pub(super) factor: f64,
+    pub(super) dimension: Dimension,
+    /// What people write for it.
+    pub(super) also: &'static [&'static str],
+}
+
+const fn row(text: &'static str, factor: f64, dimension: Dimension, also: &'static [&'static str]) -> Symbol {
+    Symbol { text, factor, dimension, also }
+}
+
+/// Standard gravity, which defines lbf and kgf.
+const G: f64 = 9.806_65;
+/// The international pound.
+const LB: f64 = 0.453_592_37;
+
+pub(super) const SYMBOLS: &[Symbol] = &[
+    row("m", 1.0, Dimension::LENGTH, &["meter", "metre", "meters", "metres", "м"]),
+    row("mm", 1e-3, Dimension::LENGTH, &["millimeter", "millimetre", "millimeters", "millimetres", "мм"]),
+    row("cm", 1e-2, Dimension::LENGTH, &["centimeter", "centimetre", "centimeters", "centimetres", "см"]),
+    row("km", 1e3, Dimension::LENGTH, &["kilometer", "kilometre", "kilometers", "kilometres", "км"]),
+    row("inch", 0.0254, Dimension::LENGTH, &["in", "inches"]),
+    row("ft", 0.3048, Dimension::LENGTH, &["foot", "feet"]),
+    row("kg", 1.0, Dimension::MASS, &["kilogram", "kilograms", "kilo", "кг"]),
+    row("g", 1e-3, Dimension::MASS, &["gram", "grams", "gr", "г"]),
+    row("t", 1e3, Dimension::MASS, &["ton", "tons", "tonne", "tonnes", "т"]),
+    row("lb", LB, Dimension::MASS, &["lbs", "lbm", "pound", "pounds"]),
+    row("s", 1.0, Dimension::TIME, &["sec", "second", "seconds", "с"]),
+    row("ms", 1e-3, Dimension::TIME, &["msec", "millisecond", "milliseconds", "мс"]),
+    row("min", 60.0, Dimension::TIME, &["minute", "minutes", "мин"]),
+    row("h", 3600.0, Dimension::TIME, &["hr", "hour", "hours", "ч"]),
+    row("rad", 1.0, Dimension::ANGLE, &["radian", "radians", "рад"]),
+    row("deg", PI / 180.0, Dimension::ANGLE, &["degree", "degrees", "град"]),
+    row("°", PI / 180.0, Dimension::ANGLE, &["º"]),
+    row("rev", 2.0 * PI, Dimension::ANGLE, &["r", "turn", "turns", "revolution", "revolutions", "об"]),
+    row("rpm", PI / 30.0, Dimension::ANGULAR_VELOCITY, &["rev/m", "RPM", "U/min", "r/min", "об/мин"]),
+    row("Hz", 1.0, Dimension::FREQUENCY, &["hertz", "Гц"]),
+    row("N", 1.0, Dimension::FORCE, &["newton", "newtons", "Н"]),
+    row("kN", 1e3, Dimension::FORCE, &["кН"]),
+    row("MN", 1e6, Dimension::FORCE, &["МН"]),
+    row("lbf", LB * G, Dimension::FORCE, &["pound-force"]),
+    row("kgf", G, Dimension::FORCE, &["kp", "кгс"]),
+    row("J", 1.0, Dimension::TORQUE, &["joule", "joules", "Дж"]),
+    row("kJ", 1e3, Dimension::TORQUE, &["кДж"]),
+    row("W", 1.0, Dimension::POWER, &["watt", "watts", "Вт"]),
+    row("kW", 1e3, Dimension::POWER, &["кВт"]),
+    row("Pa", 1.0, Dimension::PRESSURE, &["pascal", "Па"]),
+    row("kPa", 1e3, Dimension::PRESSURE, &["кПа"]),
+    row("MPa", 1e6, Dimension::PRESSURE, &["МПа"]),
+    row("%", 1e-2, Dimension::NUMBER, &["percent", "pct"]),
+];
+
+/// The unit of that spelling.
+pub(super) fn symbol(text: &str) -> Option<&'static Symbol> {
+    SYMBOLS.iter().find(|s| s.text == text)
+}

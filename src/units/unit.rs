@@ -1,0 +1,48 @@
+//! A unit as an author wrote it.
+
+use super::Dimension;
+use std::fmt;
+
+/// A unit: how many SI units it is, and how it was written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unit {
+    /// How many SI units it is.
+    pub factor: f64,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Its spelling, as found in the text.
+    pub text: String,
+}
+
+impl Unit {
+    /// The SI unit of a dimension; its spelling is empty for a plain number.
+    #[must_use]
+    pub fn si(dimension: Dimension) -> Self {
+        Self { factor: 1.0, dimension, text: dimension.si_text() }
+    }
+
+    /// A value in this unit, in SI.
+    #[must_use]
+    pub fn to_si(&self, value: f64) -> f64 {
+        whole_reciprocal(self.factor).map_or(value * self.factor, |n| value / n)
+    }
+
+    /// An SI value, in this unit.
+    #[must_use]
+    pub fn from_si(&self, value: f64) -> f64 {
+        whole_reciprocal(self.factor).map_or(value / self.factor, |n| value * n)
+    }
+}
+
+/// The whole number that a factor below one is the reciprocal of: dividing by 1000 rounds right where multiplying by
+/// 0.001 need not.
+pub(super) fn whole_reciprocal(factor: f64) -> Option<f64> {
+    let n = (1.0 / factor).round();
+    (factor < 1.0 && n <= 1e15 && 1.0 / n == factor).then_some(n)
+}
+
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
