@@ -1,5 +1,6 @@
 //! `assur`: a small declarative language for planar mechanism problems, and the compiler that solves them.
 
+pub mod check;
 pub mod diagnostic;
 pub mod math;
 pub mod model;

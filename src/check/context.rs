@@ -1,0 +1,57 @@
+//! What the parts of the stage share: the document, the names, the mechanism under construction, the problems.
+
+use super::names::Names;
+use super::overrides::Overrides;
+use crate::diagnostic::Problems;
+use crate::model::{Mechanism, Unsupported};
+use crate::source::Span;
+use crate::syntax::document::Document;
+use indexmap::IndexSet;
+use miette::Diagnostic;
+
+/// The state of the stage.
+pub struct Context<'a> {
+    /// What is checked.
+    pub doc: &'a Document,
+    /// Values from outside.
+    pub overrides: &'a Overrides,
+    /// All that was found wrong.
+    pub problems: Problems,
+    /// The mechanism so far. `names::declare` enters every link (name, number, span; ground first), so that link ids are
+    /// known from the start. All other tables are filled in the order of the file; what has an error is left out.
+    pub mech: Mechanism,
+    /// All names declared in the document.
+    pub names: Names<'a>,
+    /// Names reported as unknown already, with the list they were looked for in.
+    pub(super) reported: IndexSet<(&'static str, String)>,
+}
+
+impl<'a> Context<'a> {
+    /// The state at the start.
+    pub fn new(doc: &'a Document, overrides: &'a Overrides) -> Self {
+        Self {
+            doc,
+            overrides,
+            problems: Problems::new(),
+            mech: Mechanism::default(),
+            names: Names::default(),
+            reported: IndexSet::new(),
+        }
+    }
+
+    /// Reports an error or a warning.
+    pub fn error(&mut self, problem: impl Diagnostic + Send + Sync + 'static) {
+        self.problems.push(problem);
+    }
+
+    /// Notes a construct that is understood but cannot be solved yet.
+    pub fn unsupported(&mut self, what: impl Into<String>, span: Span) {
+        self.mech.unsupported.push(Unsupported { what: what.into(), span });
+    }
+
+    /// The mechanism, if nothing is wrong with it, and all that was found.
+    pub fn finish(self) -> (Option<Mechanism>, Problems) {
+        let fine = !self.problems.has_errors();
+        (fine.then_some(self.mech), self.problems)
+    }
+}

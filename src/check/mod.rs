@@ -1,0 +1,28 @@
+//! Document → Mechanism: names, units, expressions, geometry, requests.
+//!
+//! Every mistake of a file is reported in one run. What contains a mistake is left out of the mechanism, and what refers
+//! to something left out is skipped in silence. No mechanism comes out where there is an error.
+
+mod context;
+pub mod error;
+pub mod expr;
+mod lookup;
+mod names;
+mod overrides;
+
+pub use overrides::Overrides;
+
+use crate::diagnostic::Problems;
+use crate::model::Mechanism;
+use crate::syntax::document::Document;
+use context::Context;
+
+/// Checks a document. The mechanism is absent where the problems hold an error.
+#[must_use]
+pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
+    let mut cx = Context::new(document, overrides);
+    names::declare(&mut cx);
+    // links → pairs and groups → drives, poses → balances → loads, springs, gravity → assemble → elements
+    // → values → requests: each refers to what stands before it in this order.
+    cx.finish()
+}
