@@ -3,12 +3,15 @@
 //! Every mistake of a file is reported in one run. What contains a mistake is left out of the mechanism, and what refers
 //! to something left out is skipped in silence. No mechanism comes out where there is an error.
 
+mod amount;
 mod context;
 pub mod error;
 pub mod expr;
+mod link;
 mod lookup;
 mod names;
 mod overrides;
+mod point;
 
 pub use overrides::Overrides;
 
