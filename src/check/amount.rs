@@ -52,6 +52,11 @@ fn usual(dimension: Dimension) -> Unit {
     lookup(word).unwrap_or_else(|_| Unit::si(dimension))
 }
 
+/// A value in SI as text, in a usual unit.
+pub(super) fn told(value: f64, dimension: Dimension) -> String {
+    in_unit(value, &usual(dimension))
+}
+
 fn in_unit(value: f64, unit: &Unit) -> String {
     let number = digits(unit.from_si(value));
     if unit.text.is_empty() { number } else { format!("{number} {}", unit.text) }

@@ -154,6 +154,6 @@ pub(super) fn not_negative(
 
 /// A point for a message.
 pub(super) fn place(at: Vec2) -> String {
-    let mm = |x: f64| super::amount::digits(x * 1e3);
-    format!("({} mm, {} mm)", mm(at.x), mm(at.y))
+    let mm = |x| super::amount::told(x, Dimension::LENGTH);
+    format!("({}, {})", mm(at.x), mm(at.y))
 }

@@ -4,14 +4,24 @@
 //! to something left out is skipped in silence. No mechanism comes out where there is an error.
 
 mod amount;
+mod contact;
 mod context;
+mod element;
 pub mod error;
 pub mod expr;
+mod gravity;
 mod link;
 mod lookup;
+mod machine;
+mod mass;
 mod names;
 mod overrides;
+mod pair;
+mod pair_property;
 mod point;
+mod prismatic;
+mod property;
+mod spring;
 
 pub use overrides::Overrides;
 
@@ -25,6 +35,7 @@ use context::Context;
 pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
     let mut cx = Context::new(document, overrides);
     names::declare(&mut cx);
+    machine::machine(&mut cx);
     // links → pairs and groups → drives, poses → balances → loads, springs, gravity → assemble → elements
     // → values → requests: each refers to what stands before it in this order.
     cx.finish()

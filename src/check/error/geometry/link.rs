@@ -120,13 +120,13 @@ pub enum LinkError {
     #[error("the mass of `{link}` has no place, but `{link}` turns")]
     #[diagnostic(
         code("mech::geometry::mass_without_place"),
-        help("say where the mass centre is: `mass {mass} at {point}`")
+        help("say where the mass centre is: `{member} at {point}`")
     )]
     MassWithoutPlace {
         /// The link.
         link: String,
-        /// The mass.
-        mass: String,
+        /// The member.
+        member: String,
         /// A point of the link.
         point: String,
         /// The member.

@@ -1,0 +1,14 @@
+//! The machine itself: what it is, how it moves, what acts on it.
+
+use super::context::Context;
+use super::{gravity, link, mass, pair, spring};
+
+/// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
+pub(super) fn machine(cx: &mut Context<'_>) {
+    link::shapes(cx);
+    pair::pairs(cx);
+    pair::groups(cx);
+    gravity::gravity(cx);
+    mass::masses(cx);
+    spring::springs(cx);
+}
