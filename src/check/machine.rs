@@ -1,7 +1,7 @@
 //! The machine itself: what it is, how it moves, what acts on it.
 
 use super::context::Context;
-use super::{gravity, link, mass, pair, spring};
+use super::{assemble, drive, gravity, link, mass, pair, pose, spring};
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
 pub(super) fn machine(cx: &mut Context<'_>) {
@@ -10,5 +10,8 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     pair::groups(cx);
     gravity::gravity(cx);
     mass::masses(cx);
+    drive::drives(cx);
+    pose::poses(cx);
     spring::springs(cx);
+    assemble::hints(cx);
 }

@@ -4,8 +4,10 @@
 //! to something left out is skipped in silence. No mechanism comes out where there is an error.
 
 mod amount;
+mod assemble;
 mod contact;
 mod context;
+mod drive;
 mod element;
 pub mod error;
 pub mod expr;
@@ -19,6 +21,7 @@ mod overrides;
 mod pair;
 mod pair_property;
 mod point;
+mod pose;
 mod prismatic;
 mod property;
 mod spring;

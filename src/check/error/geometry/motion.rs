@@ -120,14 +120,16 @@ pub enum MotionError {
         span: Span,
     },
     /// A pose leaves a drive open.
-    #[error("pose `{pose}` leaves `{drive}` open")]
+    #[error("{what} leaves `{drive}` open")]
     #[diagnostic(
         code("mech::geometry::pose_incomplete"),
-        help("`{drive}` goes through several positions; say where it stands: `{example}`")
+        help(
+            "`{drive}` goes through several positions; say where it stands: add `{example}`, with its own value"
+        )
     )]
     PoseIncomplete {
         /// The pose.
-        pose: String,
+        what: String,
         /// The drive.
         drive: String,
         /// What to add.
