@@ -1,7 +1,7 @@
 //! The machine itself: what it is, how it moves, what acts on it.
 
 use super::context::Context;
-use super::{assemble, drive, gravity, link, mass, pair, pose, spring};
+use super::{assemble, balance, drive, gravity, link, load, mass, pair, pose, spring};
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
 pub(super) fn machine(cx: &mut Context<'_>) {
@@ -12,6 +12,8 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     mass::masses(cx);
     drive::drives(cx);
     pose::poses(cx);
+    balance::balances(cx);
+    load::loads(cx);
     spring::springs(cx);
     assemble::hints(cx);
 }

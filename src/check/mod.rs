@@ -5,6 +5,7 @@
 
 mod amount;
 mod assemble;
+mod balance;
 mod contact;
 mod context;
 mod drive;
@@ -13,6 +14,7 @@ pub mod error;
 pub mod expr;
 mod gravity;
 mod link;
+mod load;
 mod lookup;
 mod machine;
 mod mass;
