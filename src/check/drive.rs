@@ -66,7 +66,7 @@ pub(super) fn drives(cx: &mut Context<'_>) {
 }
 
 fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive> {
-    let (target, moves) = target(cx, &drive.target)?;
+    let (target, moves) = target(cx, &drive.target, "a drive")?;
     let name = text(&drive.target);
     let once = target.is_none_or(|target| once(cx, target, &name, span));
     let positions = positions(cx, drive, moves, &name);
@@ -91,10 +91,10 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
 }
 
 /// What is driven, and how it moves; no target for shafts and sliders.
-fn target(cx: &mut Context<'_>, path: &Path) -> Option<(Option<DriveTarget>, Moves)> {
+pub(super) fn target(cx: &mut Context<'_>, path: &Path, what: &str) -> Option<(Option<DriveTarget>, Moves)> {
     if path.tail.is_some() {
-        let (link, at) = link_point(cx, path, "a drive")?;
-        on_moving(cx, link, path.span(), "a drive")?;
+        let (link, at) = link_point(cx, path, what)?;
+        on_moving(cx, link, path.span(), what)?;
         return Some((Some(DriveTarget::Point(link, at)), Moves::Freely));
     }
     let name = &path.head;
@@ -107,7 +107,7 @@ fn target(cx: &mut Context<'_>, path: &Path) -> Option<(Option<DriveTarget>, Mov
         }
         _ if cx.find_link(&name.node).is_some() => {
             let link = cx.link(name)?;
-            on_moving(cx, link, name.span, "a drive")?;
+            on_moving(cx, link, name.span, what)?;
             Some((Some(DriveTarget::Link(link)), Moves::Turning))
         }
         _ => {

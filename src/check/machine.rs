@@ -1,7 +1,9 @@
 //! The machine itself: what it is, how it moves, what acts on it.
 
 use super::context::Context;
-use super::{assemble, balance, drive, gravity, link, load, mass, pair, pose, spring};
+use super::{
+    assemble, balance, cam, drive, element, gravity, link, load, mass, pair, pose, simulation, spring,
+};
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
 pub(super) fn machine(cx: &mut Context<'_>) {
@@ -16,4 +18,7 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     load::loads(cx);
     spring::springs(cx);
     assemble::hints(cx);
+    element::elements(cx);
+    cam::cams_and_flywheels(cx);
+    simulation::simulation(cx);
 }

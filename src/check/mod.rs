@@ -6,6 +6,7 @@
 mod amount;
 mod assemble;
 mod balance;
+mod cam;
 mod contact;
 mod context;
 mod drive;
@@ -26,6 +27,7 @@ mod point;
 mod pose;
 mod prismatic;
 mod property;
+mod simulation;
 mod spring;
 
 pub use overrides::Overrides;
