@@ -7,3 +7,10 @@ pub mod model;
 pub mod source;
 pub mod syntax;
 pub mod units;
+
+/// What the author of a text is told about it, without colour, 100 columns wide; empty where nothing is wrong.
+#[must_use]
+pub fn diagnose(source: &source::Source) -> String {
+    let (_, problems) = syntax::parse(source);
+    diagnostic::render(&problems, source, diagnostic::Style::PLAIN)
+}
