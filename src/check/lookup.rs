@@ -197,7 +197,7 @@ impl Context<'_> {
     }
 
     /// This point and all that pins join with it.
-    fn joined_with(&self, point: (LinkId, Vec2)) -> Vec<(LinkId, Vec2)> {
+    pub(super) fn joined_with(&self, point: (LinkId, Vec2)) -> Vec<(LinkId, Vec2)> {
         let mut joined = vec![point];
         loop {
             let before = joined.len();

@@ -3,12 +3,39 @@
 //! Every mistake of a file is reported in one run. What contains a mistake is left out of the mechanism, and what refers
 //! to something left out is skipped in silence. No mechanism comes out where there is an error.
 
+mod amount;
+mod assemble;
+mod balance;
+mod cam;
+mod contact;
 mod context;
+mod drive;
+mod element;
 pub mod error;
+mod expect;
 pub mod expr;
+mod gravity;
+mod link;
+mod load;
 mod lookup;
+mod machine;
+mod mass;
 mod names;
 mod overrides;
+mod pair;
+mod pair_property;
+mod point;
+mod pose;
+mod prismatic;
+mod property;
+mod query;
+mod request;
+mod simulation;
+mod spring;
+mod tolerance;
+mod unit_choice;
+mod value;
+mod walk;
 
 pub use overrides::Overrides;
 
@@ -22,7 +49,10 @@ use context::Context;
 pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
     let mut cx = Context::new(document, overrides);
     names::declare(&mut cx);
-    // links → pairs and groups → drives, poses → balances → loads, springs, gravity → assemble → elements
-    // → values → requests: each refers to what stands before it in this order.
+    value::order(&mut cx);
+    value::constants(&mut cx);
+    machine::machine(&mut cx);
+    request::finds(&mut cx);
+    expect::expects(&mut cx);
     cx.finish()
 }

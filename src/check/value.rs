@@ -7,7 +7,7 @@ use super::names::QuantityKind;
 use super::unit_choice::display_in;
 use super::walk;
 use crate::model::{self, Display, NamedValue, Quantity, QuantityId};
-use crate::source::{Span, Spanned};
+use crate::source::Span;
 use crate::syntax::document::{Expr, ExprKind, LoadKind, Name, Site};
 use crate::units::{Dimension, Kind};
 use indexmap::IndexMap;

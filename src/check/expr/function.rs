@@ -8,7 +8,7 @@ use crate::check::error::UnitsError;
 use crate::check::query::Call;
 use crate::model::{Expr as ModelExpr, Function, Value};
 use crate::source::Span;
-use crate::syntax::document::{Arg, Expr, ExprKind, Name};
+use crate::syntax::document::{Arg, Expr, Name};
 use crate::units::Dimension;
 
 impl Context<'_> {

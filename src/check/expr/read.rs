@@ -290,7 +290,7 @@ impl Context<'_> {
         None
     }
 
-    fn operands(&mut self, verb: &'static str, a: &Typed, b: &Typed, left: &Expr, right: &Expr) {
+    pub(super) fn operands(&mut self, verb: &'static str, a: &Typed, b: &Typed, left: &Expr, right: &Expr) {
         let help = self.mend_operands(a.ty, b.ty, left, right);
         self.error(UnitsError::Operands {
             verb,
