@@ -237,7 +237,7 @@ pub(super) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span
 /// Whether an expression hangs on no force that is yet to be found; reports one that does.
 fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
     let mut on = None;
-    expr.queries(&mut |query| on = on.or(force_result(query)));
+    cx.queries_behind(expr, &mut |query| on = on.or(force_result(query)));
     if let Some(on) = on {
         cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), span });
     }

@@ -14,7 +14,6 @@ use super::error::{NameError, RequestError};
 use super::expr::Sign;
 use super::expr::typed::Typed;
 use super::lookup::suggestion;
-use crate::model::{Expr as ModelExpr, Query};
 use crate::source::Span;
 use crate::syntax::document::{Arg, Expr, ExprKind, Name};
 use table::{FUNCTIONS, usage};
@@ -52,8 +51,14 @@ impl Context<'_> {
         match call.name.node.as_str() {
             "position" | "velocity" | "acceleration" => self.point_motion(call),
             "angle" | "omega" | "alpha" | "dir" => self.link_motion(call),
-            "displacement" | "relative_velocity" | "relative_acceleration" | "coriolis" | "travel" | "stroke"
-            | "time_ratio" | "dead" => self.pair_motion(call),
+            "displacement"
+            | "relative_velocity"
+            | "relative_acceleration"
+            | "coriolis"
+            | "travel"
+            | "stroke"
+            | "time_ratio"
+            | "dead" => self.pair_motion(call),
             "transmission_angle" => self.transmission_angle(call),
             "pressure_angle" => self.pressure_angle(call),
             "reaction" | "moment" | "normal" | "friction" => self.reaction(call),
@@ -83,7 +88,12 @@ impl Context<'_> {
     }
 
     /// The arguments, if there are as many as there should be and none has a name.
-    pub(super) fn arguments<'c>(&mut self, call: Call<'c>, least: usize, most: usize) -> Option<Vec<&'c Expr>> {
+    pub(super) fn arguments<'c>(
+        &mut self,
+        call: Call<'c>,
+        least: usize,
+        most: usize,
+    ) -> Option<Vec<&'c Expr>> {
         let named = call.args.iter().find_map(|a| a.name.as_ref());
         if let Some(name) = named {
             let usage = usage(&call.name.node);
@@ -126,36 +136,4 @@ impl Context<'_> {
             usage: usage(&call.name.node),
         });
     }
-
-    /// Whether an expression hangs on forces: reactions, efforts, loads.
-    pub fn uses_forces(&self, expr: &ModelExpr) -> bool {
-        let mut found = false;
-        expr.parts(&mut |part| {
-            found |= match part {
-                ModelExpr::Quantity(id) => {
-                    self.mech.quantities.get(id.index()).is_some_and(|q| self.uses_forces(&q.expr))
-                }
-                ModelExpr::Query(q) => is_force(q),
-                _ => false,
-            };
-        });
-        found
-    }
-}
-
-const fn is_force(query: &Query) -> bool {
-    matches!(
-        query,
-        Query::Reaction(..)
-            | Query::Moment(..)
-            | Query::Normal(..)
-            | Query::ContactForce(..)
-            | Query::LineOffset(_)
-            | Query::Balance(_)
-            | Query::Effort(_)
-            | Query::Load(_)
-            | Query::BalancePower(_)
-            | Query::LoadPower(_)
-            | Query::EffortPower(_)
-    )
 }
