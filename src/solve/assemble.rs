@@ -52,7 +52,9 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
 pub(super) fn assemblies(scene: &Scene<'_>, before: &State, index: usize) -> Vec<State> {
     let step = &scene.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
-        return super::general::assemblies(before, index, *problem, &scene.plan.general[*problem]);
+        let mut found = super::general::assemblies(before, index, *problem, &scene.plan.general[*problem]);
+        found.retain(|state| cylinders_are_positive(scene, state, index));
+        return found;
     }
     let roots: &[f64] = if before.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
     let round = radii(step).map(|r| r != 0.0);
@@ -65,13 +67,25 @@ pub(super) fn assemblies(scene: &Scene<'_>, before: &State, index: usize) -> Vec
                 state.branches[index] = Branch { root, sides: [first, second], general_sides: 0 };
                 state.open = None;
                 state.step::<0>(scene.plan, step);
-                if state.open.is_none() {
+                if state.open.is_none() && cylinders_are_positive(scene, &state, index) {
                     out.push(state);
                 }
             }
         }
     }
     out
+}
+
+/// The coordinate of a cylinder is a distance: what would turn rod against barrel is no assembly.
+fn cylinders_are_positive(scene: &Scene<'_>, state: &State, index: usize) -> bool {
+    let pairs = scene.structure.motion[index]
+        .joints
+        .iter()
+        .filter(|j| j.prismatic)
+        .map(|j| scene.structure.replaced.joint(j.joint).pair);
+    pairs
+        .filter(|p| matches!(scene.mechanism.pair(*p).kind, crate::model::PairKind::Cylinder { .. }))
+        .all(|p| bare_view(scene, state).displacement(p) >= 0.0)
 }
 
 /// Radii of the round profiles of a step's prismatic joints.
