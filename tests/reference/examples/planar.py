@@ -584,6 +584,13 @@ class Mechanism:
                 raise ValueError("the branch cannot be followed")
         return Solution(self, self.polish_near([mpf(float(x)) for x in q], end)).finish()
 
+    def there(self, poses, what, value):
+        """One more pose at a drive value, followed from the nearest of `poses`."""
+        i = next(i for i, d in enumerate(self.drives) if d[0] == what)
+        near = min(poses, key=lambda s: abs(s.values[i][0] - value))
+        self.drives[i][1] = value
+        return self.follow(near)
+
     def polish_near(self, q, values):
         for _ in range(30):
             r = mp.matrix(self.residuals(q, values))
@@ -829,7 +836,12 @@ class Solution:
         n = 3 * len(rows)
         if n == 0:
             return
-        if len(columns) != n:
+        keep = range(n)
+        if all(p.kind == "prismatic" for p in m.pairs):       # no link can turn: forces only, 2n = P_L + unknown efforts
+            keep = [i for i in range(n) if i % 3 != 2]
+            pairs = [j for j, name in enumerate(names) if isinstance(name, str) or name[5] == 0]
+            columns, names = [columns[j] for j in pairs], [names[j] for j in pairs]
+        if len(columns) != len(keep):
             self.balance = None
             return
 
@@ -840,18 +852,18 @@ class Solution:
                 vector[i] += force[0]
                 vector[i + 1] += force[1]
                 vector[i + 2] += cross(place, force) + couple
-        a, b = mp.matrix(n, n), mp.matrix(n, 1)
+        a, b = mp.matrix(len(keep), len(keep)), mp.matrix(len(keep), 1)
         for j, column in enumerate(columns):
             v = [mpf(0)] * n
             for w in column:
                 into(v, w)
-            for i in range(n):
-                a[i, j] = v[i]
+            for i, row in enumerate(keep):
+                a[i, j] = v[row]
         v = [mpf(0)] * n
         for w in self.applied():
             into(v, w)
-        for i in range(n):
-            b[i] = -v[i]
+        for i, row in enumerate(keep):
+            b[i] = -v[row]
         x = mp.lu_solve(a, b)
         assert max(abs(e) for e in a * x - b) < mpf(10) ** -25 * (1 + max(abs(e) for e in b)), "singular"
         for value, name in zip(x, names):
@@ -870,7 +882,7 @@ class Solution:
         if not m.drives or any(k.outer for k in m.moving()):
             return
         wrenches = self.applied() + [(l, times(self.balance[n], f), p, self.balance[n] * c) for n, b in balances.items() for l, f, p, c in self._unit(b)]
-        size = len(self.q)
+        size = self.jac.rows
         count = len(m.drives)
         for i in range(count):
             e = mp.matrix(size, 1)

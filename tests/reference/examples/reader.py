@@ -770,15 +770,7 @@ class Case:
             self.named[n] = self.elsewhere(w, e)
 
     def elsewhere(self, w, e):
-        d = next(i for i, d in enumerate(self.m.drives) if d[0] == w)
-        goal = self.value(e)
-
-        def gap(s):
-            x = s.values[d][0] - goal
-            return abs(x)
-        near = min(self.sols, key=gap)
-        self.m.drives[d][1] = goal
-        return self.m.follow(near)
+        return self.m.there(self.sols, w, self.value(e))
 
     def expect(self, item):
         """(passed, got, wanted)"""
