@@ -561,7 +561,13 @@ class Mechanism:
             sign = [(f[k.name].o[0], f[k.name].o[1], scale * f[k.name].c, scale * f[k.name].s) for k in self.moving()]
             if all(max(abs(x - y) for a, b in zip(sign, old) for x, y in zip(a, b)) > 1e-6 * scale for old, _ in found):
                 found.append((sign, q))
-        return [Solution(self, self.polish(q)) for _, q in found]
+        out = []
+        for _, q in found:
+            try:
+                out.append(Solution(self, self.polish(q)))
+            except ZeroDivisionError:
+                pass                                          # a singular pose: not an assembly mode anyone asks for
+        return out
 
     def solve(self, *clauses, near=None, starts=150):
         """The one pose that fits the assembly clauses (see `left_of` and its like below)."""
