@@ -27,3 +27,8 @@ for pair, link in (("A", "crank"), ("B", "coupler"), ("C", "rocker"), ("D", "roc
 s = m.there(turn, "crank", deg(75))
 key("reaction(B, coupler)", s.reaction("B", "coupler"), "N", " at crank = 75 deg")
 key("Mb", s.balance["Mb"], "N*m", " at crank = 75 deg")
+s = turn[3]
+u, v = sub(s.position("B"), s.position("C")), sub(s.position("D"), s.position("C"))
+mu = mp.acos(dot(u, v) / (mag(u) * mag(v)))
+assert mu < pi / 2
+key("transmission_angle(rrr)", mu, "deg", " at pose 4")
