@@ -17,7 +17,7 @@ BASE = {"m": 1, "mm": mpf("1e-3"), "cm": mpf("1e-2"), "km": 1000, "kg": 1, "g": 
         "W": 1, "kW": 1000, "Pa": 1, "MPa": 10 ** 6, "%": mpf("0.01"), "Hz": 1}
 RESERVED = set("""accelerating against along and as at between ccw cw for from in module moving near not of on or steps through to turning when within
 parabolic harmonic cycloidal uniform poly345 poly4567 modified_trapezoid modified_sine""".split())
-TOKEN = re.compile(r"""(?P<string>"[^"]*")|(?P<num>\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d][\w']*)|(?P<op>\.\.|<=|>=|[-+*/^@(),.:={}\[\]<>;])|(?P<nl>\n)|(?P<ws>[ \t]+)""")
+TOKEN = re.compile(r"""(?P<string>"[^"]*")|(?P<pose>\d+')|(?P<num>\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d][\w']*)|(?P<op>\.\.|<=|>=|[-+*/^@(),.:={}\[\]<>;])|(?P<nl>\n)|(?P<ws>[ \t]+)""")
 FACTOR = re.compile(r"([A-Za-z%°]+)(?:\^(-?\d+))?")
 
 
