@@ -23,7 +23,7 @@ keys("Mb", [s.balance["Mb"] for s in turn], "N*m")
 s = turn[7]
 key("relative_velocity(s)", s.relative_velocity("s"), "m/s", " at pose 8")
 key("coriolis(s)", s.coriolis("s"), "m/s^2", " at pose 8")
-key("acceleration((bar, block.B))", s.acceleration("bar", "block.B"), "m/s^2", " at pose 8")
+key("acceleration(bar, block.B)", s.acceleration("bar", "block.B"), "m/s^2", " at pose 8")
 for pair, link in (("A", "crank"), ("B", "block"), ("s", "bar"), ("C", "bar")):
     key(f"reaction({pair}, {link})", s.reaction(pair, link), "N", " at pose 8")
 key("moment(s, block)", s.moment("s", "block"), "N*m", " at pose 8")

@@ -8,7 +8,7 @@ whose answers it checks. The last step of everything is done in mpmath with 40 d
 
 Every solution is checked twice before a number leaves this file: all assembly modes are looked for from
 random starts and the clauses must leave exactly one; and the virtual power of all loads, inertia forces and
-balances is zero for the motion of each drive.
+balances is zero for the motion of each drive. Needs numpy and mpmath.
 """
 import math
 import random

@@ -23,6 +23,9 @@ class Case:
             self.names[n] = e
         self.names.update(dict(f.lets))
         self.names.update(f.find)
+        things = [n for n, *_ in f.links] + [n for _, n, *_ in f.pairs] + [n for n, _ in f.groups] + [n for _, n, *_ in f.springs]
+        if len(set(things)) != len(things):
+            raise Wrong("a name of a link, pair or group twice")
         self.s = None
         self.build()
         self.run()
@@ -79,7 +82,7 @@ class Case:
             return plain[n](*(self.value(a, s) for a in args))
         if n in ("min", "max") and len(args) > 1:
             return {"min": min, "max": max}[n](self.value(a, s) for a in args)
-        if n in ("min", "max", "mean", "integral", "argmax", "time_ratio", "transmission_angle", "pressure_angle"):
+        if n in ("min", "max", "mean", "integral", "argmax"):
             raise Skip(n)
         if n == "dir":
             return at(mpf(1), s.angle(ref(args[0])))
@@ -94,10 +97,9 @@ class Case:
                 return s.displacement(ref(args[0])) - lo[0]
             return (lo, hi)[int(args[1][1]) - 1][1]
         if n in ("position", "velocity", "acceleration"):
-            a = args[0]
-            if a[0] == "vec":
-                return getattr(s, n)(ref(a[1]), under=ref(a[2]))
-            r = ref(a)
+            if len(args) == 2:
+                return getattr(s, n)(ref(args[0]), under=ref(args[1]))
+            r = ref(args[0])
             if "." not in r:
                 self.shared(r)
             return getattr(s, n)(r)
@@ -110,6 +112,16 @@ class Case:
             return getattr(s, n)(j, ref(args[1]))
         if n == "contact_force":
             return s.contact_force(ref(args[0]), int(args[1][1]))
+        if n == "time_ratio":
+            lo, hi = self.extremes(ref(args[0]))
+            way = (hi[1] - lo[1]) % (2 * pi)
+            return max(way, 2 * pi - way) / min(way, 2 * pi - way)
+        if n == "transmission_angle":
+            return self.transmission(s, ref(args[0]))
+        if n == "pressure_angle":
+            p = s.m.pair(ref(args[0]))
+            u = s.velocity(f"{p.b}.{p.pb}")                       # the examples ask it of a follower's point only
+            return mp.acos(abs(dot(p.normal(s.f)[0], u)) / mag(u))
         if n == "inertia_arm":
             return abs(s.inertia_torque(ref(args[0]))) / mag(s.inertia_force(ref(args[0])))
         if n == "effort":
@@ -121,6 +133,18 @@ class Case:
             link, b = map(ref, args)
             return self.substitution(s, link, b, None)
         raise Skip(n)
+
+    def transmission(self, s, group):
+        """Angle between the two links of a dyad at their common hinge; only where it is acute."""
+        one, two = dict(self.f.groups)[group]
+        pair = next(p for p in s.m.pairs if {p.a, p.b} == {one, two})
+        c = s.position(pair.name)
+        ends = [s.position(p.name) for p in s.m.pairs if len({p.a, p.b} & {one, two}) == 1]
+        u, v = (sub(e, c) for e in ends)
+        angle = mp.acos(dot(u, v) / (mag(u) * mag(v)))
+        if angle > pi / 2:
+            raise Skip("an obtuse transmission angle")
+        return angle
 
     def shared(self, name):
         """A bare point name must be one place only."""
