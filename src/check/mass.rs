@@ -7,7 +7,7 @@ use super::link::{not_negative, positive};
 use crate::math::Vec2;
 use crate::model::{LinkId, MassProperties, PairKind};
 use crate::source::Span;
-use crate::syntax::document::{About, At, Body, JointKind, Member, Statement};
+use crate::syntax::document::{About, At, Body, Member, Statement};
 use crate::units::Dimension;
 
 /// An inertia that is too small by less than this part is rounded.
@@ -63,6 +63,95 @@ fn turning(cx: &Context<'_>) -> Vec<Turning> {
         .iter()
         .filter(|s| matches!(&s.node, Statement::Joint(j) if j.kind.node == JointKind::Prismatic));
     let complete = declared.count() == slides.len() && cx.names.bad.is_empty();
+    let by = |link: usize| {
+        let pairs = cx.mech.pairs.iter().filter(|p| !matches!(p.kind, PairKind::Prismatic(_)));
+        pairs.into_iter().find(|p| p.kind.links().contains(&LinkId::at(link))).map(|p| p.span)
+    };
+    let turns = |(i, held)| match held {
+        true => Turning::No,
+        false if complete => Turning::Yes(by(i)),
+        false => Turning::Unknown,
+    };
+    held.into_iter().enumerate().map(turns).collect()
+}
+
+/// A mass as stated, or as weight over gravity.
+struct Stated<'a> {
+    at: &'a At,
+    span: Span,
+    weight: bool,
+}
+
+fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Option<MassProperties> {
+    let (stated, inertia) = members(cx, link, body);
+    if stated.is_none() && inertia.is_none() {
+        return None;
+    }
+    let (mass, centre) = match &stated {
+        Some(stated) => {
+            let mass = amount_of_mass(cx, link, stated);
+            let centre = centre(cx, link, stated, mass, turning);
+            (mass?, centre?)
+        }
+        None => (0.0, Vec2::zero()),
+    };
+    let about_centre = match (inertia, &stated) {
+        (Some((inertia, _)), stated) => steiner(cx, link, inertia, stated.as_ref(), mass, centre)?,
+        (None, Some(stated)) => {
+            if let Turning::Yes(_) = turning {
+                let link = cx.mech.link(link).name.clone();
+                cx.error(LinkError::PointMass { link, span: stated.span });
+            }
+            0.0
+        }
+        (None, None) => 0.0,
+    };
+    Some(MassProperties { mass, centre, inertia: about_centre })
+}
+
+/// The mass and the inertia stated in a body; reports a second one of either.
+fn members<'a>(
+    cx: &mut Context<'_>,
+    link: LinkId,
+    body: &'a Body,
+) -> (Option<Stated<'a>>, Option<(&'a About, Span)>) {
+    let mut mass: Option<Stated<'a>> = None;
+    let mut inertia: Option<(&About, Span)> = None;
+    for member in body {
+        let span = member.span;
+        let (what, first) = match &member.node {
+            Member::Mass(at) | Member::Weight(at) => {
+                let weight = matches!(member.node, Member::Weight(_));
+                let first = mass.as_ref().map(|m| m.span);
+                mass = mass.or(Some(Stated { at, span, weight }));
+                ("mass", first)
+            }
+            Member::Inertia(about) => {
+                let first = inertia.map(|i| i.1);
+                inertia = inertia.or(Some((about, span)));
+                ("inertia", first)
+            }
+            _ => continue,
+        };
+        if let Some(first) = first {
+            let what = format!("the {what} of `{}`", cx.mech.link(link).name);
+            cx.error(LinkError::StatedTwice { what, again: span, first });
+        }
+    }
+    (mass, inertia)
+}
+
+fn amount_of_mass(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>) -> Option<f64> {
+    let name = cx.mech.link(link).name.clone();
+    if !stated.weight {
+        return positive(cx, &stated.at.value, Dimension::MASS, &format!("the mass of `{name}`"));
+    }
+    let weight = positive(cx, &stated.at.value, Dimension::FORCE, &format!("the weight of `{name}`"))?;
+    if let Some(gravity) = cx.mech.gravity {
+        let g = gravity.acceleration;
+        return Some(weight / libm::hypot(g.x, g.y));
+    }
+    let complete = cx.pairs_complete();
     let by = |link: usize| {
         let pairs = cx.mech.pairs.iter().filter(|p| !matches!(p.kind, PairKind::Prismatic(_)));
         pairs.into_iter().find(|p| p.kind.links().contains(&LinkId::at(link))).map(|p| p.span)
