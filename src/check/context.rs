@@ -2,6 +2,8 @@
 
 use super::names::Names;
 use super::overrides::Overrides;
+use super::unit_choice::{self, UnitUse};
+use super::value::Definitions;
 use crate::diagnostic::Problems;
 use crate::model::{Mechanism, Unsupported};
 use crate::source::Span;
@@ -22,6 +24,10 @@ pub struct Context<'a> {
     pub mech: Mechanism,
     /// All names declared in the document.
     pub names: Names<'a>,
+    /// The units of the document's numbers, and how often each is used.
+    pub(super) units: UnitUse,
+    /// What `given`, `let` and `find NAME =` are.
+    pub(super) definitions: Definitions,
     /// Names reported as unknown already, with the list they were looked for in.
     pub(super) reported: IndexSet<(&'static str, String)>,
 }
@@ -35,6 +41,8 @@ impl<'a> Context<'a> {
             problems: Problems::new(),
             mech: Mechanism::default(),
             names: Names::default(),
+            units: unit_choice::count(doc),
+            definitions: Definitions::default(),
             reported: IndexSet::new(),
         }
     }
@@ -46,7 +54,11 @@ impl<'a> Context<'a> {
 
     /// Notes a construct that is understood but cannot be solved yet.
     pub fn unsupported(&mut self, what: impl Into<String>, span: Span) {
-        self.mech.unsupported.push(Unsupported { what: what.into(), span });
+        let noted = Unsupported { what: what.into(), span };
+        let again = self.mech.unsupported.iter().any(|u| u.span == span && u.what == noted.what);
+        if !again {
+            self.mech.unsupported.push(noted);
+        }
     }
 
     /// The mechanism, if nothing is wrong with it, and all that was found.

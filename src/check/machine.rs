@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::{
-    assemble, balance, cam, drive, element, gravity, link, load, mass, pair, pose, simulation, spring,
+    assemble, balance, cam, drive, element, gravity, link, load, mass, pair, pose, simulation, spring, value,
 };
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
@@ -12,6 +12,7 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     pair::groups(cx);
     gravity::gravity(cx);
     mass::masses(cx);
+    value::results(cx);
     drive::drives(cx);
     pose::poses(cx);
     balance::balances(cx);

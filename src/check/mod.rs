@@ -12,6 +12,7 @@ mod context;
 mod drive;
 mod element;
 pub mod error;
+mod expect;
 pub mod expr;
 mod gravity;
 mod link;
@@ -27,8 +28,14 @@ mod point;
 mod pose;
 mod prismatic;
 mod property;
+mod query;
+mod request;
 mod simulation;
 mod spring;
+mod tolerance;
+mod unit_choice;
+mod value;
+mod walk;
 
 pub use overrides::Overrides;
 
@@ -42,8 +49,10 @@ use context::Context;
 pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
     let mut cx = Context::new(document, overrides);
     names::declare(&mut cx);
+    value::order(&mut cx);
+    value::constants(&mut cx);
     machine::machine(&mut cx);
-    // links → pairs and groups → drives, poses → balances → loads, springs, gravity → assemble → elements
-    // → values → requests: each refers to what stands before it in this order.
+    request::finds(&mut cx);
+    expect::expects(&mut cx);
     cx.finish()
 }

@@ -2,10 +2,10 @@
 
 use super::context::Context;
 use super::error::NameError;
-use crate::model::{Link, LinkId};
+use crate::model::{BalanceId, Link, LinkId, LoadId};
 use crate::source::Span;
 use crate::syntax::document::{
-    Bad, Body, CamMember, End, Expr, FindItem, Joint, JointKind, Member, Name, Statement,
+    Bad, Balance, Body, CamMember, End, Expr, FindItem, Joint, JointKind, Load, Member, Name, Statement,
 };
 use indexmap::{IndexMap, IndexSet};
 
@@ -27,10 +27,10 @@ pub enum QuantityKind<'a> {
     Let(&'a Expr),
     /// `find NAME = …`
     Find(&'a FindItem),
-    /// A force or torque; the place among the loads of the file.
-    Load(usize),
-    /// An unknown effort; the place among the balances of the file.
-    Balance(usize),
+    /// A force or torque, and its place among the loads of the file.
+    Load(LoadId, &'a Load),
+    /// An unknown effort, and its place among the balances of the file.
+    Balance(BalanceId, &'a Balance),
     /// A flywheel: the moment of inertia found.
     Flywheel,
 }
@@ -116,12 +116,12 @@ pub fn declare(cx: &mut Context<'_>) {
             Statement::Let(d) => quantity(cx, &d.name, QuantityKind::Let(&d.value)),
             Statement::Load(load) => {
                 if let Some(name) = &load.name {
-                    quantity(cx, name, QuantityKind::Load(loads));
+                    quantity(cx, name, QuantityKind::Load(LoadId::at(loads), load));
                 }
                 loads += 1;
             }
             Statement::Balance(b) => {
-                quantity(cx, &b.name, QuantityKind::Balance(balances));
+                quantity(cx, &b.name, QuantityKind::Balance(BalanceId::at(balances), b));
                 balances += 1;
             }
             Statement::Flywheel(f) => quantity(cx, &f.name, QuantityKind::Flywheel),

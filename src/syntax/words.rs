@@ -18,32 +18,49 @@ pub(super) enum Expected {
 }
 
 /// What a rule is called; nothing for plumbing, slips and error productions.
-pub(super) fn expected(rule: Rule) -> Option<Expected> {
-    let debug = format!("{rule:?}");
-    if let Some(word) = debug.strip_prefix("w_") {
-        return match rule {
-            Rule::w_and | Rule::w_or => Some(Expected::Operator),
-            Rule::w_not => Some(Expected::Kind("a value")),
-            _ => Some(Expected::Literal(word.to_owned())),
-        };
+pub(super) fn expected(rule: Rule) -> Vec<Expected> {
+    if let Some(kind) = kind(rule) {
+        return vec![kind];
     }
-    let literal = |sign: &str| Some(Expected::Literal(sign.to_owned()));
-    match rule {
-        Rule::p_comma => literal(","),
-        Rule::p_dash => literal("-"),
-        Rule::p_dots => literal(".."),
-        Rule::p_close => literal(")"),
-        Rule::p_equals => literal("="),
-        Rule::p_colon => literal(":"),
-        Rule::p_brace => literal("{"),
-        Rule::p_end => literal("}"),
+    let debug = format!("{rule:?}");
+    let words = match rule {
+        Rule::law => LAWS,
+        Rule::kind => PAIRS,
+        Rule::side => &["left", "right"],
+        Rule::turn => &["cw", "ccw"],
+        Rule::load_kind => &["force", "torque"],
+        Rule::site => &["on", "in"],
+        Rule::order => &["ahead", "behind"],
+        Rule::m_along => &["along"],
+        Rule::m_to => &["to"],
+        Rule::near => &["near"],
+        Rule::frame => &["in"],
+        Rule::against => &["against"],
+        Rule::within => &["within"],
+        Rule::p_comma => &[","],
+        Rule::p_dash => &["-"],
+        Rule::p_dots => &[".."],
+        Rule::p_close => &[")"],
+        Rule::p_equals => &["="],
+        Rule::p_colon => &[":"],
+        Rule::p_end => &["}"],
+        Rule::p_brace | Rule::body | Rule::properties => &["{"],
+        // The rule of a word is named after it.
+        _ => return debug.strip_prefix("w_").map(|w| Expected::Literal(w.to_owned())).into_iter().collect(),
+    };
+    words.iter().map(|w| Expected::Literal((*w).to_owned())).collect()
+}
+
+/// Rules that are not words.
+fn kind(rule: Rule) -> Option<Expected> {
+    Some(match rule {
         Rule::ident
         | Rule::pose_name
         | Rule::path
         | Rule::end
         | Rule::clause
         | Rule::setting
-        | Rule::column => Some(Expected::Name),
+        | Rule::column => Expected::Name,
         Rule::expr
         | Rule::conjunct
         | Rule::truth
@@ -59,41 +76,21 @@ pub(super) fn expected(rule: Rule) -> Option<Expected> {
         | Rule::list
         | Rule::sensed
         | Rule::position
-        | Rule::find_item => Some(Expected::Kind("a value")),
-        Rule::number | Rule::quantity | Rule::count | Rule::cell | Rule::row => {
-            Some(Expected::Kind("a number"))
+        | Rule::find_item
+        | Rule::w_not => Expected::Kind("a value"),
+        Rule::number | Rule::quantity | Rule::count | Rule::cell | Rule::row => Expected::Kind("a number"),
+        Rule::string => Expected::Kind("a text in quotes"),
+        Rule::unit => Expected::Kind("a unit"),
+        Rule::place => Expected::Kind("a point"),
+        Rule::property => Expected::Kind("a property"),
+        Rule::header => Expected::Kind("a header of names"),
+        Rule::add | Rule::multiply | Rule::compare | Rule::compared | Rule::p_polar | Rule::p_caret => {
+            Expected::Operator
         }
-        Rule::string => Some(Expected::Kind("a text in quotes")),
-        Rule::unit => Some(Expected::Kind("a unit")),
-        Rule::place => Some(Expected::Kind("a point")),
-        Rule::site => Some(Expected::Kind("`on` a link or `in` a pair")),
-        Rule::side => Some(Expected::Kind("`left` or `right`")),
-        Rule::turn => Some(Expected::Kind("`cw` or `ccw`")),
-        Rule::kind => Some(Expected::Kind("a kind of pair")),
-        Rule::law => Some(Expected::Kind("a law of motion")),
-        Rule::load_kind => Some(Expected::Kind("`force` or `torque`")),
-        Rule::body | Rule::properties => literal("{"),
-        Rule::property => Some(Expected::Kind("a property")),
-        Rule::header => Some(Expected::Kind("a header of names")),
-        Rule::add | Rule::multiply | Rule::compare | Rule::p_polar | Rule::p_caret => {
-            Some(Expected::Operator)
-        }
-        Rule::EOI => Some(Expected::End),
-        _ => None,
-    }
-}
-
-/// The words behind rules that stand for a choice of words.
-pub(super) fn words_of(rule: Rule) -> &'static [&'static str] {
-    match rule {
-        Rule::law => LAWS,
-        Rule::side => &["left", "right"],
-        Rule::turn => &["cw", "ccw"],
-        Rule::load_kind => &["force", "torque"],
-        Rule::site => &["on", "in"],
-        Rule::kind => PAIRS,
-        _ => &[],
-    }
+        Rule::w_and | Rule::w_or => Expected::Operator,
+        Rule::EOI => Expected::End,
+        _ => return None,
+    })
 }
 
 /// What may be said to be expected: `` `=` or a value ``.

@@ -1,7 +1,7 @@
 //! Names.
 
 use crate::source::{Span, Spanned};
-use miette::Diagnostic;
+use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 
 /// What can be wrong with a name.
@@ -56,6 +56,21 @@ pub enum NameError {
         /// The first.
         #[label("first declared here")]
         first: Option<Span>,
+    },
+    /// A definition that hangs on itself.
+    #[error("`{name}` hangs on itself: {chain}")]
+    #[diagnostic(code("mech::name::cycle"), help("give one of them a value of its own"))]
+    Cycle {
+        /// The name.
+        name: String,
+        /// All names on the way round.
+        chain: String,
+        /// The definition.
+        #[label(primary, "hangs on the next, and so on itself")]
+        span: Span,
+        /// The other definitions.
+        #[label(collection)]
+        others: Vec<LabeledSpan>,
     },
     /// A point name that stands for several points.
     #[error("`{name}` names {count} points that no pair joins")]

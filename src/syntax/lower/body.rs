@@ -51,13 +51,11 @@ impl Lower<'_> {
             let node = if member.as_rule() == Rule::bad_member {
                 Member::Bad(self.bad(&member, What::Member))
             } else {
-                match self.member(member) {
-                    Some(member) => member,
-                    None => {
-                        self.unreadable(at);
-                        continue;
-                    }
-                }
+                let before = self.problems.len();
+                self.member(member).unwrap_or_else(|| {
+                    self.unreadable(at, before);
+                    Member::Bad(self.names(at))
+                })
             };
             members.push(Spanned::new(node, at));
         }

@@ -6,8 +6,8 @@ use super::walk::{P, Parts, span};
 use crate::source::Spanned;
 use crate::syntax::Rule;
 use crate::syntax::document::{
-    AllJoints, Bad, Cam, CamLaw, CamMember, End, Flywheel, Follower, Group, Joint, JointKind, Phase,
-    PhaseKind, Property, Spring,
+    AllJoints, Cam, CamLaw, CamMember, End, Flywheel, Follower, Group, Joint, JointKind, Phase, PhaseKind,
+    Property, Spring,
 };
 use crate::syntax::recover::What;
 
@@ -58,12 +58,13 @@ impl Lower<'_> {
         let mut found = Vec::new();
         while let Some(pair) = inner.any() {
             let at = span(&pair);
+            let before = self.problems.len();
             if pair.as_rule() == Rule::bad_property {
                 self.bad(&pair, What::Property);
             } else if let Some(property) = self.property(pair) {
                 found.push(property);
             } else {
-                self.unreadable(at);
+                self.unreadable(at, before);
             }
         }
         found
@@ -87,12 +88,13 @@ impl Lower<'_> {
         let mut members = Vec::new();
         while let Some(pair) = parts.any() {
             let at = span(&pair);
+            let before = self.problems.len();
             let member = if pair.as_rule() == Rule::bad_cam_member {
                 CamMember::Bad(self.bad(&pair, What::CamMember))
             } else {
                 self.cam_member(pair).unwrap_or_else(|| {
-                    self.unreadable(at);
-                    CamMember::Bad(Bad::default())
+                    self.unreadable(at, before);
+                    CamMember::Bad(self.names(at))
                 })
             };
             members.push(Spanned::new(member, at));

@@ -38,7 +38,8 @@ pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spann
         if pair.as_rule() != Rule::EOI {
             let at = span(&pair);
             let rest = (pair.as_rule() == Rule::bad_statement).then(|| trimmed(pair.as_str(), at));
-            let statement = lower.statement(pair).unwrap_or_else(|| lower.unreadable(at));
+            let before = lower.problems.len();
+            let statement = lower.statement(pair).unwrap_or_else(|| lower.unreadable(at, before));
             statements.push(Spanned::new(statement, rest.unwrap_or(at)));
         }
     }
@@ -136,9 +137,16 @@ impl Lower<'_> {
         recover::report(self.text, self.read, at, what, &mut self.problems)
     }
 
-    /// Reports a pair that has not the promised shape.
-    fn unreadable(&mut self, at: Span) -> Statement {
-        self.problems.push(recover::unreadable(at));
-        Statement::Bad(Bad::default())
+    /// A pair that could not be lowered; reported, unless something has been since there were `before` problems.
+    fn unreadable(&mut self, at: Span, before: usize) -> Statement {
+        if self.problems.len() == before {
+            self.problems.push(recover::unreadable(at));
+        }
+        Statement::Bad(self.names(at))
+    }
+
+    /// What cannot be read, with the names in it.
+    fn names(&self, at: Span) -> Bad {
+        Bad { names: recover::names(self.read.get(at.start..at.end).unwrap_or_default()) }
     }
 }

@@ -39,13 +39,15 @@ pub(super) fn report(lower: &mut Lower<'_>, pairs: Pairs<'_, Rule>) {
     }
 }
 
+/// `at` is where the last member ends; what stands next is what the brace is missing before.
 fn missing_brace(text: &str, open: Span, at: Span) -> SyntaxError {
-    let line = Line::around(text, at.start);
-    let next = text.get(at.start..line.end).unwrap_or_default().trim();
-    let before = if next.is_empty() { "at the end".to_owned() } else { format!("before: {next}") };
-    let word = text.get(at.start..).unwrap_or_default().chars().take_while(|c| c.is_alphanumeric());
+    let rest = text.get(at.start..).unwrap_or_default();
+    let next = at.start + rest.find(|c: char| !c.is_whitespace() && c != ';').unwrap_or(rest.len());
+    let line = text.get(next..Line::around(text, next).end).unwrap_or_default().trim();
+    let before = if line.is_empty() { "at the end".to_owned() } else { format!("before: {line}") };
+    let word = line.chars().take_while(|c| c.is_alphanumeric());
     let length = word.map(char::len_utf8).sum::<usize>();
-    SyntaxError::MissingBrace { open, at: Span::new(at.start, at.start + length), before }
+    SyntaxError::MissingBrace { open, at: Span::new(next, next + length), before }
 }
 
 fn late_brace(text: &str, pair: &P<'_>) -> SyntaxError {

@@ -97,11 +97,10 @@ impl<'a> Case<'a> {
     /// The words and signs that would have fitted where reading stopped.
     pub(super) fn literals(&self) -> Vec<String> {
         let mut found = Vec::new();
-        for rule in &self.expected {
-            if let Some(words::Expected::Literal(word)) = words::expected(*rule) {
+        for expected in self.expected.iter().flat_map(|rule| words::expected(*rule)) {
+            if let words::Expected::Literal(word) = expected {
                 found.push(word);
             }
-            found.extend(words::words_of(*rule).iter().map(|w| (*w).to_owned()));
         }
         found.sort();
         found.dedup();

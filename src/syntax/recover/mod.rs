@@ -10,7 +10,7 @@ mod within;
 use super::Rule;
 use super::document::{Bad, Name};
 use super::error::SyntaxError;
-use super::line::mended;
+use super::line::{Line, mended};
 use super::words::{self, Expected, is_name_char, is_reserved};
 use crate::diagnostic::{Problems, did_you_mean};
 use crate::source::Span;
@@ -45,8 +45,7 @@ impl What {
 /// Reports the text at `at`, and collects the names in it.
 pub(super) fn report(text: &str, read: &str, at: Span, what: What, problems: &mut Problems) -> Bad {
     let slice = read.get(at.start..at.end).unwrap_or_default();
-    // What was blanked out has been reported already.
-    if !slice.trim().is_empty() {
+    if !slice.trim().is_empty() && !cut_off(text, read, at) {
         let case = Case::new(text, slice, at.start, what);
         let found = first_word::explain(&case)
             .or_else(|| within::explain(&case))
@@ -55,6 +54,13 @@ pub(super) fn report(text: &str, read: &str, at: Span, what: What, problems: &mu
         problems.push(found);
     }
     Bad { names: names(slice) }
+}
+
+/// Whether the rest of the line was blanked out, which has been reported.
+fn cut_off(text: &str, read: &str, at: Span) -> bool {
+    let end = Line::around(text, at.end).end;
+    let rest = |text: &str| text.get(at.end..end).unwrap_or_default().trim().to_owned();
+    rest(read).is_empty() && !rest(text).is_empty()
 }
 
 /// A pair of the grammar that has not the shape it promises.
@@ -96,7 +102,7 @@ fn unexpected(case: &Case<'_>) -> SyntaxError {
         What::Header => "this header".to_owned(),
         What::Row => "this row".to_owned(),
     };
-    let expected = case.expected.iter().filter_map(|r| words::expected(*r)).collect::<Vec<Expected>>();
+    let expected = case.expected.iter().flat_map(|r| words::expected(*r)).collect::<Vec<Expected>>();
     let at = case.span(case.fail, token.len());
     SyntaxError::Unexpected { what, expected: words::list(expected), at, found, help: help(first) }
 }
@@ -141,7 +147,7 @@ fn help(word: &str) -> Option<String> {
 }
 
 /// Every word that may be a name.
-fn names(slice: &str) -> Vec<String> {
+pub(super) fn names(slice: &str) -> Vec<String> {
     let mut found = Vec::<String>::new();
     for line in slice.lines() {
         let code = line.split_once("//").map_or(line, |(code, _)| code);

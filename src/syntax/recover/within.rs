@@ -63,7 +63,7 @@ fn two_statements(case: &Case<'_>) -> Option<SyntaxError> {
 /// A reserved word where a name is due.
 fn reserved_name(case: &Case<'_>) -> Option<SyntaxError> {
     let word = case.token(case.fail);
-    let named = case.expected.iter().any(|r| words::expected(*r) == Some(Expected::Name));
+    let named = case.expected.iter().any(|r| words::expected(*r).contains(&Expected::Name));
     if !is_reserved(word) || !named {
         return None;
     }
