@@ -121,7 +121,8 @@ fn flywheel(cx: &mut Context<'_>, flywheel: &Flywheel) {
 
 /// Reports a name that is no load and no balance.
 fn load(cx: &mut Context<'_>, name: &Name) {
-    let is_load = |kind: &QuantityKind<'_>| matches!(kind, QuantityKind::Load(..) | QuantityKind::Balance(..));
+    let is_load =
+        |kind: &QuantityKind<'_>| matches!(kind, QuantityKind::Load(..) | QuantityKind::Balance(..));
     let declared = cx.names.quantities.get(&name.node);
     if declared.is_some_and(|d| is_load(&d.what)) || cx.names.bad.contains(&name.node) {
         return;

@@ -8,7 +8,7 @@ use super::lookup::suggestion;
 use super::tolerance;
 use crate::model::{At, Display, Expect, Relation, Tolerance};
 use crate::source::Span;
-use crate::syntax::document::{self, Expr, ExpectAt, ExprKind, Name, Statement};
+use crate::syntax::document::{self, ExpectAt, Expr, ExprKind, Name, Statement};
 use crate::units::{Dimension, Kind};
 
 /// Enters all expectations into the mechanism.

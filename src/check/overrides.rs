@@ -80,12 +80,18 @@ type Why = (String, Option<String>);
 /// `120mm`, `-30 deg`, `0.1`
 fn value(text: &str, ty: Type, usual: &str) -> Result<Typed, Why> {
     let Type::Number(want) = ty else {
-        return Err((format!("it is {} in the file, and only numbers can be set from outside", ty.shape()), None));
+        return Err((
+            format!("it is {} in the file, and only numbers can be set from outside", ty.shape()),
+            None,
+        ));
     };
     let text = text.trim().replace('−', "-");
     let (number, word) = split(&text);
     let Ok(x) = number.parse::<f64>() else {
-        return Err(("this is not a number with a unit".into(), Some(format!("write it like `120 {usual}`"))));
+        return Err((
+            "this is not a number with a unit".into(),
+            Some(format!("write it like `120 {usual}`")),
+        ));
     };
     if !x.is_finite() {
         return Err(("this is not a number".into(), None));
@@ -123,7 +129,8 @@ mod tests {
 
     #[test]
     fn values_with_and_without_blanks() {
-        for (text, si) in [("120mm", 0.12), ("-30 mm", -0.03), ("1.5e2 cm", 1.5), ("−2 m", -2.0), ("0", 0.0)] {
+        for (text, si) in [("120mm", 0.12), ("-30 mm", -0.03), ("1.5e2 cm", 1.5), ("−2 m", -2.0), ("0", 0.0)]
+        {
             let t = value(text, Type::number(Dimension::LENGTH), "mm").unwrap();
             assert_eq!(t, Typed::constant(si, Dimension::LENGTH), "{text}");
         }
@@ -132,7 +139,8 @@ mod tests {
     #[test]
     fn what_is_wrong_is_said() {
         let length = Type::number(Dimension::LENGTH);
-        for (text, says) in [("120", "needs a unit"), ("2 kg", "a mass"), ("2 mn", "not a unit"), ("mm", "not a number")]
+        for (text, says) in
+            [("120", "needs a unit"), ("2 kg", "a mass"), ("2 mn", "not a unit"), ("mm", "not a number")]
         {
             let (why, _) = value(text, length, "mm").unwrap_err();
             assert!(why.contains(says), "{text}: {why}");

@@ -93,7 +93,9 @@ impl Context<'_> {
 
     fn unit_fits(&mut self, unit: &Unit, t: &Typed, item: &FindItem) -> Option<()> {
         let fits = match t.ty {
-            Type::Number(dim) | Type::Vector(dim) => dim.unify(super::expr::typed::Dim::Of(unit.dimension)).is_some(),
+            Type::Number(dim) | Type::Vector(dim) => {
+                dim.unify(super::expr::typed::Dim::Of(unit.dimension)).is_some()
+            }
             Type::Truth => false,
         };
         if fits {

@@ -188,7 +188,10 @@ pub fn results(cx: &mut Context<'_>) {
         let settled = match kind {
             QuantityKind::Let(expr) => {
                 let read = cx.read(expr);
-                let read = read.map(|t| { let display = cx.display(t.ty.dimension()); (t, display) });
+                let read = read.map(|t| {
+                    let display = cx.display(t.ty.dimension());
+                    (t, display)
+                });
                 keep(cx, name.clone(), span, read)
             }
             QuantityKind::Find(item) => {

@@ -1,7 +1,7 @@
 //! Over all expressions of a document.
 
 use crate::syntax::document::{
-    AssembleClause, CamMember, Definition, DrivePosition, Expr, ExprKind, ExpectAt, LineDirection, Member,
+    AssembleClause, CamMember, Definition, DrivePosition, ExpectAt, Expr, ExprKind, LineDirection, Member,
     Place, Property, Sensed, Setting, Site, Statement, WheelSize,
 };
 

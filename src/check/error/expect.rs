@@ -9,7 +9,10 @@ use thiserror::Error;
 pub enum ExpectError {
     /// A quantity without anything it is compared with.
     #[error("`{text}` is {is}: what is it expected to be?")]
-    #[diagnostic(code("mech::expect::no_value"), help("write `expect {text} = …`, or compare it: `expect {text} > …`"))]
+    #[diagnostic(
+        code("mech::expect::no_value"),
+        help("write `expect {text} = …`, or compare it: `expect {text} > …`")
+    )]
     NoValue {
         /// What is expected, as written.
         text: String,
@@ -51,7 +54,9 @@ pub enum ExpectError {
     #[error("how near should this be?")]
     #[diagnostic(
         code("mech::expect::no_tolerance"),
-        help("a value that is computed needs a tolerance: `within 1e-9`, `within 0.1 %`, or one with a unit")
+        help(
+            "a value that is computed needs a tolerance: `within 1e-9`, `within 0.1 %`, or one with a unit"
+        )
     )]
     NoTolerance {
         /// The value.
@@ -60,7 +65,10 @@ pub enum ExpectError {
     },
     /// A tolerance that is no positive number.
     #[error("a tolerance is greater than zero")]
-    #[diagnostic(code("mech::expect::tolerance"), help("write `within 1e-9`, `within 0.1 %`, or one with a unit"))]
+    #[diagnostic(
+        code("mech::expect::tolerance"),
+        help("write `within 1e-9`, `within 0.1 %`, or one with a unit")
+    )]
     Tolerance {
         /// The tolerance.
         #[label(primary, "not greater than zero")]

@@ -129,7 +129,9 @@ pub enum UnitsError {
     #[diagnostic(
         code("mech::unit::also_a_name"),
         severity(Warning),
-        help("for the name, put blanks around the operator, as in `… * {name}` or `… / {name}`; or rename `{name}`")
+        help(
+            "for the name, put blanks around the operator, as in `… * {name}` or `… / {name}`; or rename `{name}`"
+        )
     )]
     AlsoAName {
         /// The word.

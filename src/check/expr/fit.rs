@@ -10,7 +10,13 @@ use crate::units::Dimension;
 
 impl Context<'_> {
     /// The expression, if it is a number of this dimension.
-    pub(in crate::check) fn fit(&mut self, t: Typed, want: Dimension, what: &str, expr: &Expr) -> Option<Typed> {
+    pub(in crate::check) fn fit(
+        &mut self,
+        t: Typed,
+        want: Dimension,
+        what: &str,
+        expr: &Expr,
+    ) -> Option<Typed> {
         match t.ty {
             Type::Number(dim) => self.fits(dim, want, what, expr).then_some(t),
             Type::Vector(_) => {

@@ -84,7 +84,8 @@ impl Context<'_> {
 
     fn polar(&mut self, r: &Expr, phi: &Expr) -> Option<Typed> {
         let magnitude = self.read(r);
-        let angle = self.read(phi).and_then(|t| self.fit(t, Dimension::ANGLE, "the direction behind `@`", phi));
+        let angle =
+            self.read(phi).and_then(|t| self.fit(t, Dimension::ANGLE, "the direction behind `@`", phi));
         let (magnitude, angle) = (magnitude?, angle?);
         let Type::Number(dim) = magnitude.ty else {
             self.shape("the magnitude before `@`", "a number", magnitude.ty, r.span, None);
@@ -128,7 +129,9 @@ impl Context<'_> {
             let right = self.read_signed(operand, sign);
             let whole = Span::new(span.start.min(left_span.start), operand.span.end);
             left = match (left, right) {
-                (Some(a), Some(b)) => self.operate(op.node, (a, left_span), (b, operand.span), first, operand),
+                (Some(a), Some(b)) => {
+                    self.operate(op.node, (a, left_span), (b, operand.span), first, operand)
+                }
                 _ => None,
             };
             left_span = whole;
@@ -230,9 +233,7 @@ impl Context<'_> {
 
     fn raised(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Option<Typed> {
         let b = self.read(base);
-        let n = self
-            .read(exponent)
-            .and_then(|t| self.fit(t, Dimension::NUMBER, "an exponent", exponent));
+        let n = self.read(exponent).and_then(|t| self.fit(t, Dimension::NUMBER, "an exponent", exponent));
         let (b, n) = (b?, n?);
         let Type::Number(dim) = b.ty else {
             self.shape("the base of a power", "a number", b.ty, base.span, Some("write `dot(v, v)`".into()));

@@ -41,7 +41,8 @@ impl Context<'_> {
         let names = path(expr);
         match names.as_deref() {
             Some([name]) => {
-                let element = |k: ThingKind| matches!(k, ThingKind::Shaft | ThingKind::Wheel | ThingKind::Slider);
+                let element =
+                    |k: ThingKind| matches!(k, ThingKind::Shaft | ThingKind::Wheel | ThingKind::Slider);
                 if self.names.things.get(&name.node).is_some_and(|d| element(d.what)) {
                     return Some(Mover::Element);
                 }
@@ -119,7 +120,8 @@ impl Context<'_> {
     /// Reports a result that this kind of pair has not.
     pub(super) fn not_of_this_pair(&mut self, call: Call<'_>, pair: PairId, help: Option<&str>) {
         let declared = self.mech.pair(pair);
-        let (pair, kind, declared) = (declared.name.clone(), kind_phrase(&declared.kind).to_owned(), declared.span);
+        let (pair, kind, declared) =
+            (declared.name.clone(), kind_phrase(&declared.kind).to_owned(), declared.span);
         self.error(RequestError::NotOfThisPair {
             function: call.name.node.clone(),
             pair,

@@ -76,7 +76,8 @@ impl Context<'_> {
             return Some(*second);
         }
         let (function, pair) = (call.name.node.clone(), self.mech.pair(pair).name.clone());
-        let choices = self.spelled(&links).iter().map(|l| format!("`{function}({pair}, {l})`")).collect::<Vec<_>>();
+        let choices =
+            self.spelled(&links).iter().map(|l| format!("`{function}({pair}, {l})`")).collect::<Vec<_>>();
         let help = match links.len() {
             2 => format!("write {}, or `mag({function}({pair}))`", choices.join(" or ")),
             _ => format!("write {}", choices.join(" or ")),

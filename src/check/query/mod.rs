@@ -52,8 +52,14 @@ impl Context<'_> {
         match call.name.node.as_str() {
             "position" | "velocity" | "acceleration" => self.point_motion(call),
             "angle" | "omega" | "alpha" | "dir" => self.link_motion(call),
-            "displacement" | "relative_velocity" | "relative_acceleration" | "coriolis" | "travel" | "stroke"
-            | "time_ratio" | "dead" => self.pair_motion(call),
+            "displacement"
+            | "relative_velocity"
+            | "relative_acceleration"
+            | "coriolis"
+            | "travel"
+            | "stroke"
+            | "time_ratio"
+            | "dead" => self.pair_motion(call),
             "transmission_angle" => self.transmission_angle(call),
             "pressure_angle" => self.pressure_angle(call),
             "reaction" | "moment" | "normal" | "friction" => self.reaction(call),
@@ -83,7 +89,12 @@ impl Context<'_> {
     }
 
     /// The arguments, if there are as many as there should be and none has a name.
-    pub(super) fn arguments<'c>(&mut self, call: Call<'c>, least: usize, most: usize) -> Option<Vec<&'c Expr>> {
+    pub(super) fn arguments<'c>(
+        &mut self,
+        call: Call<'c>,
+        least: usize,
+        most: usize,
+    ) -> Option<Vec<&'c Expr>> {
         let named = call.args.iter().find_map(|a| a.name.as_ref());
         if let Some(name) = named {
             let usage = usage(&call.name.node);

@@ -6,8 +6,8 @@ use crate::check::error::NameError;
 use crate::check::expr::typed::{Dim, Type, Typed};
 use crate::check::lookup::suggestion;
 use crate::check::names::{QuantityKind, ThingKind};
-use crate::syntax::document::{Arg, Expr, ExprKind, JointKind, Name};
 use crate::source::Spanned;
+use crate::syntax::document::{Arg, Expr, ExprKind, JointKind, Name};
 use crate::units::Dimension;
 
 const ANY: Type = Type::Number(Dim::Any);

@@ -6,8 +6,8 @@ use crate::check::error::RequestError;
 use crate::check::expr::Sign;
 use crate::check::expr::typed::{Dim, Type, Typed};
 use crate::model::{Expr as ModelExpr, Query, SubstitutionPart};
-use crate::syntax::document::{Expr, ExprKind, Name};
 use crate::source::Spanned;
+use crate::syntax::document::{Expr, ExprKind, Name};
 use crate::units::Dimension;
 
 const PARTS: [(&str, SubstitutionPart, Type); 8] = [
