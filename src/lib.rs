@@ -6,6 +6,7 @@ pub mod force;
 pub mod group;
 pub mod math;
 pub mod model;
+mod pipeline;
 pub mod plan;
 pub mod solve;
 pub mod source;
@@ -13,11 +14,15 @@ pub mod structure;
 pub mod syntax;
 pub mod units;
 
-/// What the author of a text is told about it, without colour, 100 columns wide; empty where nothing is wrong.
+pub use pipeline::{Compiled, compile};
+
+/// What the author of a text is told about it when it is solved, without colour, 100 columns wide; empty where nothing
+/// is wrong.
 #[must_use]
 pub fn diagnose(source: &source::Source) -> String {
-    let (document, mut problems) = syntax::parse(source);
-    let (_, more) = check::check(&document, &check::Overrides::none());
-    problems.append(more);
+    let (compiled, mut problems) = compile(source, &check::Overrides::none());
+    if let Some(compiled) = compiled {
+        compiled.solve(&mut problems);
+    }
     diagnostic::render(&problems, source, diagnostic::Style::PLAIN)
 }
