@@ -15,6 +15,9 @@ impl State {
                 ForceStep::Shift { way, effort, value } => self.force_shift(way, effort, *value),
                 ForceStep::Rrr { outer, inner } => self.force_rrr(outer, inner),
                 ForceStep::Rrp { outer, inner, way } => self.force_rrp(outer, inner, way),
+                ForceStep::DrivenLegs { outer, inner, ends, driven } => {
+                    self.force_driven_legs(outer, inner, *ends, driven)
+                }
                 ForceStep::Rpr { outer, way } => self.force_rpr(outer, way),
                 ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
                 ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
@@ -41,7 +44,7 @@ impl State {
     }
 
     #[inline(always)]
-    fn hinge_reaction(&mut self, hinge: &Hinge, p: Vec2, force: Vec2) {
+    pub(super) fn hinge_reaction(&mut self, hinge: &Hinge, p: Vec2, force: Vec2) {
         self.reactions[hinge.slot] = Reaction { force, couple: 0.0 };
         self.carry(hinge.base, p, force, 0.0);
     }
@@ -56,7 +59,7 @@ impl State {
     }
 
     #[inline(always)]
-    fn carried_way(&mut self, way: &Way, p: Vec2, force: Vec2, couple: f64) {
+    pub(super) fn carried_way(&mut self, way: &Way, p: Vec2, force: Vec2, couple: f64) {
         let (reference, couple) = self.way_reaction(way, p, force, couple);
         self.carry(way.base, reference, force, couple);
     }
@@ -67,7 +70,12 @@ impl State {
     }
 
     /// One body on a revolute: the effort is found from the moment about it.
-    fn force_turn(&mut self, hinge: &Hinge, effort: &EffortLine, (slot, sign): (usize, f64)) -> f64 {
+    pub(super) fn force_turn(
+        &mut self,
+        hinge: &Hinge,
+        effort: &EffortLine,
+        (slot, sign): (usize, f64),
+    ) -> f64 {
         let p = self.bodies[hinge.body].position(hinge.pin);
         let (force, moment) = self.load_about(hinge.body, p);
         match effort {
@@ -90,7 +98,7 @@ impl State {
     }
 
     /// One body on a guide: the effort is found from the forces along it.
-    fn force_shift(&mut self, way: &Way, effort: &EffortLine, (slot, sign): (usize, f64)) -> f64 {
+    pub(super) fn force_shift(&mut self, way: &Way, effort: &EffortLine, (slot, sign): (usize, f64)) -> f64 {
         let d = self.direction(way);
         let p = self.bodies[way.slider].position(way.point);
         let (mut force, mut moment) = self.load_about(way.body, p);
