@@ -1,6 +1,7 @@
 //! `assur`: a small declarative language for planar mechanism problems, and the compiler that solves them.
 
 pub mod diagnostic;
+pub mod force;
 pub mod group;
 pub mod math;
 pub mod model;

@@ -18,6 +18,12 @@
 //! - Kernels have no branches: they run on one number or on several lanes at once. No input makes them panic.
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
+pub mod driven;
+pub mod pp;
+pub mod prp;
+pub mod rpp;
+pub mod rpr;
+pub mod rrp;
 pub mod rrr;
 
 #[cfg(test)]

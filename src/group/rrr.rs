@@ -25,6 +25,9 @@
 //!     r_1 × f_C = M_1,    r_2 × f_C = −M_2    ⇒    f_C = (M_2 r_1 + M_1 r_2) / D,
 //!
 //! then f_A = f_C − F_1 and f_B = −f_C − F_2.
+//!
+//! A link 2 of given changing length, a cylinder, is the same group: with u = r_2 / l_2 give v_B + l̇_2 u in place of
+//! v_B, and a_B + l̈_2 u + 2 ω_2 l̇_2 perp(u) in place of a_B.
 
 use super::Gap;
 use crate::math::{Scalar, V2, Vec2};
@@ -231,6 +234,27 @@ mod tests {
             close((v - v_C).norm(), 0.0, 1e-7, v.norm() + 1.0);
             close((a - a_C).norm(), 0.0, 1e-5, a.norm() + 1.0);
             close((a - a_by_2).norm(), 0.0, 1e-11, a.norm() + 1.0);
+        }
+    }
+
+    #[test]
+    fn a_link_may_change_its_length() {
+        let mut random = Random::new(21);
+        for _ in 0..300 {
+            let scene = Scene::random(&mut random);
+            let (rate_2, second_2) = (random.within(-1.0, 1.0), random.within(-1.0, 1.0));
+            let at = |t: f64| {
+                let l_2 = scene.l_2 + rate_2 * t + second_2 * (t * t / 2.0);
+                position(scene.A.at(t), scene.B.at(t), scene.l_1, l_2, scene.side)
+            };
+            let p = at(0.0);
+            let (group, u) = (Rrr::new(p.r_1, p.r_2), p.r_2 / scene.l_2);
+            let (omega_1, omega_2) = group.velocity(scene.A.velocity(), scene.B.velocity() + u * rate_2);
+            close(omega_1, rate_of_direction(|t| at(t).r_1), 1e-7, omega_1.abs() + 1.0);
+            let a_B = scene.B.acceleration() + u * second_2 + u.perp() * (2.0 * omega_2 * rate_2);
+            let (alpha_1, _) = group.acceleration(omega_1, omega_2, scene.A.acceleration(), a_B);
+            let a = scene.A.acceleration() + p.r_1.perp() * alpha_1 - p.r_1 * (omega_1 * omega_1);
+            close((a - second_rate(|t| at(t).p_C)).norm(), 0.0, 1e-5, a.norm() + 1.0);
         }
     }
 

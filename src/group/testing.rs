@@ -1,6 +1,6 @@
 //! What the tests of the groups share: random geometry, differences in time, brute-force linear solves.
 
-use crate::math::Vec2;
+use crate::math::{Vec2, acceleration_at, velocity_at};
 
 /// A small deterministic generator (SplitMix64).
 pub struct Random(u64);
@@ -30,8 +30,9 @@ impl Random {
         Vec2::new(self.within(-size, size), self.within(-size, size))
     }
 
-    pub fn angle(&mut self) -> f64 {
-        self.within(-3.0, 3.0)
+    /// A unit vector.
+    pub fn direction(&mut self) -> Vec2 {
+        Vec2::direction(self.within(-3.0, 3.0))
     }
 
     /// A force and a moment.
@@ -91,4 +92,42 @@ pub fn equilibrium(rows: &[&[f64]], loads: &[f64]) -> Vec<f64> {
 pub fn close(got: f64, want: f64, tolerance: f64, scale: f64) {
     let error = (got - want).abs();
     assert!(error <= tolerance * scale, "{got} is not {want}: off by {error:e}, scale {scale:e}");
+}
+
+/// A body whose origin moves on a path and which turns with constant angular acceleration.
+pub struct Body {
+    origin: Path,
+    angle: f64,
+    pub omega: f64,
+    pub alpha: f64,
+}
+
+impl Body {
+    pub fn random(random: &mut Random) -> Self {
+        Self {
+            origin: Path::random(random),
+            angle: random.within(-3.0, 3.0),
+            omega: random.within(-2.0, 2.0),
+            alpha: random.within(-2.0, 2.0),
+        }
+    }
+    /// The same path, turning with `other` at a constant angle to it.
+    pub fn turning_with(self, other: &Body, angle: f64) -> Self {
+        Self { origin: self.origin, angle: other.angle + angle, omega: other.omega, alpha: other.alpha }
+    }
+    pub fn origin(&self, t: f64) -> Vec2 {
+        self.origin.at(t)
+    }
+    /// Its x axis.
+    pub fn direction(&self, t: f64) -> Vec2 {
+        Vec2::direction(self.angle + self.omega * t + self.alpha * (t * t / 2.0))
+    }
+    /// Velocity and acceleration at time 0 of its point that is at `p` then.
+    pub fn motion_at(&self, p: Vec2) -> (Vec2, Vec2) {
+        let r = p - self.origin(0.0);
+        (
+            velocity_at(self.origin.velocity(), self.omega, r),
+            acceleration_at(self.origin.acceleration(), self.omega, self.alpha, r),
+        )
+    }
 }
