@@ -5,6 +5,7 @@
 mod dimension;
 mod error;
 mod lookup;
+mod number;
 mod spelling;
 mod table;
 mod unit;
@@ -12,4 +13,5 @@ mod unit;
 pub use dimension::{Dimension, Kind};
 pub use error::UnitError;
 pub use lookup::{Factor, factors, is_unit, lookup};
+pub use number::significant;
 pub use unit::Unit;
