@@ -6,6 +6,7 @@ pub mod group;
 pub mod math;
 pub mod model;
 pub mod plan;
+pub mod solve;
 pub mod source;
 pub mod structure;
 pub mod syntax;

@@ -19,6 +19,7 @@
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
 pub mod driven;
+pub mod general;
 pub mod pp;
 pub mod prp;
 pub mod rpp;

@@ -19,7 +19,7 @@ impl State {
                 ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
                 ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
                 ForceStep::Translation { ways } => self.force_translation(ways),
-                ForceStep::General { system } => self.force_general(&plan.balance_systems[*system]),
+                ForceStep::General { system } => self.force_general(*system, &plan.balance_systems[*system]),
             };
         }
     }

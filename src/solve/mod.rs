@@ -6,6 +6,7 @@ mod error;
 mod evaluate;
 mod extremes;
 mod forces;
+mod gap;
 mod general;
 mod inputs;
 mod loads;

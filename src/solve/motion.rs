@@ -86,14 +86,25 @@ fn slid<const LEVEL: u8>(base: &BodyState, under: Point, d: Vec2, s_dot: f64, s_
 }
 
 impl State {
-    /// Runs all steps of motion for the drives' inputs and the branches set. Allocates nothing.
-    pub fn run_motion<const LEVEL: u8>(&mut self, plan: &Plan) {
+    /// Puts the bodies that are driven at a point where the drives say.
+    pub fn start(&mut self, plan: &Plan) {
         self.open = None;
         for &(body, at, drive) in &plan.outer {
             let input = self.inputs[drive];
             let point = Point { p: input.place, v: input.velocity, a: input.point_acceleration };
-            place::<LEVEL>(&mut self.bodies[body], at, point, Vec2::new(1.0, 0.0), 0.0, 0.0);
+            place::<2>(&mut self.bodies[body], at, point, Vec2::new(1.0, 0.0), 0.0, 0.0);
         }
+    }
+
+    /// Whether a step has a second assembly of the other root.
+    #[must_use]
+    pub fn has_two_roots(&self, step: &MotionStep) -> bool {
+        matches!(step, MotionStep::Rrr { .. } | MotionStep::Rrp { .. } | MotionStep::Rpr { .. })
+    }
+
+    /// Runs all steps of motion for the drives' inputs and the branches set. Allocates nothing.
+    pub fn run_motion<const LEVEL: u8>(&mut self, plan: &Plan) {
+        self.start(plan);
         for step in &plan.motion {
             self.step::<LEVEL>(plan, step);
         }
@@ -120,7 +131,7 @@ impl State {
             }
             MotionStep::Translation { branch, slides } => self.translation::<LEVEL>(*branch, slides),
             MotionStep::General { branch, problem } => {
-                self.general::<LEVEL>(*branch, &plan.general[*problem]);
+                self.general::<LEVEL>(*branch, *problem, &plan.general[*problem]);
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Everything that changes from position to position, laid out once before the loop.
 
+use super::general::Workspace;
 use crate::math::Vec2;
 use crate::plan::Plan;
 
@@ -78,11 +79,13 @@ pub struct Branch {
     pub root: f64,
     /// On which side of a line a round profile lies, per prismatic joint, ±1.
     pub sides: [f64; 2],
+    /// The same for a general group, one bit per round profile.
+    pub general_sides: u32,
 }
 
 impl Branch {
     /// The first assembly.
-    pub const FIRST: Self = Self { root: 1.0, sides: [1.0, 1.0] };
+    pub const FIRST: Self = Self { root: 1.0, sides: [1.0, 1.0], general_sides: 0 };
 }
 
 /// A force and a moment on a body.
@@ -128,6 +131,10 @@ pub struct State {
     pub lines: Vec<(Vec2, Vec2)>,
     /// Condition figures of the groups of forces.
     pub force_sines: Vec<f64>,
+    /// Memory of the general groups of motion.
+    pub motion_work: Vec<Option<Workspace>>,
+    /// Memory of the general groups of forces.
+    pub force_work: Vec<Option<Workspace>>,
 }
 
 impl State {
@@ -146,6 +153,16 @@ impl State {
             efforts: vec![0.0; plan.efforts],
             lines: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.efforts],
             force_sines: vec![1.0; plan.forces.len()],
+            motion_work: plan
+                .general
+                .iter()
+                .map(|g| g.equations.as_ref().map(|e| Workspace::new(e, g.bodies.len(), g.moving)))
+                .collect(),
+            force_work: plan
+                .balance_systems
+                .iter()
+                .map(|g| g.equations.as_ref().map(|e| Workspace::new(e, g.bodies.len(), g.moving)))
+                .collect(),
         }
     }
 }
