@@ -4,7 +4,7 @@ use super::compare::{bound, equal, is_within};
 use super::error::{ExpectError, at_pose};
 use super::undefined::why_undefined;
 use crate::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
-use crate::solve::{Pose, PoseOrigin, Scene, Solution, State, View, compare};
+use crate::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution, State, View, compare};
 use crate::source::Span;
 
 /// What became of one expectation at one pose.
@@ -65,11 +65,11 @@ impl<'a> Key<'a> {
             match &pose.outcome {
                 Ok(solved) => {
                     let view = self.solution.view(self.scene, solved);
-                    let outcome = self.outcome(expect, case, Some(&pose.name), &view)?;
+                    let outcome = self.outcome(expect, case, Some(&self.name(pose)), &view)?;
                     self.outcomes.push(outcome);
                 }
                 Err(error) => {
-                    failed = failed.or_else(|| Some(ExpectError::pose_failed(expect, &pose.name, error)));
+                    failed = failed.or_else(|| Some(ExpectError::pose_failed(expect, &self.name(pose), error)));
                 }
             }
         }
@@ -110,6 +110,21 @@ impl<'a> Key<'a> {
             (_, 1) => Err(ExpectError::needs_pose(expect, found.len())),
             (poses, values) => Err(ExpectError::list_length(expect, values, poses)),
         }
+    }
+
+    /// A pose's own name; the drive values in words where an `expect` adds it.
+    fn name(&self, pose: &Pose) -> String {
+        let PoseOrigin::Expected(index) = pose.origin else { return pose.name.clone() };
+        let mechanism = self.scene.mechanism;
+        let Some(At::Drives(list)) = &mechanism.expects[index].at else { return pose.name.clone() };
+        let texts = list.iter().map(|(id, _)| {
+            let drive = &mechanism.drives[id.index()];
+            let display = mechanism.drive_display(drive.target);
+            let value = pose.drives.get(id.index()).and_then(DriveValue::value);
+            let text = value.map(|v| display.text(v, 6)).unwrap_or_default();
+            format!("{} = {text}", drive.name)
+        });
+        texts.collect::<Vec<_>>().join(", ")
     }
 
     fn outcome(

@@ -1,8 +1,8 @@
 //! Values in the author's units.
 
-use super::{Display, Value};
+use super::{Display, DriveTarget, Mechanism, PairKind, Value};
 use crate::math::Vec2;
-use crate::units::{Dimension, Unit, significant};
+use crate::units::{Dimension, Kind, Unit, significant};
 
 impl Display {
     /// A number of SI units in the author's unit.
@@ -43,6 +43,37 @@ impl Display {
             }
             _ => figures,
         }
+    }
+}
+
+impl Mechanism {
+    /// How a value of this dimension is printed where nobody says: in the unit the file uses most, else in SI.
+    #[must_use]
+    pub fn display_of(&self, dimension: Dimension) -> Display {
+        let exponents = [dimension.length, dimension.mass, dimension.time];
+        let angular = |d: &Display| d.dimension[3] == 1;
+        let turning = exponents[..2] == [0, 0];
+        let fits = |d: &&Display| {
+            d.dimension[..3] == exponents && (!turning || angular(d) == (dimension.kind == Kind::Angle))
+        };
+        // torques and energies share a dimension, but nobody reads a torque in joules
+        let found = self.displays.iter().filter(fits).find(|d| !d.unit.contains('J'));
+        found.cloned().unwrap_or_else(|| Display {
+            unit: dimension.si_text(),
+            factor: 1.0,
+            dimension: [dimension.length, dimension.mass, dimension.time, i8::from(dimension.kind == Kind::Angle)],
+        })
+    }
+
+    /// How the value of a drive is printed.
+    #[must_use]
+    pub fn drive_display(&self, target: DriveTarget) -> Display {
+        let turns = match target {
+            DriveTarget::Link(_) => true,
+            DriveTarget::Pair(pair) => matches!(self.pair(pair).kind, PairKind::Revolute(_)),
+            DriveTarget::Point(..) => false,
+        };
+        self.display_of(if turns { Dimension::ANGLE } else { Dimension::LENGTH })
     }
 }
 

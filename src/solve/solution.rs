@@ -5,7 +5,7 @@ use super::extremes::Statics;
 use super::state::State;
 use super::view::View;
 use crate::math::Vec2;
-use crate::model::Mechanism;
+use crate::model::{Mechanism, Value};
 use crate::plan::Plan;
 use crate::structure::Structure;
 
@@ -64,6 +64,18 @@ pub enum DriveValue {
     Point(Vec2),
     /// Rates only.
     None,
+}
+
+impl DriveValue {
+    /// As a value of the language; `None` for rates only.
+    #[must_use]
+    pub const fn value(&self) -> Option<Value> {
+        match self {
+            Self::Scalar(x) => Some(Value::Scalar(*x)),
+            Self::Point(p) => Some(Value::Vector(*p)),
+            Self::None => None,
+        }
+    }
 }
 
 /// A solved position.
