@@ -4,6 +4,7 @@
 #[path = "hard/double_double.rs"]
 mod double_double;
 
+use assur::group::general::{Constraint, General, Point, Pose};
 use assur::group::{rrp, rrr};
 use assur::math::{Scalar, V2, Vec2};
 use double_double::DoubleDouble;
@@ -207,6 +208,58 @@ fn rrp_near_its_dead_centre() {
             assert!(error <= 4.0 * moved, "l {l}, h {h}: error {error:e}, the pin moves {moved:e} per ulp");
             assert!((DoubleDouble::of(p.s) - u).abs().0 <= 4.0 * moved);
             assert!(closure(p.r_1, l) <= 4.0, "closes to {}", closure(p.r_1, l));
+        }
+    }
+}
+
+/// The dyad as a general group, started at `turn` rad from where its links are.
+fn by_newton(dyad: &Dyad, turn: f64) -> Option<Vec2> {
+    let p = dyad.position();
+    let point = |body, r| Point { body, r };
+    let (tip_1, tip_2) = (Vec2::new(dyad.l_1, 0.0), Vec2::new(dyad.l_2, 0.0));
+    let joints = vec![
+        Constraint::Revolute { a: point(0, Vec2::zero()), b: point(2, dyad.p_A) },
+        Constraint::Revolute { a: point(0, tip_1), b: point(1, tip_2) },
+        Constraint::Revolute { a: point(1, Vec2::zero()), b: point(2, dyad.p_B) },
+    ];
+    let mut group = General::new(2, 3, joints).expect("three constraints per body");
+    let u = Vec2::direction(turn);
+    let mut poses = [
+        Pose { p: dyad.p_A, u: (p.r_1 / dyad.l_1).turned(u) },
+        Pose { p: dyad.p_B, u: (p.r_2 / dyad.l_2).turned(u) },
+        Pose { p: Vec2::zero(), u: Vec2::new(1.0, 0.0) },
+    ];
+    group.position(&mut poses).ok().map(|_| poses[0].point(tip_1))
+}
+
+#[test]
+fn newton_near_a_dead_centre() {
+    for row in ROWS {
+        for dyad in dyads(9, Vec2::zero(), |l_1, l_2| (l_1 + l_2) * (1.0 - row)) {
+            let bound = 16.0 * dyad.pin_move();
+            let sigma = dyad.position().sine.abs();
+            let got = by_newton(&dyad, 0.05 * sigma).expect("a start beside the answer");
+            assert!(distance(got, dyad.exact()) <= bound, "{dyad:?}");
+            // From farther away it may find the other assembly or nothing, but no wrong answer.
+            let other = Dyad { side: -dyad.side, ..dyad };
+            for turn in [-1.0, -0.1, 0.3, 2.0] {
+                if let Some(got) = by_newton(&dyad, turn) {
+                    let error = distance(got, dyad.exact()).min(distance(got, other.exact()));
+                    assert!(error <= bound, "{dyad:?}: error {error:e} of {bound:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn newton_at_a_dead_centre() {
+    let p_B = Vec2::new(3.0, 4.0);
+    let dyad = Dyad { p_A: Vec2::zero(), p_B, l_1: 2.0, l_2: 3.0, side: 1.0 };
+    for turn in [0.0, 1e-9, 1e-3, 0.3] {
+        if let Some(got) = by_newton(&dyad, turn) {
+            // Half the digits are all that a double root gives.
+            assert!((got - Vec2::new(1.2, 1.6)).norm() < 1e-6, "{got:?}");
         }
     }
 }

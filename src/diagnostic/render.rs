@@ -28,9 +28,12 @@ impl Style {
 /// All problems of a text, sorted by place, one below the other.
 #[must_use]
 pub fn render(problems: &Problems, source: &Source, style: Style) -> String {
-    let named = NamedSource::new(&source.name, source.text.clone());
+    let named = NamedSource::new(&source.name, showable(&source.text));
     let mut out = String::new();
     for problem in problems.sorted() {
+        if !out.is_empty() {
+            out.push('\n');
+        }
         let shown = Shown { problem: Located { inner: problem, source: &named }, style };
         // Writing to a String fails only if a diagnostic's own Display does.
         if write!(out, "{shown}").is_err() {
@@ -41,6 +44,22 @@ pub fn render(problems: &Problems, source: &Source, style: Style) -> String {
         }
     }
     out
+}
+
+/// The text with the same length and lines, without what would disturb a terminal.
+fn showable(text: &str) -> String {
+    let mut chars = text.chars().peekable();
+    let mut shown = String::with_capacity(text.len());
+    while let Some(c) = chars.next() {
+        match c {
+            '\r' if chars.peek() != Some(&'\n') => shown.push('\n'),
+            c if c.is_control() && !matches!(c, '\n' | '\r' | '\t') => {
+                shown.extend(std::iter::repeat_n(' ', c.len_utf8()));
+            }
+            c => shown.push(c),
+        }
+    }
+    shown
 }
 
 struct Shown<'a> {

@@ -7,21 +7,24 @@ use super::Wrench;
 use crate::math::{Scalar, V2};
 
 /// Inertia forces about the mass centre.
-/// # Given    `m` mass, kg; `J_S` moment of inertia about S, kg m²; `a_S` acceleration of S, m/s²; `alpha`, rad/s².
+/// # Given
+/// `m` mass, kg; `J_S` moment of inertia about S, kg m²; `a_S` acceleration of S, m/s²; `alpha`, rad/s².
 #[inline(always)]
 pub fn about_centre<S: Scalar>(m: S, J_S: S, a_S: V2<S>, alpha: S) -> Wrench<S> {
     Wrench { F: -(a_S * m), M: -(J_S * alpha) }
 }
 
 /// Inertia forces about a point O.
-/// # Given    As above; `r` = S − O, m.
+/// # Given
+/// As above; `r` = S − O, m.
 #[inline(always)]
 pub fn about<S: Scalar>(m: S, J_S: S, a_S: V2<S>, alpha: S, r: V2<S>) -> Wrench<S> {
     about_centre(m, J_S, a_S, alpha).about(-r)
 }
 
 /// Arm h = |M_I| / |F_I| of the resultant from S, m; infinite or NaN where S does not accelerate.
-/// # Given    As for [`about_centre`].
+/// # Given
+/// As for [`about_centre`].
 #[inline(always)]
 pub fn arm<S: Scalar>(m: S, J_S: S, a_S: V2<S>, alpha: S) -> S {
     about_centre(m, J_S, a_S, alpha).arm()
@@ -29,7 +32,8 @@ pub fn arm<S: Scalar>(m: S, J_S: S, a_S: V2<S>, alpha: S) -> S {
 
 /// The point nearest to S of the line on which the resultant acts, as a vector from S, m; infinite or NaN where S
 /// does not accelerate: r = (F × M) / F², so that r × F = M.
-/// # Given    As for [`about_centre`].
+/// # Given
+/// As for [`about_centre`].
 #[inline(always)]
 pub fn line<S: Scalar>(m: S, J_S: S, a_S: V2<S>, alpha: S) -> V2<S> {
     let w = about_centre(m, J_S, a_S, alpha);

@@ -2,7 +2,9 @@
 //!
 //! Total mass, mass centre and moment of inertia ask for
 //!
-//!     m_1 + m_2 = m,    m_1 r_1 + m_2 r_2 = 0,    m_1 r_1² + m_2 r_2² = J_S,
+//! ```text
+//! m_1 + m_2 = m,    m_1 r_1 + m_2 r_2 = 0,    m_1 r_1² + m_2 r_2² = J_S,
+//! ```
 //!
 //! r_i from S. Both points lie on one line through S, on either side of it.
 //! Static: both points are chosen, the third condition is left open by ΔJ = J_S − m_1 r_1² − m_2 r_2².
@@ -40,7 +42,8 @@ pub struct Dynamic<S> {
 }
 
 /// Static substitution.
-/// # Given    `m`, kg; `J_S`, kg m²; `r_1`, `r_2` the two points from S, m, distinct.
+/// # Given
+/// `m`, kg; `J_S`, kg m²; `r_1`, `r_2` the two points from S, m, distinct.
 #[inline]
 pub fn in_points<S: Scalar>(m: S, J_S: S, r_1: V2<S>, r_2: V2<S>) -> Static<S> {
     let along = r_2 - r_1;
@@ -52,7 +55,8 @@ pub fn in_points<S: Scalar>(m: S, J_S: S, r_1: V2<S>, r_2: V2<S>) -> Static<S> {
 }
 
 /// Dynamic substitution.
-/// # Given    `m`, kg, > 0; `J_S`, kg m²; `r_1` the chosen point from S, m, not null.
+/// # Given
+/// `m`, kg, > 0; `J_S`, kg m²; `r_1` the chosen point from S, m, not null.
 #[inline]
 pub fn with_centre_of_oscillation<S: Scalar>(m: S, J_S: S, r_1: V2<S>) -> Dynamic<S> {
     let b = r_1.norm();

@@ -5,7 +5,9 @@
 //!
 //! The extension is formed as
 //!
-//!     l − l_0 = ((p − l_0)(p + l_0) + q²) / (l + l_0),    p, q the greater and lesser of |r_x|, |r_y|,
+//! ```text
+//! l − l_0 = ((p − l_0)(p + l_0) + q²) / (l + l_0),    p, q the greater and lesser of |r_x|, |r_y|,
+//! ```
 //!
 //! so that a spring along an axis loses no digits near its free length, where l − l_0 of a rounded l would lose all.
 
@@ -23,7 +25,8 @@ pub struct Spring<S> {
 }
 
 /// Force of a spring; null where its ends coincide, for then it has no direction.
-/// # Given    `r` = P_2 − P_1, m; `v` = v_2 − v_1, m/s; `k` stiffness, N/m; `l_0` free length, m, ≥ 0; `c` damping, N s/m.
+/// # Given
+/// `r` = P_2 − P_1, m; `v` = v_2 − v_1, m/s; `k` stiffness, N/m; `l_0` free length, m, ≥ 0; `c` damping, N s/m.
 #[inline(always)]
 pub fn spring<S: Scalar>(r: V2<S>, v: V2<S>, k: S, l_0: S, c: S) -> Spring<S> {
     let least = S::of(f64::MIN_POSITIVE);

@@ -5,7 +5,9 @@
 //! Prismatic:  the link's point R keeps the offset h to the left of the guide through Q, unit direction d, left
 //!             normal n, and turns with the guide. G is the point of the guide's body under R.
 //!
-//!     R = Q + s d + h n,    v_R = v_G + ṡ d,    a_R = a_G + 2 ω_g ṡ n + s̈ d.
+//! ```text
+//! R = Q + s d + h n,    v_R = v_G + ṡ d,    a_R = a_G + 2 ω_g ṡ n + s̈ d.
+//! ```
 //!
 //! Nothing is solved, so there is no determinant.
 //!
@@ -20,43 +22,49 @@
 use crate::math::{Scalar, V2};
 
 /// Direction of a link on a revolute.
-/// # Given    `u_g` direction of the base; `angle` given direction of the link relative to it, (cos, sin).
+/// # Given
+/// `u_g` direction of the base; `angle` given direction of the link relative to it, (cos, sin).
 #[inline(always)]
 pub fn revolute_position<S: Scalar>(u_g: V2<S>, angle: V2<S>) -> V2<S> {
     angle.turned(u_g)
 }
 
 /// Angular velocity of a link on a revolute, rad/s.
-/// # Given    `omega_g` of the base; `rate` of the given angle.
+/// # Given
+/// `omega_g` of the base; `rate` of the given angle.
 #[inline(always)]
 pub fn revolute_velocity<S: Scalar>(omega_g: S, rate: S) -> S {
     omega_g + rate
 }
 
 /// Angular acceleration of a link on a revolute, rad/s².
-/// # Given    `alpha_g` of the base; `second_rate` of the given angle.
+/// # Given
+/// `alpha_g` of the base; `second_rate` of the given angle.
 #[inline(always)]
 pub fn revolute_acceleration<S: Scalar>(alpha_g: S, second_rate: S) -> S {
     alpha_g + second_rate
 }
 
 /// Position of the point R of a slider, m.
-/// # Given    `p_Q` point of the guide, m; `d` its unit direction; `h` offset of R, m; `s` given coordinate, m.
+/// # Given
+/// `p_Q` point of the guide, m; `d` its unit direction; `h` offset of R, m; `s` given coordinate, m.
 #[inline(always)]
 pub fn prismatic_position<S: Scalar>(p_Q: V2<S>, d: V2<S>, h: S, s: S) -> V2<S> {
     p_Q + d * s + d.perp() * h
 }
 
 /// Velocity of the point R of a slider, m/s.
-/// # Given    `v_G` velocity of the guide's point under R, m/s; `d` unit direction; `s_dot` given, m/s.
+/// # Given
+/// `v_G` velocity of the guide's point under R, m/s; `d` unit direction; `s_dot` given, m/s.
 #[inline(always)]
 pub fn prismatic_velocity<S: Scalar>(v_G: V2<S>, d: V2<S>, s_dot: S) -> V2<S> {
     v_G + d * s_dot
 }
 
 /// Acceleration of the point R of a slider, m/s².
-/// # Given    `a_G` acceleration of the guide's point under R, m/s²; `omega_g` of the guide, rad/s; `d` unit
-///            direction; `s_dot`, `s_ddot` given, m/s, m/s².
+/// # Given
+/// `a_G` acceleration of the guide's point under R, m/s²; `omega_g` of the guide, rad/s; `d` unit
+/// direction; `s_dot`, `s_ddot` given, m/s, m/s².
 #[inline(always)]
 pub fn prismatic_acceleration<S: Scalar>(a_G: V2<S>, omega_g: S, d: V2<S>, s_dot: S, s_ddot: S) -> V2<S> {
     a_G + d.perp() * (S::of(2.0) * omega_g * s_dot) + d * s_ddot
@@ -96,14 +104,16 @@ pub struct PrismaticForce<S> {
 }
 
 /// Reaction and balancing torque of a link on a revolute.
-/// # Given    `F` applied and inertia forces, N; `M` their moment about O, N m.
+/// # Given
+/// `F` applied and inertia forces, N; `M` their moment about O, N m.
 #[inline(always)]
 pub fn revolute_torque<S: Scalar>(F: V2<S>, M: S) -> RevoluteTorque<S> {
     RevoluteTorque { f_O: -F, torque: -M }
 }
 
 /// Reaction and balancing force of a link on a revolute.
-/// # Given    `F`, `M` about O as above; `r` from O to a point of the line of action, m, not null; `u` its unit direction.
+/// # Given
+/// `F`, `M` about O as above; `r` from O to a point of the line of action, m, not null; `u` its unit direction.
 #[inline(always)]
 pub fn revolute_force<S: Scalar>(F: V2<S>, M: S, r: V2<S>, u: V2<S>) -> RevoluteForce<S> {
     let arm = r.cross(u);
@@ -112,8 +122,9 @@ pub fn revolute_force<S: Scalar>(F: V2<S>, M: S, r: V2<S>, u: V2<S>) -> Revolute
 }
 
 /// Reactions and balancing force of a slider.
-/// # Given    `F` applied and inertia forces, N; `M` their moment about R, N m; `d` unit direction of the guide; `r` from
-///            R to a point of the line of action, m; `u` its unit direction.
+/// # Given
+/// `F` applied and inertia forces, N; `M` their moment about R, N m; `d` unit direction of the guide; `r` from
+/// R to a point of the line of action, m; `u` its unit direction.
 #[inline(always)]
 pub fn prismatic_force<S: Scalar>(F: V2<S>, M: S, d: V2<S>, r: V2<S>, u: V2<S>) -> PrismaticForce<S> {
     let sine = u.dot(d);

@@ -5,7 +5,9 @@
 //!
 //! Position: with c = (Q_2 + h_2 n_2) − (Q_1 + h_1 n_1),
 //!
-//!     s_1 d_1 − s_2 d_2 = c.
+//! ```text
+//! s_1 d_1 − s_2 d_2 = c.
+//! ```
 //!
 //! G_i is the point of guide i's body under C, ω_i the angular velocity of that body.
 //! Velocity:      v_G1 + ṡ_1 d_1 = v_G2 + ṡ_2 d_2.
@@ -13,14 +15,18 @@
 //!
 //! All three read x_1 d_1 − x_2 d_2 = b. Vector products with d_2 and d_1 leave one unknown each:
 //!
-//!     x_1 = b × d_2 / D,    x_2 = b × d_1 / D,    D = d_1 × d_2 = sin of the angle between the guides.
+//! ```text
+//! x_1 = b × d_2 / D,    x_2 = b × d_1 / D,    D = d_1 × d_2 = sin of the angle between the guides.
+//! ```
 //!
 //! D vanishes where the guides are parallel; everywhere else the group closes, in one way.
 //!
 //! Forces: f_C of body 1 on body 2, normal force N_i along n_i and couple K_i about C of guide i on body i. Each body
 //! along its guide:
 //!
-//!     f_C·d_1 = F_1·d_1,   f_C·d_2 = −F_2·d_2    ⇒    f_C = −((F_2·d_2) n_1 + (F_1·d_1) n_2) / D,
+//! ```text
+//! f_C·d_1 = F_1·d_1,   f_C·d_2 = −F_2·d_2    ⇒    f_C = −((F_2·d_2) n_1 + (F_1·d_1) n_2) / D,
+//! ```
 //!
 //! then N_1 = (f_C − F_1)·n_1, N_2 = −(f_C + F_2)·n_2, K_i = −M_i.
 
@@ -66,14 +72,17 @@ pub struct Reactions<S> {
 }
 
 impl<S: Scalar> Prp<S> {
-    /// # Given    `d_1`, `d_2` unit directions of the guides, not parallel.
+    /// The group in one position.
+    /// # Given
+    /// `d_1`, `d_2` unit directions of the guides, not parallel.
     #[inline(always)]
     pub fn new(d_1: V2<S>, d_2: V2<S>) -> Self {
         Self { d_1, d_2, inverse: S::one() / d_1.cross(d_2) }
     }
 
     /// Position of the sliders.
-    /// # Given    `p_Q1`, `p_Q2` points of the guides, m; `h_1`, `h_2` offsets of C to their left, m.
+    /// # Given
+    /// `p_Q1`, `p_Q2` points of the guides, m; `h_1`, `h_2` offsets of C to their left, m.
     #[inline(always)]
     pub fn position(&self, p_Q1: V2<S>, h_1: S, p_Q2: V2<S>, h_2: S) -> Position<S> {
         let foot = p_Q1 + self.d_1.perp() * h_1;
@@ -82,15 +91,17 @@ impl<S: Scalar> Prp<S> {
     }
 
     /// Velocities along the guides, (ṡ_1, ṡ_2), m/s.
-    /// # Given    `v_G1`, `v_G2` velocities of the guides' points under C, m/s.
+    /// # Given
+    /// `v_G1`, `v_G2` velocities of the guides' points under C, m/s.
     #[inline(always)]
     pub fn velocity(&self, v_G1: V2<S>, v_G2: V2<S>) -> (S, S) {
         self.solve(v_G2 - v_G1)
     }
 
     /// Accelerations along the guides, (s̈_1, s̈_2), m/s².
-    /// # Given    `s_dot_1`, `s_dot_2` from [`Prp::velocity`]; `a_G1`, `a_G2` accelerations of the guides' points under C,
-    ///            m/s²; `omega_1`, `omega_2` angular velocities of the guides, rad/s.
+    /// # Given
+    /// `s_dot_1`, `s_dot_2` from [`Prp::velocity`]; `a_G1`, `a_G2` accelerations of the guides' points under C,
+    /// m/s²; `omega_1`, `omega_2` angular velocities of the guides, rad/s.
     #[inline(always)]
     pub fn acceleration(
         &self,
@@ -114,7 +125,8 @@ impl<S: Scalar> Prp<S> {
     }
 
     /// Forces in the pairs.
-    /// # Given    `F_1`, `F_2` applied and inertia forces, N; `M_1`, `M_2` their moments about C, N m.
+    /// # Given
+    /// `F_1`, `F_2` applied and inertia forces, N; `M_1`, `M_2` their moments about C, N m.
     #[inline(always)]
     pub fn reactions(&self, F_1: V2<S>, M_1: S, F_2: V2<S>, M_2: S) -> Reactions<S> {
         let (n_1, n_2) = (self.d_1.perp(), self.d_2.perp());

@@ -4,25 +4,33 @@
 //! the foot of A. Body 2 turns about B, slides along the line and turns with body 1. r = B − A, L = |r|, and h is
 //! the constant offset of B to the left of the parallel to the line through A:
 //!
-//!     r = s e + h n.
+//! ```text
+//! r = s e + h n.
+//! ```
 //!
 //! Position: L² = s² + h², so s = ±√((L − h)(L + h)); read as complex numbers r = (s + i h) e, so
 //!
-//!     e = (s r − h perp(r)) / L².
+//! ```text
+//! e = (s r − h perp(r)) / L².
+//! ```
 //!
 //! Velocity:      v_B − v_A = ω × r + ṡ e.
 //! Acceleration:  a_B − a_A = α × r − ω² r + 2 ω ṡ n + s̈ e.
 //!
 //! Both read x perp(r) + y e = b. Components along n and e:
 //!
-//!     x = b·n / s,    y = b·e + x h,    s = r·e = L sin(transmission angle).
+//! ```text
+//! x = b·n / s,    y = b·e + x h,    s = r·e = L sin(transmission angle).
+//! ```
 //!
 //! s vanishes where B stands beside A, L = |h|. With h = 0 the group has no dead position but A = B.
 //!
 //! Forces: normal force N along n through B and couple K about B, of body 1 on body 2. Body 2 about B, then body 1
 //! about A:
 //!
-//!     K = −M_2,    N s = M_1 − K    ⇒    N = (M_1 + M_2) / s,
+//! ```text
+//! K = −M_2,    N s = M_1 − K    ⇒    N = (M_1 + M_2) / s,
+//! ```
 //!
 //! then f_A = N n − F_1 and f_B = −N n − F_2.
 
@@ -43,11 +51,14 @@ pub struct Position<S> {
 }
 
 /// Position of the line and of B along it.
-/// # Given    `p_A`, `p_B` outer revolutes, m; `h` offset of B to the left of the line's parallel through A, m; `root`
-///            the sign of s, ±1.
-/// # Returns  See [`Position`]. Where the offset does not fit, s = 0 and e is not a unit vector; where A and B
-///            coincide e is null.
-/// # Method   Right triangle with hypotenuse L and leg h, the radicand as a product.
+/// # Given
+/// `p_A`, `p_B` outer revolutes, m; `h` offset of B to the left of the line's parallel through A, m; `root`
+/// the sign of s, ±1.
+/// # Returns
+/// See [`Position`]. Where the offset does not fit, s = 0 and e is not a unit vector; where A and B
+/// coincide e is null.
+/// # Method
+/// Right triangle with hypotenuse L and leg h, the radicand as a product.
 #[inline(always)]
 pub fn position<S: Scalar>(p_A: V2<S>, p_B: V2<S>, h: S, root: S) -> Position<S> {
     let r = p_B - p_A;
@@ -59,7 +70,8 @@ pub fn position<S: Scalar>(p_A: V2<S>, p_B: V2<S>, h: S, root: S) -> Position<S>
 }
 
 /// By how much the pins are too near for the offset, m; `None` when it fits.
-/// # Given    As for [`position`].
+/// # Given
+/// As for [`position`].
 #[cold]
 #[must_use]
 pub fn gap(p_A: Vec2, p_B: Vec2, h: f64) -> Option<Gap> {
@@ -94,21 +106,25 @@ pub struct Reactions<S> {
 }
 
 impl<S: Scalar> Rpr<S> {
-    /// # Given    `r` = B − A, m; `e` unit direction of the line; `h` offset of B, m; `s` its coordinate, m, not 0.
+    /// The group in one position.
+    /// # Given
+    /// `r` = B − A, m; `e` unit direction of the line; `h` offset of B, m; `s` its coordinate, m, not 0.
     #[inline(always)]
     pub fn new(r: V2<S>, e: V2<S>, h: S, s: S) -> Self {
         Self { r, e, h, inverse: S::one() / s }
     }
 
     /// Angular velocity of both bodies and velocity of B along the line, (ω, ṡ).
-    /// # Given    `v_A`, `v_B` velocities of the outer revolutes, m/s.
+    /// # Given
+    /// `v_A`, `v_B` velocities of the outer revolutes, m/s.
     #[inline(always)]
     pub fn velocity(&self, v_A: V2<S>, v_B: V2<S>) -> (S, S) {
         self.solve(v_B - v_A)
     }
 
     /// Angular acceleration of both bodies and acceleration of B along the line, (α, s̈).
-    /// # Given    `omega`, `s_dot` from [`Rpr::velocity`]; `a_A`, `a_B` accelerations of the outer revolutes, m/s².
+    /// # Given
+    /// `omega`, `s_dot` from [`Rpr::velocity`]; `a_A`, `a_B` accelerations of the outer revolutes, m/s².
     #[inline(always)]
     pub fn acceleration(&self, omega: S, s_dot: S, a_A: V2<S>, a_B: V2<S>) -> (S, S) {
         let coriolis = self.e.perp() * (S::of(2.0) * omega * s_dot);
@@ -123,8 +139,9 @@ impl<S: Scalar> Rpr<S> {
     }
 
     /// Forces in the pairs.
-    /// # Given    `F_1`, `F_2` applied and inertia forces, N; `M_1` moment of the first about A, `M_2` of the second
-    ///            about B, N m.
+    /// # Given
+    /// `F_1`, `F_2` applied and inertia forces, N; `M_1` moment of the first about A, `M_2` of the second
+    /// about B, N m.
     #[inline(always)]
     pub fn reactions(&self, F_1: V2<S>, M_1: S, F_2: V2<S>, M_2: S) -> Reactions<S> {
         let normal = (M_1 + M_2) * self.inverse;

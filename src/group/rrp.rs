@@ -6,7 +6,9 @@
 //!
 //! Position: with q = A − Q, seen in the axes (d, n) of the guide, r_1 = (u, e):
 //!
-//!     e = h − q·n,    u = ±√(l² − e²) = ±√((l − e)(l + e)),    s = q·d + u.
+//! ```text
+//! e = h − q·n,    u = ±√(l² − e²) = ±√((l − e)(l + e)),    s = q·d + u.
+//! ```
 //!
 //! G is the point of the guide's body under C, v_G and a_G its velocity and acceleration, ω_g the angular velocity
 //! of that body.
@@ -15,14 +17,18 @@
 //!
 //! Both read x perp(r_1) − y d = b. Components along n and d:
 //!
-//!     x = b·n / u,    y = −x e − b·d,    u = r_1·d = l sin(transmission angle).
+//! ```text
+//! x = b·n / u,    y = −x e − b·d,    u = r_1·d = l sin(transmission angle).
+//! ```
 //!
 //! u vanishes where the link stands across the guide, e = ±l.
 //!
 //! Forces: f_C of link 1 on body 2, normal force N along n and couple K about C of the guide on body 2. Body 2 along
 //! d, then link 1 about A:
 //!
-//!     f_C·d = −F_2·d,    f_C·n = (M_1 + e f_C·d) / u,
+//! ```text
+//! f_C·d = −F_2·d,    f_C·n = (M_1 + e f_C·d) / u,
+//! ```
 //!
 //! then N = −(f_C + F_2)·n, K = −M_2, f_A = f_C − F_1.
 
@@ -45,10 +51,13 @@ pub struct Position<S> {
 }
 
 /// Position of link and slider.
-/// # Given    `p_A` outer revolute, m; `l` = AC, m, > 0; `p_Q` point of the guide, m, `d` its unit direction; `h` offset
-///            of C to the left of the guide, m; `root` +1 with C ahead of A along d, −1 behind.
-/// # Returns  See [`Position`]. Where the link does not reach, C is the point of its path nearest to A.
-/// # Method   Circle ∩ line, the radicand as a product.
+/// # Given
+/// `p_A` outer revolute, m; `l` = AC, m, > 0; `p_Q` point of the guide, m, `d` its unit direction; `h` offset
+/// of C to the left of the guide, m; `root` +1 with C ahead of A along d, −1 behind.
+/// # Returns
+/// See [`Position`]. Where the link does not reach, C is the point of its path nearest to A.
+/// # Method
+/// Circle ∩ line, the radicand as a product.
 #[inline(always)]
 pub fn position<S: Scalar>(p_A: V2<S>, l: S, p_Q: V2<S>, d: V2<S>, h: S, root: S) -> Position<S> {
     let q = p_A - p_Q;
@@ -59,7 +68,8 @@ pub fn position<S: Scalar>(p_A: V2<S>, l: S, p_Q: V2<S>, d: V2<S>, h: S, root: S
 }
 
 /// By how much the link does not reach the path of C, m; `None` when it does.
-/// # Given    As for [`position`].
+/// # Given
+/// As for [`position`].
 #[cold]
 #[must_use]
 pub fn gap(p_A: Vec2, l: f64, p_Q: Vec2, d: Vec2, h: f64) -> Option<Gap> {
@@ -92,22 +102,26 @@ pub struct Reactions<S> {
 }
 
 impl<S: Scalar> Rrp<S> {
-    /// # Given    `r_1` = C − A, m; `d` unit direction of the guide, not at right angles to it.
+    /// The group in one position.
+    /// # Given
+    /// `r_1` = C − A, m; `d` unit direction of the guide, not at right angles to it.
     #[inline(always)]
     pub fn new(r_1: V2<S>, d: V2<S>) -> Self {
         Self { r_1, d, inverse: S::one() / r_1.dot(d) }
     }
 
     /// Angular velocity of link 1 and velocity along the guide, (ω_1, ṡ).
-    /// # Given    `v_A` velocity of A; `v_G` velocity of the point of the guide's body under C, m/s.
+    /// # Given
+    /// `v_A` velocity of A; `v_G` velocity of the point of the guide's body under C, m/s.
     #[inline(always)]
     pub fn velocity(&self, v_A: V2<S>, v_G: V2<S>) -> (S, S) {
         self.solve(v_G - v_A)
     }
 
     /// Angular acceleration of link 1 and acceleration along the guide, (α_1, s̈).
-    /// # Given    `omega_1`, `s_dot` from [`Rrp::velocity`]; `a_A` acceleration of A; `a_G` acceleration of the point of
-    ///            the guide's body under C, m/s²; `omega_g` angular velocity of that body, rad/s.
+    /// # Given
+    /// `omega_1`, `s_dot` from [`Rrp::velocity`]; `a_A` acceleration of A; `a_G` acceleration of the point of
+    /// the guide's body under C, m/s²; `omega_g` angular velocity of that body, rad/s.
     #[inline(always)]
     pub fn acceleration(&self, omega_1: S, s_dot: S, a_A: V2<S>, a_G: V2<S>, omega_g: S) -> (S, S) {
         let coriolis = self.d.perp() * (S::of(2.0) * omega_g * s_dot);
@@ -122,8 +136,9 @@ impl<S: Scalar> Rrp<S> {
     }
 
     /// Forces in the pairs.
-    /// # Given    `F_1`, `F_2` applied and inertia forces, N; `M_1` moment of the first about A, `M_2` of the second
-    ///            about C, N m.
+    /// # Given
+    /// `F_1`, `F_2` applied and inertia forces, N; `M_1` moment of the first about A, `M_2` of the second
+    /// about C, N m.
     #[inline(always)]
     pub fn reactions(&self, F_1: V2<S>, M_1: S, F_2: V2<S>, M_2: S) -> Reactions<S> {
         let (d, n) = (self.d, self.d.perp());

@@ -5,24 +5,30 @@
 //! Position: |r_1| = l_1 and |r_2| = l_2, two circles. Let O be the centre of the smaller one, s its radius, g the
 //! greater radius, and w the vector from O to the other centre. C lies at a along w and b across it:
 //!
-//!     a = (s² + L² − g²) / 2L,    2A = L b,    16A² = (a + b + c)(a + b − c)(a − b + c)(b + c − a)  of the sides.
+//! ```text
+//! a = (s² + L² − g²) / 2L,    2A = L b,    16A² = (x + (y + z)) (z − (x − y)) (z + (x − y)) (x + (y − z)),
+//! ```
 //!
-//! The area is formed by Kahan's ordering of the sides, a by adding the least square to (m − g)(m + g), m = max(s, L),
-//! where m − g is exact: both are accurate for the sides as given, and measured from O their errors are in
-//! proportion to the short link, however short it is.
+//! A the area of the triangle, x ≥ y ≥ z its sides L, l_1, l_2 in Kahan's order. a is formed by adding the least
+//! square to (m − g)(m + g), m = max(s, L), where m − g is exact. Both are accurate for the sides as given, and
+//! measured from O their errors are in proportion to the short link, however short it is.
 //!
 //! Velocity:      v_A + ω_1 × r_1 = v_B + ω_2 × r_2.
 //! Acceleration:  a_A + α_1 × r_1 − ω_1² r_1 = a_B + α_2 × r_2 − ω_2² r_2.
 //!
 //! Both read x_1 perp(r_1) − x_2 perp(r_2) = b. Scalar products with r_2 and r_1 leave one unknown each:
 //!
-//!     x_1 = b·r_2 / D,    x_2 = b·r_1 / D,    D = r_1 × r_2 = l_1 l_2 sin(transmission angle).
+//! ```text
+//! x_1 = b·r_2 / D,    x_2 = b·r_1 / D,    D = r_1 × r_2 = l_1 l_2 sin(transmission angle).
+//! ```
 //!
 //! D vanishes where the links are in line: stretched, L = l_1 + l_2, or folded, L = |l_1 − l_2|.
 //!
 //! Forces: f_C is the force of link 1 on link 2. Moments of link 1 about A and of link 2 about B:
 //!
-//!     r_1 × f_C = M_1,    r_2 × f_C = −M_2    ⇒    f_C = (M_2 r_1 + M_1 r_2) / D,
+//! ```text
+//! r_1 × f_C = M_1,    r_2 × f_C = −M_2    ⇒    f_C = (M_2 r_1 + M_1 r_2) / D,
+//! ```
 //!
 //! then f_A = f_C − F_1 and f_B = −f_C − F_2.
 //!
@@ -48,11 +54,14 @@ pub struct Position<S> {
 }
 
 /// Position of the inner revolute.
-/// # Given    `p_A`, `p_B` outer revolutes, m; `l_1` = AC, `l_2` = BC, m, > 0; `side` +1 with C left of A→B, −1 right.
-/// # Returns  See [`Position`]. Where the links do not close, C lies on AB, stretched or folded; where A and B
-///            coincide `sine` is 0 and C is not determined.
-/// # Method   Circle ∩ circle from the centre of the smaller; Kahan, "Miscalculating Area and Angles of a
-///            Needle-like Triangle", for the area.
+/// # Given
+/// `p_A`, `p_B` outer revolutes, m; `l_1` = AC, `l_2` = BC, m, > 0; `side` +1 with C left of A→B, −1 right.
+/// # Returns
+/// See [`Position`]. Where the links do not close, C lies on AB, stretched or folded; where A and B
+/// coincide `sine` is 0 and C is not determined.
+/// # Method
+/// Circle ∩ circle from the centre of the smaller; Kahan, "Miscalculating Area and Angles of a
+/// Needle-like Triangle", for the area.
 #[inline(always)]
 pub fn position<S: Scalar>(p_A: V2<S>, p_B: V2<S>, l_1: S, l_2: S, side: S) -> Position<S> {
     let half = S::of(0.5);
@@ -94,7 +103,8 @@ fn select<S: Scalar>(mask: S::Mask, a: V2<S>, b: V2<S>) -> V2<S> {
 }
 
 /// By how much the links do not close, m; `None` when they do.
-/// # Given    `p_A`, `p_B` outer revolutes, m; `l_1`, `l_2` link lengths, m, > 0.
+/// # Given
+/// `p_A`, `p_B` outer revolutes, m; `l_1`, `l_2` link lengths, m, > 0.
 #[cold]
 #[must_use]
 pub fn gap(p_A: Vec2, p_B: Vec2, l_1: f64, l_2: f64) -> Option<Gap> {
@@ -133,21 +143,25 @@ pub struct Reactions<S> {
 }
 
 impl<S: Scalar> Rrr<S> {
-    /// # Given    `r_1` = C − A, `r_2` = C − B, m, not in line.
+    /// The group in one position.
+    /// # Given
+    /// `r_1` = C − A, `r_2` = C − B, m, not in line.
     #[inline(always)]
     pub fn new(r_1: V2<S>, r_2: V2<S>) -> Self {
         Self { r_1, r_2, inverse: S::one() / r_1.cross(r_2) }
     }
 
     /// Angular velocities (ω_1, ω_2), rad/s.
-    /// # Given    `v_A`, `v_B` velocities of the outer revolutes, m/s.
+    /// # Given
+    /// `v_A`, `v_B` velocities of the outer revolutes, m/s.
     #[inline(always)]
     pub fn velocity(&self, v_A: V2<S>, v_B: V2<S>) -> (S, S) {
         self.solve(v_B - v_A)
     }
 
     /// Angular accelerations (α_1, α_2), rad/s².
-    /// # Given    `omega_1`, `omega_2` from [`Rrr::velocity`]; `a_A`, `a_B` accelerations of the outer revolutes, m/s².
+    /// # Given
+    /// `omega_1`, `omega_2` from [`Rrr::velocity`]; `a_A`, `a_B` accelerations of the outer revolutes, m/s².
     #[inline(always)]
     pub fn acceleration(&self, omega_1: S, omega_2: S, a_A: V2<S>, a_B: V2<S>) -> (S, S) {
         self.solve(a_B - a_A + self.r_1 * (omega_1 * omega_1) - self.r_2 * (omega_2 * omega_2))
@@ -160,7 +174,8 @@ impl<S: Scalar> Rrr<S> {
     }
 
     /// Forces in the revolutes.
-    /// # Given    `F_1`, `F_2` applied and inertia forces on the links, N; `M_1` their moment about A, `M_2` about B, N m.
+    /// # Given
+    /// `F_1`, `F_2` applied and inertia forces on the links, N; `M_1` their moment about A, `M_2` about B, N m.
     #[inline(always)]
     pub fn reactions(&self, F_1: V2<S>, M_1: S, F_2: V2<S>, M_2: S) -> Reactions<S> {
         let f_C = (self.r_1 * M_2 + self.r_2 * M_1) * self.inverse;

@@ -114,6 +114,10 @@ pub enum Function {
     Unit,
     /// Angle of a vector, (−π, π].
     Direction,
+    /// The greatest of two or more numbers.
+    Max,
+    /// The least of two or more numbers.
+    Min,
 }
 
 /// A point whose motion is asked: fixed in its link, or the point of the link that lies under another link's point now.
@@ -239,10 +243,19 @@ impl Expr {
 
     /// Calls `visit` on every result the expression asks for.
     pub fn queries(&self, visit: &mut impl FnMut(&Query)) {
+        self.parts(&mut |part| {
+            if let Self::Query(q) = part {
+                visit(q);
+            }
+        });
+    }
+
+    /// Calls `visit` on the expression and all its parts.
+    pub fn parts(&self, visit: &mut impl FnMut(&Self)) {
+        visit(self);
         match self {
-            Self::Constant(_) | Self::Quantity(_) => {}
-            Self::Query(q) => visit(q),
-            Self::Component(a, _) | Self::Negate(a) | Self::Not(a) => a.queries(visit),
+            Self::Constant(_) | Self::Quantity(_) | Self::Query(_) => {}
+            Self::Component(a, _) | Self::Negate(a) | Self::Not(a) => a.parts(visit),
             Self::Vector(a, b)
             | Self::Polar(a, b)
             | Self::Binary(_, a, b)
@@ -250,10 +263,30 @@ impl Expr {
             | Self::Compare(_, a, b)
             | Self::And(a, b)
             | Self::Or(a, b) => {
-                a.queries(visit);
-                b.queries(visit);
+                a.parts(visit);
+                b.parts(visit);
             }
-            Self::Call(_, args) => args.iter().for_each(|a| a.queries(visit)),
+            Self::Call(_, args) => args.iter().for_each(|a| a.parts(visit)),
+        }
+    }
+
+    /// The same expression with each of its parts that has no parts of its own replaced.
+    #[must_use]
+    pub fn map_leaves(&self, replace: &mut impl FnMut(&Self) -> Self) -> Self {
+        let mut boxed = |e: &Self| Box::new(e.map_leaves(replace));
+        match self {
+            Self::Constant(_) | Self::Quantity(_) | Self::Query(_) => replace(self),
+            Self::Component(a, axis) => Self::Component(boxed(a), *axis),
+            Self::Negate(a) => Self::Negate(boxed(a)),
+            Self::Not(a) => Self::Not(boxed(a)),
+            Self::Vector(a, b) => Self::Vector(boxed(a), boxed(b)),
+            Self::Polar(a, b) => Self::Polar(boxed(a), boxed(b)),
+            Self::Binary(op, a, b) => Self::Binary(*op, boxed(a), boxed(b)),
+            Self::Power(a, b) => Self::Power(boxed(a), boxed(b)),
+            Self::Compare(op, a, b) => Self::Compare(*op, boxed(a), boxed(b)),
+            Self::And(a, b) => Self::And(boxed(a), boxed(b)),
+            Self::Or(a, b) => Self::Or(boxed(a), boxed(b)),
+            Self::Call(f, args) => Self::Call(*f, args.iter().map(|a| a.map_leaves(replace)).collect()),
         }
     }
 }

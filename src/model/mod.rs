@@ -16,7 +16,7 @@ pub use expr::{
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
-pub use motion::{Drive, DriveTarget, Hint, HintKind, NamedPose, Positions};
+pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use pair::{Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Display, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
 

@@ -124,11 +124,14 @@ impl Wanted {
                 self.expr(when);
             }
             match &load.kind {
-                LoadKind::ForceAgainstMotion { value, .. } | LoadKind::Torque { value, against_motion: true, .. } => {
+                LoadKind::ForceAgainstMotion { value, .. }
+                | LoadKind::Torque { value, against_motion: true, .. } => {
                     self.expr(value);
                     self.level = self.level.max(Level::Velocities);
                 }
-                LoadKind::Force { value, .. } | LoadKind::Torque { value, .. } | LoadKind::InPair { value, .. } => {
+                LoadKind::Force { value, .. }
+                | LoadKind::Torque { value, .. }
+                | LoadKind::InPair { value, .. } => {
                     self.expr(value);
                 }
             }

@@ -26,20 +26,13 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
 }
 
 fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
-    Hinge {
-        body: joint.body.0,
-        pin: pin(&structure.replaced, joint, joint.body),
-        base: joint.base.0,
-        slot,
-    }
+    Hinge { body: joint.body.0, pin: pin(&structure.replaced, joint, joint.body), base: joint.base.0, slot }
 }
 
 pub(super) fn way(structure: &Structure, joint: GroupJoint, slot: usize) -> Way {
     let (slider, point, direction) = match structure.replaced.joint(joint.joint).kind {
         JointKind::Prismatic { slider, point, direction, .. } => (slider, point, direction),
-        JointKind::Revolute(_) => {
-            (joint.body, crate::math::Vec2::zero(), crate::math::Vec2::new(1.0, 0.0))
-        }
+        JointKind::Revolute(_) => (joint.body, crate::math::Vec2::zero(), crate::math::Vec2::new(1.0, 0.0)),
     };
     Way { body: joint.body.0, base: joint.base.0, slider: slider.0, point, direction, slot }
 }
@@ -55,10 +48,7 @@ pub(super) fn effort_line(
         EffortKind::Angle(b) => Some((EffortLine::Torque { body: b.0, base: 0 }, 1.0)),
         EffortKind::RelativeAngle { first, second, .. } => {
             let other = if second.0 == body { first } else { second };
-            Some((
-                EffortLine::Torque { body, base: other.0 },
-                if second.0 == body { 1.0 } else { -1.0 },
-            ))
+            Some((EffortLine::Torque { body, base: other.0 }, if second.0 == body { 1.0 } else { -1.0 }))
         }
         EffortKind::Line(b) => Some((EffortLine::Force { body: b.0, line: effort }, 1.0)),
         EffortKind::Coordinate(_) => {

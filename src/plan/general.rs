@@ -209,16 +209,12 @@ pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: u
                 let joint = group.joints[i];
                 let Some((_, point, line, _)) = prismatic(structure, joint, &mut places) else { continue };
                 let way = super::forces::way(structure, joint, first_slot + i);
-                (
-                    Constraint::Coordinate { point, line, law: law(0.0) },
-                    UnknownForce::Along { effort, way },
-                )
+                (Constraint::Coordinate { point, line, law: law(0.0) }, UnknownForce::Along { effort, way })
             }
             EffortKind::Line(body) => {
                 lines.push((constraints.len(), effort));
                 let point = Point { body: places.of(body), r: Vec2::zero() };
-                let line =
-                    Line { body: places.of(BodyId::GROUND), r: Vec2::zero(), d: Vec2::new(1.0, 0.0) };
+                let line = Line { body: places.of(BodyId::GROUND), r: Vec2::zero(), d: Vec2::new(1.0, 0.0) };
                 (Constraint::Coordinate { point, line, law: law(0.0) }, UnknownForce::Line(effort))
             }
             EffortKind::Point(_) => continue,

@@ -7,9 +7,7 @@ use crate::structure::{BodyId, GroupJoint, JointKind, Replaced};
 /// The point of a revolute joint in the frame of one of its bodies.
 pub(super) fn pin(replaced: &Replaced, joint: GroupJoint, body: BodyId) -> Vec2 {
     match &replaced.joint(joint.joint).kind {
-        JointKind::Revolute(members) => {
-            members.iter().find(|m| m.0 == body).map_or(Vec2::zero(), |m| m.1)
-        }
+        JointKind::Revolute(members) => members.iter().find(|m| m.0 == body).map_or(Vec2::zero(), |m| m.1),
         JointKind::Prismatic { slider, point, through, .. } => {
             if *slider == body {
                 *point

@@ -52,8 +52,7 @@ pub enum LoadStep {
 
 pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
     let mut steps = Vec::new();
-    let gravity =
-        mechanism.gravity.filter(|_| effects.gravity).map_or(Vec2::zero(), |g| g.acceleration);
+    let gravity = mechanism.gravity.filter(|_| effects.gravity).map_or(Vec2::zero(), |g| g.acceleration);
     for (body, link) in mechanism.links.iter().enumerate().skip(1) {
         if let Some(m) = &link.mass
             && (effects.gravity || effects.inertia)
@@ -87,9 +86,7 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
                 frame: frame.map(|f| f.index()),
             },
             (
-                LoadKind::Torque {
-                    on, value: Expr::Constant(Value::Scalar(torque)), against_motion: false
-                },
+                LoadKind::Torque { on, value: Expr::Constant(Value::Scalar(torque)), against_motion: false },
                 None,
             ) => LoadStep::Torque { load: id, body: on.index(), torque: *torque },
             _ => LoadStep::Evaluated(id),

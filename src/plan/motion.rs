@@ -42,9 +42,11 @@ fn driven(structure: &Structure, group: &Group, branch: usize) -> Option<MotionS
     match effort.kind {
         EffortKind::Angle(_) => Some(turn(None)),
         EffortKind::RelativeAngle { second, .. } => Some(turn(Some(if second == body { 1.0 } else { -1.0 }))),
-        EffortKind::Coordinate(_) => {
-            Some(MotionStep::Shift { branch, slide: slide(replaced, joint, joint.base), drive: drive.index() })
-        }
+        EffortKind::Coordinate(_) => Some(MotionStep::Shift {
+            branch,
+            slide: slide(replaced, joint, joint.base),
+            drive: drive.index(),
+        }),
         EffortKind::Line(_) | EffortKind::Point(_) => None,
     }
 }

@@ -52,7 +52,9 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
 pub(super) fn assemblies(scene: &Scene<'_>, before: &State, index: usize) -> Vec<State> {
     let step = &scene.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
-        return super::general::assemblies(before, index, *problem, &scene.plan.general[*problem]);
+        let mut found = super::general::assemblies(before, index, *problem, &scene.plan.general[*problem]);
+        found.retain(|state| cylinders_are_positive(scene, state, index));
+        return found;
     }
     let roots: &[f64] = if before.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
     let round = radii(step).map(|r| r != 0.0);
@@ -65,13 +67,25 @@ pub(super) fn assemblies(scene: &Scene<'_>, before: &State, index: usize) -> Vec
                 state.branches[index] = Branch { root, sides: [first, second], general_sides: 0 };
                 state.open = None;
                 state.step::<0>(scene.plan, step);
-                if state.open.is_none() {
+                if state.open.is_none() && cylinders_are_positive(scene, &state, index) {
                     out.push(state);
                 }
             }
         }
     }
     out
+}
+
+/// The coordinate of a cylinder is a distance: what would turn rod against barrel is no assembly.
+fn cylinders_are_positive(scene: &Scene<'_>, state: &State, index: usize) -> bool {
+    let pairs = scene.structure.motion[index]
+        .joints
+        .iter()
+        .filter(|j| j.prismatic)
+        .map(|j| scene.structure.replaced.joint(j.joint).pair);
+    pairs
+        .filter(|p| matches!(scene.mechanism.pair(*p).kind, crate::model::PairKind::Cylinder { .. }))
+        .all(|p| bare_view(scene, state).displacement(p) >= 0.0)
 }
 
 /// Radii of the round profiles of a step's prismatic joints.
@@ -88,9 +102,10 @@ fn radii(step: &MotionStep) -> [f64; 2] {
 
 fn same(scene: &Scene<'_>, a: &State, b: &State) -> bool {
     let extent = super::track::extent(scene);
-    a.bodies.iter().zip(&b.bodies).all(|(x, y)| {
-        (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME
-    })
+    a.bodies
+        .iter()
+        .zip(&b.bodies)
+        .all(|(x, y)| (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME)
 }
 
 /// The first group whose solution settles a link.
@@ -187,10 +202,8 @@ fn bare_view<'a>(scene: &Scene<'a>, state: &'a State) -> View<'a> {
 fn nearest(scene: &Scene<'_>, candidates: Vec<Candidate>) -> Result<State, SolveError> {
     let least = candidates.iter().map(|c| c.far).fold(f64::INFINITY, f64::min);
     let close = super::track::extent(scene) * SAME;
-    let mut best: Vec<Candidate> = candidates
-        .into_iter()
-        .filter(|c| c.far.sqrt() <= least.sqrt() + close || c.far.is_nan())
-        .collect();
+    let mut best: Vec<Candidate> =
+        candidates.into_iter().filter(|c| c.far.sqrt() <= least.sqrt() + close || c.far.is_nan()).collect();
     if best.len() == 1 { Ok(best.swap_remove(0).state) } else { Err(ambiguous(scene, &best)) }
 }
 
@@ -221,7 +234,10 @@ fn ambiguous(scene: &Scene<'_>, candidates: &[Candidate]) -> SolveError {
     }
     SolveError::Ambiguous {
         count: lines.len(),
-        help: format!("write one of\n{}", lines.iter().map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n")),
+        help: format!(
+            "write one of\n{}",
+            lines.iter().map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n")
+        ),
         labels: group_labels(scene, index),
     }
 }
@@ -237,7 +253,10 @@ fn not_met(scene: &Scene<'_>, hint: &Hint, others: &[Candidate], index: usize) -
     let mut labels = vec![label("no assembly fits this", hint.span)];
     labels.extend(group_labels(scene, index));
     SolveError::HintNotMet {
-        help: format!("these exist:\n{}", lines.iter().map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n")),
+        help: format!(
+            "these exist:\n{}",
+            lines.iter().map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n")
+        ),
         labels,
     }
 }
@@ -276,16 +295,16 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
     let replaced = &scene.structure.replaced;
     let real = |i: usize| {
         let pair = scene.mechanism.pair(replaced.joint(group.joints[i].joint).pair);
-        let simple = matches!(pair.kind, crate::model::PairKind::Revolute(_) | crate::model::PairKind::Prismatic(_));
+        let simple =
+            matches!(pair.kind, crate::model::PairKind::Revolute(_) | crate::model::PairKind::Prismatic(_));
         simple.then_some(pair)
     };
     let pin = |i: usize| {
         let joint = group.joints[i];
         match &replaced.joint(joint.joint).kind {
-            JointKind::Revolute(members) => members
-                .iter()
-                .find(|m| m.0 == joint.body)
-                .map(|m| state.bodies[joint.body.0].position(m.1)),
+            JointKind::Revolute(members) => {
+                members.iter().find(|m| m.0 == joint.body).map(|m| state.bodies[joint.body.0].position(m.1))
+            }
             JointKind::Prismatic { .. } => None,
         }
     };
@@ -298,8 +317,7 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
         Dyad::Rrp => {
             let (a, c) = (pin(0)?, pin(1)?);
             let guide = real(2)?;
-            let JointKind::Prismatic { guide: base, along, .. } =
-                replaced.joint(group.joints[2].joint).kind
+            let JointKind::Prismatic { guide: base, along, .. } = replaced.joint(group.joints[2].joint).kind
             else {
                 return None;
             };

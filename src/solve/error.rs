@@ -61,7 +61,9 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// Dead position.
-    #[error("dead position{pose}: the group {group} is in line and cannot be solved (condition {condition:.1e})")]
+    #[error(
+        "dead position{pose}: the group {group} is in line and cannot be solved (condition {condition:.1e})"
+    )]
     #[diagnostic(
         code(mech::solve::dead_position),
         help("velocities and forces do not exist here; move the drive a little, or drive another link")
@@ -78,7 +80,9 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// Near a dead position.
-    #[error("near a dead position{pose}: condition {condition:.1e} of the group {group}, about {digits} digits are left in the accelerations and forces")]
+    #[error(
+        "near a dead position{pose}: condition {condition:.1e} of the group {group}, about {digits} digits are left in the accelerations and forces"
+    )]
     #[diagnostic(code(mech::solve::ill_conditioned), severity(warning))]
     IllConditioned {
         /// Where.
@@ -127,8 +131,16 @@ pub enum SolveError {
         span: miette::SourceSpan,
     },
     /// A change of assembly between two positions.
-    #[error("the assembly of the group {group} changes between {from} and {to}: it passes a dead position on the way")]
-    #[diagnostic(code(mech::assembly::branch_switch), severity(warning), help("the motion was followed through the dead position by its velocity and acceleration; make the steps smaller to see it"))]
+    #[error(
+        "the assembly of the group {group} changes between {from} and {to}: it passes a dead position on the way"
+    )]
+    #[diagnostic(
+        code(mech::assembly::branch_switch),
+        severity(warning),
+        help(
+            "the motion was followed through the dead position by its velocity and acceleration; make the steps smaller to see it"
+        )
+    )]
     BranchSwitch {
         /// The links of the group.
         group: String,
@@ -142,7 +154,11 @@ pub enum SolveError {
     },
     /// A contact that pulls.
     #[error("contact `{name}` would have to pull{pose}: normal force {normal:.6} N")]
-    #[diagnostic(code(mech::solve::contact_pulls), severity(warning), help("the profiles part here: press them together by a spring or a load, or use a slot"))]
+    #[diagnostic(
+        code(mech::solve::contact_pulls),
+        severity(warning),
+        help("the profiles part here: press them together by a spring or a load, or use a slot")
+    )]
     ContactPulls {
         /// Its name.
         name: String,
@@ -171,7 +187,10 @@ pub enum SolveError {
     },
     /// A drive without positions where a pose is needed.
     #[error("drive `{drive}` gives no position")]
-    #[diagnostic(code(mech::request::needs_position), help("write where it stands, as in `drive {drive} = 0 deg`"))]
+    #[diagnostic(
+        code(mech::request::needs_position),
+        help("write where it stands, as in `drive {drive} = 0 deg`")
+    )]
     NeedsPosition {
         /// The drive.
         drive: String,
@@ -181,7 +200,10 @@ pub enum SolveError {
     },
     /// Sweeps of different length.
     #[error("drives `{first}` and `{second}` sweep over {count_first} and {count_second} positions")]
-    #[diagnostic(code(mech::request::sweep_lengths), help("give both the same number of positions, or one of them a single one"))]
+    #[diagnostic(
+        code(mech::request::sweep_lengths),
+        help("give both the same number of positions, or one of them a single one")
+    )]
     SweepLengths {
         /// One drive.
         first: String,
@@ -197,7 +219,10 @@ pub enum SolveError {
     },
     /// A dead position that does not exist.
     #[error("`{what}` of pair `{pair}` cannot be found: {why}")]
-    #[diagnostic(code(mech::solve::no_extreme), help("dead positions need one drive that turns and a coordinate that it moves to and fro"))]
+    #[diagnostic(
+        code(mech::solve::no_extreme),
+        help("dead positions need one drive that turns and a coordinate that it moves to and fro")
+    )]
     NoExtreme {
         /// `dead`, `stroke`, …
         what: &'static str,
@@ -210,8 +235,15 @@ pub enum SolveError {
         span: miette::SourceSpan,
     },
     /// Forces do not determine.
-    #[error("forces cannot be solved{pose}: the unknown effort cannot hold the mechanism here (condition {condition:.1e})")]
-    #[diagnostic(code(mech::solve::effort_cannot_hold), help("the effort passes through the hinge or stands across the guide: change its place or direction"))]
+    #[error(
+        "forces cannot be solved{pose}: the unknown effort cannot hold the mechanism here (condition {condition:.1e})"
+    )]
+    #[diagnostic(
+        code(mech::solve::effort_cannot_hold),
+        help(
+            "the effort passes through the hinge or stands across the guide: change its place or direction"
+        )
+    )]
     EffortCannotHold {
         /// Where.
         pose: String,
@@ -223,7 +255,10 @@ pub enum SolveError {
     },
     /// A number that is not finite.
     #[error("a result{pose} is too large or not defined")]
-    #[diagnostic(code(mech::solve::not_finite), help("check the magnitudes of lengths, masses and loads for a slip in a unit"))]
+    #[diagnostic(
+        code(mech::solve::not_finite),
+        help("check the magnitudes of lengths, masses and loads for a slip in a unit")
+    )]
     NotFinite {
         /// Where.
         pose: String,

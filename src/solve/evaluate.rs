@@ -86,6 +86,8 @@ impl View<'_> {
             },
             Function::Dot => vector(0).dot(vector(1)),
             Function::Cross => vector(0).cross(vector(1)),
+            Function::Max => (1..args.len()).map(scalar).fold(scalar(0), f64::max),
+            Function::Min => (1..args.len()).map(scalar).fold(scalar(0), f64::min),
             Function::Direction => vector(0).angle(),
             Function::Unit => {
                 return Value::Vector(vector(0).unit().unwrap_or(Vec2::new(f64::NAN, f64::NAN)));

@@ -79,13 +79,21 @@ pub(super) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
         Failure::Error(e) => *e,
         Failure::Open(at) => {
             let degrees = at.to_degrees();
-            none(scene, wanted[0], &format!("`{}` does not turn fully: the mechanism does not close at {degrees:.2} deg", drive.name))
+            none(
+                scene,
+                wanted[0],
+                &format!(
+                    "`{}` does not turn fully: the mechanism does not close at {degrees:.2} deg",
+                    drive.name
+                ),
+            )
         }
     })?;
     let mut out = Vec::new();
     for pair in wanted {
-        let extremes =
-            turn.extremes(scene, pair).ok_or_else(|| none(scene, pair, "the coordinate does not go to and fro"))?;
+        let extremes = turn
+            .extremes(scene, pair)
+            .ok_or_else(|| none(scene, pair, "the coordinate does not go to and fro"))?;
         out.push((pair, extremes));
     }
     Ok(Statics(out))
@@ -195,9 +203,7 @@ impl Turn {
             #[allow(clippy::cast_precision_loss)]
             let at = TAU * i as f64 / SAMPLES as f64;
             if i > 0 {
-                tracker
-                    .go(scene, &rates, &[DriveValue::Scalar(at)])
-                    .map_err(|_| Failure::Open(at))?;
+                tracker.go(scene, &rates, &[DriveValue::Scalar(at)]).map_err(|_| Failure::Open(at))?;
             }
             let mut state = tracker.state.clone();
             state.run_motion::<1>(scene.plan);
@@ -233,7 +239,7 @@ impl Turn {
         }
         let least = found.iter().copied().min_by(|x, y| x.1.total_cmp(&y.1))?;
         let greatest = found.iter().copied().max_by(|x, y| x.1.total_cmp(&y.1))?;
-        if !(greatest.1 > least.1) {
+        if greatest.1 <= least.1 {
             return None;
         }
         Some(Extremes {

@@ -1,7 +1,7 @@
 //! Runs the steps of forces: reactions group by group, each passed on to the bodies that carry it.
 
 use super::state::{Reaction, State};
-use crate::group::{prp, pp, rpp, rpr, rrp, rrr};
+use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
 use crate::math::Vec2;
 use crate::plan::{EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 

@@ -20,16 +20,33 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
                 Some(Gap::TooFar(far)) => (
                     format!(
                         "{} and {} are {} apart, but the links reach {} + {} = {}: {} short",
-                        name(0), name(2), mm(distance), mm(l_1), mm(l_2), mm(l_1 + l_2), mm(far)
+                        name(0),
+                        name(2),
+                        mm(distance),
+                        mm(l_1),
+                        mm(l_2),
+                        mm(l_1 + l_2),
+                        mm(far)
                     ),
                     format!("make a link longer by {}, or bring {} and {} nearer", mm(far), name(0), name(2)),
                 ),
                 Some(Gap::TooNear(near)) => (
                     format!(
                         "{} and {} are {} apart, but the links fold to |{} − {}| = {} at the least: {} too near",
-                        name(0), name(2), mm(distance), mm(l_1), mm(l_2), mm((l_1 - l_2).abs()), mm(near)
+                        name(0),
+                        name(2),
+                        mm(distance),
+                        mm(l_1),
+                        mm(l_2),
+                        mm((l_1 - l_2).abs()),
+                        mm(near)
                     ),
-                    format!("make the links more alike by {}, or bring {} and {} apart", mm(near), name(0), name(2)),
+                    format!(
+                        "make the links more alike by {}, or bring {} and {} apart",
+                        mm(near),
+                        name(0),
+                        name(2)
+                    ),
                 ),
                 None => unknown(&name(1)),
             }
@@ -43,7 +60,11 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
                 Some(Gap::TooFar(far) | Gap::TooNear(far)) => (
                     format!(
                         "{} is {} from the path of {}, but the link is {} long: {} short",
-                        name(0), mm(leg.length + far), name(1), mm(leg.length), mm(far)
+                        name(0),
+                        mm(leg.length + far),
+                        name(1),
+                        mm(leg.length),
+                        mm(far)
                     ),
                     format!("make the link longer by {}, or bring {} nearer to the guide", mm(far), name(0)),
                 ),
@@ -57,9 +78,18 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
                 Some(Gap::TooFar(gap) | Gap::TooNear(gap)) => (
                     format!(
                         "{} and {} are {} apart, but the guide passes {} beside: {} too near",
-                        name(0), name(2), mm((p_B - p_A).norm()), mm(h.abs()), mm(gap)
+                        name(0),
+                        name(2),
+                        mm((p_B - p_A).norm()),
+                        mm(h.abs()),
+                        mm(gap)
                     ),
-                    format!("make the offset less by {}, or bring {} and {} apart", mm(gap), name(0), name(2)),
+                    format!(
+                        "make the offset less by {}, or bring {} and {} apart",
+                        mm(gap),
+                        name(0),
+                        name(2)
+                    ),
                 ),
                 None => unknown(&name(1)),
             }

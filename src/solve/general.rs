@@ -1,7 +1,9 @@
 //! Runs general groups: Newton's method from the state as it stands, forces from the same Jacobian transposed.
 
 use super::state::{Branch, Reaction, State};
-use crate::group::general::{self, Acceleration, Constraint, General, Law, Line, Load, Point, Pose, Velocity};
+use crate::group::general::{
+    self, Acceleration, Constraint, General, Law, Line, Load, Point, Pose, Velocity,
+};
 use crate::math::Vec2;
 use crate::plan::{BalanceSystem, GeneralMotion, UnknownForce, Way};
 

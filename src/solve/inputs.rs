@@ -19,7 +19,14 @@ impl Rates {
 
     /// Unit speed of every drive along the way from one set of values to another; nothing accelerates.
     pub(super) fn unit(scene: &Scene<'_>) -> Self {
-        Self(scene.mechanism.drives.iter().map(|_| DriveInput { rate: 1.0, ..DriveInput::default() }).collect())
+        Self(
+            scene
+                .mechanism
+                .drives
+                .iter()
+                .map(|_| DriveInput { rate: 1.0, ..DriveInput::default() })
+                .collect(),
+        )
     }
 
     /// The inputs at one position. The only place where an angle becomes a direction.

@@ -5,7 +5,7 @@ use super::state::{State, Wrench};
 use super::view::View;
 use crate::force::spring::spring;
 use crate::math::Vec2;
-use crate::model::{LoadKind, LoadId, Query, SpringId, Value};
+use crate::model::{LoadId, LoadKind, Query, SpringId, Value};
 use crate::plan::LoadStep;
 use crate::structure::{EffortKind, JointKind};
 
@@ -98,10 +98,7 @@ impl State {
                     return;
                 }
                 JointKind::Revolute(members)
-                    if matches!(
-                        scene.mechanism.pair(pair).kind,
-                        crate::model::PairKind::Revolute(_)
-                    ) =>
+                    if matches!(scene.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_)) =>
                 {
                     if let [first, second] = members.as_slice() {
                         self.applied[second.0.0].moment += effort;

@@ -1,4 +1,5 @@
 //! Plan × positions → Solution.
+#![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
 mod assemble;
 mod contact;

@@ -3,7 +3,7 @@
 //! `LEVEL` is 0 for positions, 1 with velocities, 2 with accelerations: what is not followed is not compiled in.
 
 use super::state::{BodyState, State};
-use crate::group::{prp, pp, rpp, rpr, rrp, rrr};
+use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
 use crate::math::Vec2;
 use crate::plan::{Anchor, Leg, MotionStep, Plan, Slide};
 
@@ -77,11 +77,7 @@ fn place<const LEVEL: u8>(body: &mut BodyState, at: Vec2, point: Point, u: Vec2,
 #[inline(always)]
 fn slid<const LEVEL: u8>(base: &BodyState, under: Point, d: Vec2, s_dot: f64, s_ddot: f64) -> Point {
     let v = if LEVEL > 0 { under.v + d * s_dot } else { under.v };
-    let a = if LEVEL > 1 {
-        under.a + d * s_ddot + d.perp() * (2.0 * base.omega * s_dot)
-    } else {
-        under.a
-    };
+    let a = if LEVEL > 1 { under.a + d * s_ddot + d.perp() * (2.0 * base.omega * s_dot) } else { under.a };
     Point { p: under.p, v, a }
 }
 
@@ -138,8 +134,7 @@ impl State {
 
     #[inline(always)]
     fn closes(&mut self, branch: usize, closure: f64, scale: f64) {
-        // written so that NaN counts as open
-        if !(closure >= -CLOSURE * scale) && self.open.is_none() {
+        if (closure < -CLOSURE * scale || closure.is_nan()) && self.open.is_none() {
             self.open = Some(branch);
         }
     }
@@ -296,8 +291,7 @@ impl State {
             let g = bases.map(|b| under::<LEVEL>(b, at.p_C));
             rate = group.velocity(g[0].v, g[1].v);
             if LEVEL > 1 {
-                second =
-                    group.acceleration(rate.0, g[0].a, bases[0].omega, rate.1, g[1].a, bases[1].omega);
+                second = group.acceleration(rate.0, g[0].a, bases[0].omega, rate.1, g[1].a, bases[1].omega);
             }
         }
         self.place_slider::<LEVEL>(&slides[0], guides[0].along, pins[0], at.p_C, rate.0, second.0);
@@ -354,14 +348,7 @@ impl State {
                 second = group.acceleration(rate.0, g[0].a, rate.1, g[1].a, bases[0].omega);
             }
         }
-        self.place_slider::<LEVEL>(
-            &slides[0],
-            guides[0].along,
-            slides[0].point,
-            at.p_C,
-            rate.0,
-            second.0,
-        );
+        self.place_slider::<LEVEL>(&slides[0], guides[0].along, slides[0].point, at.p_C, rate.0, second.0);
     }
 
     #[inline(always)]

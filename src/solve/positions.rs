@@ -41,9 +41,7 @@ fn drive_value(value: Value) -> DriveValue {
 fn values(scene: &Scene<'_>, statics: &Statics, drive: &Drive) -> Vec<DriveValue> {
     match &drive.positions {
         Positions::None => vec![DriveValue::None],
-        Positions::List(list) => {
-            list.iter().map(|e| drive_value(constant(scene, statics, e))).collect()
-        }
+        Positions::List(list) => list.iter().map(|e| drive_value(constant(scene, statics, e))).collect(),
         Positions::Range { from, to, steps } => {
             let scalar = |e| match constant(scene, statics, e) {
                 Value::Scalar(x) => x,

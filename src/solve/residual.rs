@@ -113,11 +113,8 @@ fn equilibrium(scene: &Scene<'_>, state: &State) -> f64 {
 
 /// Virtual power: the loads and efforts on all moving bodies, with what known bodies put in through their joints.
 fn power(scene: &Scene<'_>, state: &State) -> f64 {
-    let (mut sum, mut most) = (0.0, f64::MIN_POSITIVE);
-    let mut add = |p: f64| {
-        sum += p;
-        most = most.max(p.abs());
-    };
+    let mut sum = 0.0;
+    let mut add = |p: f64| sum += p;
     let bodies = scene.structure.replaced.bodies.iter().zip(&state.bodies);
     for ((_, body), w) in bodies.zip(&state.applied).filter(|((b, _), _)| !b.known) {
         add(w.force.dot(body.v));
@@ -147,12 +144,31 @@ fn power(scene: &Scene<'_>, state: &State) -> f64 {
             add(state.reactions[slot].force.dot(state.bodies[joint.base.0].velocity(at)));
         }
     }
-    sum.abs() / most
+    sum.abs() / most_power(scene, state)
+}
+
+/// The greatest force times the greatest velocity of a joint: at dead positions every single power is nothing.
+fn most_power(scene: &Scene<'_>, state: &State) -> f64 {
+    let forces = state.applied.iter().map(|w| w.force.norm());
+    let force = forces.chain(state.reactions.iter().map(|r| r.force.norm())).fold(0.0, f64::max);
+    let (mut speed, mut turn) = (0.0_f64, 0.0_f64);
+    for joint in &scene.structure.replaced.joints {
+        let points = match &joint.kind {
+            JointKind::Revolute(members) => members.clone(),
+            JointKind::Prismatic { slider, point, .. } => vec![(*slider, *point)],
+        };
+        for (body, at) in points {
+            speed = speed.max(state.bodies[body.0].velocity(at).norm());
+            turn = turn.max(state.bodies[body.0].omega.abs());
+        }
+    }
+    let moments = state.applied.iter().map(|w| w.moment.abs());
+    let moment = moments.chain(state.efforts.iter().map(|e| e.abs())).fold(0.0, f64::max);
+    (force * speed + moment * turn).max(f64::MIN_POSITIVE)
 }
 
 fn slider_speed(scene: &Scene<'_>, state: &State, joint: crate::structure::JointId) -> f64 {
-    let JointKind::Prismatic { slider, point, guide, along, .. } =
-        scene.structure.replaced.joint(joint).kind
+    let JointKind::Prismatic { slider, point, guide, along, .. } = scene.structure.replaced.joint(joint).kind
     else {
         return 0.0;
     };

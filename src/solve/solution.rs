@@ -98,7 +98,7 @@ pub struct Residuals {
     pub closure: f64,
     /// Worst equilibrium of a body over the greatest force (or moment) in play; `None` without forces.
     pub equilibrium: Option<f64>,
-    /// Sum of the powers over the greatest of them; `None` without forces or velocities.
+    /// Sum of the powers over the greatest force times the greatest velocity; `None` without forces or velocities.
     pub power: Option<f64>,
 }
 

@@ -18,7 +18,13 @@ struct Masses {
     dJ: f64,
 }
 
-pub(super) fn of_static(view: &View<'_>, link: LinkId, p_1: Vec2, p_2: Vec2, part: SubstitutionPart) -> Value {
+pub(super) fn of_static(
+    view: &View<'_>,
+    link: LinkId,
+    p_1: Vec2,
+    p_2: Vec2,
+    part: SubstitutionPart,
+) -> Value {
     let Some(m) = view.mechanism.link(link).mass else { return NOT_A_NUMBER };
     let s = in_points(m.mass, m.inertia, p_1 - m.centre, p_2 - m.centre);
     let l_2 = (p_2 - m.centre).norm();

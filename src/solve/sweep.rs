@@ -86,6 +86,12 @@ fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
     })
 }
 
+/// Why a position was not reached, and the tracker where it was before.
+struct Stuck {
+    error: SolveError,
+    back: Option<Tracker>,
+}
+
 struct Run<'a, 's> {
     scene: &'s Scene<'a>,
     rates: Rates,
@@ -119,7 +125,8 @@ impl Run<'_, '_> {
                     trackers.push(keep_all.then(|| tracker.clone()));
                     current = Some(tracker);
                 }
-                Err((error, back)) => {
+                Err(stuck) => {
+                    let Stuck { error, back } = *stuck;
                     // without a choice, or with a hint that cannot be met, no position has a meaning
                     if i == 0 && (wanted.len() == 1 || !is_open(&error)) {
                         return Err(error);
@@ -132,23 +139,22 @@ impl Run<'_, '_> {
             }
         }
         match (self.poses.iter().any(|p| p.outcome.is_ok()), first_error) {
-            (false, Some(error)) if self.poses.iter().all(|p| p.outcome.as_ref().is_err_and(is_open)) => Err(error),
+            (false, Some(error)) if self.poses.iter().all(|p| p.outcome.as_ref().is_err_and(is_open)) => {
+                Err(error)
+            }
             _ => Ok(trackers),
         }
     }
 
-    fn assembled(&self, pose: &Wanted) -> Result<Tracker, (SolveError, Option<Tracker>)> {
+    fn assembled(&self, pose: &Wanted) -> Result<Tracker, Box<Stuck>> {
         let mut state = State::new(self.scene.plan);
         self.rates.at(&pose.drives, &mut state.inputs);
-        let state = assemble(self.scene, state).map_err(|e| (with_pose(e, &self.place(pose)), None))?;
+        let state = assemble(self.scene, state)
+            .map_err(|e| Box::new(Stuck { error: with_pose(e, &self.place(pose)), back: None }))?;
         Ok(Tracker::new(self.scene, state, &pose.drives))
     }
 
-    fn moved(
-        &self,
-        tracker: &mut Tracker,
-        pose: &Wanted,
-    ) -> Result<Vec<usize>, (SolveError, Option<Tracker>)> {
+    fn moved(&self, tracker: &mut Tracker, pose: &Wanted) -> Result<Vec<usize>, Box<Stuck>> {
         let before = tracker.clone();
         if let Ok(switched) = tracker.go(self.scene, &self.rates, &pose.drives) {
             return Ok(switched);
@@ -165,7 +171,7 @@ impl Run<'_, '_> {
                     state.step::<0>(self.scene.plan, step);
                 }
                 let error = does_not_close(self.scene, state, group, &self.place(pose));
-                Err((error, Some(before)))
+                Err(Box::new(Stuck { error, back: Some(before) }))
             }
         }
     }
@@ -183,10 +189,10 @@ impl Run<'_, '_> {
                     let mut tracker = tracker.clone();
                     match self.moved(&mut tracker, &pose) {
                         Ok(_) => self.solved(&tracker, &pose),
-                        Err((error, _)) => Err(error),
+                        Err(stuck) => Err(stuck.error),
                     }
                 }
-                None => self.assembled(&pose).map_err(|e| e.0).and_then(|t| self.solved(&t, &pose)),
+                None => self.assembled(&pose).map_err(|e| e.error).and_then(|t| self.solved(&t, &pose)),
             };
             self.push(&pose, outcome);
         }
@@ -239,7 +245,7 @@ impl Run<'_, '_> {
         for (group, sine) in state.sines.iter().enumerate() {
             let condition = sine.abs();
             least = least.min(condition);
-            if moves && !(condition > DEAD) {
+            if moves && is_dead(condition) {
                 return Err(SolveError::DeadPosition {
                     pose: self.place(pose),
                     group: group_name(self.scene, group),
@@ -278,7 +284,7 @@ impl Run<'_, '_> {
         let mut least = 1.0_f64;
         for (index, sine) in state.force_sines.iter().enumerate() {
             least = least.min(sine.abs());
-            if !(sine.abs() > DEAD) {
+            if is_dead(sine.abs()) {
                 let pairs = scene.structure.forces[index].joints.iter();
                 let labels = pairs
                     .map(|j| scene.mechanism.pair(scene.structure.replaced.joint(j.joint).pair))
@@ -306,7 +312,9 @@ impl Run<'_, '_> {
                 angles: &solved.angles,
                 statics: &self.statics,
             };
-            let Value::Scalar(normal) = view.query(&Query::Normal(PairId::at(i), first.link)) else { continue };
+            let Value::Scalar(normal) = view.query(&Query::Normal(PairId::at(i), first.link)) else {
+                continue;
+            };
             let force = view.reaction(PairId::at(i), first.link).norm();
             if normal < -1e-9 * force.max(f64::MIN_POSITIVE) && normal < -1e-9 {
                 self.warnings.push(SolveError::ContactPulls {
@@ -391,6 +399,10 @@ impl Run<'_, '_> {
     }
 }
 
+fn is_dead(condition: f64) -> bool {
+    condition <= DEAD || condition.is_nan()
+}
+
 /// Up to six decimals, without trailing zeros.
 fn short(x: f64) -> String {
     let text = format!("{x:.6}");
@@ -425,7 +437,9 @@ fn digits_left(condition: f64) -> u32 {
 
 fn is_finite(state: &State) -> bool {
     let body = |b: &super::state::BodyState| {
-        [b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha].iter().all(|x| x.is_finite())
+        [b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha]
+            .iter()
+            .all(|x| x.is_finite())
     };
     state.bodies.iter().all(body)
         && state.reactions.iter().all(|r| (r.force.x + r.force.y + r.couple).is_finite())

@@ -47,7 +47,14 @@ impl Tracker {
                 angles[body.0] = *value;
             }
         }
-        Self { state, angles, values: values.to_vec(), history: Vec::new(), spacing: 0.0, extent: extent(scene) }
+        Self {
+            state,
+            angles,
+            values: values.to_vec(),
+            history: Vec::new(),
+            spacing: 0.0,
+            extent: extent(scene),
+        }
     }
 
     /// Moves to other drive values. Returns the groups whose assembly changed sign on the way; on failure the group that

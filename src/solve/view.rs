@@ -78,9 +78,7 @@ impl View<'_> {
             Query::BalancePower(id) => Value::Scalar(self.effort_power(EffortSource::Balance(*id))),
             Query::EffortPower(id) => Value::Scalar(self.effort_power(EffortSource::Drive(*id))),
             Query::LoadPower(id) => Value::Scalar(self.load_power(id.index())),
-            Query::Travel(pair) => {
-                Value::Scalar(self.displacement(*pair) - self.statics.least(*pair))
-            }
+            Query::Travel(pair) => Value::Scalar(self.displacement(*pair) - self.statics.least(*pair)),
             Query::Stroke(pair) => Value::Scalar(self.statics.stroke(*pair)),
             Query::TimeRatio(pair) => Value::Scalar(self.statics.time_ratio(*pair)),
             Query::Dead(pair, which) => Value::Scalar(self.statics.dead(*pair, *which)),
@@ -213,7 +211,8 @@ impl View<'_> {
             .enumerate()
             .find(|(_, g)| g.name.as_deref() == Some(assertion.name.as_str()));
         let Some((index, group)) = found else { return f64::NAN };
-        if let (GroupKind::Dyad(crate::structure::Dyad::Rrr), [a, b]) = (group.kind, group.bodies.as_slice()) {
+        if let (GroupKind::Dyad(crate::structure::Dyad::Rrr), [a, b]) = (group.kind, group.bodies.as_slice())
+        {
             // the angle between the links, accurate near 90° too
             if let Some([r_1, r_2]) = self.legs(index, [*a, *b]) {
                 return libm::atan2(r_1.cross(r_2).abs(), r_1.dot(r_2).abs());
@@ -245,9 +244,8 @@ impl View<'_> {
     /// The reaction's force on a link in a pair: all joints that stand for the pair.
     #[must_use]
     pub fn reaction(&self, pair: PairId, link: LinkId) -> Vec2 {
-        self.slots(pair, link).fold(Vec2::zero(), |sum, (slot, sign)| {
-            sum + self.state.reactions[slot].force * sign
-        })
+        self.slots(pair, link)
+            .fold(Vec2::zero(), |sum, (slot, sign)| sum + self.state.reactions[slot].force * sign)
     }
 
     /// The couple on a link in a pair about the pair's reference point; NaN where it is not determined.
@@ -403,9 +401,7 @@ impl View<'_> {
                 force.dot(body.v + (p - body.p).perp() * body.omega)
             }
             (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => torque * self.body(*on).omega,
-            (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => {
-                effort * self.relative_velocity(*pair)
-            }
+            (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => effort * self.relative_velocity(*pair),
             _ => f64::NAN,
         }
     }

@@ -11,7 +11,7 @@ pub(super) fn check(
 ) -> (Vec<StructureError>, Vec<StructureError>) {
     let (mut errors, mut warnings) = (Vec::new(), Vec::new());
     for assertion in &mechanism.groups {
-        let (lower, higher) = pairs_of(mechanism, assertion);
+        let (lower, higher) = pairs_of(mechanism, structure, assertion);
         let n = assertion.links.len();
         if 3 * n != 2 * lower.len() + higher.len() {
             errors.push(StructureError::not_a_group(mechanism, assertion, &lower, &higher));
@@ -43,13 +43,24 @@ fn link_of(structure: &Structure, body: BodyId) -> Option<crate::model::LinkId> 
     }
 }
 
-/// Lower pairs (one entry per pair they count for) and higher pairs that touch the named links.
-fn pairs_of(mechanism: &Mechanism, assertion: &GroupAssertion) -> (Vec<usize>, Vec<usize>) {
+/// Lower pairs (one entry per pair they count for) and higher pairs of the named links, without those that join them to
+/// links solved later: such a pair belongs to the later group.
+fn pairs_of(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    assertion: &GroupAssertion,
+) -> (Vec<usize>, Vec<usize>) {
+    let rank = |link: crate::model::LinkId| {
+        let body = BodyId(link.index());
+        structure.motion.iter().position(|g| g.bodies.contains(&body))
+    };
+    let last = assertion.links.iter().map(|&l| rank(l)).max().flatten();
     let (mut lower, mut higher) = (Vec::new(), Vec::new());
     for (i, pair) in mechanism.pairs.iter().enumerate() {
-        let links = pair.kind.links();
+        let mut links = pair.kind.links();
+        links.retain(|&l| rank(l) <= last);
         let inside = links.iter().filter(|l| assertion.links.contains(l)).count();
-        if inside == 0 {
+        if inside == 0 || links.len() < 2 {
             continue;
         }
         let outside = links.len() - inside;

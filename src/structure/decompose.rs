@@ -149,13 +149,17 @@ impl Incidence {
 }
 
 /// Groups in the order of solution.
-pub(super) fn decompose(replaced: &Replaced, efforts: &[Effort], side: Side) -> Result<Vec<Group>, Defect> {
+pub(super) fn decompose(
+    replaced: &Replaced,
+    efforts: &[Effort],
+    side: Side,
+) -> Result<Vec<Group>, Box<Defect>> {
     let incidence = Incidence::new(replaced, efforts);
     let matching = match_all(&incidence.conditions, &incidence.capacity);
     let over = matching.overdetermined(&incidence.conditions);
     let under = matching.underdetermined(&incidence.conditions, &incidence.capacity);
     if !(over.0.is_empty() && under.1.is_empty()) {
-        return Err(Defect { over: incidence.part(over), under: incidence.part(under) });
+        return Err(Box::new(Defect { over: incidence.part(over), under: incidence.part(under) }));
     }
     let order = order(&incidence, &matching, side);
     let members = Members::new(replaced, &order, side);

@@ -1,16 +1,72 @@
-//! Text → [`Document`](document::Document).
+//! Text → [`Document`].
 //!
 //! Parsing cannot fail: what cannot be read is reported, left out, and kept as `Bad`.
 
+mod error;
+mod line;
+mod lower;
+mod prepare;
+mod recover;
+mod skeleton;
+mod trivia;
+mod whole;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
 pub mod document;
 
+pub use error::SyntaxError;
+pub use skeleton::skeleton;
+
 use crate::diagnostic::Problems;
-use crate::source::Source;
-use document::Document;
+use crate::source::{Source, Span};
+use document::{Document, Variants};
+use grammar::{Grammar, Rule};
+use pest::Parser;
+
+/// What pest makes of the grammar.
+#[allow(missing_docs)]
+mod grammar {
+    #[derive(pest_derive::Parser)]
+    #[grammar = "../grammar/mech.pest"]
+    pub struct Grammar;
+}
 
 /// Reads a text. Every mistake is reported, and the document holds all that could be read.
 #[must_use]
 pub fn parse(source: &Source) -> (Document, Problems) {
-    let _ = source;
-    (Document::default(), Problems::new())
+    let mut problems = Problems::new();
+    let read = prepare::prepare(&source.text, &mut problems);
+    let mut document = Document { trivia: trivia::scan(&source.text), ..Document::default() };
+    match Grammar::parse(Rule::file, &read) {
+        Ok(pairs) => {
+            let (statements, found) = lower::file(&source.text, &read, pairs);
+            problems.append(found);
+            document.notes = trivia::notes(&source.text, &statements, &document.trivia);
+            document.statements = statements;
+        }
+        Err(_) => problems.push(recover::unreadable(Span::new(0, source.text.len()))),
+    }
+    whole::check(&document, &mut problems);
+    (document, problems)
+}
+
+/// Reads a table of variants by itself, as in a CSV file: names with units in the header, plain numbers below.
+#[must_use]
+pub fn parse_table(source: &Source) -> (Variants, Problems) {
+    let mut problems = Problems::new();
+    let read = prepare::prepare(&source.text, &mut problems);
+    match Grammar::parse(Rule::table, &read) {
+        Ok(pairs) => {
+            let (variants, found) = lower::table(&source.text, &read, pairs);
+            problems.append(found);
+            (variants, problems)
+        }
+        Err(_) => {
+            problems.push(recover::unreadable(Span::new(0, source.text.len())));
+            (Variants::default(), problems)
+        }
+    }
 }

@@ -7,10 +7,12 @@ use crate::math::Vec2;
 const DISTINCT: f64 = 1e-6;
 
 /// Assemblies of a group, by Newton's method from many starts. For use when a problem is set up: it allocates.
-/// # Given    `poses` of all bodies; the known ones are read, and the group's own are the first start. `starts` number of
-///            starts; three bodies ask for some hundreds.
-/// # Returns  Poses of the group's own bodies, distinct, in the order found; the same for the same input. Closed and
-///            regular each; there is no proof that there are no others.
+/// # Given
+/// `poses` of all bodies; the known ones are read, and the group's own are the first start. `starts` number of
+/// starts; three bodies ask for some hundreds.
+/// # Returns
+/// Poses of the group's own bodies, distinct, in the order found; the same for the same input. Closed and
+/// regular each; there is no proof that there are no others.
 #[must_use]
 pub fn assemblies(group: &mut General, poses: &[Pose], starts: usize) -> Vec<Vec<Pose>> {
     let mut found: Vec<Vec<Pose>> = Vec::new();

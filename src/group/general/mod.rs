@@ -3,7 +3,9 @@
 //! A body has a pose: the origin p of its frame and the direction u of its x axis. Constraints join bodies of the
 //! group to each other and to bodies of known motion. Each scalar constraint has the form
 //!
-//!     φ(poses) = value(t),    φ̇ = g·(v_a − v_b) + c (ω_b − ω_a),
+//! ```text
+//! φ(poses) = value(t),    φ̇ = g·(v_a − v_b) + c (ω_b − ω_a),
+//! ```
 //!
 //! v_a and v_b being velocities of the points of the two bodies that coincide at one place of the constraint, so that
 //! a row of the Jacobian is the wrench of a unit force g, or of a unit couple, on body a and its opposite on body b:

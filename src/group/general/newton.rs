@@ -55,7 +55,8 @@ pub struct General {
 
 impl General {
     /// A group of `moving` bodies among `bodies`, three scalar constraints per moving body.
-    /// # Errors   [`Failure::Shape`].
+    /// # Errors
+    /// [`Failure::Shape`].
     pub fn new(moving: usize, bodies: usize, constraints: Vec<Constraint>) -> Result<Self, Failure> {
         let rows = constraints.iter().map(Constraint::rows).sum();
         let unknowns = 3 * moving;
@@ -81,9 +82,12 @@ impl General {
     }
 
     /// Finds the position to which Newton's method leads from `poses`, and factors its Jacobian.
-    /// # Given    `poses` of all bodies; those of the group are the start, and on success the answer.
-    /// # Returns  The condition figure, in (0, 1].
-    /// # Errors   [`Failure::NotClosed`], [`Failure::Singular`]; `poses` are then as they were.
+    /// # Given
+    /// `poses` of all bodies; those of the group are the start, and on success the answer.
+    /// # Returns
+    /// The condition figure, in (0, 1].
+    /// # Errors
+    /// [`Failure::NotClosed`], [`Failure::Singular`]; `poses` are then as they were.
     pub fn position(&mut self, poses: &mut [Pose]) -> Result<f64, Failure> {
         let (mut now, mut next) = (std::mem::take(&mut self.now), std::mem::take(&mut self.next));
         for buffer in [&mut now, &mut next] {
@@ -150,11 +154,20 @@ impl General {
     }
 
     /// Factors the Jacobian of the constraints at `poses`, as velocity, acceleration and reactions need it.
-    /// # Returns  The condition figure, in (0, 1].
-    /// # Errors   [`Failure::Singular`].
+    /// # Returns
+    /// The condition figure, in (0, 1].
+    /// # Errors
+    /// [`Failure::Singular`].
     pub fn factor(&mut self, poses: &[Pose]) -> Result<f64, Failure> {
         let condition = if self.assemble(poses) { self.condition() } else { 0.0 };
         if condition > f64::EPSILON { Ok(condition) } else { Err(Failure::Singular) }
+    }
+
+    /// Changes a constraint: a drive's value, the side of an offset, the line of a force. Its kind stays.
+    pub fn change(&mut self, index: usize, edit: impl FnOnce(&mut Constraint)) {
+        if let Some(constraint) = self.constraints.get_mut(index) {
+            edit(constraint);
+        }
     }
 
     /// Sign of the determinant of the Jacobian last factored: one branch keeps it.

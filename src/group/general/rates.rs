@@ -5,8 +5,9 @@ use crate::math::Vec2;
 
 impl General {
     /// Velocities of the group's bodies.
-    /// # Given    `velocities` of all bodies; those of the known ones are read, those of the group written. The Jacobian
-    ///            stands factored, by [`General::position`] or [`General::factor`].
+    /// # Given
+    /// `velocities` of all bodies; those of the known ones are read, those of the group written. The Jacobian
+    /// stands factored, by [`General::position`] or [`General::factor`].
     pub fn velocity(&mut self, velocities: &mut [Velocity]) {
         let mut right = std::mem::take(&mut self.step);
         let mut i = 0;
@@ -26,8 +27,9 @@ impl General {
     }
 
     /// Accelerations of the group's bodies.
-    /// # Given    `poses`, `velocities` of all bodies; `accelerations` of all, read and written as in
-    ///            [`General::velocity`].
+    /// # Given
+    /// `poses`, `velocities` of all bodies; `accelerations` of all, read and written as in
+    /// [`General::velocity`].
     pub fn acceleration(
         &mut self,
         poses: &[Pose],
@@ -58,10 +60,12 @@ impl General {
     }
 
     /// Reactions and efforts.
-    /// # Given    `loads` applied and inertia forces on the group's bodies about their origins; `lambda` room for one
-    ///            number per scalar constraint.
-    /// # Returns  In `lambda`, in the order of the constraints: what each exerts, N or N m, as [`super::Constraint`]
-    ///            says.
+    /// # Given
+    /// `loads` applied and inertia forces on the group's bodies about their origins; `lambda` room for one
+    /// number per scalar constraint.
+    /// # Returns
+    /// In `lambda`, in the order of the constraints: what each exerts, N or N m, as [`super::Constraint`]
+    /// says.
     pub fn reactions(&mut self, loads: &[Load], lambda: &mut [f64]) {
         for (load, x) in loads.iter().zip(lambda.chunks_exact_mut(3)) {
             x.copy_from_slice(&[-load.F.x, -load.F.y, -load.M / self.length]);
@@ -74,7 +78,8 @@ impl General {
 
     /// What the constraints exert on body `body`, about its origin: for a known body the force on the rest of the
     /// mechanism's side of the joint.
-    /// # Given    `lambda` from [`General::reactions`].
+    /// # Given
+    /// `lambda` from [`General::reactions`].
     #[must_use]
     pub fn exerted_on(&self, body: usize, lambda: &[f64]) -> Load {
         let mut sum = Load::default();

@@ -1,0 +1,82 @@
+//! Unknown efforts.
+
+use super::context::Context;
+use super::error::LoadError;
+use super::expr::Want;
+use super::load::{effort, example, form, frame, moving, no_place, place};
+use crate::math::Vec2;
+use crate::model::{self, BalanceKind};
+use crate::syntax::document::{self, Balance, LoadKind, Name, Site, Statement};
+
+/// Enters all unknown efforts into the mechanism.
+pub(super) fn balances(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::Balance(balance) = &statement.node
+            && let Some(kind) = kind(cx, balance)
+        {
+            let (name, span) = (balance.name.node.clone(), balance.name.span);
+            cx.mech.balances.push(model::Balance { name, span, kind });
+        }
+    }
+}
+
+fn kind(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
+    let (link, at) = match &balance.site {
+        Site::Link { link, at } => (link, at.as_ref()),
+        Site::Pair(pair) => {
+            let pair = effort(cx, balance.kind.node, balance.kind.span, pair);
+            undirected(cx, balance, "a load in a pair acts along its coordinate")?;
+            return Some(BalanceKind::InPair(pair?.0));
+        }
+    };
+    match balance.kind.node {
+        LoadKind::Torque => {
+            let on = moving(cx, link, "a torque");
+            if let Some(at) = at {
+                let span = match at {
+                    document::Place::Point(name) => name.span,
+                    document::Place::Ground(expr) => expr.span,
+                };
+                form(cx, "a torque acts on a whole link".into(), "leave `at` out", span);
+                return None;
+            }
+            undirected(cx, balance, "a torque has no direction in the plane")?;
+            on.map(BalanceKind::Torque)
+        }
+        LoadKind::Force => force(cx, balance, link, at),
+    }
+}
+
+fn force(
+    cx: &mut Context<'_>,
+    balance: &Balance,
+    link: &Name,
+    at: Option<&document::Place>,
+) -> Option<BalanceKind> {
+    let on = moving(cx, link, "a force");
+    let name = &balance.name.node;
+    let example = format!("balance force {name} on {} along 90 deg", example(cx, on, &link.node));
+    let place = match at {
+        Some(at) => on.and_then(|on| place(cx, on, at)),
+        None => {
+            no_place(cx, "an unknown force", link, example);
+            return None;
+        }
+    };
+    let Some(along) = &balance.along else {
+        cx.error(LoadError::ForceWithoutDirection { name: name.clone(), example, span: balance.name.span });
+        return None;
+    };
+    let along = cx.scalar_constant(along, &Want::ANGLE, &format!("the direction of the force `{name}`"));
+    let frame = frame(cx, balance.frame.as_ref());
+    Some(BalanceKind::Force { on: on?, at: place?, along: Vec2::direction(along?), frame: frame? })
+}
+
+/// Reports a direction where there can be none.
+fn undirected(cx: &mut Context<'_>, balance: &Balance, message: &str) -> Option<()> {
+    let along = balance.along.as_ref().map(|e| e.span).or(balance.frame.as_ref().map(|f| f.span));
+    let Some(span) = along else { return Some(()) };
+    form(cx, message.into(), "leave the direction out", span);
+    None
+}

@@ -1,0 +1,70 @@
+//! What the parts of the stage share: the document, the names, the mechanism under construction, the problems.
+
+use super::names::Names;
+use super::overrides::Overrides;
+use super::unit_choice::{self, UnitUse};
+use super::value::Definitions;
+use crate::diagnostic::Problems;
+use crate::model::{Mechanism, Unsupported};
+use crate::source::Span;
+use crate::syntax::document::Document;
+use indexmap::IndexSet;
+use miette::Diagnostic;
+
+/// The state of the stage.
+pub struct Context<'a> {
+    /// What is checked.
+    pub doc: &'a Document,
+    /// Values from outside.
+    pub overrides: &'a Overrides,
+    /// All that was found wrong.
+    pub problems: Problems,
+    /// The mechanism so far. `names::declare` enters every link (name, number, span; ground first), so that link ids are
+    /// known from the start. All other tables are filled in the order of the file; what has an error is left out.
+    pub mech: Mechanism,
+    /// All names declared in the document.
+    pub names: Names<'a>,
+    /// The units of the document's numbers, and how often each is used.
+    pub(super) units: UnitUse,
+    /// What `given`, `let` and `find NAME =` are.
+    pub(super) definitions: Definitions,
+    /// Names reported as unknown already, with the list they were looked for in.
+    pub(super) reported: IndexSet<(&'static str, String)>,
+}
+
+impl<'a> Context<'a> {
+    /// The state at the start.
+    pub fn new(doc: &'a Document, overrides: &'a Overrides) -> Self {
+        Self {
+            doc,
+            overrides,
+            problems: Problems::new(),
+            mech: Mechanism::default(),
+            names: Names::default(),
+            units: unit_choice::count(doc),
+            definitions: Definitions::default(),
+            reported: IndexSet::new(),
+        }
+    }
+
+    /// Reports an error or a warning.
+    pub fn error(&mut self, problem: impl Diagnostic + Send + Sync + 'static) {
+        self.problems.push(problem);
+    }
+
+    /// Notes a construct that is understood but cannot be solved yet.
+    pub fn unsupported(&mut self, what: impl Into<String>, span: Span) {
+        let noted = Unsupported { what: what.into(), span };
+        let again = self.mech.unsupported.iter().any(|u| u.span == span && u.what == noted.what);
+        if !again {
+            self.mech.unsupported.push(noted);
+        }
+    }
+
+    /// The mechanism, if nothing is wrong with it, and all that was found.
+    pub fn finish(mut self) -> (Option<Mechanism>, Problems) {
+        self.mech.displays = self.displays();
+        let fine = !self.problems.has_errors();
+        (fine.then_some(self.mech), self.problems)
+    }
+}

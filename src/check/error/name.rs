@@ -1,0 +1,113 @@
+//! Names.
+
+use crate::source::{Span, Spanned};
+use miette::{Diagnostic, LabeledSpan};
+use thiserror::Error;
+
+/// What can be wrong with a name.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum NameError {
+    /// Nothing of that name is declared.
+    #[error("there is no {kind} `{name}`{place}")]
+    #[diagnostic(code("mech::name::unknown"))]
+    Unknown {
+        /// What was looked for: `link`, `point`.
+        kind: &'static str,
+        /// The name.
+        name: String,
+        /// Where it was looked for: empty, or ` in link crank`.
+        place: String,
+        /// Where it stands.
+        #[label(primary, "not declared")]
+        span: Span,
+        /// What may have been meant, or what there is.
+        #[help]
+        help: Option<String>,
+    },
+    /// The name is declared, but as something else.
+    #[error("`{name}` is {is}, not {wanted}")]
+    #[diagnostic(code("mech::name::wrong_kind"))]
+    WrongKind {
+        /// The name.
+        name: String,
+        /// What it is, with its article.
+        is: String,
+        /// What was looked for, with its article.
+        wanted: String,
+        /// Where it stands.
+        #[label(primary, "{wanted} is expected here")]
+        span: Span,
+        /// Where it is declared.
+        #[label("declared here")]
+        declared: Option<Span>,
+        /// What to write instead.
+        #[help]
+        help: Option<String>,
+    },
+    /// Two things of one list have one name.
+    #[error("`{name}` is declared twice")]
+    #[diagnostic(code("mech::name::duplicate"), help("give one of them another name"))]
+    Duplicate {
+        /// The name.
+        name: String,
+        /// The second declaration.
+        #[label(primary, "declared again here")]
+        again: Span,
+        /// The first.
+        #[label("first declared here")]
+        first: Option<Span>,
+    },
+    /// Two names that only look alike.
+    #[error("two different names look like `{name}`")]
+    #[diagnostic(code("mech::name::look_alike"), help("{help}; write both with the same letters"))]
+    LookAlike {
+        /// The second of the names.
+        name: String,
+        /// Where it stands.
+        #[label(primary, "looks like the other one")]
+        span: Span,
+        /// Where the first one stands.
+        #[label("the other one")]
+        first: Span,
+        /// Which letters differ.
+        help: String,
+    },
+    /// A definition that hangs on itself.
+    #[error("`{name}` hangs on itself: {chain}")]
+    #[diagnostic(code("mech::name::cycle"), help("give one of them a value of its own"))]
+    Cycle {
+        /// The name.
+        name: String,
+        /// All names on the way round.
+        chain: String,
+        /// The definition.
+        #[label(primary, "hangs on the next, and so on itself")]
+        span: Span,
+        /// The other definitions.
+        #[label(collection)]
+        others: Vec<LabeledSpan>,
+    },
+    /// A point name that stands for several points.
+    #[error("`{name}` names {count} points that no pair joins")]
+    #[diagnostic(code("mech::name::ambiguous_point"))]
+    AmbiguousPoint {
+        /// The name.
+        name: String,
+        /// How many points bear it.
+        count: usize,
+        /// Where it stands.
+        #[label(primary, "which of them?")]
+        span: Span,
+        /// The points as they can be written.
+        #[help]
+        help: String,
+    },
+}
+
+impl NameError {
+    /// A second declaration of a name.
+    pub fn duplicate(again: &Spanned<String>, first: Span) -> Self {
+        let first = (first != Span::default()).then_some(first);
+        Self::Duplicate { name: again.node.clone(), again: again.span, first }
+    }
+}

@@ -1,0 +1,96 @@
+//! Expressions: names resolved, dimensions checked, constants folded.
+
+mod fit;
+pub mod fold;
+mod function;
+mod number;
+mod read;
+pub mod typed;
+mod want;
+
+pub use read::{Sign, comparison_of};
+pub use want::Want;
+
+use super::context::Context;
+use super::error::RequestError;
+use crate::math::Vec2;
+use crate::model;
+use crate::syntax::document::Expr;
+use typed::{Type, Typed};
+
+impl Context<'_> {
+    /// A number that is known before anything is solved: made of numbers, `given` and `let` alone. `what` says what it is
+    /// for, as in "the radius of circle `roller`". Reports what does not fit.
+    pub fn scalar_constant(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<f64> {
+        let t = self.constant(expr, what)?;
+        let t = self.fit(t, want.0, what, expr)?;
+        fold::scalar(&t.expr)
+    }
+
+    /// A vector that is known before anything is solved; `want` is the dimension of its components.
+    pub fn vector_constant(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<Vec2> {
+        let t = self.constant(expr, what)?;
+        let t = self.fit_vector(t, want.0, what, expr)?;
+        fold::vector(&t.expr)
+    }
+
+    /// A number that may hang on results of the pose. What is known already is folded to `Expr::Constant`.
+    /// `None` where there is an error or something that cannot be solved yet; both are noted.
+    pub fn scalar(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<model::Expr> {
+        let t = self.read(expr)?;
+        self.fit(t, want.0, what, expr).and_then(solvable)
+    }
+
+    /// A vector that may hang on results of the pose.
+    pub fn vector(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<model::Expr> {
+        let t = self.read(expr)?;
+        self.fit_vector(t, want.0, what, expr).and_then(solvable)
+    }
+
+    /// A truth that may hang on results of the pose.
+    pub fn truth(&mut self, expr: &Expr, what: &str) -> Option<model::Expr> {
+        let t = self.read(expr)?;
+        self.fit_truth(t, what, expr).and_then(solvable)
+    }
+
+    /// As `scalar`, but made of nothing that needs a pose: constants, `dead`, `stroke`, `time_ratio`. For drives and
+    /// poses.
+    pub fn poseless_scalar(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<model::Expr> {
+        let found = self.scalar(expr, want, what)?;
+        self.without_pose(found, expr, what)
+    }
+
+    /// As `vector`, but made of nothing that needs a pose.
+    pub fn poseless_vector(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<model::Expr> {
+        let found = self.vector(expr, want, what)?;
+        self.without_pose(found, expr, what)
+    }
+
+    /// What the expression is: a number or a vector, for places that take either. `None` where it has an error, which is
+    /// reported; do not read it again then.
+    pub fn is_vector(&mut self, expr: &Expr) -> Option<bool> {
+        self.read(expr).map(|t| matches!(t.ty, Type::Vector(_)))
+    }
+
+    fn without_pose(&mut self, found: model::Expr, expr: &Expr, what: &str) -> Option<model::Expr> {
+        let found = self.inline(&found);
+        if !self.is_poseless(&found) {
+            self.error(RequestError::NeedsPose { what: what.to_owned(), span: expr.span });
+            return None;
+        }
+        Some(found)
+    }
+
+    fn constant(&mut self, expr: &Expr, what: &str) -> Option<Typed> {
+        if let Some((span, result)) = self.first_result(expr) {
+            self.error(RequestError::NotConstant { what: what.to_owned(), result, span });
+            return None;
+        }
+        self.read(expr).filter(|t| !t.pending)
+    }
+}
+
+/// What stands for nothing that cannot be solved yet.
+fn solvable(t: Typed) -> Option<model::Expr> {
+    (!t.pending).then_some(t.expr)
+}

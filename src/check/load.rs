@@ -1,0 +1,258 @@
+//! Applied loads.
+
+use super::context::Context;
+use super::drive::{Moves, coordinate, negated, on_moving};
+use super::error::LoadError;
+use super::expr::Want;
+use crate::model::{self, Expr, LinkId, LoadKind, PairId, Place, Query};
+use crate::source::Span;
+use crate::syntax::document::{self, Load, Name, Site, Statement, Turn};
+use crate::units::Dimension;
+
+/// Enters all loads into the mechanism.
+pub(super) fn loads(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::Load(l) = &statement.node
+            && let Some(load) = load(cx, l, statement.span)
+        {
+            cx.mech.loads.push(load);
+        }
+    }
+}
+
+fn load(cx: &mut Context<'_>, load: &Load, span: Span) -> Option<model::Load> {
+    let kind = match &load.site {
+        Site::Pair(pair) => in_pair(cx, load, pair),
+        Site::Link { link, at } => match load.kind.node {
+            document::LoadKind::Force => force(cx, load, link, at.as_ref()),
+            document::LoadKind::Torque => torque(cx, load, link, at.as_ref()),
+        },
+    };
+    let when = match &load.when {
+        Some(when) => {
+            let truth = cx.truth(when, "the condition of a load");
+            truth.filter(|t| no_forces(cx, t, "the condition", when.span)).map(Some)
+        }
+        None => Some(None),
+    };
+    let name = load.name.as_ref().map(|n| n.node.clone());
+    Some(model::Load { name, span, kind: kind?, when: when? })
+}
+
+/// A value that hangs on no force.
+fn value(cx: &mut Context<'_>, load: &Load, vector: bool, dimension: Dimension) -> Option<Expr> {
+    let what = described(load);
+    let want = Want(dimension);
+    let source = &load.value.value;
+    let value = if vector { cx.vector(source, &want, &what)? } else { cx.scalar(source, &want, &what)? };
+    no_forces(cx, &value, &what, source.span).then_some(value)
+}
+
+fn described(load: &Load) -> String {
+    let word = kind_word(load.kind.node);
+    match &load.name {
+        Some(name) => format!("the {word} `{}`", name.node),
+        None => format!("the {word}"),
+    }
+}
+
+const fn kind_word(kind: document::LoadKind) -> &'static str {
+    match kind {
+        document::LoadKind::Force => "force",
+        document::LoadKind::Torque => "torque",
+    }
+}
+
+fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::Place>) -> Option<LoadKind> {
+    let on = moving(cx, link, "a force");
+    let place = match at {
+        Some(at) => on.and_then(|on| place(cx, on, at)),
+        None => {
+            let example = example(cx, on, &link.node);
+            no_place(cx, "a force", link, format!("force on {example} = 1000 N @ 270 deg"));
+            None
+        }
+    };
+    if let Some(sense) = &load.value.sense {
+        let message = "a force has no sense of turning".into();
+        form(cx, message, "give its direction: `1000 N @ 180 deg`", sense.span);
+        return None;
+    }
+    let Some(against) = load.against_motion else {
+        let value = force_value(cx, load);
+        let frame = frame(cx, load.frame.as_ref());
+        return Some(LoadKind::Force { on: on?, at: place?, value: value?, frame: frame? });
+    };
+    if cx.is_vector(&load.value.value)? {
+        let message = "`against motion` is a direction, and so is the value".into();
+        form(cx, message, "write a magnitude: `1400 N against motion`", load.value.value.span);
+        return None;
+    }
+    if let Some(frame) = &load.frame {
+        let message = "a force against the motion turns with no link".into();
+        form(cx, message, "leave `in` out", frame.span.to(against));
+        return None;
+    }
+    let value = value(cx, load, false, Dimension::FORCE);
+    Some(LoadKind::ForceAgainstMotion { on: on?, at: place?, value: value? })
+}
+
+/// The vector of a force; reports a magnitude that has no direction.
+fn force_value(cx: &mut Context<'_>, load: &Load) -> Option<Expr> {
+    let source = &load.value.value;
+    if cx.is_vector(source)? {
+        return value(cx, load, true, Dimension::FORCE);
+    }
+    value(cx, load, false, Dimension::FORCE)?;
+    let message = format!("{} has no direction", described(load));
+    form(cx, message, "add one behind the value: `@ 270 deg` is down; or write `(Fx, Fy)`", source.span);
+    None
+}
+
+fn torque(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::Place>) -> Option<LoadKind> {
+    let on = moving(cx, link, "a torque");
+    if let Some(at) = at {
+        let span = match at {
+            document::Place::Point(name) => name.span,
+            document::Place::Ground(expr) => expr.span,
+        };
+        form(cx, "a torque acts on a whole link".into(), "leave `at` out", span);
+        return None;
+    }
+    if let Some(frame) = &load.frame {
+        form(cx, "a torque has no direction in the plane".into(), "leave `in` out", frame.span);
+        return None;
+    }
+    let value = value(cx, load, false, Dimension::TORQUE);
+    if let (Some(_), Some(sense)) = (load.against_motion, &load.value.sense) {
+        let message = "the torque has two senses: that of `cw` or `ccw`, and `against motion`".into();
+        form(cx, message, "keep one of them", sense.span);
+        return None;
+    }
+    let value = turned(value?, load);
+    Some(LoadKind::Torque { on: on?, value, against_motion: load.against_motion.is_some() })
+}
+
+fn turned(value: Expr, load: &Load) -> Expr {
+    match &load.value.sense {
+        Some(sense) if sense.node == Turn::Cw => negated(value),
+        _ => value,
+    }
+}
+
+fn in_pair(cx: &mut Context<'_>, load: &Load, pair: &Name) -> Option<LoadKind> {
+    let pair = effort(cx, load.kind.node, load.kind.span, pair);
+    if let Some(against) = load.against_motion {
+        let message = "a load in a pair acts along its coordinate".into();
+        form(cx, message, "write it on one of the two links, or give it a sign", against);
+        return None;
+    }
+    if let Some(frame) = &load.frame {
+        form(cx, "a load in a pair acts along its coordinate".into(), "leave `in` out", frame.span);
+        return None;
+    }
+    let (pair, moves) = pair?;
+    let dimension = if moves == Moves::Turning { Dimension::TORQUE } else { Dimension::FORCE };
+    let value = value(cx, load, false, dimension)?;
+    match &load.value.sense {
+        Some(sense) if moves != Moves::Turning => {
+            let message = "a force has no sense of turning".into();
+            form(cx, message, "write a minus before the value instead", sense.span);
+            None
+        }
+        _ => Some(LoadKind::InPair { pair, value: turned(value, load) }),
+    }
+}
+
+/// The pair in which an effort acts: a force where it slides, a torque where it turns.
+pub(super) fn effort(
+    cx: &mut Context<'_>,
+    kind: document::LoadKind,
+    kind_span: Span,
+    name: &Name,
+) -> Option<(PairId, Moves)> {
+    let (pair, moves) = coordinate(cx, name)?;
+    let fits = if moves == Moves::Turning { document::LoadKind::Torque } else { document::LoadKind::Force };
+    if fits == kind {
+        return Some((pair, moves));
+    }
+    let is = if moves == Moves::Turning { "a revolute pair" } else { "a pair that slides" };
+    cx.error(LoadError::WrongEffort {
+        pair: name.node.clone(),
+        is: is.into(),
+        fits: format!("a {}", kind_word(fits)),
+        given: format!("a {}", kind_word(kind)),
+        help: format!("write `{} … in {}`", kind_word(fits), name.node),
+        span: name.span,
+        kind: kind_span,
+    });
+    None
+}
+
+/// A link that loads can act on.
+pub(super) fn moving(cx: &mut Context<'_>, name: &Name, what: &str) -> Option<LinkId> {
+    let link = cx.link(name)?;
+    on_moving(cx, link, name.span, what).map(|()| link)
+}
+
+/// Where on a link a force acts.
+pub(super) fn place(cx: &mut Context<'_>, link: LinkId, at: &document::Place) -> Option<Place> {
+    match at {
+        document::Place::Point(name) => cx.point(link, name).map(Place::Local),
+        document::Place::Ground(expr) => {
+            let what = "the place of a force";
+            let place = cx.vector(expr, &Want::LENGTH, what)?;
+            no_forces(cx, &place, what, expr.span).then_some(Place::Ground(place))
+        }
+    }
+}
+
+/// The link whose axes a direction is given in. `Some(None)` where nothing is written.
+pub(super) fn frame(cx: &mut Context<'_>, frame: Option<&Name>) -> Option<Option<LinkId>> {
+    match frame {
+        None => Some(None),
+        Some(name) => cx.link(name).map(|link| (link != LinkId::GROUND).then_some(link)),
+    }
+}
+
+/// Reports a force without a point.
+pub(super) fn no_place(cx: &mut Context<'_>, what: &str, link: &Name, example: String) {
+    let (what, span) = (what.into(), link.span);
+    cx.error(LoadError::ForceWithoutPlace { what, link: link.node.clone(), example, span });
+}
+
+/// `LINK at POINT` with a point that the link has.
+pub(super) fn example(cx: &Context<'_>, link: Option<LinkId>, name: &str) -> String {
+    let inside = link.and_then(|l| cx.names.inside.get(l.index()));
+    let point = inside.and_then(|i| i.points.keys().next()).map_or("S", String::as_str);
+    format!("{name} at {point}")
+}
+
+/// Reports words that do not belong together.
+pub(super) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span) {
+    cx.error(LoadError::Form { message, help: help.into(), span });
+}
+
+/// Whether an expression hangs on no force that is yet to be found; reports one that does.
+fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
+    let mut on = None;
+    cx.queries_behind(expr, &mut |query| on = on.or(force_result(query)));
+    if let Some(on) = on {
+        cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), span });
+    }
+    on.is_none()
+}
+
+/// What a result is called that is found from the loads.
+const fn force_result(query: &Query) -> Option<&'static str> {
+    match query {
+        Query::Reaction(..) => Some("a reaction"),
+        Query::Moment(..) => Some("a moment in a pair"),
+        Query::Normal(..) | Query::ContactForce(..) => Some("a normal force"),
+        Query::LineOffset(_) => Some("the place of a reaction"),
+        Query::Balance(_) | Query::BalancePower(_) => Some("an unknown load"),
+        Query::Effort(_) | Query::EffortPower(_) => Some("the effort of a drive"),
+        _ => None,
+    }
+}

@@ -1,0 +1,25 @@
+//! The machine itself: what it is, how it moves, what acts on it.
+
+use super::context::Context;
+use super::{
+    assemble, balance, cam, drive, element, gravity, link, load, mass, pair, pose, simulation, spring, value,
+};
+
+/// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
+pub(super) fn machine(cx: &mut Context<'_>) {
+    link::shapes(cx);
+    pair::pairs(cx);
+    pair::groups(cx);
+    gravity::gravity(cx);
+    mass::masses(cx);
+    value::results(cx);
+    drive::drives(cx);
+    pose::poses(cx);
+    balance::balances(cx);
+    load::loads(cx);
+    spring::springs(cx);
+    assemble::hints(cx);
+    element::elements(cx);
+    cam::cams_and_flywheels(cx);
+    simulation::simulation(cx);
+}

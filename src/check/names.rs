@@ -1,0 +1,276 @@
+//! All names a document declares, found before anything is resolved, so that order is free.
+
+use super::context::Context;
+use super::error::NameError;
+use crate::model::{BalanceId, Link, LinkId, LoadId};
+use crate::source::Span;
+use crate::syntax::document::{
+    Bad, Balance, Body, CamMember, Column, End, Expr, FindItem, Joint, JointKind, Load, Member, Name,
+    Statement,
+};
+use indexmap::{IndexMap, IndexSet};
+
+/// A declared name: what it is and where.
+#[derive(Clone, Debug)]
+pub struct Declared<T> {
+    /// What it is.
+    pub what: T,
+    /// Where the name stands.
+    pub span: Span,
+}
+
+/// What a quantity's name stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum QuantityKind<'a> {
+    /// `given NAME = …`
+    Given(&'a Expr),
+    /// `let NAME = …`
+    Let(&'a Expr),
+    /// `find NAME = …`
+    Find(&'a FindItem),
+    /// A force or torque, and its place among the loads of the file.
+    Load(LoadId, &'a Load),
+    /// An unknown effort, and its place among the balances of the file.
+    Balance(BalanceId, &'a Balance),
+    /// A flywheel: the moment of inertia found.
+    Flywheel,
+    /// A column of variants that no `given` declares: for an `expect`.
+    Column(&'a Column),
+}
+
+/// What a thing's name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ThingKind {
+    /// A link.
+    Link,
+    /// A pair or a transmission.
+    Joint(JointKind),
+    /// An asserted group.
+    Group,
+    /// A spring.
+    Spring,
+    /// A cam.
+    Cam,
+    /// A shaft.
+    Shaft,
+    /// A slider on a rope.
+    Slider,
+    /// A wheel.
+    Wheel,
+    /// An idler of a rope, declared by `over(C)`.
+    Idler,
+}
+
+impl ThingKind {
+    /// What it is called, with its article.
+    #[must_use]
+    pub fn phrase(self) -> String {
+        match self {
+            Self::Link => "a link".into(),
+            Self::Joint(JointKind::Revolute | JointKind::Prismatic) => "a pair".into(),
+            Self::Joint(kind) => format!("a {}", kind.word()),
+            Self::Group => "a group".into(),
+            Self::Spring => "a spring".into(),
+            Self::Cam => "a cam".into(),
+            Self::Shaft => "a shaft".into(),
+            Self::Slider => "a slider".into(),
+            Self::Wheel => "a wheel".into(),
+            Self::Idler => "an idler".into(),
+        }
+    }
+}
+
+/// Names inside one link.
+#[derive(Clone, Debug, Default)]
+pub struct Inside {
+    /// Points, in the order written.
+    pub points: IndexMap<String, Span>,
+    /// Lines.
+    pub lines: IndexMap<String, Span>,
+    /// Circles and cam profiles.
+    pub circles: IndexMap<String, Span>,
+    /// Names that stand in members that could not be read.
+    pub bad: IndexSet<String>,
+}
+
+/// All declared names.
+#[derive(Debug, Default)]
+pub struct Names<'a> {
+    /// given, let, loads, balances, flywheels, `find NAME =`.
+    pub quantities: IndexMap<String, Declared<QuantityKind<'a>>>,
+    /// Links, pairs, groups, elements.
+    pub things: IndexMap<String, Declared<ThingKind>>,
+    /// What belongs to each link, by its id.
+    pub inside: Vec<Inside>,
+    /// Poses.
+    pub poses: IndexMap<String, Span>,
+    /// Names that stand in statements that could not be read.
+    pub bad: IndexSet<String>,
+}
+
+/// Collects all names of the document; reports those declared twice.
+pub fn declare(cx: &mut Context<'_>) {
+    cx.mech.links.push(Link { name: "ground".into(), ..Link::default() });
+    cx.names.inside.push(Inside::default());
+    let (mut loads, mut balances) = (0, 0);
+    for statement in &cx.doc.statements {
+        match &statement.node {
+            Statement::Given(d) => quantity(cx, &d.name, QuantityKind::Given(&d.value)),
+            Statement::Let(d) => quantity(cx, &d.name, QuantityKind::Let(&d.value)),
+            Statement::Load(load) => {
+                if let Some(name) = &load.name {
+                    quantity(cx, name, QuantityKind::Load(LoadId::at(loads), load));
+                }
+                loads += 1;
+            }
+            Statement::Balance(b) => {
+                quantity(cx, &b.name, QuantityKind::Balance(BalanceId::at(balances), b));
+                balances += 1;
+            }
+            Statement::Flywheel(f) => quantity(cx, &f.name, QuantityKind::Flywheel),
+            Statement::Find(find) => {
+                for item in &find.items {
+                    if let Some(name) = &item.name {
+                        quantity(cx, name, QuantityKind::Find(item));
+                    }
+                }
+            }
+            Statement::Pose(pose) => {
+                if let Some(&first) = cx.names.poses.get(&pose.name.node) {
+                    cx.error(NameError::duplicate(&pose.name, first));
+                } else {
+                    cx.names.poses.insert(pose.name.node.clone(), pose.name.span);
+                }
+            }
+            // Declared below: a `given` of that name may follow.
+            Statement::Variants(_) => {}
+            Statement::Bad(bad) => cx.names.bad.extend(bad.names.iter().cloned()),
+            other => things(cx, other, statement.span),
+        }
+    }
+    for statement in &cx.doc.statements {
+        let Statement::Variants(table) = &statement.node else { continue };
+        for column in &table.columns {
+            let declared = Declared { what: QuantityKind::Column(column), span: column.name.span };
+            cx.names.quantities.entry(column.name.node.clone()).or_insert(declared);
+        }
+    }
+}
+
+/// Links, pairs, groups and elements.
+fn things(cx: &mut Context<'_>, statement: &Statement, span: Span) {
+    match statement {
+        Statement::Ground(ground) => {
+            let link = &mut cx.mech.links[0];
+            if link.span == Span::default() {
+                link.span = span;
+            }
+            link.number = link.number.take().or_else(|| ground.number.as_ref().map(|n| n.node.clone()));
+            members(cx, LinkId::GROUND, &ground.body);
+        }
+        Statement::Link(link) => {
+            if !thing(cx, &link.name, ThingKind::Link) {
+                return;
+            }
+            let id = LinkId::at(cx.mech.links.len());
+            let number = link.number.as_ref().map(|n| n.node.clone());
+            let (name, span) = (link.name.node.clone(), link.name.span);
+            cx.mech.links.push(Link { name, number, span, ..Link::default() });
+            cx.names.inside.push(Inside::default());
+            for end in link.bar.iter().flat_map(|bar| [&bar.from, &bar.to]) {
+                inside(cx, end, |i| &mut i.points, id);
+            }
+            members(cx, id, &link.body);
+        }
+        Statement::Shaft(shaft) => {
+            thing(cx, &shaft.name, ThingKind::Shaft);
+            wheels(cx, &shaft.body);
+        }
+        Statement::Slider(slider) => {
+            thing(cx, &slider.name, ThingKind::Slider);
+            wheels(cx, &slider.body);
+        }
+        Statement::Joint(joint) => joint_names(cx, joint),
+        Statement::Spring(spring) => {
+            thing(cx, &spring.name, ThingKind::Spring);
+        }
+        Statement::Group(group) => {
+            thing(cx, &group.name, ThingKind::Group);
+        }
+        Statement::Cam(cam) => {
+            thing(cx, &cam.name, ThingKind::Cam);
+            for member in &cam.members {
+                if let CamMember::Bad(bad) = &member.node {
+                    cx.names.bad.extend(bad.names.iter().cloned());
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+fn joint_names(cx: &mut Context<'_>, joint: &Joint) {
+    thing(cx, &joint.name, ThingKind::Joint(joint.kind.node));
+    for end in &joint.ends {
+        if let End::Over(name) = end {
+            thing(cx, name, ThingKind::Idler);
+        }
+    }
+}
+
+/// The names in the braces of a link.
+fn members(cx: &mut Context<'_>, link: LinkId, body: &Body) {
+    for member in body {
+        match &member.node {
+            Member::Point(p) => inside(cx, &p.name, |i| &mut i.points, link),
+            Member::PointFrom(p) => inside(cx, &p.name, |i| &mut i.points, link),
+            Member::Line(l) => inside(cx, &l.name, |i| &mut i.lines, link),
+            Member::Circle(c) => inside(cx, &c.name, |i| &mut i.circles, link),
+            Member::Profile(p) => inside(cx, &p.name, |i| &mut i.circles, link),
+            Member::Bad(Bad { names }) => cx.names.inside[link.index()].bad.extend(names.iter().cloned()),
+            Member::Wheel(_) | Member::Mass(_) | Member::Weight(_) | Member::Inertia(_) => {}
+        }
+    }
+    wheels(cx, body);
+}
+
+fn wheels(cx: &mut Context<'_>, body: &Body) {
+    for member in body {
+        if let Member::Wheel(wheel) = &member.node {
+            thing(cx, &wheel.name, ThingKind::Wheel);
+        }
+    }
+}
+
+fn inside<F>(cx: &mut Context<'_>, name: &Name, list: F, link: LinkId)
+where
+    F: Fn(&mut Inside) -> &mut IndexMap<String, Span>,
+{
+    let names = &mut cx.names.inside[link.index()];
+    let here = [&names.points, &names.lines, &names.circles];
+    if let Some(&first) = here.iter().find_map(|list| list.get(&name.node)) {
+        cx.error(NameError::duplicate(name, first));
+    } else {
+        list(names).insert(name.node.clone(), name.span);
+    }
+}
+
+fn quantity<'a>(cx: &mut Context<'a>, name: &Name, what: QuantityKind<'a>) {
+    if let Some(first) = cx.names.quantities.get(&name.node) {
+        let first = first.span;
+        cx.error(NameError::duplicate(name, first));
+    } else {
+        cx.names.quantities.insert(name.node.clone(), Declared { what, span: name.span });
+    }
+}
+
+/// Whether the name was free.
+fn thing(cx: &mut Context<'_>, name: &Name, what: ThingKind) -> bool {
+    let ground = (name.node == "ground").then(|| cx.mech.links[0].span);
+    if let Some(first) = cx.names.things.get(&name.node).map(|d| d.span).or(ground) {
+        cx.error(NameError::duplicate(name, first));
+        return false;
+    }
+    cx.names.things.insert(name.node.clone(), Declared { what, span: name.span });
+    true
+}

@@ -1,0 +1,150 @@
+//! Values from outside the file.
+
+use super::context::Context;
+use super::error::RequestError;
+use super::expr::typed::{Dim, Type, Typed, phrase};
+use super::lookup::suggestion;
+use super::names::QuantityKind;
+use super::value::Settled;
+use crate::source::Span;
+use crate::syntax::document::Expr;
+use crate::units::{Dimension, lookup};
+
+/// Values that replace those of `given` statements, in the order given; a later one wins.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Overrides {
+    /// Name and value as text, as in `--set r=120mm`.
+    pub values: Vec<(String, String)>,
+}
+
+impl Overrides {
+    /// No value is replaced.
+    #[must_use]
+    pub fn none() -> Self {
+        Self::default()
+    }
+}
+
+/// Gives the named `given` their values from outside. Their values in the file are read nevertheless, for the dimension.
+pub(super) fn apply(cx: &mut Context<'_>) {
+    for (name, text) in &cx.overrides.values {
+        let declared = cx.names.quantities.get(name).map(|d| (d.what, d.span));
+        match declared {
+            Some((QuantityKind::Given(expr), span)) => {
+                let settled = replaced(cx, name, text, expr, span);
+                cx.settle(name, settled.map_or(Settled::Failed, Settled::Constant));
+            }
+            Some((kind, span)) => {
+                let is = match kind {
+                    QuantityKind::Let(_) => "a `let`, which the file derives",
+                    QuantityKind::Find(_) => "what is to be found",
+                    QuantityKind::Load(..) => "a load",
+                    QuantityKind::Balance(..) => "an unknown effort",
+                    QuantityKind::Column(_) => "a column of variants",
+                    QuantityKind::Flywheel | QuantityKind::Given(_) => "a flywheel",
+                };
+                let why = format!("`{name}` is {is}; only a `given` can be set from outside");
+                let help = matches!(kind, QuantityKind::Let(_))
+                    .then(|| format!("write `given {name} = …` in the file instead of `let {name} = …`"));
+                cx.error(RequestError::SetUnknown { name: name.clone(), why, declared: Some(span), help });
+            }
+            None => unknown(cx, name),
+        }
+    }
+}
+
+fn unknown(cx: &mut Context<'_>, name: &str) {
+    if cx.names.bad.contains(name) {
+        return;
+    }
+    let given = cx.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
+    let given = given.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
+    let help = suggestion(name, &given, "`given` of this file");
+    let why = "the file has no `given` of that name".to_owned();
+    cx.error(RequestError::SetUnknown { name: name.to_owned(), why, declared: None, help });
+}
+
+fn replaced(cx: &mut Context<'_>, name: &str, text: &str, expr: &Expr, span: Span) -> Option<Typed> {
+    let written = cx.read(expr)?;
+    match value(text, written.ty, &cx.usual_unit(written.ty.dimension())) {
+        Ok(t) => Some(t),
+        Err((why, help)) => {
+            let (name, text) = (name.to_owned(), text.to_owned());
+            cx.error(RequestError::SetValue { name, text, why, declared: span, help });
+            None
+        }
+    }
+}
+
+type Why = (String, Option<String>);
+
+/// `120mm`, `-30 deg`, `0.1`
+fn value(text: &str, ty: Type, usual: &str) -> Result<Typed, Why> {
+    let Type::Number(want) = ty else {
+        return Err((
+            format!("it is {} in the file, and only numbers can be set from outside", ty.shape()),
+            None,
+        ));
+    };
+    let text = text.trim().replace('−', "-");
+    let (number, word) = split(&text);
+    let Ok(x) = number.parse::<f64>() else {
+        return Err((
+            "this is not a number with a unit".into(),
+            Some(format!("write it like `120 {usual}`")),
+        ));
+    };
+    if !x.is_finite() {
+        return Err(("this is not a number".into(), None));
+    }
+    if word.is_empty() {
+        let plain = want.unify(Dim::Of(Dimension::NUMBER)).is_some();
+        if plain || x == 0.0 {
+            return Ok(Typed::constant(x, if plain { Dimension::NUMBER } else { want.known() }));
+        }
+        let why = format!("it is {}, which needs a unit", phrase(want.known()));
+        return Err((why, Some(format!("did you mean `{number} {usual}`?"))));
+    }
+    let unit = lookup(word).map_err(|e| (e.to_string(), e.help()))?;
+    let Some(dim) = want.unify(Dim::Of(unit.dimension)) else {
+        let found = phrase(unit.dimension);
+        return Err((format!("it is {} in the file, and this is {found}", phrase(want.known())), None));
+    };
+    Ok(Typed::constant(unit.to_si(x), dim.known()))
+}
+
+/// The longest beginning that is a number, and the rest.
+fn split(text: &str) -> (&str, &str) {
+    let ends = text.char_indices().map(|(i, c)| i + c.len_utf8()).rev();
+    let is_number = |end: &usize| {
+        let start = &text[..*end];
+        start.ends_with(|c: char| c.is_ascii_digit()) && start.parse::<f64>().is_ok()
+    };
+    let end = ends.into_iter().find(is_number).unwrap_or(0);
+    (&text[..end], text[end..].trim())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_with_and_without_blanks() {
+        for (text, si) in [("120mm", 0.12), ("-30 mm", -0.03), ("1.5e2 cm", 1.5), ("−2 m", -2.0), ("0", 0.0)]
+        {
+            let t = value(text, Type::number(Dimension::LENGTH), "mm").unwrap();
+            assert_eq!(t, Typed::constant(si, Dimension::LENGTH), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_is_said() {
+        let length = Type::number(Dimension::LENGTH);
+        for (text, says) in
+            [("120", "needs a unit"), ("2 kg", "a mass"), ("2 mn", "not a unit"), ("mm", "not a number")]
+        {
+            let (why, _) = value(text, length, "mm").unwrap_err();
+            assert!(why.contains(says), "{text}: {why}");
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! Pairs between links.
+
+use super::context::Context;
+use super::error::{NameError, PairError};
+use super::lookup::is_linkage_pair;
+use super::pair_property::{Shared, phrase, properties, shared};
+use super::prismatic::{Held, guide};
+use super::{contact, element};
+use crate::math::Vec2;
+use crate::model::{GroupAssertion, Link, LinkId, Pair, PairKind, Pin};
+use crate::source::{Span, Spanned};
+use crate::syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
+
+/// Enters all pairs of the linkage into the mechanism; transmissions are checked and noted.
+pub(super) fn pairs(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    let shared = shared(cx);
+    let mut held = Held::new();
+    for statement in &doc.statements {
+        let Statement::Joint(joint) = &statement.node else { continue };
+        if !is_linkage_pair(joint.kind.node) {
+            element::transmission(cx, joint, statement.span);
+        } else if let Some(kind) = pair(cx, joint, &shared, &mut held) {
+            let (name, span) = (joint.name.node.clone(), joint.name.span);
+            cx.mech.pairs.push(Pair { name, span, kind });
+        }
+    }
+}
+
+fn pair(cx: &mut Context<'_>, joint: &Joint, shared: &Shared, held: &mut Held) -> Option<PairKind> {
+    let properties = properties(cx, joint, shared);
+    let ends = ends(cx, joint)?;
+    let kind = match joint.kind.node {
+        JointKind::Revolute => revolute(cx, joint, &ends),
+        JointKind::Prismatic | JointKind::Slot => guide(cx, joint, &ends, properties.as_deref(), held),
+        JointKind::Contact => contact::contact(cx, joint, &ends, properties.as_deref()),
+        _ => cylinder(cx, joint, &ends),
+    };
+    properties.and(kind)
+}
+
+/// An end of a joint: a link and the name of a part of it.
+pub(super) struct Joined {
+    /// The link.
+    pub link: LinkId,
+    /// Its part, with the place where it is named; the pair's name where the part is not.
+    pub part: Name,
+    /// The whole end.
+    pub span: Span,
+    /// Only the link is named.
+    pub implied: bool,
+}
+
+/// The ends of a pair; `None` where a link is unknown, joined with itself, or where there are too many.
+fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
+    let most = if joint.kind.node == JointKind::Revolute { usize::MAX } else { 2 };
+    if let Some(third) = joint.ends.get(most) {
+        cx.error(PairError::WrongEnds {
+            what: phrase(joint.kind.node),
+            wants: "two links".into(),
+            got: format!("{} of them", joint.ends.len()),
+            help: "write one statement for each two links".into(),
+            span: third.span(),
+        });
+        return None;
+    }
+    let joined = joint.ends.iter().map(|end| joined(cx, joint, end)).collect::<Vec<_>>();
+    let joined = joined.into_iter().collect::<Option<Vec<_>>>()?;
+    for (i, end) in joined.iter().enumerate() {
+        if let Some(first) = joined[..i].iter().find(|e| e.link == end.link) {
+            cx.error(PairError::JoinedWithItself {
+                what: joint.kind.node.word().into(),
+                name: joint.name.node.clone(),
+                link: cx.mech.link(end.link).name.clone(),
+                first: first.span,
+                second: end.span,
+            });
+            return None;
+        }
+    }
+    Some(joined)
+}
+
+fn joined(cx: &mut Context<'_>, joint: &Joint, end: &End) -> Option<Joined> {
+    let path = match end {
+        End::At(path) => path,
+        End::Over(name) | End::Under(name) => {
+            cx.error(PairError::WrongEnds {
+                what: phrase(joint.kind.node),
+                wants: "links".into(),
+                got: "a pulley".into(),
+                help: "`over` and `under` belong to a rope".into(),
+                span: name.span,
+            });
+            return None;
+        }
+    };
+    let link = cx.link(&path.head)?;
+    let part = path.tail.clone().unwrap_or_else(|| Spanned::new(joint.name.node.clone(), path.head.span));
+    Some(Joined { link, part, span: path.span(), implied: path.tail.is_none() })
+}
+
+/// The point of an end.
+pub(super) fn point(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Pin> {
+    if !end.implied || cx.kind_inside(end.link, &end.part.node).is_some() {
+        let at = cx.point(end.link, &end.part)?;
+        return Some(Pin { link: end.link, name: end.part.node.clone(), at });
+    }
+    nothing_to_join(cx, joint, end, "point");
+    None
+}
+
+/// Reports that a link named alone has nothing of the pair's name.
+pub(super) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined, what: &str) {
+    let name = &end.part.node;
+    let inside = &cx.names.inside[end.link.index()];
+    if inside.bad.contains(name) || cx.names.bad.contains(name) {
+        return;
+    }
+    let link = cx.mech.link(end.link).name.clone();
+    let all = inside.points.keys().map(|p| format!("`{link}.{p}`")).collect::<Vec<_>>();
+    let help = match all.len() {
+        0 => format!("`{link}` has no points yet; give it one: `{name} (0, 0)`"),
+        1 => format!("write {}, or give `{link}` a point `{name} (0, 0)`", all[0]),
+        n => format!("say which point is meant: {}", all[..n.min(8)].join(" or ")),
+    };
+    cx.error(PairError::NothingToJoin {
+        link,
+        what: what.into(),
+        name: name.clone(),
+        help,
+        span: end.span,
+        pair: joint.name.span,
+    });
+}
+
+fn revolute(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<PairKind> {
+    let pins = ends.iter().map(|end| point(cx, joint, end)).collect::<Vec<_>>();
+    let pins = pins.into_iter().collect::<Option<Vec<_>>>()?;
+    joined_before(cx, joint, &pins)?;
+    Some(PairKind::Revolute(pins))
+}
+
+/// Two hinges between the same points of the same links are one too many.
+fn joined_before(cx: &mut Context<'_>, joint: &Joint, pins: &[Pin]) -> Option<()> {
+    let same = |a: &Pin, b: &Pin| a.link == b.link && a.at == b.at;
+    for pair in &cx.mech.pairs {
+        let PairKind::Revolute(others) = &pair.kind else { continue };
+        let again = pins.iter().filter(|p| others.iter().any(|o| same(o, p))).collect::<Vec<_>>();
+        if let [a, b, ..] = again[..] {
+            let spelled = |pin: &Pin| format!("{}.{}", cx.mech.link(pin.link).name, pin.name);
+            let error = PairError::JoinedTwice {
+                name: joint.name.node.clone(),
+                first_point: spelled(a),
+                second_point: spelled(b),
+                again: joint.name.span,
+                first: pair.span,
+            };
+            cx.error(error);
+            return None;
+        }
+    }
+    Some(())
+}
+
+/// A cylinder adds two links of its own, `NAME.barrel` and `NAME.rod`.
+fn cylinder(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<PairKind> {
+    let [from, to] = ends else { return None };
+    let (from, to) = (point(cx, joint, from), point(cx, joint, to));
+    let (from, to) = (from?, to?);
+    let mut link = |part: &str| {
+        let id = LinkId::at(cx.mech.links.len());
+        let name = format!("{}.{part}", joint.name.node);
+        cx.mech.links.push(Link { name, span: joint.name.span, ..Link::default() });
+        id
+    };
+    let (barrel, rod) = (link("barrel"), link("rod"));
+    Some(PairKind::Cylinder { barrel, rod, from, to })
+}
+
+/// Enters the asserted groups.
+pub(super) fn groups(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::Group(group) = &statement.node
+            && let Some(links) = group_links(cx, group)
+        {
+            let name = group.name.node.clone();
+            cx.mech.groups.push(GroupAssertion { name, span: statement.span, links });
+        }
+    }
+}
+
+fn group_links(cx: &mut Context<'_>, group: &Group) -> Option<Vec<LinkId>> {
+    let mut links = Some(Vec::new());
+    for name in &group.links {
+        let link = cx.link(name);
+        let message = match link {
+            Some(LinkId::GROUND) => Some("the ground is no part of a structural group".to_owned()),
+            Some(link) if links.iter().flatten().any(|l| *l == link) => {
+                Some(format!("`{}` stands twice in group `{}`", name.node, group.name.node))
+            }
+            _ => None,
+        };
+        let fine = message.is_none();
+        if let Some(message) = message {
+            cx.error(PairError::NoGroup { message, span: name.span });
+        }
+        links = links.zip(link).filter(|_| fine).map(|(mut links, link)| {
+            links.push(link);
+            links
+        });
+    }
+    links
+}
+
+/// `LINK.POINT` where a spring or a drive is fastened.
+pub(super) fn link_point(cx: &mut Context<'_>, path: &Path, what: &str) -> Option<(LinkId, Vec2)> {
+    let link = cx.link(&path.head)?;
+    if let Some(point) = &path.tail {
+        return cx.point(link, point).map(|at| (link, at));
+    }
+    let points = cx.names.inside[link.index()].points.keys();
+    let choices = points.take(8).map(|p| format!("`{}.{p}`", path.head.node)).collect::<Vec<_>>();
+    let help = (!choices.is_empty()).then(|| format!("write {}", choices.join(" or ")));
+    cx.error(NameError::WrongKind {
+        name: path.head.node.clone(),
+        is: "a link".into(),
+        wanted: format!("a point: {what} is fastened to a point of a link"),
+        span: path.span(),
+        declared: None,
+        help,
+    });
+    None
+}

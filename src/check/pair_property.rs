@@ -1,0 +1,135 @@
+//! Properties of pairs. Friction is read here, and noted as what cannot be solved yet.
+
+use super::context::Context;
+use super::element;
+use super::error::PairError;
+use super::property::{Read, Spec, Takes, Value, find, read};
+use crate::syntax::document::{Joint, JointKind, Statement};
+use crate::units::Dimension;
+
+const FRICTION: Spec =
+    Spec { name: "friction", takes: Takes::NotNegative(Dimension::NUMBER), example: "friction 0.1" };
+const FIT: Spec =
+    Spec { name: "fit", takes: Takes::Word(&["even", "worn"], Dimension::NUMBER), example: "fit even" };
+
+const REVOLUTE: &[Spec] = &[
+    Spec { name: "radius", takes: Takes::Positive(Dimension::LENGTH), example: "radius 20 mm" },
+    FRICTION,
+    FIT,
+    Spec {
+        name: "friction_circle",
+        takes: Takes::NotNegative(Dimension::LENGTH),
+        example: "friction_circle 3 mm",
+    },
+    Spec {
+        name: "equivalent_friction",
+        takes: Takes::NotNegative(Dimension::NUMBER),
+        example: "equivalent_friction 0.18",
+    },
+];
+
+const PRISMATIC: &[Spec] = &[
+    Spec { name: "angle", takes: Takes::Any(Dimension::ANGLE), example: "angle 90 deg" },
+    Spec { name: "contacts", takes: Takes::Two(Dimension::LENGTH), example: "contacts -20 mm, 25 mm" },
+    FRICTION,
+    Spec { name: "groove", takes: Takes::Word(&["round"], Dimension::ANGLE), example: "groove 35 deg" },
+    FIT,
+];
+
+const CONTACT: &[Spec] = &[FRICTION, Spec { name: "internal", takes: Takes::Flag, example: "internal" }];
+
+/// The three ways to say how much friction there is.
+const AMOUNTS: [&str; 3] = ["friction", "friction_circle", "equivalent_friction"];
+
+/// The properties a joint may have.
+pub(super) const fn specs(kind: JointKind) -> &'static [Spec] {
+    match kind {
+        JointKind::Revolute => REVOLUTE,
+        JointKind::Prismatic => PRISMATIC,
+        JointKind::Slot => &[FRICTION],
+        JointKind::Contact => CONTACT,
+        JointKind::Cylinder => &[],
+        kind => element::specs(kind),
+    }
+}
+
+/// The properties of a pair of the linkage, those from `all` included. `None` where one is wrong. Friction is noted as unsupported.
+pub(super) fn properties(cx: &mut Context<'_>, joint: &Joint, shared: &Shared) -> Option<Vec<Read>> {
+    let kind = joint.kind.node;
+    let what = phrase(kind);
+    let own = read(cx, &what, &joint.properties, specs(kind));
+    let mut all = own?;
+    let says_friction = all.iter().any(|p| AMOUNTS.contains(&p.name));
+    for shared in shared.iter().filter(|s| s.0 == kind).flat_map(|s| &s.1) {
+        let overruled = says_friction && AMOUNTS.contains(&shared.name);
+        if !overruled && find(&all, shared.name).is_none() {
+            all.push(shared.clone());
+        }
+    }
+    complete(cx, kind, joint, &all)?;
+    let rubs = |p: &&Read| AMOUNTS.contains(&p.name) && p.number() > 0.0;
+    if let Some(span) = all.iter().find(rubs).map(|p| p.span) {
+        cx.unsupported(format!("friction in {what}"), span);
+    }
+    Some(all)
+}
+
+/// A pair with its article.
+pub(super) fn phrase(kind: JointKind) -> String {
+    match kind {
+        JointKind::Revolute => "a revolute pair".into(),
+        JointKind::Prismatic => "a prismatic pair".into(),
+        kind => format!("a {}", kind.word()),
+    }
+}
+
+/// What means nothing alone, or not beside another.
+fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read]) -> Option<()> {
+    let said = all.iter().filter(|p| AMOUNTS.contains(&p.name)).collect::<Vec<_>>();
+    let needs = |name: &'static str, other: &'static str, example: &'static str| {
+        let property = find(all, name).filter(|_| find(all, other).is_none())?;
+        Some((format!("`{name}` means nothing without `{other}`"), example, property))
+    };
+    let missing = match kind {
+        JointKind::Revolute => needs("friction", "radius", "radius 20 mm; friction 0.1")
+            .or_else(|| needs("equivalent_friction", "radius", "radius 15 mm; equivalent_friction 0.18"))
+            .or_else(|| needs("fit", "friction", "radius 20 mm; friction 0.1; fit even")),
+        JointKind::Prismatic => needs("groove", "friction", "friction 0.12; groove 35 deg").or_else(|| {
+            let round = find(all, "groove").is_some_and(|g| g.value == Value::Word("round"));
+            if round { None } else { needs("fit", "groove", "friction 0.12; groove round; fit even") }
+        }),
+        _ => None,
+    };
+    let problem = match (&said[..], missing) {
+        ([_, second, ..], _) => Some((
+            format!("`{}` and `{}` both say how much friction there is", said[0].name, second.name),
+            "",
+            *second,
+        )),
+        (_, missing) => missing,
+    };
+    let Some((message, example, property)) = problem else { return Some(()) };
+    let help =
+        if example.is_empty() { "keep one of them".into() } else { format!("write `{{ {example} }}`") };
+    let label = format!("in `{}`", joint.name.node);
+    cx.error(PairError::Incomplete { message, help, span: property.span, label });
+    None
+}
+
+/// What `all` statements say of each kind of joint.
+pub(super) type Shared = Vec<(JointKind, Vec<Read>)>;
+
+/// Reads the `all` statements.
+pub(super) fn shared(cx: &mut Context<'_>) -> Shared {
+    let mut shared = Shared::new();
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::All(all) = &statement.node {
+            let kind = all.kind.node;
+            if let Some(properties) = read(cx, &phrase(kind), &all.properties, specs(kind)) {
+                shared.push((kind, properties));
+            }
+        }
+    }
+    shared
+}

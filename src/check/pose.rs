@@ -1,0 +1,114 @@
+//! Poses beside those of the sweep.
+
+use super::context::Context;
+use super::drive::{count, moves, stated_twice, text, value};
+use super::error::MotionError;
+use super::lookup::suggestion;
+use crate::model::{DriveId, Expr, NamedPose, Positions};
+use crate::source::Span;
+use crate::syntax::document::{Pose, Setting, Statement};
+
+/// Enters all named poses into the mechanism.
+pub(super) fn poses(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::Pose(pose) = &statement.node {
+            let free = not_of_sweep(cx, pose);
+            let at = settings(cx, &pose.settings, &format!("pose `{}`", pose.name.node), pose.name.span);
+            if let (true, Some(at)) = (free, at) {
+                cx.mech.poses.push(NamedPose { name: pose.name.node.clone(), span: statement.span, at });
+            }
+        }
+    }
+}
+
+/// Drive values behind `at`. Drives that are not named keep their single position. `what` is what needs them; `span` is
+/// its place. Reports what is not driven, left open or said twice; silent about drives that have an error.
+pub(super) fn settings(
+    cx: &mut Context<'_>,
+    settings: &[Setting],
+    what: &str,
+    span: Span,
+) -> Option<Vec<(DriveId, Expr)>> {
+    let mut at = Some(Vec::new());
+    for (i, setting) in settings.iter().enumerate() {
+        let name = text(&setting.target);
+        if let Some(first) = settings[..i].iter().find(|s| text(&s.target) == name) {
+            stated_twice(cx, &name, setting.target.span(), first.target.span());
+            at = None;
+            continue;
+        }
+        let set = set(cx, setting, &name);
+        at = at.zip(set).map(|(mut at, set)| {
+            at.push(set);
+            at
+        });
+    }
+    let mut at = at?;
+    for index in 0..cx.mech.drives.len() {
+        let id = DriveId::at(index);
+        if at.iter().any(|(drive, _)| *drive == id) {
+            continue;
+        }
+        let drive = &cx.mech.drives[index];
+        match &drive.positions {
+            Positions::None => {}
+            Positions::List(values) if values.len() == 1 => at.push((id, values[0].clone())),
+            _ => {
+                let unit = moves(cx, drive.target).dimension(0).si_text();
+                let error = MotionError::PoseIncomplete {
+                    what: what.into(),
+                    example: format!(", {} = 0 {unit}", drive.name),
+                    drive: drive.name.clone(),
+                    span,
+                    drive_span: drive.span,
+                };
+                cx.error(error);
+                return None;
+            }
+        }
+    }
+    at.sort_by_key(|(drive, _)| *drive);
+    Some(at)
+}
+
+fn set(cx: &mut Context<'_>, setting: &Setting, name: &str) -> Option<(DriveId, Expr)> {
+    let span = setting.target.span();
+    if let Some(index) = cx.mech.drives.iter().position(|d| d.name == name) {
+        let moves = moves(cx, cx.mech.drives[index].target);
+        return value(cx, &setting.value, moves, 0, name).map(|v| (DriveId::at(index), v));
+    }
+    if name == "time" {
+        cx.unsupported("an instant of a simulation", span);
+        return None;
+    }
+    let declared = |s: &Statement| match s {
+        Statement::Drive(d) => text(&d.target) == name,
+        Statement::Bad(bad) => bad.names.contains(&setting.target.head.node),
+        _ => false,
+    };
+    if cx.doc.statements.iter().any(|s| declared(&s.node)) {
+        return None;
+    }
+    let driven = cx.mech.drives.iter().map(|d| d.name.as_str()).collect::<Vec<_>>();
+    let help = suggestion(name, &driven, "drives")
+        .unwrap_or_else(|| format!("add `drive {name} = 45 deg`, with its own value"));
+    cx.error(MotionError::NotDriven { name: name.into(), help, span });
+    None
+}
+
+/// The poses of the sweep have numbers for names.
+fn not_of_sweep(cx: &mut Context<'_>, pose: &Pose) -> bool {
+    let Ok(number) = pose.name.node.parse::<usize>() else { return true };
+    let longest = cx.mech.drives.iter().filter_map(|d| {
+        let count = count(&d.positions, moves(cx, d.target))?;
+        Some((count, d.span))
+    });
+    let Some((count, drive)) = longest.max_by_key(|(count, _)| *count) else { return true };
+    if number == 0 || number > count {
+        return true;
+    }
+    let name = pose.name.node.clone();
+    cx.error(MotionError::PoseOfSweep { pose: name, count, span: pose.name.span, drive });
+    false
+}

@@ -1,0 +1,217 @@
+//! Forces: reactions, inertia, efforts, power.
+
+use super::Call;
+use super::args::path;
+use crate::check::context::Context;
+use crate::check::error::{NameError, RequestError};
+use crate::check::expr::Sign;
+use crate::check::expr::typed::{Type, Typed};
+use crate::check::lookup::suggestion;
+use crate::check::names::QuantityKind;
+use crate::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query};
+use crate::syntax::document::{Expr, Name};
+use crate::units::Dimension;
+
+fn number(query: Query, dimension: Dimension) -> Typed {
+    Typed::new(ModelExpr::Query(query), Type::number(dimension))
+}
+
+impl Context<'_> {
+    /// `reaction`, `moment`, `normal`, `friction` of a pair on a link
+    pub(super) fn reaction(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 2)?;
+        let pair = self.pair_argument(call, args[0]);
+        let link = match args.get(1) {
+            Some(link) => Some(self.link_argument(call, link)?),
+            None => None,
+        };
+        let pair = pair?;
+        let function = call.name.node.as_str();
+        let fits = match &self.mech.pair(pair).kind {
+            PairKind::Prismatic(_) => true,
+            PairKind::Revolute(_) => matches!(function, "reaction" | "moment"),
+            PairKind::Slot(_) | PairKind::Contact { .. } => function != "moment",
+            PairKind::Cylinder { .. } => function == "reaction",
+        };
+        if !fits {
+            self.not_of_this_pair(call, pair, Some("`reaction(…)` is defined for every pair"));
+            return None;
+        }
+        let link = match (link, args.get(1)) {
+            (Some(link), Some(place)) => self.link_of_pair(pair, link, place)?,
+            _ => self.any_link(call, pair)?,
+        };
+        let typed = match function {
+            "reaction" => {
+                Typed::new(ModelExpr::Query(Query::Reaction(pair, link)), Type::vector(Dimension::FORCE))
+            }
+            "moment" => number(Query::Moment(pair, link), Dimension::TORQUE),
+            "normal" => number(Query::Normal(pair, link), Dimension::FORCE),
+            _ => {
+                self.unsupported("friction", call.span);
+                Typed::pending(Type::number(Dimension::FORCE))
+            }
+        };
+        Some(typed)
+    }
+
+    fn link_of_pair(&mut self, pair: PairId, link: LinkId, place: &Expr) -> Option<LinkId> {
+        let links = self.mech.pair(pair).kind.links();
+        if links.contains(&link) {
+            return Some(link);
+        }
+        let quoted = self.spelled(&links).iter().map(|n| format!("`{n}`")).collect::<Vec<_>>();
+        let declared = self.pair_span(pair);
+        let name = self.mech.pair(pair).name.clone();
+        let link = self.mech.link(link).name.clone();
+        let help = format!("`{name}` joins {}", quoted.join(", "));
+        self.error(RequestError::LinkNotInPair { pair: name, link, span: place.span, declared, help });
+        None
+    }
+
+    /// The second link of a pair of two where the sign does not matter; otherwise it must be said.
+    fn any_link(&mut self, call: Call<'_>, pair: PairId) -> Option<LinkId> {
+        let links = self.mech.pair(pair).kind.links();
+        if let ([_, second], Sign::Free) = (&links[..], call.sign) {
+            return Some(*second);
+        }
+        let (function, pair) = (call.name.node.clone(), self.mech.pair(pair).name.clone());
+        let choices =
+            self.spelled(&links).iter().map(|l| format!("`{function}({pair}, {l})`")).collect::<Vec<_>>();
+        let help = match links.len() {
+            2 => format!("write {}, or `mag({function}({pair}))`", choices.join(" or ")),
+            _ => format!("write {}", choices.join(" or ")),
+        };
+        let help = if function == "reaction" { help } else { help.replace("mag(", "abs(") };
+        self.error(RequestError::WhichLink { function, pair, count: links.len(), span: call.span, help });
+        None
+    }
+
+    pub(super) fn contact_force(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 2, 2)?;
+        let pair = self.pair_argument(call, args[0]);
+        let side = self.one_or_two(call, args[1]);
+        let (pair, side) = (pair?, side?);
+        let declared = self.mech.pair(pair);
+        let PairKind::Prismatic(guide) = &declared.kind else {
+            self.not_of_this_pair(call, pair, Some("it is defined for prismatic pairs"));
+            return None;
+        };
+        if guide.contacts.is_none() {
+            let (pair, declared) = (declared.name.clone(), declared.span);
+            self.error(RequestError::NoContacts { pair, span: call.span, declared });
+            return None;
+        }
+        Some(number(Query::ContactForce(pair, side), Dimension::FORCE))
+    }
+
+    pub(super) fn line_offset(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let pair = self.pair_argument(call, args[0])?;
+        if !matches!(self.mech.pair(pair).kind, PairKind::Prismatic(_)) {
+            self.not_of_this_pair(call, pair, Some("it is defined for prismatic pairs"));
+            return None;
+        }
+        Some(number(Query::LineOffset(pair), Dimension::LENGTH))
+    }
+
+    /// `inertia_force`, `inertia_torque`, `inertia_arm`
+    pub(super) fn inertia(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let link = self.link_argument(call, args[0])?;
+        self.with_mass(call, link)?;
+        Some(match call.name.node.as_str() {
+            "inertia_force" => {
+                Typed::new(ModelExpr::Query(Query::InertiaForce(link)), Type::vector(Dimension::FORCE))
+            }
+            "inertia_torque" => number(Query::InertiaTorque(link), Dimension::TORQUE),
+            _ => number(Query::InertiaArm(link), Dimension::LENGTH),
+        })
+    }
+
+    /// Reports a link without mass.
+    pub(super) fn with_mass(&mut self, call: Call<'_>, link: LinkId) -> Option<()> {
+        let declared = self.mech.link(link);
+        if declared.mass.is_some() {
+            return Some(());
+        }
+        // A mass that is declared with an error is missing here as well; then the error has been told.
+        if !self.problems.has_errors() {
+            let (link, declared) = (declared.name.clone(), declared.span);
+            self.error(RequestError::NoMass { link, span: call.span, declared });
+        }
+        None
+    }
+
+    /// `effort(crank)`
+    pub(super) fn effort(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let Some(names) = path(args[0]) else {
+            self.wrong_argument(call, "what a drive moves", args[0].span);
+            return None;
+        };
+        let drive = self.drive(&names)?;
+        let statement = self.drive_statements()[drive.index()];
+        let vector = statement.target.tail.is_some();
+        if vector {
+            self.wrong_argument(call, "a link or a pair that is driven", args[0].span);
+            return None;
+        }
+        let turns = self.drive_dimension(statement) == Dimension::ANGLE;
+        Some(number(Query::Effort(drive), if turns { Dimension::TORQUE } else { Dimension::FORCE }))
+    }
+
+    /// The drive of what is named.
+    fn drive(&mut self, names: &[Name]) -> Option<DriveId> {
+        let written = names.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join(".");
+        let drives = self.drive_names();
+        if let Some(i) = drives.iter().position(|d| *d == written) {
+            return Some(DriveId::at(i));
+        }
+        let (first, last) = (names.first()?, names.last()?);
+        if self.names.bad.contains(&first.node) || !self.reported.insert(("drive", written.clone())) {
+            return None;
+        }
+        let all = drives.iter().map(String::as_str).collect::<Vec<_>>();
+        let help = suggestion(&written, &all, "driven");
+        self.error(RequestError::NotDriven { name: written, span: first.span.to(last.span), help });
+        None
+    }
+
+    /// What the drives move, as written, in order.
+    pub fn drive_names(&self) -> Vec<String> {
+        let written = |path: &crate::syntax::document::Path| match &path.tail {
+            Some(tail) => format!("{}.{}", path.head.node, tail.node),
+            None => path.head.node.clone(),
+        };
+        self.drive_statements().iter().map(|d| written(&d.target)).collect()
+    }
+
+    /// `power(Mb)` of an unknown effort, a load or a drive
+    pub(super) fn power(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let names = path(args[0]);
+        let Some(names) = names else {
+            self.wrong_argument(call, "a load, an unknown effort or a drive", args[0].span);
+            return None;
+        };
+        let declared = self.names.quantities.get(&names[0].node).map(|d| (d.what, d.span));
+        let query = match declared {
+            Some((QuantityKind::Load(id, _), _)) if names.len() == 1 => Query::LoadPower(id),
+            Some((QuantityKind::Balance(id, _), _)) if names.len() == 1 => Query::BalancePower(id),
+            Some((_, span)) if names.len() == 1 => {
+                self.error(NameError::WrongKind {
+                    name: names[0].node.clone(),
+                    is: "a value".into(),
+                    wanted: "a load or an unknown effort".into(),
+                    span: names[0].span,
+                    declared: Some(span),
+                    help: None,
+                });
+                return None;
+            }
+            _ => Query::EffortPower(self.drive(&names)?),
+        };
+        Some(number(query, Dimension::POWER))
+    }
+}

@@ -1,0 +1,139 @@
+//! Functions of results: `velocity(C)`, `reaction(B, rod)`, `stroke(G)`.
+
+mod args;
+mod force;
+mod motion;
+mod pending;
+mod substitution;
+mod table;
+
+pub use table::{ask_of, takes_values};
+
+use super::context::Context;
+use super::error::{NameError, RequestError};
+use super::expr::Sign;
+use super::expr::typed::Typed;
+use super::lookup::suggestion;
+use crate::source::Span;
+use crate::syntax::document::{Arg, Expr, ExprKind, Name};
+use table::{FUNCTIONS, usage};
+
+/// A call as the functions of results see it.
+#[derive(Clone, Copy)]
+pub(super) struct Call<'c> {
+    /// The function.
+    pub name: &'c Name,
+    /// Its arguments.
+    pub args: &'c [Arg],
+    /// The whole call.
+    pub span: Span,
+    /// Whether the sign of the result matters.
+    pub sign: Sign,
+}
+
+impl Context<'_> {
+    /// Whether a call asks for something that is known only once the mechanism is solved.
+    pub fn is_result(&self, function: &str, args: &[Arg]) -> bool {
+        match function {
+            "dir" => match args {
+                [Arg { value: Expr { kind: ExprKind::Name(name), .. }, .. }] => {
+                    !self.names.quantities.contains_key(name)
+                }
+                _ => false,
+            },
+            "max" | "min" => args.len() == 1,
+            _ => FUNCTIONS.iter().any(|f| f.name == function && f.result),
+        }
+    }
+
+    /// A function of results, or an error if there is no such function.
+    pub(super) fn result(&mut self, call: Call<'_>) -> Option<Typed> {
+        match call.name.node.as_str() {
+            "position" | "velocity" | "acceleration" => self.point_motion(call),
+            "angle" | "omega" | "alpha" | "dir" => self.link_motion(call),
+            "displacement"
+            | "relative_velocity"
+            | "relative_acceleration"
+            | "coriolis"
+            | "travel"
+            | "stroke"
+            | "time_ratio"
+            | "dead" => self.pair_motion(call),
+            "transmission_angle" => self.transmission_angle(call),
+            "pressure_angle" => self.pressure_angle(call),
+            "reaction" | "moment" | "normal" | "friction" => self.reaction(call),
+            "contact_force" => self.contact_force(call),
+            "line_offset" => self.line_offset(call),
+            "inertia_force" | "inertia_torque" | "inertia_arm" => self.inertia(call),
+            "static_substitution" | "dynamic_substitution" => self.substitution_alone(call),
+            "effort" => self.effort(call),
+            "power" => self.power(call),
+            name if FUNCTIONS.iter().any(|f| f.name == name) => self.not_yet(call),
+            _ => {
+                self.no_function(call);
+                None
+            }
+        }
+    }
+
+    fn no_function(&mut self, call: Call<'_>) {
+        let name = &call.name.node;
+        if !self.reported.insert(("function", name.clone())) {
+            return;
+        }
+        let all = FUNCTIONS.iter().map(|f| f.name).collect::<Vec<_>>();
+        let near = suggestion(name, &all, "functions").filter(|text| text.starts_with("did"));
+        let (name, span) = (name.clone(), call.name.span);
+        self.error(NameError::Unknown { kind: "function", name, place: String::new(), span, help: near });
+    }
+
+    /// The arguments, if there are as many as there should be and none has a name.
+    pub(super) fn arguments<'c>(
+        &mut self,
+        call: Call<'c>,
+        least: usize,
+        most: usize,
+    ) -> Option<Vec<&'c Expr>> {
+        let named = call.args.iter().find_map(|a| a.name.as_ref());
+        if let Some(name) = named {
+            let usage = usage(&call.name.node);
+            let wanted = "an argument without a name".to_owned();
+            self.error(RequestError::Argument {
+                function: call.name.node.clone(),
+                wanted,
+                span: name.span,
+                usage,
+            });
+            return None;
+        }
+        if (least..=most).contains(&call.args.len()) {
+            return Some(call.args.iter().map(|a| &a.value).collect());
+        }
+        let takes = match (least, most) {
+            (0, 0) => "no argument",
+            (1, 1) => "one argument",
+            (1, 2) => "one or two arguments",
+            (2, 2) => "two arguments",
+            (3, 3) => "three arguments",
+            _ => "other arguments",
+        };
+        self.error(RequestError::Arguments {
+            function: call.name.node.clone(),
+            takes,
+            found: call.args.len(),
+            span: call.span,
+            usage: usage(&call.name.node),
+        });
+        None
+    }
+
+    /// Reports an argument of the wrong kind.
+    pub(super) fn wrong_argument(&mut self, call: Call<'_>, wanted: &str, span: Span) {
+        self.error(RequestError::Argument {
+            function: call.name.node.clone(),
+            wanted: wanted.to_owned(),
+            span,
+            usage: usage(&call.name.node),
+        });
+    }
+}

@@ -1,0 +1,214 @@
+//! Motion of points, links and pairs.
+
+use super::Call;
+use super::args::{Mover, path};
+use crate::check::context::Context;
+use crate::check::error::RequestError;
+use crate::check::expr::typed::{Type, Typed};
+use crate::check::names::ThingKind;
+use crate::model::{Expr as ModelExpr, PairId, PairKind, PointRef, Query};
+use crate::source::Spanned;
+use crate::syntax::document::{Drive, Expr, ExprKind, JointKind, Statement};
+use crate::units::Dimension;
+
+fn number(query: Query, dimension: Dimension) -> Typed {
+    Typed::new(ModelExpr::Query(query), Type::number(dimension))
+}
+
+fn vector(query: Query, dimension: Dimension) -> Typed {
+    Typed::new(ModelExpr::Query(query), Type::vector(dimension))
+}
+
+impl Context<'_> {
+    /// `position`, `velocity`, `acceleration`
+    pub(super) fn point_motion(&mut self, call: Call<'_>) -> Option<Typed> {
+        let dimension = match call.name.node.as_str() {
+            "position" => Dimension::LENGTH,
+            "velocity" => Dimension::VELOCITY,
+            _ => Dimension::ACCELERATION,
+        };
+        let args = self.arguments(call, 1, 2)?;
+        let point = match args[..] {
+            [one] => {
+                if self.is_slider(one) {
+                    self.unsupported("sliders on ropes", call.span);
+                    return Some(Typed::pending(Type::number(dimension)));
+                }
+                let (link, at) = self.point_argument(call, one)?;
+                PointRef::Fixed(link, at)
+            }
+            [link, point] => {
+                let link = self.link_argument(call, link);
+                let point = self.point_argument(call, point);
+                PointRef::Under(link?, point?)
+            }
+            _ => return None,
+        };
+        let query = match call.name.node.as_str() {
+            "position" => Query::Position(point),
+            "velocity" => Query::Velocity(point),
+            _ => Query::Acceleration(point),
+        };
+        Some(vector(query, dimension))
+    }
+
+    fn is_slider(&self, expr: &Expr) -> bool {
+        let ExprKind::Name(name) = &expr.kind else { return false };
+        self.names.things.get(name).is_some_and(|d| d.what == ThingKind::Slider)
+    }
+
+    /// `angle`, `omega`, `alpha`, `dir` of a link
+    pub(super) fn link_motion(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let mover = self.mover(call, args[0])?;
+        let (dimension, query): (_, fn(_) -> Query) = match call.name.node.as_str() {
+            "angle" => (Dimension::ANGLE, Query::Angle),
+            "omega" => (Dimension::ANGULAR_VELOCITY, Query::Omega),
+            "alpha" => (Dimension::ANGULAR_ACCELERATION, Query::Alpha),
+            _ => (Dimension::NUMBER, Query::LinkDirection),
+        };
+        match mover {
+            Mover::Link(link) if call.name.node == "dir" => Some(vector(query(link), dimension)),
+            Mover::Link(link) => Some(number(query(link), dimension)),
+            Mover::Element => {
+                self.unsupported("shafts and wheels", call.span);
+                Some(Typed::pending(Type::number(dimension)))
+            }
+        }
+    }
+
+    /// Functions of a pair's coordinate.
+    pub(super) fn pair_motion(&mut self, call: Call<'_>) -> Option<Typed> {
+        let count = if call.name.node == "dead" { 2 } else { 1 };
+        let args = self.arguments(call, count, count)?;
+        let pair = self.pair_argument(call, args[0])?;
+        if call.name.node == "coriolis" {
+            return self.coriolis(call, pair);
+        }
+        let coordinate = self.coordinate(call, pair)?;
+        Some(match call.name.node.as_str() {
+            "displacement" => number(Query::Displacement(pair), coordinate),
+            "relative_velocity" => number(Query::RelativeVelocity(pair), per_time(coordinate, 1)),
+            "relative_acceleration" => number(Query::RelativeAcceleration(pair), per_time(coordinate, 2)),
+            "travel" => number(Query::Travel(pair), coordinate),
+            "stroke" => number(Query::Stroke(pair), coordinate),
+            "time_ratio" => {
+                self.only_drive(call)?;
+                number(Query::TimeRatio(pair), Dimension::NUMBER)
+            }
+            _ => {
+                let drive = self.only_drive(call)?;
+                number(Query::Dead(pair, self.one_or_two(call, args[1])?), drive)
+            }
+        })
+    }
+
+    /// `1` or `2`, as written.
+    pub(super) fn one_or_two(&mut self, call: Call<'_>, expr: &Expr) -> Option<u8> {
+        match &expr.kind {
+            ExprKind::Number(n) if n.unit.is_none() && n.value == 1.0 => Some(1),
+            ExprKind::Number(n) if n.unit.is_none() && n.value == 2.0 => Some(2),
+            _ => {
+                self.wrong_argument(call, "the number 1 or 2", expr.span);
+                None
+            }
+        }
+    }
+
+    fn coriolis(&mut self, call: Call<'_>, pair: PairId) -> Option<Typed> {
+        match self.mech.pair(pair).kind {
+            PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => {
+                Some(vector(Query::Coriolis(pair), Dimension::ACCELERATION))
+            }
+            PairKind::Revolute(_) | PairKind::Contact { .. } => {
+                self.not_of_this_pair(call, pair, Some("it is defined where a point slides along a line"));
+                None
+            }
+        }
+    }
+
+    /// The dimension of a pair's coordinate.
+    fn coordinate(&mut self, call: Call<'_>, pair: PairId) -> Option<Dimension> {
+        match &self.mech.pair(pair).kind {
+            PairKind::Revolute(pins) if pins.len() > 2 => {
+                let links = pins.iter().map(|p| p.link).collect::<Vec<_>>();
+                let names = self.spelled(&links);
+                let help = format!("write it with links: `angle({}) - angle({})`", names[1], names[0]);
+                let (pair, count) = (self.mech.pair(pair).name.clone(), names.len());
+                self.error(RequestError::WhichTwo { pair, count, span: call.span, help });
+                None
+            }
+            PairKind::Revolute(_) => Some(Dimension::ANGLE),
+            PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => Some(Dimension::LENGTH),
+            PairKind::Contact { .. } => {
+                self.not_of_this_pair(call, pair, Some("a contact has no coordinate"));
+                None
+            }
+        }
+    }
+
+    /// The dimension of the one drive's values.
+    fn only_drive(&mut self, call: Call<'_>) -> Option<Dimension> {
+        let drives = self.drive_statements();
+        if let [drive] = drives[..] {
+            return Some(self.drive_dimension(drive));
+        }
+        let (function, count, span) = (call.name.node.clone(), drives.len(), call.span);
+        self.error(RequestError::WhichDrive { function, count, span });
+        None
+    }
+
+    /// All drives as written, in order: their place is their id.
+    pub fn drive_statements(&self) -> Vec<&Drive> {
+        let all = self.doc.statements.iter();
+        all.filter_map(|s| if let Statement::Drive(d) = &s.node { Some(d) } else { None }).collect()
+    }
+
+    /// An angle or a length.
+    pub fn drive_dimension(&self, drive: &Drive) -> Dimension {
+        let head = self.names.things.get(&drive.target.head.node).map(|d| d.what);
+        match (head, &drive.target.tail) {
+            (_, Some(_)) => Dimension::LENGTH,
+            (Some(ThingKind::Joint(JointKind::Revolute) | ThingKind::Link | ThingKind::Shaft), None) => {
+                Dimension::ANGLE
+            }
+            (Some(ThingKind::Joint(_) | ThingKind::Slider), None) => Dimension::LENGTH,
+            _ => Dimension::ANGLE,
+        }
+    }
+
+    pub(super) fn transmission_angle(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let ExprKind::Name(name) = &args[0].kind else {
+            self.wrong_argument(call, "a group", args[0].span);
+            return None;
+        };
+        let group = self.group(&Spanned::new(name.clone(), args[0].span))?;
+        Some(number(Query::TransmissionAngle(group), Dimension::ANGLE))
+    }
+
+    pub(super) fn pressure_angle(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        if let Some([name]) = path(args[0]).as_deref()
+            && self.names.things.get(&name.node).is_some_and(|d| d.what == ThingKind::Cam)
+        {
+            self.unsupported("cams", call.span);
+            return Some(Typed::pending(Type::number(Dimension::ANGLE)));
+        }
+        let pair = self.pair_argument(call, args[0])?;
+        match self.mech.pair(pair).kind {
+            PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {
+                Some(number(Query::PressureAngle(pair), Dimension::ANGLE))
+            }
+            PairKind::Revolute(_) | PairKind::Cylinder { .. } => {
+                self.not_of_this_pair(call, pair, None);
+                None
+            }
+        }
+    }
+}
+
+/// The dimension of a rate.
+const fn per_time(d: Dimension, n: i8) -> Dimension {
+    Dimension { time: d.time - n, ..d }
+}

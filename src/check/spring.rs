@@ -1,0 +1,69 @@
+//! Springs.
+
+use super::context::Context;
+use super::error::PairError;
+use super::pair::link_point;
+use super::property::{Spec, Takes, find, read};
+use crate::model;
+use crate::syntax::document::{Spring, Statement};
+use crate::units::Dimension;
+
+const SPECS: &[Spec] = &[
+    Spec { name: "stiffness", takes: Takes::Positive(Dimension::STIFFNESS), example: "stiffness 4530 N/m" },
+    Spec { name: "free_length", takes: Takes::NotNegative(Dimension::LENGTH), example: "free_length 80 mm" },
+    Spec { name: "damping", takes: Takes::NotNegative(Dimension::DAMPING), example: "damping 20 N*s/m" },
+];
+
+/// Enters all springs into the mechanism.
+pub(super) fn springs(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::Spring(s) = &statement.node
+            && let Some(spring) = spring(cx, s)
+        {
+            cx.mech.springs.push(spring);
+        }
+    }
+}
+
+fn spring(cx: &mut Context<'_>, spring: &Spring) -> Option<model::Spring> {
+    let properties = read(cx, "a spring", &spring.properties, SPECS);
+    let from = link_point(cx, &spring.from, "a spring");
+    let to = link_point(cx, &spring.to, "a spring");
+    let (properties, from, to) = (properties?, from?, to?);
+    if from.0 == to.0 {
+        cx.error(PairError::JoinedWithItself {
+            what: "spring".into(),
+            name: spring.name.node.clone(),
+            link: spring.from.head.node.clone(),
+            first: spring.from.span(),
+            second: spring.to.span(),
+        });
+        return None;
+    }
+    let number = |name| find(&properties, name).map(super::property::Read::number);
+    let missing = match (number("stiffness"), number("free_length"), number("damping")) {
+        (None, _, None) => Some("stiffness 4530 N/m; free_length 80 mm"),
+        (Some(_), None, _) => Some("free_length 80 mm"),
+        (None, Some(_), _) => Some("stiffness 4530 N/m"),
+        _ => None,
+    };
+    if let Some(missing) = missing {
+        cx.error(PairError::Incomplete {
+            message: format!("spring `{}` is not fully described", spring.name.node),
+            help: format!("add `{missing}`, with its own value; a damper alone needs only `damping`"),
+            span: spring.name.span,
+            label: "its force is not known".into(),
+        });
+        return None;
+    }
+    Some(model::Spring {
+        name: spring.name.node.clone(),
+        span: spring.name.span,
+        from,
+        to,
+        stiffness: number("stiffness").unwrap_or(0.0),
+        free_length: number("free_length").unwrap_or(0.0),
+        damping: number("damping").unwrap_or(0.0),
+    })
+}

@@ -1,0 +1,332 @@
+//! What can be wrong with the text.
+
+use crate::source::Span;
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// A mistake in the text. `help` is, where possible, the mended line.
+#[derive(Clone, Debug, Diagnostic, Error)]
+#[allow(missing_docs)] // the message is the documentation of each
+pub enum SyntaxError {
+    #[error("nothing is stated here: the file is empty")]
+    #[diagnostic(
+        code(mech::syntax::empty_file),
+        help("a problem begins with its title: mechanism \"My first crank-slider\"")
+    )]
+    EmptyFile,
+
+    #[error("full-width characters cannot be read")]
+    #[diagnostic(code(mech::syntax::full_width))]
+    FullWidth {
+        #[label("written in full width")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("a text stands in straight quotes")]
+    #[diagnostic(code(mech::syntax::curly_quotes))]
+    CurlyQuotes {
+        #[label("this is another kind of quote")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("`{found}` is not used here")]
+    #[diagnostic(code(mech::syntax::foreign_sign))]
+    ForeignSign {
+        found: char,
+        #[label("written `{wanted}` in this language")]
+        at: Span,
+        wanted: &'static str,
+        #[help]
+        help: String,
+    },
+
+    #[error("an invisible character (U+{found:04X}) stands here")]
+    #[diagnostic(code(mech::syntax::invisible_character))]
+    InvisibleCharacter {
+        found: u32,
+        #[label("it cannot be seen, and cannot be read")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("a carriage return alone ends this line")]
+    #[diagnostic(
+        code(mech::syntax::lone_carriage_return),
+        severity(Warning),
+        help("save the file with line ends LF or CR LF; it is read as the end of a line here")
+    )]
+    LoneCarriageReturn {
+        #[label("CR without LF")]
+        at: Span,
+    },
+
+    #[error("more than {limit} levels are nested here")]
+    #[diagnostic(
+        code(mech::syntax::too_deep),
+        help("give a part of it a name: let part = …; the rest of this line is not read")
+    )]
+    TooDeep {
+        limit: usize,
+        #[label("one level too many")]
+        at: Span,
+    },
+
+    #[error("a decimal point needs digits on both sides")]
+    #[diagnostic(code(mech::syntax::bare_decimal_point))]
+    BareDecimalPoint {
+        #[label("no digits {side} the point")]
+        at: Span,
+        side: &'static str,
+        #[help]
+        help: String,
+    },
+
+    #[error("the number {text} is too large")]
+    #[diagnostic(
+        code(mech::syntax::number_too_large),
+        help("the largest number that can be computed with is 1.7e308; is the exponent right?")
+    )]
+    NumberTooLarge {
+        text: String,
+        #[label("larger than any number here can be")]
+        at: Span,
+    },
+
+    #[error("decimals stand behind a point, not a comma")]
+    #[diagnostic(code(mech::syntax::decimal_comma))]
+    DecimalComma {
+        #[label("a comma separates the values of a list")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("`{{` stands on the line of its statement")]
+    #[diagnostic(code(mech::syntax::brace_on_its_own_line))]
+    BraceOnItsOwnLine {
+        #[label("this brace")]
+        brace: Span,
+        #[label("belongs behind this")]
+        statement: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("a brace is not closed")]
+    #[diagnostic(code(mech::syntax::missing_brace), help("write `}}` on a line of its own {before}"))]
+    MissingBrace {
+        #[label("opened here")]
+        open: Span,
+        #[label("still open here")]
+        at: Span,
+        before: String,
+    },
+
+    #[error("a bracket is not closed")]
+    #[diagnostic(code(mech::syntax::unclosed_bracket))]
+    UnclosedBracket {
+        #[label("opened here")]
+        open: Span,
+        #[help]
+        help: Option<String>,
+    },
+
+    #[error("`{found}` closes nothing")]
+    #[diagnostic(code(mech::syntax::unmatched_bracket))]
+    UnmatchedBracket {
+        found: char,
+        #[label("no bracket is open here")]
+        at: Span,
+        #[help]
+        help: Option<String>,
+    },
+
+    #[error("a value is set by `=`")]
+    #[diagnostic(code(mech::syntax::equals_expected))]
+    EqualsExpected {
+        found: String,
+        #[label("`{found}` instead of `=`")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("a name and what it joins are separated by `:`")]
+    #[diagnostic(code(mech::syntax::colon_expected))]
+    ColonExpected {
+        found: String,
+        #[label("`{found}` instead of `:`")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("a text is not closed")]
+    #[diagnostic(code(mech::syntax::unclosed_text))]
+    UnclosedText {
+        #[label("the closing quote is missing on this line")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("the title stands in quotes")]
+    #[diagnostic(code(mech::syntax::title_without_quotes))]
+    TitleWithoutQuotes {
+        #[label("the title")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("there are two titles")]
+    #[diagnostic(code(mech::syntax::title_twice), help("one file is one problem: remove one of them"))]
+    TitleTwice {
+        #[label(primary, "a second title")]
+        at: Span,
+        #[label("the first one")]
+        first: Span,
+    },
+
+    #[error("edition {found} of the language is not known")]
+    #[diagnostic(code(mech::syntax::unknown_edition), help("write `mech 1`; this is the only edition"))]
+    UnknownEdition {
+        found: String,
+        #[label("only edition 1 exists")]
+        at: Span,
+    },
+
+    #[error("the edition is the first statement, once")]
+    #[diagnostic(code(mech::syntax::edition_not_first), help("{help}"))]
+    EditionNotFirst {
+        #[label(primary, "the edition")]
+        at: Span,
+        #[label("{other}")]
+        before: Span,
+        other: &'static str,
+        help: &'static str,
+    },
+
+    #[error("the numbers of a row stand without units")]
+    #[diagnostic(code(mech::syntax::unit_in_row))]
+    UnitInRow {
+        #[label("a unit")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("`{found}` is not known here")]
+    #[diagnostic(code(mech::syntax::misspelt_word))]
+    MisspeltWord {
+        found: String,
+        #[label("did you mean `{wanted}`?")]
+        at: Span,
+        wanted: String,
+        #[help]
+        help: Option<String>,
+    },
+
+    #[error("no statement begins with `{found}`")]
+    #[diagnostic(code(mech::syntax::unknown_statement), help("{help}"))]
+    UnknownStatement {
+        found: String,
+        #[label("not a statement")]
+        at: Span,
+        help: String,
+    },
+
+    #[error("`{found}` cannot stand here")]
+    #[diagnostic(code(mech::syntax::misplaced_member), help("{help}"))]
+    MisplacedMember {
+        found: String,
+        #[label("{place}")]
+        at: Span,
+        place: &'static str,
+        help: String,
+    },
+
+    #[error("`{found}` is a word of the language and cannot be a name")]
+    #[diagnostic(code(mech::syntax::reserved_name))]
+    ReservedName {
+        found: String,
+        #[label("choose another name")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("two statements stand on one line")]
+    #[diagnostic(code(mech::syntax::two_statements))]
+    TwoStatements {
+        #[label("a new line, or `;`, before this")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("`{missing}` is missing")]
+    #[diagnostic(code(mech::syntax::missing_word))]
+    MissingWord {
+        missing: String,
+        #[label("before this")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("an operator is missing")]
+    #[diagnostic(code(mech::syntax::missing_operator))]
+    MissingOperator {
+        #[label("before this")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("a vector has two coordinates")]
+    #[diagnostic(
+        code(mech::syntax::third_coordinate),
+        help("mechanisms are planar: write `(x, y)`; decimals stand behind a point, not a comma")
+    )]
+    ThirdCoordinate {
+        #[label("a third one")]
+        at: Span,
+    },
+
+    #[error("a comment begins with `//`")]
+    #[diagnostic(code(mech::syntax::comment_sign))]
+    CommentSign {
+        #[label("`{found}` begins nothing here")]
+        at: Span,
+        found: String,
+        #[help]
+        help: String,
+    },
+
+    #[error("a point needs its coordinates")]
+    #[diagnostic(code(mech::syntax::point_without_coordinates))]
+    PointWithoutCoordinates {
+        #[label("a number, where `(x, y)` is expected")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("cannot read {what}: {expected}")]
+    #[diagnostic(code(mech::syntax::unexpected))]
+    Unexpected {
+        what: String,
+        expected: String,
+        #[label("{found}")]
+        at: Span,
+        found: String,
+        #[help]
+        help: Option<String>,
+    },
+}

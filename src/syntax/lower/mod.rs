@@ -1,0 +1,153 @@
+//! From pest's pairs to the document, by a hand walk.
+//!
+//! A function returns `None` where a pair has not the shape that the grammar promises; the statement is then `Bad`.
+//! That does not happen, but a reader of texts should not depend on it.
+
+mod body;
+mod expr;
+mod machine;
+mod motion;
+mod question;
+mod slips;
+mod walk;
+
+use super::Rule;
+use super::document::{Bad, Definition, Statement, Variants};
+use super::error::SyntaxError;
+use super::prepare::whole_end;
+use super::recover::{self, What};
+use crate::diagnostic::Problems;
+use crate::source::{Span, Spanned};
+use pest::iterators::Pairs;
+use walk::{P, Parts, span, text};
+
+/// What the walk carries along.
+pub(super) struct Lower<'a> {
+    /// The author's text.
+    text: &'a str,
+    /// The text that the grammar read, of the same length.
+    read: &'a str,
+    problems: Problems,
+}
+
+/// All statements of a file.
+pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spanned<Statement>>, Problems) {
+    let mut lower = Lower { text, read, problems: Problems::new() };
+    slips::report(&mut lower, pairs.clone());
+    let mut statements = Vec::new();
+    for pair in pairs.flat_map(P::into_inner) {
+        if pair.as_rule() != Rule::EOI {
+            let at = span(&pair);
+            let rest = (pair.as_rule() == Rule::bad_statement).then(|| trimmed(&pair));
+            let before = lower.problems.len();
+            let statement = lower.statement(pair).unwrap_or_else(|| lower.unreadable(at, before));
+            statements.push(Spanned::new(statement, rest.unwrap_or(at)));
+        }
+    }
+    (statements, lower.problems)
+}
+
+/// A table of variants by itself.
+pub(super) fn table(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Variants, Problems) {
+    let mut lower = Lower { text, read, problems: Problems::new() };
+    slips::report(&mut lower, pairs.clone());
+    let variants = lower.rows(pairs.flat_map(P::into_inner));
+    (variants, lower.problems)
+}
+
+/// Where a pair that holds plain text stands, without the blanks at its end.
+fn trimmed(pair: &P<'_>) -> Span {
+    let start = pair.as_span().start();
+    Span::new(start, whole_end(pair.get_input(), start + pair.as_str().trim_end().len()))
+}
+
+impl Lower<'_> {
+    fn statement(&mut self, pair: P<'_>) -> Option<Statement> {
+        let rule = pair.as_rule();
+        Some(match rule {
+            Rule::bad_statement => Statement::Bad(self.bad(&pair, What::Statement)),
+            Rule::edition => Statement::Edition(self.after_word(pair)?),
+            Rule::title => Statement::Title(self.title(pair)?),
+            Rule::given => Statement::Given(self.definition(pair)?),
+            Rule::let_ => Statement::Let(self.definition(pair)?),
+            Rule::gravity => {
+                let mut parts = Parts::of(pair);
+                parts.any()?;
+                Statement::Gravity(self.expr(parts.any()?)?)
+            }
+            Rule::ground | Rule::link | Rule::shaft | Rule::slider => self.link(pair)?,
+            Rule::joint => Statement::Joint(self.joint(pair)?),
+            Rule::spring => Statement::Spring(self.spring(pair)?),
+            Rule::group => Statement::Group(self.group(pair)?),
+            Rule::all => Statement::All(self.all(pair)?),
+            Rule::cam => Statement::Cam(self.cam(pair)?),
+            Rule::flywheel => Statement::Flywheel(self.flywheel(pair)?),
+            Rule::drive => Statement::Drive(self.drive(pair)?),
+            Rule::pose => Statement::Pose(self.pose(pair)?),
+            Rule::assemble => Statement::Assemble(self.assemble(pair)?),
+            Rule::balance => Statement::Balance(self.balance(pair)?),
+            Rule::load => Statement::Load(Box::new(self.load(pair)?)),
+            Rule::start => Statement::Start(self.start(pair)?),
+            Rule::find => Statement::Find(self.find(pair)?),
+            Rule::expect => Statement::Expect(Box::new(self.expect(pair)?)),
+            Rule::variants => Statement::Variants(self.rows(pair.into_inner())),
+            Rule::simulate => Statement::Simulate(self.simulate(pair)?),
+            Rule::until => Statement::Until(self.until(pair)?),
+            Rule::ignore => {
+                let mut parts = Parts::of(pair);
+                parts.any()?;
+                Statement::Ignore(parts.name()?)
+            }
+            _ => return None,
+        })
+    }
+
+    /// The text of the part behind a statement's word.
+    fn after_word(&self, pair: P<'_>) -> Option<Spanned<String>> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        parts.any().map(|p| text(&p))
+    }
+
+    fn title(&mut self, pair: P<'_>) -> Option<Spanned<String>> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let part = parts.any()?;
+        let at = trimmed(&part);
+        let written = self.text.get(at.start..at.end)?;
+        let bare = |c: char| c.is_whitespace() || "\"“”„«»‟＂".contains(c);
+        let title = written.trim_matches(bare).to_owned();
+        let help = format!("write: mechanism \"{title}\"");
+        match part.as_rule() {
+            Rule::x_unclosed_text => self.problems.push(SyntaxError::UnclosedText { at, help }),
+            Rule::x_bare_title => self.problems.push(SyntaxError::TitleWithoutQuotes { at, help }),
+            _ => {}
+        }
+        Some(Spanned::new(title, at))
+    }
+
+    fn definition(&mut self, pair: P<'_>) -> Option<Definition> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        Some(Definition { name: parts.name()?, value: self.expr(parts.any()?)? })
+    }
+
+    /// Reports what an error production caught.
+    fn bad(&mut self, pair: &P<'_>, what: What) -> Bad {
+        let at = trimmed(pair);
+        recover::report(self.text, self.read, at, what, &mut self.problems)
+    }
+
+    /// A pair that could not be lowered; reported, unless something has been since there were `before` problems.
+    fn unreadable(&mut self, at: Span, before: usize) -> Statement {
+        if self.problems.len() == before {
+            self.problems.push(recover::unreadable(at));
+        }
+        Statement::Bad(self.names(at))
+    }
+
+    /// What cannot be read, with the names in it.
+    fn names(&self, at: Span) -> Bad {
+        Bad { names: recover::names(self.read.get(at.start..at.end).unwrap_or_default()) }
+    }
+}

@@ -1,0 +1,250 @@
+//! Makes a text readable byte for byte: foreign blanks, signs and digits are replaced by plain ones of the same total
+//! length, so that every place stays where it was, and are reported.
+//!
+//! What is left of a replaced character is filled with [`FILL`], which the grammar takes for a blank and which a place
+//! that ends before it includes, so that no place ends within a character of the author's.
+//!
+//! Brackets nested deeper than [`DEPTH`] are blanked out here, before anything descends into them.
+
+use super::error::SyntaxError;
+use super::line::Line;
+use crate::diagnostic::Problems;
+use crate::source::Span;
+
+/// How many brackets may be nested.
+pub(super) const DEPTH: usize = 64;
+
+/// What stands for the other bytes of a replaced character.
+pub(super) const FILL: char = '\u{1}';
+
+/// The end of a place in the prepared text, moved over what is left of its last character.
+pub(super) fn whole_end(read: &str, end: usize) -> usize {
+    let rest = read.as_bytes().get(end..).unwrap_or_default();
+    end + rest.iter().take_while(|b| **b == FILL as u8).count()
+}
+
+/// The text that the grammar reads, of the same length as the author's.
+pub(super) fn prepare(text: &str, problems: &mut Problems) -> String {
+    let mut prepare =
+        Prepare { text, out: String::with_capacity(text.len()), changes: Vec::new(), deep: None };
+    prepare.run(problems);
+    report(text, &prepare.changes, problems);
+    prepare.out
+}
+
+/// A replacement that is reported.
+struct Change {
+    span: Span,
+    kind: Kind,
+    /// What to write instead.
+    with: &'static str,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    FullWidth,
+    Quote,
+    Sign,
+    Invisible,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Mode {
+    Code,
+    Comment,
+    /// A text; whether it was opened by a straight quote.
+    Text(bool),
+}
+
+struct Prepare<'a> {
+    text: &'a str,
+    out: String,
+    changes: Vec<Change>,
+    /// Where brackets were nested too deep first.
+    deep: Option<Span>,
+}
+
+impl<'a> Prepare<'a> {
+    fn run(&mut self, problems: &mut Problems) {
+        let mut mode = Mode::Code;
+        let mut depth = 0_usize;
+        let mut depth_at_line = 0;
+        let mut blank_line = false;
+        let mut padding = 0;
+        let mut lone_return = None;
+        let mut chars = self.text.char_indices().peekable();
+        while let Some((at, c)) = chars.next() {
+            let span = Span::new(at, at + c.len_utf8());
+            let next = chars.peek().map(|(_, c)| *c);
+            let replaced = if mode == Mode::Code { self.foreign(span, c) } else { None };
+            if let Some((plain, pads)) = replaced {
+                // Digits and letters are kept together.
+                if !plain.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'.') {
+                    self.pad(&mut padding);
+                }
+                self.out.push_str(if blank_line { BLANKS[plain.len()] } else { plain });
+                padding += pads;
+                mode = if plain == "\"" { Mode::Text(false) } else { mode };
+                depth = bracket(depth, plain.chars().next().unwrap_or(' '));
+            } else {
+                self.pad(&mut padding);
+                let is_end = c == '\n' || (c == '\r' && next != Some('\n'));
+                if c == '\r' && is_end {
+                    lone_return = lone_return.or(Some(span));
+                }
+                if is_end {
+                    self.out.push('\n');
+                    mode = Mode::Code;
+                    depth = if blank_line { depth_at_line } else { depth };
+                    depth_at_line = depth;
+                    blank_line = false;
+                    continue;
+                }
+                let (written, next_mode) = self.plain(span, c, next, mode);
+                mode = next_mode;
+                if mode == Mode::Code {
+                    depth = bracket(depth, c);
+                }
+                blank_line |= depth > DEPTH;
+                if blank_line {
+                    self.deep = self.deep.or(Some(span));
+                    self.out.extend(std::iter::repeat_n(' ', c.len_utf8()));
+                } else {
+                    self.out.push_str(written);
+                }
+            }
+        }
+        self.pad(&mut padding);
+        if let Some(at) = lone_return {
+            problems.push(SyntaxError::LoneCarriageReturn { at });
+        }
+        if let Some(at) = self.deep {
+            problems.push(SyntaxError::TooDeep { limit: DEPTH, at });
+        }
+    }
+
+    /// Filling behind a run of replaced characters, so that the run itself has none.
+    fn pad(&mut self, padding: &mut usize) {
+        self.out.extend(std::iter::repeat_n(FILL, *padding));
+        *padding = 0;
+    }
+
+    /// What is written for a character that stays, and the mode behind it.
+    fn plain(&self, span: Span, c: char, next: Option<char>, mode: Mode) -> (&'a str, Mode) {
+        let text = &self.text[span.start..span.end];
+        match (mode, c) {
+            (Mode::Code, '"') => (text, Mode::Text(true)),
+            (Mode::Code, '/') if next == Some('/') => (text, Mode::Comment),
+            (Mode::Text(true), '"') => (text, Mode::Code),
+            (Mode::Text(false), '"' | '”' | '“' | '„' | '»' | '«' | '＂') => {
+                if c == '"' {
+                    (text, Mode::Code)
+                } else {
+                    (CLOSING[c.len_utf8()], Mode::Code)
+                }
+            }
+            (Mode::Code, _) if c.is_whitespace() || c == '\u{FEFF}' => (BLANKS[c.len_utf8()], mode),
+            _ => (text, mode),
+        }
+    }
+
+    /// What a foreign character in code is replaced by, and how many blanks are owed for it.
+    fn foreign(&mut self, span: Span, c: char) -> Option<(&'static str, usize)> {
+        let (kind, with) = replacement(c, span.start)?;
+        self.changes.push(Change { span, kind, with });
+        if kind == Kind::Invisible {
+            return Some(("", c.len_utf8()));
+        }
+        Some((with, c.len_utf8() - with.len()))
+    }
+}
+
+/// Blanks of each length.
+const BLANKS: [&str; 5] = ["", " ", "  ", "   ", "    "];
+/// A closing quote at the end of a character's bytes.
+const CLOSING: [&str; 5] = ["", "\"", " \"", "  \"", "   \""];
+
+fn bracket(depth: usize, c: char) -> usize {
+    match c {
+        '(' | '[' | '{' => depth + 1,
+        ')' | ']' | '}' => depth.saturating_sub(1),
+        _ => depth,
+    }
+}
+
+fn replacement(c: char, at: usize) -> Option<(Kind, &'static str)> {
+    Some(match c {
+        '\u{FF02}' | '“' | '”' | '„' | '«' | '»' | '‟' => (Kind::Quote, "\""),
+        '\u{FF01}'..='\u{FF5E}' => (Kind::FullWidth, ascii(c)?),
+        '、' => (Kind::FullWidth, ","),
+        '。' => (Kind::FullWidth, "."),
+        '×' | '∙' | '∗' => (Kind::Sign, "*"),
+        '÷' | '∕' => (Kind::Sign, "/"),
+        '≤' | '⩽' => (Kind::Sign, "<="),
+        '≥' | '⩾' => (Kind::Sign, ">="),
+        '…' => (Kind::Sign, ".."),
+        '’' | '′' | '‘' => (Kind::Sign, "'"),
+        '\u{FEFF}' if at == 0 => return None,
+        '\u{FEFF}' | '\u{200B}'..='\u{200F}' | '\u{2060}' | '\u{AD}' | '\u{2028}' | '\u{2029}' => {
+            (Kind::Invisible, "")
+        }
+        c if c.is_control() && !matches!(c, '\t' | '\n' | '\r') => (Kind::Invisible, ""),
+        _ => return None,
+    })
+}
+
+/// The plain character of a full-width one, as a text.
+fn ascii(c: char) -> Option<&'static str> {
+    const PLAIN: &str =
+        "!\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~";
+    let index = (c as usize).checked_sub(0xFF01)?;
+    PLAIN.get(index..=index)
+}
+
+/// One diagnostic for each kind on a line.
+fn report(text: &str, changes: &[Change], problems: &mut Problems) {
+    let mut rest = changes;
+    while let Some(first) = rest.first() {
+        let line = Line::around(text, first.span.start);
+        let count = rest.iter().take_while(|c| c.span.start < line.end.max(first.span.end)).count();
+        let (here, later) = rest.split_at(count);
+        let mut mended = String::new();
+        let mut from = line.start;
+        for change in here {
+            mended.push_str(text.get(from..change.span.start).unwrap_or_default());
+            mended.push_str(change.with);
+            from = change.span.end;
+        }
+        mended.push_str(text.get(from..line.end).unwrap_or_default());
+        let help = format!("write: {}", mended.trim());
+        for kind in [Kind::FullWidth, Kind::Quote, Kind::Sign, Kind::Invisible] {
+            if let Some(problem) = describe(text, here, kind, &help) {
+                problems.push(problem);
+            }
+        }
+        rest = later;
+    }
+}
+
+fn describe(text: &str, changes: &[Change], kind: Kind, help: &str) -> Option<SyntaxError> {
+    let first = changes.iter().find(|c| c.kind == kind)?;
+    let found = text[first.span.start..].chars().next()?;
+    let help = help.to_owned();
+    // The first run of neighbours.
+    let mut at = first.span;
+    for change in changes.iter().filter(|c| c.kind == kind && c.with != "\"") {
+        if change.span.start == at.end {
+            at.end = change.span.end;
+        }
+    }
+    Some(match kind {
+        Kind::FullWidth => SyntaxError::FullWidth { at, help },
+        Kind::Quote => SyntaxError::CurlyQuotes { at: first.span, help },
+        Kind::Sign => SyntaxError::ForeignSign { found, at: first.span, wanted: first.with, help },
+        Kind::Invisible => SyntaxError::InvisibleCharacter {
+            found: u32::from(found),
+            at: first.span,
+            help: "delete it: a mechanism is plain text".to_owned(),
+        },
+    })
+}

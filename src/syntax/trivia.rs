@@ -1,0 +1,55 @@
+//! Comments and blank lines, by a small scanner beside the grammar.
+
+use super::document::{Statement, Trivia};
+use super::line::Line;
+use crate::source::{Span, Spanned};
+
+/// All comments and blank lines of a text.
+pub(super) fn scan(text: &str) -> Trivia {
+    let mut trivia = Trivia::default();
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        if line.trim().is_empty() {
+            trivia.blank_lines.push(start);
+        } else if let Some(at) = comment(line) {
+            trivia.comments.push(Span::new(start + at, start + line.trim_end().len()));
+        }
+        start += line.len();
+    }
+    trivia
+}
+
+/// Where the comment of a line begins; slashes in a text begin none.
+fn comment(line: &str) -> Option<usize> {
+    let mut quoted = false;
+    let mut before = None;
+    for (at, c) in line.char_indices() {
+        match c {
+            '"' => quoted = !quoted,
+            '/' if !quoted && before == Some('/') => return Some(at - 1),
+            _ => {}
+        }
+        before = Some(c);
+    }
+    None
+}
+
+/// The comment lines directly below the title: the problem's text.
+pub(super) fn notes(text: &str, statements: &[Spanned<Statement>], trivia: &Trivia) -> Vec<Spanned<String>> {
+    let title = statements.iter().find(|s| matches!(s.node, Statement::Title(_)));
+    let Some(title) = title else { return Vec::new() };
+    let title_end = Line::around(text, title.span.end).end;
+    let mut line_end = title_end;
+    let mut notes = Vec::new();
+    for comment in trivia.comments.iter().filter(|c| c.start > title_end) {
+        let between = text.get(line_end..comment.start).unwrap_or_default();
+        if !between.trim().is_empty() || between.matches('\n').count() != 1 {
+            break;
+        }
+        let written = text.get(comment.start + 2..comment.end).unwrap_or_default();
+        let written = written.strip_prefix(' ').unwrap_or(written);
+        notes.push(Spanned::new(written.to_owned(), *comment));
+        line_end = comment.end;
+    }
+    notes
+}

@@ -1,0 +1,78 @@
+//! Every wrong file below `tests/errors/<stage>/<code>/`, and what its author sees.
+//!
+//! A file's snapshot stands beside it. The folder's name is the code that must be among those reported.
+
+use assur::source::Source;
+use libtest_mimic::{Arguments, Failed, Trial};
+use std::path::{Path, PathBuf};
+
+fn main() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");
+    let mut files = Vec::new();
+    collect(&root, &mut files);
+    files.sort();
+    let mut trials = files
+        .into_iter()
+        .map(|path| {
+            let name = path.strip_prefix(&root).unwrap_or(&path).display().to_string();
+            Trial::test(name, move || shows(&path))
+        })
+        .collect::<Vec<_>>();
+    trials.push(Trial::test("every code has its page and its smallest file", every_code));
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            collect(&path, files);
+        } else if path.extension().is_some_and(|e| e == "mech") {
+            files.push(path);
+        }
+    }
+}
+
+/// The code that a file's folders name.
+fn code_of(path: &Path) -> Option<String> {
+    let folder = path.parent()?;
+    let name = folder.file_name()?.to_str()?;
+    let stage = folder.parent()?.file_name()?.to_str()?;
+    Some(format!("mech::{stage}::{name}"))
+}
+
+fn shows(path: &Path) -> Result<(), Failed> {
+    let name = path.file_name().and_then(|n| n.to_str()).ok_or("a name")?.to_owned();
+    let source = Source::new(&name, std::fs::read_to_string(path)?);
+    let shown = assur::diagnose(&source);
+    let code = code_of(path).ok_or("a stage and a code")?;
+    if !shown.contains(&code) {
+        return Err(format!("{code} is not among what is reported:\n{shown}").into());
+    }
+    let folder = path.parent().ok_or("a folder")?;
+    let snapshot = std::panic::catch_unwind(|| {
+        insta::with_settings!({
+            snapshot_path => folder,
+            prepend_module_to_snapshot => false,
+            omit_expression => true,
+        }, {
+            insta::assert_snapshot!(name.trim_end_matches(".mech"), shown);
+        });
+    });
+    snapshot.map_err(|_| "the snapshot beside the file differs".into())
+}
+
+fn every_code() -> Result<(), Failed> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");
+    for code in assur::diagnostic::CODES {
+        let path = code.code.strip_prefix("mech::").ok_or("a code begins with mech::")?;
+        let (stage, name) = path.split_once("::").ok_or("a code names its stage")?;
+        if !root.join(stage).join(name).is_dir() {
+            return Err(format!("no file shows {}", code.code).into());
+        }
+        if !code.page.starts_with(&format!("# {}\n", code.code)) {
+            return Err(format!("the page of {} does not begin with its code", code.code).into());
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,55 @@
+//! Every program and fragment of the language's own page reads without a word of complaint.
+
+use assur::diagnostic::{Style, render};
+use assur::source::Source;
+use assur::syntax::document::{Member, Statement};
+use libtest_mimic::{Arguments, Failed, Trial};
+use std::path::{Path, PathBuf};
+
+fn main() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/language");
+    let mut files = Vec::new();
+    collect(&root, &mut files);
+    files.sort();
+    let trials = files
+        .into_iter()
+        .map(|path| {
+            let name = path.strip_prefix(&root).unwrap_or(&path).display().to_string();
+            Trial::test(name, move || reads(&path))
+        })
+        .collect();
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            collect(&path, files);
+        } else if path.extension().is_some_and(|e| e == "mech") {
+            files.push(path);
+        }
+    }
+}
+
+fn reads(path: &Path) -> Result<(), Failed> {
+    let text = std::fs::read_to_string(path)?;
+    for text in [text.clone(), text.replace('\n', "\r\n")] {
+        let source = Source::new("text.mech", text);
+        let (document, problems) = assur::syntax::parse(&source);
+        if !problems.is_empty() {
+            return Err(render(&problems, &source, Style::PLAIN).into());
+        }
+        for statement in &document.statements {
+            let bad = match &statement.node {
+                Statement::Bad(_) => true,
+                Statement::Link(link) => link.body.iter().any(|m| matches!(m.node, Member::Bad(_))),
+                _ => false,
+            };
+            if bad {
+                return Err(format!("not read: {:?}", statement.span).into());
+            }
+        }
+    }
+    Ok(())
+}
