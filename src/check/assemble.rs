@@ -103,6 +103,9 @@ fn guide(
     if let Some(pair) = slides(cx, point) {
         return Some(pair);
     }
+    if !cx.pairs_complete() {
+        return None;
+    }
     let help = match (slides(cx, other), order) {
         (Some(_), Order::Ahead) => format!("turn it round: `{} behind {}`", text(than), text(what)),
         (Some(_), Order::Behind) => format!("turn it round: `{} ahead of {}`", text(than), text(what)),

@@ -56,7 +56,11 @@ fn force(
 ) -> Option<BalanceKind> {
     let on = moving(cx, link, "a force");
     let name = &balance.name.node;
-    let example = format!("balance force {name} on {} along 90 deg", example(cx, on, &link.node));
+    let site = match at {
+        Some(document::Place::Point(point)) => format!("{} at {}", link.node, point.node),
+        _ => example(cx, on, &link.node),
+    };
+    let example = format!("balance force {name} on {site} along 90 deg");
     let place = match at {
         Some(at) => on.and_then(|on| place(cx, on, at)),
         None => {

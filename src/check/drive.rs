@@ -1,5 +1,6 @@
 //! Drives.
 
+use super::amount::{digits, told};
 use super::context::Context;
 use super::error::{LinkError, MotionError};
 use super::expr::Want;
@@ -74,11 +75,7 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
     let acceleration = rate(cx, drive.acceleration.as_ref(), moves, 2, &name);
     let sense = sense(cx, drive, moves);
     if let (None, Some(acceleration)) = (&drive.rate, &drive.acceleration) {
-        let zero = if moves == Moves::Freely {
-            "(0, 0)".into()
-        } else {
-            format!("0 {}", moves.dimension(1).si_text())
-        };
+        let zero = zero(moves, 1);
         cx.error(MotionError::AccelerationWithoutSpeed { name, zero, span: acceleration.value.span });
         return None;
     }
@@ -88,6 +85,11 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
         return None;
     };
     once.then_some(model::Drive { name, span, target, positions, speed, acceleration, sense })
+}
+
+/// Zero, as position (0) or speed (1).
+pub(super) fn zero(moves: Moves, order: usize) -> String {
+    if moves == Moves::Freely { "(0, 0)".into() } else { told(0.0, moves.dimension(order)) }
 }
 
 /// What is driven, and how it moves; no target for shafts and sliders.
@@ -138,7 +140,8 @@ pub(super) fn coordinate(cx: &mut Context<'_>, name: &Name) -> Option<(PairId, M
             return Some((pair, Moves::Sliding));
         }
         PairKind::Revolute(pins) => {
-            let links = pins.iter().map(|p| format!("`{}`", cx.mech.link(p.link).name));
+            let links = pins.iter().map(|p| p.link).filter(|l| *l != LinkId::GROUND);
+            let links = links.map(|l| format!("`{}`", cx.mech.link(l).name));
             let links = links.collect::<Vec<_>>().join(", ");
             (format!("one pin in {} links", pins.len()), format!("name one of the links {links}"))
         }
@@ -187,7 +190,7 @@ fn range(cx: &mut Context<'_>, course: &Course, moves: Moves, name: &str) -> Opt
     #[allow(clippy::cast_precision_loss)] // a million is exact
     let whole = steps.fract() == 0.0 && (1.0..=MOST_STEPS as f64).contains(&steps);
     if !whole {
-        let value = super::amount::digits(steps);
+        let value = digits(steps);
         cx.error(MotionError::Steps { value, most: MOST_STEPS, span: course.steps.span });
         return None;
     }

@@ -7,7 +7,7 @@ use super::link::{not_negative, positive};
 use crate::math::Vec2;
 use crate::model::{LinkId, MassProperties, PairKind};
 use crate::source::Span;
-use crate::syntax::document::{About, At, Body, JointKind, Member, Statement};
+use crate::syntax::document::{About, At, Body, Member, Statement};
 use crate::units::Dimension;
 
 /// An inertia that is too small by less than this part is rounded.
@@ -57,12 +57,7 @@ fn turning(cx: &Context<'_>) -> Vec<Turning> {
             break;
         }
     }
-    let declared = cx
-        .doc
-        .statements
-        .iter()
-        .filter(|s| matches!(&s.node, Statement::Joint(j) if j.kind.node == JointKind::Prismatic));
-    let complete = declared.count() == slides.len() && cx.names.bad.is_empty();
+    let complete = cx.pairs_complete();
     let by = |link: usize| {
         let pairs = cx.mech.pairs.iter().filter(|p| !matches!(p.kind, PairKind::Prismatic(_)));
         pairs.into_iter().find(|p| p.kind.links().contains(&LinkId::at(link))).map(|p| p.span)

@@ -39,6 +39,17 @@ fn pair(cx: &mut Context<'_>, joint: &Joint, shared: &Shared, held: &mut Held) -
     properties.and(kind)
 }
 
+impl Context<'_> {
+    /// Whether all pairs of the linkage are in the mechanism: none has an error, no statement is unreadable. Where it is
+    /// not so, something that seems unjoined may be joined.
+    pub(super) fn pairs_complete(&self) -> bool {
+        let is_pair = |s: &Statement| matches!(s, Statement::Joint(j) if is_linkage_pair(j.kind.node));
+        let is_bad = |s: &Statement| matches!(s, Statement::Bad(_));
+        let statements = || self.doc.statements.iter().map(|s| &s.node);
+        statements().filter(|s| is_pair(s)).count() == self.mech.pairs.len() && !statements().any(is_bad)
+    }
+}
+
 /// An end of a joint: a link and the name of a part of it.
 pub(super) struct Joined {
     /// The link.

@@ -1,7 +1,7 @@
 //! Poses beside those of the sweep.
 
 use super::context::Context;
-use super::drive::{count, moves, stated_twice, text, value};
+use super::drive::{count, moves, stated_twice, text, value, zero};
 use super::error::MotionError;
 use super::lookup::suggestion;
 use crate::model::{DriveId, Expr, NamedPose, Positions};
@@ -55,10 +55,9 @@ pub(super) fn settings(
             Positions::None => {}
             Positions::List(values) if values.len() == 1 => at.push((id, values[0].clone())),
             _ => {
-                let unit = moves(cx, drive.target).dimension(0).si_text();
                 let error = MotionError::PoseIncomplete {
                     what: what.into(),
-                    example: format!(", {} = 0 {unit}", drive.name),
+                    example: format!(", {} = {}", drive.name, zero(moves(cx, drive.target), 0)),
                     drive: drive.name.clone(),
                     span,
                     drive_span: drive.span,
