@@ -30,7 +30,7 @@ pub enum ExpectError {
     /// A sweep, and nothing says which of its poses.
     #[error("`{text}` has {poses} values, one per pose, and only one is expected")]
     #[diagnostic(
-        code(mech::expect::needs_pose),
+        code(mech::expect::which_pose),
         help("say where it holds, as in `at pose 1` or `at crank = 30 deg`, or list one value per pose")
     )]
     NeedsPose {
@@ -44,7 +44,7 @@ pub enum ExpectError {
     },
     /// A list of another length than the sweep.
     #[error("{values} values are expected of `{text}` at {poses} pose{}", if *poses == 1 { "" } else { "s" })]
-    #[diagnostic(code(mech::expect::list_length), help("list one value per pose, in the order of the sweep"))]
+    #[diagnostic(code(mech::expect::count), help("list one value per pose, in the order of the sweep"))]
     ListLength {
         /// What is expected of.
         text: String,
@@ -88,7 +88,7 @@ pub enum ExpectError {
     },
     /// The value does not exist.
     #[error("`{text}` has no value{pose}{}", why.as_ref().map(|w| format!(": {w}")).unwrap_or_default())]
-    #[diagnostic(code(mech::expect::no_value))]
+    #[diagnostic(code(mech::expect::undefined))]
     NoValue {
         /// What is expected of.
         text: String,
