@@ -1,6 +1,8 @@
 //! `assur`: a small declarative language for planar mechanism problems, and the compiler that solves them.
 
 pub mod check;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod diagnostic;
 pub mod exercise;
 pub mod force;
@@ -55,7 +57,8 @@ pub fn check_source(source: &Source, overrides: &Overrides) -> (Option<Mechanism
     (mechanism.filter(|_| !problems.has_errors()), problems)
 }
 
-/// Text → [`Compiled`]: checked, decomposed into structural groups, planned. Nothing is solved.
+/// Text → [`Compiled`]: checked, decomposed into structural groups, planned. Nothing is solved. What is compiled can be
+/// looked at even where the problems hold an error: that forces are asked for which are not determined.
 #[must_use]
 pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Problems) {
     let (mechanism, mut problems) = check_source(source, overrides);
@@ -64,6 +67,7 @@ pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
         Ok((structure, warnings)) => {
             problems.extend(warnings);
             let plan = plan::plan(&mechanism, &structure);
+            problems.extend(structure.force_defect.clone().filter(|_| plan.effects.forces));
             (Some(Compiled { mechanism, structure, plan }), problems)
         }
         Err(errors) => {
@@ -87,6 +91,7 @@ pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
         }
     };
     problems.extend(std::mem::take(&mut solution.warnings));
+    problems.extend(solution.failures());
     let (outcomes, errors) = exercise::evaluate(&scene, &solution);
     problems.extend(errors);
     (Ok(Solved { compiled, solution, outcomes }), problems)
@@ -97,7 +102,7 @@ pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
 #[must_use]
 pub fn solve_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {
     let (compiled, mut problems) = compile(source, overrides);
-    let Some(compiled) = compiled else { return (None, problems) };
+    let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
     let (solved, found) = solve(compiled);
     problems.append(found);
     (solved.ok(), problems)

@@ -103,6 +103,19 @@ pub struct Residuals {
 }
 
 impl Solution {
+    /// Why poses of the file have no solution, except for those of a sweep that do not close: one warning speaks of them
+    /// all.
+    #[must_use]
+    pub fn failures(&self) -> Vec<SolveError> {
+        let open = |e: &SolveError| matches!(e, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. });
+        let poses = self.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
+        let failed = poses.filter_map(|p| Some((p.origin, p.outcome.as_ref().err()?)));
+        failed
+            .filter(|(origin, error)| !(matches!(origin, PoseOrigin::Sweep(_)) && open(error)))
+            .map(|(_, error)| error.clone())
+            .collect()
+    }
+
     /// One of its positions, seen from the language.
     #[must_use]
     pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> View<'a> {
