@@ -204,8 +204,9 @@ fn slip(outcome: &Outcome) -> Option<String> {
     if expected == 0.0 {
         return None;
     }
+    // half a graphical solution's accuracy
     let alike = |factor: f64| {
-        let allowed = (within * factor.abs()).max(1e-3 * (expected * factor).abs());
+        let allowed = (within * factor.abs()).max(0.02 * (expected * factor).abs());
         (got - expected * factor).abs() <= allowed
     };
     let degree = std::f64::consts::PI / 180.0;

@@ -106,10 +106,10 @@ impl Table {
         Self { columns, rows: Vec::new(), keys }
     }
 
-    /// A table of words, by its headers.
+    /// A table of words, by its headers: it is not broken.
     #[must_use]
     pub fn of_words(headers: &[&str]) -> Self {
-        Self::new(headers.iter().map(|h| Column::words(*h)).collect(), 1)
+        Self::new(headers.iter().map(|h| Column::words(*h)).collect(), headers.len())
     }
 
     /// Adds a column of numbers: one cell per row.

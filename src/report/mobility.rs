@@ -1,9 +1,9 @@
 //! Mobility and structural groups.
 
 use super::document::{Block, Column, Report, Section, Table};
-use crate::model::{BalanceKind, PairKind};
+use crate::model::BalanceKind;
 use crate::solve::Scene;
-use crate::structure::{BodyId, BodyOrigin, Effort, EffortSource, Group, GroupKind, JointKind, Structure};
+use crate::structure::{BodyId, BodyOrigin, Effort, EffortSource, Group, GroupKind, Structure};
 
 /// The numbers of a group: links, lower pairs, higher pairs of the mechanism as declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,9 +27,12 @@ impl GroupCount {
         Self { n: group.bodies.len() - higher, lower, higher }
     }
 
-    /// The count in figures, as `3·2 − 2·3 = 0`.
-    pub fn formula(self) -> String {
+    /// The count in figures, as `3·2 − 2·3 = 0`; a body between two guides does not turn, so that 2n = P_L counts.
+    pub fn formula(self, kind: GroupKind) -> String {
         let [n, lower, higher] = [self.n, self.lower, self.higher].map(|x| i64::try_from(x).unwrap_or(i64::MAX));
+        if kind == GroupKind::Translation {
+            return format!("2·{n} − {lower} = {}", 2 * n - lower);
+        }
         let rest = 3 * n - 2 * lower - higher;
         let higher = if higher > 0 { format!(" − {higher}") } else { String::new() };
         format!("3·{n} − 2·{lower}{higher} = {rest}")
@@ -102,7 +105,8 @@ fn groups(scene: &Scene<'_>, groups: &[Group], efforts: &[Effort]) -> Table {
     let mut columns = vec![Column::right("#")];
     columns.extend(["links", "class", "kind", "order", "count", "pairs", "name"].map(Column::words));
     columns[4] = Column::right("order");
-    let mut table = Table::new(columns, 1);
+    let keys = columns.len();
+    let mut table = Table::new(columns, keys);
     for (i, group) in groups.iter().enumerate() {
         let count = GroupCount::of(scene.structure, group);
         let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
@@ -117,7 +121,7 @@ fn groups(scene: &Scene<'_>, groups: &[Group], efforts: &[Effort]) -> Table {
             group.class_name().to_owned(),
             kind,
             group.order.to_string(),
-            count.formula(),
+            count.formula(group.kind),
             pair_names(scene, group).join(", "),
             group.name.clone().unwrap_or_default(),
         ]);
@@ -197,26 +201,5 @@ fn notes(scene: &Scene<'_>) -> Vec<String> {
             chained.join(", ")
         ));
     }
-    for (i, link) in mechanism.links.iter().enumerate() {
-        let turns = structure.replaced.joints.iter().any(|j| {
-            matches!(j.kind, JointKind::Revolute(_)) && j.bodies().contains(&BodyId(i))
-        });
-        if let Some(mass) = link.mass
-            && mass.mass > 0.0
-            && mass.inertia == 0.0
-            && turns
-            && !slides_on_ground(scene, i)
-        {
-            notes.push(format!("`{}` has a mass and no inertia: it counts as a point mass", link.name));
-        }
-    }
     notes
-}
-
-/// The link moves along a line of the ground: it does not turn.
-fn slides_on_ground(scene: &Scene<'_>, link: usize) -> bool {
-    scene.mechanism.pairs.iter().any(|p| match &p.kind {
-        PairKind::Prismatic(g) => g.slider.index() == link && g.guide.index() == 0,
-        _ => false,
-    })
 }

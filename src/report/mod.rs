@@ -48,7 +48,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     report
 }
 
-/// The answers as one table, one row per pose: what CSV prints, every digit in it.
+/// The answers as one table, one row per pose: what CSV prints, with all digits.
 #[must_use]
 pub fn table_of_poses(answers: &Answers<'_>) -> document::Table {
     results::full_table(answers)

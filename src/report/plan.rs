@@ -4,7 +4,7 @@ use super::document::{Report, Section, Table};
 use super::mobility::{link_names, source_name};
 use crate::diagnostic::place;
 use crate::model::{LinkId, LoadKind};
-use crate::plan::{ForceStep, Level, LoadStep, MotionStep};
+use crate::plan::{ForceStep, LoadStep, MotionStep};
 use crate::solve::Scene;
 use crate::source::Source;
 use crate::structure::{Effort, Group};
@@ -51,22 +51,17 @@ fn bodies(scene: &Scene<'_>, group: &Group) -> String {
 
 fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &MotionStep) -> String {
     let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
-    let rates = match scene.plan.effects.level {
-        Level::Positions => "positions",
-        Level::Velocities => "positions and velocities",
-        Level::Accelerations => "positions, velocities and accelerations",
-    };
     match step {
         MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("as {} says", with.join(", ")),
         MotionStep::General { .. } => {
-            format!("{rates} by Newton's method, {} links at once", link_names(scene, group).len())
+            format!("Newton's method, {} links at once", link_names(scene, group).len())
         }
         MotionStep::Rrr { .. }
         | MotionStep::Rrp { .. }
         | MotionStep::Rpr { .. }
         | MotionStep::Prp { .. }
-        | MotionStep::Rpp { .. } => format!("{rates} in closed form, dyad {}", group.kind_name()),
-        MotionStep::Translation { .. } => format!("{rates} in closed form, between two guides"),
+        | MotionStep::Rpp { .. } => format!("closed form, dyad {}", group.kind_name()),
+        MotionStep::Translation { .. } => "closed form, between two guides".to_owned(),
     }
 }
 
@@ -82,8 +77,8 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
         | ForceStep::Rrp { .. }
         | ForceStep::Rpr { .. }
         | ForceStep::Prp { .. }
-        | ForceStep::Rpp { .. } => format!("equilibrium in closed form, dyad {}", group.kind_name()),
-        ForceStep::Translation { .. } => "equilibrium in closed form, between two guides".to_owned(),
+        | ForceStep::Rpp { .. } => format!("closed form, dyad {}", group.kind_name()),
+        ForceStep::Translation { .. } => "closed form, between two guides".to_owned(),
     }
 }
 

@@ -7,7 +7,10 @@ use super::reactions::{ReactionEntry, reactions};
 use super::scale::Scale;
 use crate::model::{Display, Value};
 use crate::solve::{Pose, PoseOrigin};
-use crate::units::Dimension;
+use crate::units::{Dimension, significant};
+
+/// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
+const FULL: usize = 15;
 
 /// Answers, and the poses that have none.
 pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
@@ -100,7 +103,7 @@ fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: 
     if table.columns.len() > table.keys { table } else { Table::default() }
 }
 
-/// Every digit of every number, one row per pose: drives, quantities and, where they are asked for, reactions. What
+/// All digits of every number, one row per pose: drives, quantities and, where they are asked for, reactions. What
 /// needs no pose stands in every row; a pose without solution has empty cells.
 pub(super) fn full_table(answers: &Answers<'_>) -> Table {
     let poses: Vec<&Pose> = answers.poses().collect();
@@ -128,19 +131,12 @@ pub(super) fn full_table(answers: &Answers<'_>) -> Table {
 fn add_full(table: &mut Table, quantity: &Quantity) {
     for part in quantity.parts() {
         let cells = part.cells.iter().map(|cell| match cell {
-            Cell::Number(x) => shortest(*x),
+            Cell::Number(x) => significant(*x, FULL),
             Cell::Truth(truth) => truth.to_string(),
             Cell::None => String::new(),
         });
         table.column(with_unit(&part.name, &quantity.display.unit), cells);
     }
-}
-
-/// The shortest figures that read back as the same number.
-fn shortest(x: f64) -> String {
-    let x = x + 0.0;
-    let small = x != 0.0 && !(1e-5..1e16).contains(&x.abs());
-    if small { format!("{x:e}") } else { x.to_string() }
 }
 
 /// Reactions under the names by which a file asks for them.
