@@ -234,25 +234,29 @@ pub(super) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span
     cx.error(LoadError::Form { message, help: help.into(), span });
 }
 
-/// Whether an expression hangs on no force that is yet to be found; reports one that does.
+/// Whether an expression hangs on no force, given or yet to be found; reports one that does.
 fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
-    let mut on = None;
-    expr.queries(&mut |query| on = on.or(force_result(query)));
-    if let Some(on) = on {
-        cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), span });
+    let hangs = cx.uses_forces(expr);
+    if hangs {
+        let mut on = None;
+        expr.queries(&mut |query| on = on.or(force_result(query)));
+        let on = on.unwrap_or("a result of the forces").into();
+        cx.error(LoadError::DependsOnForces { what: what.into(), on, span });
     }
-    on.is_none()
+    !hangs
 }
 
-/// What a result is called that is found from the loads.
+/// What a result is called that hangs on forces.
 const fn force_result(query: &Query) -> Option<&'static str> {
     match query {
         Query::Reaction(..) => Some("a reaction"),
         Query::Moment(..) => Some("a moment in a pair"),
         Query::Normal(..) | Query::ContactForce(..) => Some("a normal force"),
         Query::LineOffset(_) => Some("the place of a reaction"),
-        Query::Balance(_) | Query::BalancePower(_) => Some("an unknown load"),
-        Query::Effort(_) | Query::EffortPower(_) => Some("the effort of a drive"),
+        Query::Balance(_) => Some("an unknown load"),
+        Query::Effort(_) => Some("the effort of a drive"),
+        Query::Load(_) => Some("another load"),
+        Query::BalancePower(_) | Query::LoadPower(_) | Query::EffortPower(_) => Some("a power"),
         _ => None,
     }
 }
