@@ -11,6 +11,8 @@ pub mod units;
 /// What the author of a text is told about it, without colour, 100 columns wide; empty where nothing is wrong.
 #[must_use]
 pub fn diagnose(source: &source::Source) -> String {
-    let (_, problems) = syntax::parse(source);
+    let (document, mut problems) = syntax::parse(source);
+    let (_, more) = check::check(&document, &check::Overrides::none());
+    problems.append(more);
     diagnostic::render(&problems, source, diagnostic::Style::PLAIN)
 }

@@ -62,7 +62,8 @@ impl<'a> Context<'a> {
     }
 
     /// The mechanism, if nothing is wrong with it, and all that was found.
-    pub fn finish(self) -> (Option<Mechanism>, Problems) {
+    pub fn finish(mut self) -> (Option<Mechanism>, Problems) {
+        self.mech.displays = self.displays();
         let fine = !self.problems.has_errors();
         (fine.then_some(self.mech), self.problems)
     }

@@ -234,19 +234,17 @@ pub(super) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span
     cx.error(LoadError::Form { message, help: help.into(), span });
 }
 
-/// Whether an expression hangs on no force, given or yet to be found; reports one that does.
+/// Whether an expression hangs on no force that is yet to be found; reports one that does.
 fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
-    let hangs = cx.uses_forces(expr);
-    if hangs {
-        let mut on = None;
-        expr.queries(&mut |query| on = on.or(force_result(query)));
-        let on = on.unwrap_or("a result of the forces").into();
-        cx.error(LoadError::DependsOnForces { what: what.into(), on, span });
+    let mut on = None;
+    cx.queries_behind(expr, &mut |query| on = on.or(force_result(query)));
+    if let Some(on) = on {
+        cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), span });
     }
-    !hangs
+    on.is_none()
 }
 
-/// What a result is called that hangs on forces.
+/// What a result is called that is found from the loads.
 const fn force_result(query: &Query) -> Option<&'static str> {
     match query {
         Query::Reaction(..) => Some("a reaction"),
@@ -255,7 +253,6 @@ const fn force_result(query: &Query) -> Option<&'static str> {
         Query::LineOffset(_) => Some("the place of a reaction"),
         Query::Balance(_) => Some("an unknown load"),
         Query::Effort(_) => Some("the effort of a drive"),
-        Query::Load(_) => Some("another load"),
         Query::BalancePower(_) | Query::LoadPower(_) | Query::EffortPower(_) => Some("a power"),
         _ => None,
     }

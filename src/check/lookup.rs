@@ -7,6 +7,7 @@ use crate::diagnostic::did_you_mean;
 use crate::math::Vec2;
 use crate::model::{Circle, Guide, Line, LinkId, PairId, PairKind};
 use crate::syntax::document::{JointKind, Name};
+use crate::syntax::skeleton;
 
 /// The pairs that join links of a linkage; all others are transmissions.
 pub fn is_linkage_pair(kind: JointKind) -> bool {
@@ -265,6 +266,12 @@ pub fn place_of_pair(kind: &PairKind) -> Option<(LinkId, Vec2)> {
 /// `did you mean …?`, or else what there is.
 pub fn suggestion(name: &str, all: &[&str], kind: &str) -> Option<String> {
     let quoted = |names: &[&str]| names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>();
+    if let Some(alike) = all.iter().find(|n| **n != name && skeleton(n) == skeleton(name)) {
+        return Some(format!(
+            "`{alike}` is there, and only looks the same: {}",
+            super::alike::difference(alike, name)
+        ));
+    }
     let near = did_you_mean(name, all.iter().copied());
     if !near.is_empty() {
         return Some(format!("did you mean {}?", quoted(&near).join(" or ")));

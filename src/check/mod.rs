@@ -3,6 +3,7 @@
 //! Every mistake of a file is reported in one run. What contains a mistake is left out of the mechanism, and what refers
 //! to something left out is skipped in silence. No mechanism comes out where there is an error.
 
+mod alike;
 mod amount;
 mod assemble;
 mod balance;
@@ -15,8 +16,10 @@ pub mod error;
 mod expect;
 pub mod expr;
 mod gravity;
+mod head;
 mod link;
 mod load;
+mod load_cycle;
 mod lookup;
 mod machine;
 mod mass;
@@ -35,6 +38,7 @@ mod spring;
 mod tolerance;
 mod unit_choice;
 mod value;
+mod variants;
 mod walk;
 
 pub use overrides::Overrides;
@@ -49,10 +53,14 @@ use context::Context;
 pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
     let mut cx = Context::new(document, overrides);
     names::declare(&mut cx);
+    alike::look_alikes(&mut cx);
+    head::head(&mut cx);
     value::order(&mut cx);
     value::constants(&mut cx);
     machine::machine(&mut cx);
     request::finds(&mut cx);
     expect::expects(&mut cx);
+    variants::variants(&mut cx);
+    load_cycle::load_cycles(&mut cx);
     cx.finish()
 }

@@ -5,7 +5,8 @@ use super::error::NameError;
 use crate::model::{BalanceId, Link, LinkId, LoadId};
 use crate::source::Span;
 use crate::syntax::document::{
-    Bad, Balance, Body, CamMember, End, Expr, FindItem, Joint, JointKind, Load, Member, Name, Statement,
+    Bad, Balance, Body, CamMember, Column, End, Expr, FindItem, Joint, JointKind, Load, Member, Name,
+    Statement,
 };
 use indexmap::{IndexMap, IndexSet};
 
@@ -33,6 +34,8 @@ pub enum QuantityKind<'a> {
     Balance(BalanceId, &'a Balance),
     /// A flywheel: the moment of inertia found.
     Flywheel,
+    /// A column of variants that no `given` declares: for an `expect`.
+    Column(&'a Column),
 }
 
 /// What a thing's name stands for.
@@ -139,8 +142,17 @@ pub fn declare(cx: &mut Context<'_>) {
                     cx.names.poses.insert(pose.name.node.clone(), pose.name.span);
                 }
             }
+            // Declared below: a `given` of that name may follow.
+            Statement::Variants(_) => {}
             Statement::Bad(bad) => cx.names.bad.extend(bad.names.iter().cloned()),
             other => things(cx, other, statement.span),
+        }
+    }
+    for statement in &cx.doc.statements {
+        let Statement::Variants(table) = &statement.node else { continue };
+        for column in &table.columns {
+            let declared = Declared { what: QuantityKind::Column(column), span: column.name.span };
+            cx.names.quantities.entry(column.name.node.clone()).or_insert(declared);
         }
     }
 }

@@ -40,6 +40,7 @@ pub(super) fn apply(cx: &mut Context<'_>) {
                     QuantityKind::Find(_) => "what is to be found",
                     QuantityKind::Load(..) => "a load",
                     QuantityKind::Balance(..) => "an unknown effort",
+                    QuantityKind::Column(_) => "a column of variants",
                     QuantityKind::Flywheel | QuantityKind::Given(_) => "a flywheel",
                 };
                 let why = format!("`{name}` is {is}; only a `given` can be set from outside");

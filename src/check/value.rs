@@ -8,7 +8,7 @@ use super::unit_choice::display_in;
 use super::walk;
 use crate::model::{self, Display, NamedValue, Quantity, QuantityId};
 use crate::source::Span;
-use crate::syntax::document::{Expr, ExprKind, LoadKind, Name, Site};
+use crate::syntax::document::{Column, Expr, ExprKind, LoadKind, Name, Site, Statement};
 use crate::units::{Dimension, Kind};
 use indexmap::IndexMap;
 use miette::LabeledSpan;
@@ -84,7 +84,10 @@ fn definition(kind: QuantityKind<'_>) -> Option<&Expr> {
     match kind {
         QuantityKind::Given(e) | QuantityKind::Let(e) => Some(e),
         QuantityKind::Find(item) => Some(&item.value),
-        QuantityKind::Load(..) | QuantityKind::Balance(..) | QuantityKind::Flywheel => None,
+        QuantityKind::Load(..)
+        | QuantityKind::Balance(..)
+        | QuantityKind::Flywheel
+        | QuantityKind::Column(_) => None,
     }
 }
 
@@ -271,6 +274,7 @@ impl Context<'_> {
                 let ty = Type::number(dimension_of(balance.kind.node));
                 Some(Typed::new(model::Expr::Query(model::Query::Balance(id)), ty))
             }
+            QuantityKind::Column(column) => self.column(column, name),
             QuantityKind::Flywheel => {
                 self.unsupported("a flywheel", name.span);
                 Some(Typed::pending(Type::number(Dimension::INERTIA)))
@@ -284,6 +288,44 @@ impl Context<'_> {
                 }
             }
         }
+    }
+
+    /// A name that has its values in a table of variants alone: an answer key per row.
+    fn column(&mut self, column: &Column, name: &Name) -> Option<Typed> {
+        let dimension = match &column.unit {
+            Some(word) => self.unit(word)?.dimension,
+            None => Dimension::NUMBER,
+        };
+        if self.used_by_expect(&column.name.node) {
+            return Some(Typed::pending(Type::number(dimension)));
+        }
+        if self.reported.insert(("quantity", name.node.clone())) {
+            let help = Some(format!(
+                "a column of variants replaces the value of a `given`: add `given {} = …`",
+                name.node
+            ));
+            let (name, span) = (name.node.clone(), name.span);
+            self.error(NameError::Unknown { kind: "quantity", name, place: String::new(), span, help });
+        }
+        None
+    }
+
+    /// Whether nothing but expectations use this name.
+    pub(super) fn used_by_expect(&self, name: &str) -> bool {
+        let mut expected = false;
+        let mut elsewhere = false;
+        for statement in &self.doc.statements {
+            let expect = matches!(statement.node, Statement::Expect(_));
+            walk::expressions(&statement.node, &mut |expr| {
+                walk::parts(expr, &mut |part| {
+                    if matches!(&part.kind, ExprKind::Name(n) if n == name) {
+                        expected |= expect;
+                        elsewhere |= !expect;
+                    }
+                });
+            });
+        }
+        expected && !elsewhere
     }
 
     fn undeclared(&mut self, name: &Name) -> Option<Typed> {
@@ -340,6 +382,19 @@ impl Context<'_> {
             };
         });
         poseless
+    }
+
+    /// Calls `visit` on every result the expression hangs on, those behind other quantities included.
+    pub fn queries_behind(&self, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
+        expr.parts(&mut |part| match part {
+            model::Expr::Query(query) => visit(query),
+            model::Expr::Quantity(id) => {
+                if let Some(quantity) = self.mech.quantities.get(id.index()) {
+                    self.queries_behind(&quantity.expr, visit);
+                }
+            }
+            _ => {}
+        });
     }
 
     /// The expression with quantities that need no pose written out.

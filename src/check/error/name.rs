@@ -57,6 +57,21 @@ pub enum NameError {
         #[label("first declared here")]
         first: Option<Span>,
     },
+    /// Two names that only look alike.
+    #[error("two different names look like `{name}`")]
+    #[diagnostic(code("mech::name::look_alike"), help("{help}; write both with the same letters"))]
+    LookAlike {
+        /// The second of the names.
+        name: String,
+        /// Where it stands.
+        #[label(primary, "looks like the other one")]
+        span: Span,
+        /// Where the first one stands.
+        #[label("the other one")]
+        first: Span,
+        /// Which letters differ.
+        help: String,
+    },
     /// A definition that hangs on itself.
     #[error("`{name}` hangs on itself: {chain}")]
     #[diagnostic(code("mech::name::cycle"), help("give one of them a value of its own"))]

@@ -234,6 +234,21 @@ pub enum RequestError {
         #[label("first asked here")]
         first: Span,
     },
+    /// A row of variants that is longer or shorter than the header.
+    #[error("this row has {found} numbers, and the table has {columns} columns")]
+    #[diagnostic(code("mech::request::variant_row"), help("one number per column, separated by commas"))]
+    VariantRow {
+        /// How many numbers.
+        found: usize,
+        /// How many columns.
+        columns: usize,
+        /// The row.
+        #[label(primary, "{found} numbers")]
+        span: Span,
+        /// The header.
+        #[label("{columns} columns")]
+        header: Option<Span>,
+    },
     /// A value from outside for what is no `given`.
     #[error("`--set {name}=…`: {why}")]
     #[diagnostic(code("mech::request::set_unknown"))]

@@ -14,7 +14,6 @@ use super::error::{NameError, RequestError};
 use super::expr::Sign;
 use super::expr::typed::Typed;
 use super::lookup::suggestion;
-use crate::model::{Expr as ModelExpr, Query};
 use crate::source::Span;
 use crate::syntax::document::{Arg, Expr, ExprKind, Name};
 use table::{FUNCTIONS, usage};
@@ -137,36 +136,4 @@ impl Context<'_> {
             usage: usage(&call.name.node),
         });
     }
-
-    /// Whether an expression hangs on forces: reactions, efforts, loads.
-    pub fn uses_forces(&self, expr: &ModelExpr) -> bool {
-        let mut found = false;
-        expr.parts(&mut |part| {
-            found |= match part {
-                ModelExpr::Quantity(id) => {
-                    self.mech.quantities.get(id.index()).is_some_and(|q| self.uses_forces(&q.expr))
-                }
-                ModelExpr::Query(q) => is_force(q),
-                _ => false,
-            };
-        });
-        found
-    }
-}
-
-const fn is_force(query: &Query) -> bool {
-    matches!(
-        query,
-        Query::Reaction(..)
-            | Query::Moment(..)
-            | Query::Normal(..)
-            | Query::ContactForce(..)
-            | Query::LineOffset(_)
-            | Query::Balance(_)
-            | Query::Effort(_)
-            | Query::Load(_)
-            | Query::BalancePower(_)
-            | Query::LoadPower(_)
-            | Query::EffortPower(_)
-    )
 }

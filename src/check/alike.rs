@@ -1,0 +1,57 @@
+//! Names that cannot be told apart by eye.
+
+use super::context::Context;
+use super::error::NameError;
+use crate::source::Span;
+use crate::syntax::skeleton;
+use indexmap::IndexMap;
+
+/// Reports names of one list that only look alike.
+pub(super) fn look_alikes(cx: &mut Context<'_>) {
+    let names = &cx.names;
+    let quantities = names.quantities.iter().map(|(n, d)| (n.clone(), d.span)).collect::<Vec<_>>();
+    let things = names.things.iter().map(|(n, d)| (n.clone(), d.span)).collect::<Vec<_>>();
+    let inside = names.inside.iter().flat_map(|i| i.points.iter().chain(&i.lines).chain(&i.circles));
+    let inside = inside.map(|(n, span)| (n.clone(), *span)).collect::<Vec<_>>();
+    for list in [quantities, things, inside] {
+        compare(cx, &list);
+    }
+}
+
+fn compare(cx: &mut Context<'_>, list: &[(String, Span)]) {
+    let mut seen: IndexMap<String, Vec<(&str, Span)>> = IndexMap::new();
+    for (name, span) in list {
+        let alike = seen.entry(skeleton(name)).or_default();
+        if alike.iter().any(|(n, _)| n == name) {
+            continue;
+        }
+        if let Some(&(first, first_span)) = alike.first() {
+            let help = difference(first, name);
+            cx.error(NameError::LookAlike { name: name.clone(), span: *span, first: first_span, help });
+            // What is not found because of this is no second mistake.
+            cx.names.bad.extend([first.to_owned(), name.clone()]);
+        }
+        alike.push((name, *span));
+    }
+}
+
+/// Which letters differ.
+pub(super) fn difference(first: &str, second: &str) -> String {
+    let differs = first.chars().zip(second.chars()).find(|(a, b)| a != b);
+    match differs {
+        Some((a, b)) => {
+            format!("the letter `{a}` is {} in the first and {} in the second", script(a), script(b))
+        }
+        None => "they are written with different letters".to_owned(),
+    }
+}
+
+/// The script of a letter, in words.
+fn script(c: char) -> &'static str {
+    match c {
+        '\u{370}'..='\u{3FF}' | '\u{1F00}'..='\u{1FFF}' => "Greek",
+        '\u{400}'..='\u{52F}' => "Cyrillic",
+        c if c.is_ascii_digit() => "a digit",
+        _ => "Latin",
+    }
+}
