@@ -51,7 +51,8 @@ fn two_statements(case: &Case<'_>) -> Option<SyntaxError> {
     let candidates = case.words().into_iter().rev().filter(begins).take(4);
     for (at, word) in candidates {
         let (first, second) = (&case.slice[..at], &case.slice[at..]);
-        if case.reads(first.trim_end()) && case.reads(second) {
+        let more = case.words().iter().any(|(i, w)| *i > at && words::STATEMENTS.contains(w));
+        if case.reads(first.trim_end()) && (more || case.reads(second)) {
             let trimmed = first.trim_end();
             let help = case.help(trimmed.len(), at, "; ");
             return Some(SyntaxError::TwoStatements { at: case.span(at, word.len()), help });
