@@ -46,6 +46,9 @@ fn shows(path: &Path) -> Result<(), Failed> {
     let source = Source::new(&name, std::fs::read_to_string(path)?);
     let shown = assur::diagnose(&source);
     let code = code_of(path).ok_or("a stage and a code")?;
+    if assur::diagnostic::explain(&code).is_none() {
+        return Err(format!("{code} has no page").into());
+    }
     if !shown.contains(&code) {
         return Err(format!("{code} is not among what is reported:\n{shown}").into());
     }
@@ -62,6 +65,7 @@ fn shows(path: &Path) -> Result<(), Failed> {
     snapshot.map_err(|_| "the snapshot beside the file differs".into())
 }
 
+/// Every code has a folder of files and a page; the page's examples are what it says they are.
 fn every_code() -> Result<(), Failed> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");
     for code in assur::diagnostic::CODES {
@@ -73,6 +77,22 @@ fn every_code() -> Result<(), Failed> {
         if !code.page.starts_with(&format!("# {}\n", code.code)) {
             return Err(format!("the page of {} does not begin with its code", code.code).into());
         }
+        if example(code.page, "```mech wrong\n").is_some_and(|text| !reports(text, code.code)) {
+            return Err(format!("the wrong example of {} is not wrong", code.code).into());
+        }
+        let mended = example(code.page, "```mech\n").ok_or(format!("{} has no mended example", code.code))?;
+        if reports(mended, code.code) {
+            return Err(format!("the mended example of {} is wrong", code.code).into());
+        }
     }
     Ok(())
+}
+
+/// The first block of a page behind that fence.
+fn example<'a>(page: &'a str, fence: &str) -> Option<&'a str> {
+    page.split_once(fence)?.1.split_once("```").map(|(text, _)| text)
+}
+
+fn reports(text: &str, code: &str) -> bool {
+    assur::diagnose(&Source::new("page.mech", text)).contains(code)
 }

@@ -12,6 +12,9 @@ mod trivia;
 mod whole;
 mod words;
 
+#[cfg(test)]
+mod tests;
+
 pub mod document;
 
 pub use error::SyntaxError;

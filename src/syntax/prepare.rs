@@ -1,6 +1,9 @@
 //! Makes a text readable byte for byte: foreign blanks, signs and digits are replaced by plain ones of the same total
 //! length, so that every place stays where it was, and are reported.
 //!
+//! What is left of a replaced character is filled with [`FILL`], which the grammar takes for a blank and which a place
+//! that ends before it includes, so that no place ends within a character of the author's.
+//!
 //! Brackets nested deeper than [`DEPTH`] are blanked out here, before anything descends into them.
 
 use super::error::SyntaxError;
@@ -10,6 +13,15 @@ use crate::source::Span;
 
 /// How many brackets may be nested.
 pub(super) const DEPTH: usize = 64;
+
+/// What stands for the other bytes of a replaced character.
+pub(super) const FILL: char = '\u{1}';
+
+/// The end of a place in the prepared text, moved over what is left of its last character.
+pub(super) fn whole_end(read: &str, end: usize) -> usize {
+    let rest = read.as_bytes().get(end..).unwrap_or_default();
+    end + rest.iter().take_while(|b| **b == FILL as u8).count()
+}
 
 /// The text that the grammar reads, of the same length as the author's.
 pub(super) fn prepare(text: &str, problems: &mut Problems) -> String {
@@ -66,6 +78,10 @@ impl<'a> Prepare<'a> {
             let next = chars.peek().map(|(_, c)| *c);
             let replaced = if mode == Mode::Code { self.foreign(span, c) } else { None };
             if let Some((plain, pads)) = replaced {
+                // Digits and letters are kept together.
+                if !plain.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'.') {
+                    self.pad(&mut padding);
+                }
                 self.out.push_str(if blank_line { BLANKS[plain.len()] } else { plain });
                 padding += pads;
                 mode = if plain == "\"" { Mode::Text(false) } else { mode };
@@ -107,9 +123,9 @@ impl<'a> Prepare<'a> {
         }
     }
 
-    /// Blanks behind a run of replaced characters, so that the run itself has none.
+    /// Filling behind a run of replaced characters, so that the run itself has none.
     fn pad(&mut self, padding: &mut usize) {
-        self.out.extend(std::iter::repeat_n(' ', *padding));
+        self.out.extend(std::iter::repeat_n(FILL, *padding));
         *padding = 0;
     }
 

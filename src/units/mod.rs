@@ -9,6 +9,9 @@ mod spelling;
 mod table;
 mod unit;
 
+#[cfg(test)]
+mod tests;
+
 pub use dimension::{Dimension, Kind};
 pub use error::UnitError;
 pub use lookup::{Factor, factors, is_unit, lookup};

@@ -58,11 +58,9 @@ fn symbol_choices(written: &str) -> Vec<&'static str> {
     SYMBOLS.iter().filter(alike).map(|s| s.text).collect()
 }
 
-/// `Nm` as `N*m`, `kgm` as `kg*m`.
+/// `Nm` as `N*m`, `kgm` as `kg*m`; nobody multiplies two units of one dimension.
 fn product(written: &str) -> Vec<String> {
     let splits = written.char_indices().skip(1).map(|(i, _)| written.split_at(i));
-    splits
-        .filter(|(a, b)| symbol(a).is_some() && symbol(b).is_some())
-        .map(|(a, b)| format!("{a}*{b}"))
-        .collect()
+    let units = splits.filter_map(|(a, b)| Some((symbol(a)?, symbol(b)?)));
+    units.filter(|(a, b)| a.dimension != b.dimension).map(|(a, b)| format!("{}*{}", a.text, b.text)).collect()
 }

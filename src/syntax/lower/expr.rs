@@ -189,14 +189,15 @@ impl Lower<'_> {
         let mut value = self.number(&number);
         let mut rest = Vec::new();
         if let Some(unit) = parts.any() {
-            let start = span(&unit).start;
+            let whole = span(&unit);
+            let start = whole.start;
             let word = unit.as_str();
             let factors = units::factors(word);
             // The first factor is a unit, known or not; the first later one that is none ends it.
             let own = factors.iter().skip(1).position(|f| !units::is_unit(f.symbol));
             let own = own.map_or(factors.len(), |i| i + 1);
             let end = factors.get(own.checked_sub(1)?).map_or(word.len(), |f| f.end);
-            let unit_at = Span::new(start, start + end);
+            let unit_at = if end == word.len() { whole } else { Span::new(start, start + end) };
             value.unit = Some(Spanned::new(word.get(..end)?.nfc().collect(), unit_at));
             at = at.to(unit_at);
             for factor in factors.into_iter().skip(own) {

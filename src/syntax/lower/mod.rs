@@ -14,6 +14,7 @@ mod walk;
 use super::Rule;
 use super::document::{Bad, Definition, Statement, Variants};
 use super::error::SyntaxError;
+use super::prepare::whole_end;
 use super::recover::{self, What};
 use crate::diagnostic::Problems;
 use crate::source::{Span, Spanned};
@@ -37,7 +38,7 @@ pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spann
     for pair in pairs.flat_map(P::into_inner) {
         if pair.as_rule() != Rule::EOI {
             let at = span(&pair);
-            let rest = (pair.as_rule() == Rule::bad_statement).then(|| trimmed(pair.as_str(), at));
+            let rest = (pair.as_rule() == Rule::bad_statement).then(|| trimmed(&pair));
             let before = lower.problems.len();
             let statement = lower.statement(pair).unwrap_or_else(|| lower.unreadable(at, before));
             statements.push(Spanned::new(statement, rest.unwrap_or(at)));
@@ -54,9 +55,10 @@ pub(super) fn table(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Variants
     (variants, lower.problems)
 }
 
-/// Without the blanks at the end.
-fn trimmed(text: &str, at: Span) -> Span {
-    Span::new(at.start, at.start + text.trim_end().len())
+/// Where a pair that holds plain text stands, without the blanks at its end.
+fn trimmed(pair: &P<'_>) -> Span {
+    let start = pair.as_span().start();
+    Span::new(start, whole_end(pair.get_input(), start + pair.as_str().trim_end().len()))
 }
 
 impl Lower<'_> {
@@ -111,8 +113,7 @@ impl Lower<'_> {
         let mut parts = Parts::of(pair);
         parts.any()?;
         let part = parts.any()?;
-        let at = span(&part);
-        let at = trimmed(part.as_str(), at);
+        let at = trimmed(&part);
         let written = self.text.get(at.start..at.end)?;
         let bare = |c: char| c.is_whitespace() || "\"“”„«»‟＂".contains(c);
         let title = written.trim_matches(bare).to_owned();
@@ -133,7 +134,7 @@ impl Lower<'_> {
 
     /// Reports what an error production caught.
     fn bad(&mut self, pair: &P<'_>, what: What) -> Bad {
-        let at = trimmed(pair.as_str(), span(pair));
+        let at = trimmed(pair);
         recover::report(self.text, self.read, at, what, &mut self.problems)
     }
 

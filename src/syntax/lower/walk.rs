@@ -3,6 +3,7 @@
 use crate::source::{Span, Spanned};
 use crate::syntax::Rule;
 use crate::syntax::document::Name;
+use crate::syntax::prepare::{FILL, whole_end};
 use pest::iterators::{Pair, Pairs};
 use std::iter::Peekable;
 use unicode_normalization::UnicodeNormalization;
@@ -89,7 +90,10 @@ pub(super) fn span(pair: &P<'_>) -> Span {
         let inner = last.clone().into_inner().rev().find(|p| p.as_rule() != Rule::x_missing_brace);
         match inner {
             Some(inner) => last = inner,
-            None => return Span::new(start, last.as_span().end().max(start)),
+            None => {
+                let end = last.as_span().end().max(start);
+                return Span::new(start, whole_end(pair.get_input(), end));
+            }
         }
     }
 }
@@ -104,9 +108,9 @@ pub(super) fn text(pair: &P<'_>) -> Spanned<String> {
     Spanned::new(pair.as_str().to_owned(), span(pair))
 }
 
-/// A sum of statements' texts with single blanks between words, comments left out.
+/// A text with single blanks between its words, without comments.
 pub(super) fn single_blanks(text: &str) -> String {
     let lines = text.lines().map(|line| line.split_once("//").map_or(line, |(code, _)| code));
     let words = lines.flat_map(str::split_whitespace).collect::<Vec<_>>();
-    words.join(" ")
+    words.join(" ").replace(FILL, "")
 }

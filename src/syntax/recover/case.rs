@@ -4,6 +4,7 @@ use super::What;
 use crate::source::Span;
 use crate::syntax::grammar::Grammar;
 use crate::syntax::line::mended;
+use crate::syntax::prepare::whole_end;
 use crate::syntax::words::is_name_char;
 use crate::syntax::{Rule, words};
 use pest::Parser;
@@ -52,13 +53,13 @@ impl<'a> Case<'a> {
 
     /// The author's lines with a part of the piece replaced, as a help.
     pub(super) fn help(&self, start: usize, end: usize, new: &str) -> String {
-        let span = Span::new(self.offset + start, self.offset + end);
+        let span = self.span(start, end - start);
         format!("write: {}", mended(self.text, span, new))
     }
 
     /// The place of some bytes of the piece.
     pub(super) fn span(&self, start: usize, length: usize) -> Span {
-        Span::new(self.offset + start, self.offset + start + length)
+        Span::new(self.offset + start, self.offset + whole_end(self.slice, start + length))
     }
 
     /// The word or the sign at a byte; empty at the end.

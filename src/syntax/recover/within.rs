@@ -13,8 +13,11 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| reserved_name(case))
         .or_else(|| misspelt_here(case))
         .or_else(|| misspelt_before(case))
-        .or_else(|| missing_operator(case))
-        .or_else(|| missing_word(case))
+}
+
+/// What remains when nothing else mends it.
+pub(super) fn missing(case: &Case<'_>) -> Option<SyntaxError> {
+    missing_operator(case).or_else(|| missing_word(case))
 }
 
 /// `0,5 m`: first the comma nearest before the failure alone, then all.
@@ -51,7 +54,8 @@ fn two_statements(case: &Case<'_>) -> Option<SyntaxError> {
     let candidates = case.words().into_iter().rev().filter(begins).take(4);
     for (at, word) in candidates {
         let (first, second) = (&case.slice[..at], &case.slice[at..]);
-        if case.reads(first.trim_end()) && case.reads(second) {
+        let more = case.words().iter().any(|(i, w)| *i > at && words::STATEMENTS.contains(w));
+        if case.reads(first.trim_end()) && (more || case.reads(second)) {
             let trimmed = first.trim_end();
             let help = case.help(trimmed.len(), at, "; ");
             return Some(SyntaxError::TwoStatements { at: case.span(at, word.len()), help });
@@ -125,7 +129,8 @@ fn missing_word(case: &Case<'_>) -> Option<SyntaxError> {
         return None;
     }
     let mut fitting = case.literals();
-    fitting.retain(|w| case.reads(&case.with(case.fail, case.fail, &format!(" {w} "))));
+    fitting
+        .retain(|w| w != "{" && w != "}" && case.reads(&case.with(case.fail, case.fail, &format!(" {w} "))));
     let [missing] = fitting.as_slice() else { return None };
     let before = case.slice.get(..case.fail)?.trim_end();
     let spaced = match missing.as_str() {
