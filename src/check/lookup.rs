@@ -179,6 +179,9 @@ impl Context<'_> {
         if bearers.iter().all(|b| joined.contains(b)) {
             return Some(first);
         }
+        if !self.pairs_complete() {
+            return None;
+        }
         let spelled = |&(link, _): &(LinkId, Vec2)| format!("`{}.{}`", self.mech.link(link).name, name.node);
         let choices = bearers.iter().map(spelled).collect::<Vec<_>>().join(" or ");
         self.error(NameError::AmbiguousPoint {

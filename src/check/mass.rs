@@ -31,7 +31,7 @@ pub(super) fn masses(cx: &mut Context<'_>) {
     }
 }
 
-/// Whether a link can turn; unknown where an error hides what joins it.
+/// Whether a link can turn; unknown where nothing joins it or an error hides what does.
 #[derive(Clone, Copy)]
 enum Turning {
     No,
@@ -57,17 +57,19 @@ fn turning(cx: &Context<'_>) -> Vec<Turning> {
             break;
         }
     }
-    let complete = cx.pairs_complete();
-    let by = |link: usize| {
-        let pairs = cx.mech.pairs.iter().filter(|p| !matches!(p.kind, PairKind::Prismatic(_)));
-        pairs.into_iter().find(|p| p.kind.links().contains(&LinkId::at(link))).map(|p| p.span)
-    };
-    let turns = |(i, held)| match held {
-        true => Turning::No,
-        false if complete => Turning::Yes(by(i)),
-        false => Turning::Unknown,
-    };
-    held.into_iter().enumerate().map(turns).collect()
+    let mut turning = vec![Turning::Unknown; held.len()];
+    if cx.pairs_complete() {
+        for pair in &cx.mech.pairs {
+            let by = (!matches!(pair.kind, PairKind::Prismatic(_))).then_some(pair.span);
+            for link in pair.kind.links() {
+                let turns = &mut turning[link.index()];
+                let before = if let Turning::Yes(before) = turns { *before } else { None };
+                *turns = Turning::Yes(before.or(by));
+            }
+        }
+    }
+    let links = turning.into_iter().zip(held);
+    links.map(|(turning, held)| if held { Turning::No } else { turning }).collect()
 }
 
 /// A mass as stated, or as weight over gravity.
