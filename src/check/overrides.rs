@@ -35,15 +35,8 @@ pub(super) fn apply(cx: &mut Context<'_>) {
                 cx.settle(name, settled.map_or(Settled::Failed, Settled::Constant));
             }
             Some((kind, span)) => {
-                let is = match kind {
-                    QuantityKind::Let(_) => "a `let`, which the file derives",
-                    QuantityKind::Find(_) => "what is to be found",
-                    QuantityKind::Load(..) => "a load",
-                    QuantityKind::Balance(..) => "an unknown effort",
-                    QuantityKind::Column(_) => "a column of variants",
-                    QuantityKind::Flywheel | QuantityKind::Given(_) => "a flywheel",
-                };
-                let why = format!("`{name}` is {is}; only a `given` can be set from outside");
+                let is = kind.phrase();
+                let why = format!("`{name}` is {is}, and only a `given` can be set from outside");
                 let help = matches!(kind, QuantityKind::Let(_))
                     .then(|| format!("write `given {name} = …` in the file instead of `let {name} = …`"));
                 cx.error(RequestError::SetUnknown { name: name.clone(), why, declared: Some(span), help });

@@ -6,6 +6,7 @@ use super::expr::typed::{Type, Typed};
 use super::names::QuantityKind;
 use super::unit_choice::display_in;
 use super::walk;
+use crate::diagnostic::did_you_mean;
 use crate::model::{self, Display, NamedValue, Quantity, QuantityId};
 use crate::source::Span;
 use crate::syntax::document::{Column, Expr, ExprKind, LoadKind, Name, Site, Statement};
@@ -253,7 +254,9 @@ impl Context<'_> {
             Some(QuantityKind::Load(..) | QuantityKind::Balance(..) | QuantityKind::Flywheel) => {
                 Some(format!("`{name}`"))
             }
-            Some(_) => self.definitions.results.get(name).map(|why| format!("`{name}`, that is on {why}")),
+            Some(_) => {
+                self.definitions.results.get(name).map(|why| format!("`{name}`, which hangs on {why}"))
+            }
             None => (name == "time").then(|| "`time`".to_owned()),
         }
     }
@@ -361,8 +364,9 @@ impl Context<'_> {
                 help: super::query::ask_of(what, &name.node),
             }
         } else {
-            let all = self.names.quantities.keys().map(String::as_str).chain(["pi"]).collect::<Vec<_>>();
-            let help = super::lookup::suggestion(&name.node, &all, "quantities");
+            let all = self.names.quantities.keys().map(String::as_str).collect::<Vec<_>>();
+            let near = || did_you_mean(&name.node, ["pi"]).first().map(|_| "did you mean `pi`?".to_owned());
+            let help = near().or_else(|| super::lookup::suggestion(&name.node, &all, "quantities"));
             let (name, span) = (name.node.clone(), name.span);
             NameError::Unknown { kind: "quantity", name, place: String::new(), span, help }
         };

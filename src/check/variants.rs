@@ -39,10 +39,11 @@ fn check_column(cx: &mut Context<'_>, column: &Column) {
                 unknown(cx, column);
             }
         }
-        Some(_) => {
+        Some(kind) => {
+            let is = kind.phrase().to_owned();
             cx.error(NameError::WrongKind {
                 name: name.node.clone(),
-                is: "no `given`".into(),
+                is,
                 wanted: "a `given`".into(),
                 span: name.span,
                 declared: cx.names.quantities.get(&name.node).map(|d| d.span),
@@ -55,7 +56,8 @@ fn check_column(cx: &mut Context<'_>, column: &Column) {
 
 fn unknown(cx: &mut Context<'_>, column: &Column) {
     let name = &column.name;
-    if cx.names.bad.contains(&name.node) || !cx.reported.insert(("given", name.node.clone())) {
+    let told = cx.names.bad.contains(&name.node) || cx.reported.contains(&("quantity", name.node.clone()));
+    if told || !cx.reported.insert(("given", name.node.clone())) {
         return;
     }
     let given = cx.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
@@ -91,7 +93,8 @@ fn rows(cx: &mut Context<'_>, table: &Variants) {
     let columns = table.columns.len();
     let header = table.columns.iter().map(|c| c.name.span).reduce(|a, b| a.to(b));
     for row in table.rows.iter().filter(|row| row.cells.len() != columns) {
-        let found = row.cells.len();
+        let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+        let (found, columns) = (count(row.cells.len(), "number"), count(columns, "column"));
         cx.error(RequestError::VariantRow { found, columns, span: row.span, header });
     }
 }

@@ -55,6 +55,11 @@ pub const CODES: &[Code] = codes! {
     "syntax" / "comment_sign",
     "syntax" / "point_without_coordinates",
     "syntax" / "unexpected",
+    "syntax" / "other_word",
+    "syntax" / "needless_sign",
+    "syntax" / "comma_between",
+    "syntax" / "without_brackets",
+    "syntax" / "digit_first",
     // check
     "geometry" / "not_positive",
     "geometry" / "negative",

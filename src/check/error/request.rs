@@ -60,7 +60,7 @@ pub enum RequestError {
         /// `a point`, `a link`
         wanted: String,
         /// The argument.
-        #[label(primary, "this is not {wanted}")]
+        #[label(primary, "{wanted} is expected")]
         span: Span,
         /// How it is written.
         usage: String,
@@ -215,7 +215,7 @@ pub enum RequestError {
         span: Span,
         /// The parts there are.
         #[help]
-        help: String,
+        help: Option<String>,
     },
     /// The same is asked twice.
     #[error("`{name}` is asked for twice")]
@@ -235,18 +235,18 @@ pub enum RequestError {
         first: Span,
     },
     /// A row of variants that is longer or shorter than the header.
-    #[error("this row has {found} numbers, and the table has {columns} columns")]
+    #[error("this row has {found}, and the table has {columns}")]
     #[diagnostic(code("mech::request::variant_row"), help("one number per column, separated by commas"))]
     VariantRow {
-        /// How many numbers.
-        found: usize,
-        /// How many columns.
-        columns: usize,
+        /// `1 number`
+        found: String,
+        /// `2 columns`
+        columns: String,
         /// The row.
-        #[label(primary, "{found} numbers")]
+        #[label(primary, "{found}")]
         span: Span,
         /// The header.
-        #[label("{columns} columns")]
+        #[label("{columns}")]
         header: Option<Span>,
     },
     /// A value from outside for what is no `given`.

@@ -247,7 +247,7 @@ impl Context<'_> {
             _ => dimension.is_number().then_some(Dimension::NUMBER),
         };
         let Some(raised) = raised else {
-            let help = Some("a base with a unit takes a whole exponent written as a number".to_owned());
+            let help = Some("a base with a unit takes a whole exponent".to_owned());
             let what = format!("this power of {}", phrase(dimension));
             self.error(UnitsError::Power { what, span: base.span, base: dimension, help });
             return None;

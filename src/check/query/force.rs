@@ -173,7 +173,7 @@ impl Context<'_> {
             return None;
         }
         let all = drives.iter().map(String::as_str).collect::<Vec<_>>();
-        let help = suggestion(&written, &all, "driven");
+        let help = suggestion(&written, &all, "things driven");
         self.error(RequestError::NotDriven { name: written, span: first.span.to(last.span), help });
         None
     }
