@@ -95,7 +95,7 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
     let about_centre = match (inertia, &stated) {
         (Some((inertia, _)), stated) => steiner(cx, link, inertia, stated.as_ref(), mass, centre)?,
         (None, Some(stated)) => {
-            if let Turning::Yes(_) = turning {
+            if matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
                 let link = cx.mech.link(link).name.clone();
                 cx.error(LinkError::PointMass { link, span: stated.span });
             }
@@ -104,6 +104,17 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
         (None, None) => 0.0,
     };
     Some(MassProperties { mass, centre, inertia: about_centre })
+}
+
+/// Whether the machine moves with a speed, so that inertia forces act.
+fn inertia_counts(cx: &Context<'_>) -> bool {
+    let statements = || cx.doc.statements.iter().map(|s| &s.node);
+    let moves = |s: &Statement| match s {
+        Statement::Drive(drive) => drive.rate.is_some(),
+        Statement::Simulate(_) => true,
+        _ => false,
+    };
+    statements().any(moves) && !statements().any(|s| matches!(s, Statement::Ignore(_)))
 }
 
 /// The mass and the inertia stated in a body; reports a second one of either.
