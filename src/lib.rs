@@ -8,11 +8,22 @@ pub mod source;
 pub mod syntax;
 pub mod units;
 
+use check::Overrides;
+use diagnostic::{Problems, Style};
+use model::Mechanism;
+use source::Source;
+
+/// Reads and checks a text, with these values from outside. The mechanism is absent where the problems hold an error.
+#[must_use]
+pub fn read(source: &Source, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
+    let (document, mut problems) = syntax::parse(source);
+    let (mechanism, later) = check::check(&document, overrides);
+    problems.append_later(later);
+    (mechanism.filter(|_| !problems.has_errors()), problems)
+}
+
 /// What the author of a text is told about it, without colour, 100 columns wide; empty where nothing is wrong.
 #[must_use]
-pub fn diagnose(source: &source::Source) -> String {
-    let (document, mut problems) = syntax::parse(source);
-    let (_, more) = check::check(&document, &check::Overrides::none());
-    problems.append(more);
-    diagnostic::render(&problems, source, diagnostic::Style::PLAIN)
+pub fn diagnose(source: &Source) -> String {
+    diagnostic::render(&read(source, &Overrides::none()).1, source, Style::PLAIN)
 }

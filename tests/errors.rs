@@ -2,6 +2,8 @@
 //!
 //! A file's snapshot stands beside it. The folder's name is the code that must be among those reported.
 
+use assur::check::Overrides;
+use assur::diagnostic::{Style, render};
 use assur::source::Source;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
@@ -41,11 +43,28 @@ fn code_of(path: &Path) -> Option<String> {
     Some(format!("mech::{stage}::{name}"))
 }
 
+/// `syntax` of `mech::syntax::empty_file`
+fn stage_of(code: &str) -> &str {
+    code.split("::").nth(1).unwrap_or_default()
+}
+
+/// What is said about a text; a first line `// --set r=120mm` gives it a value from outside. The files of `syntax` are
+/// no whole mechanisms: of them only the reading is shown.
+fn said(source: &Source, stage: &str) -> String {
+    if stage == "syntax" {
+        return render(&assur::syntax::parse(source).1, source, Style::PLAIN);
+    }
+    let set = source.text.lines().next().and_then(|line| line.strip_prefix("// --set ")?.split_once('='));
+    let values = set.into_iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
+    let (_, problems) = assur::read(source, &Overrides { values });
+    render(&problems, source, Style::PLAIN)
+}
+
 fn shows(path: &Path) -> Result<(), Failed> {
     let name = path.file_name().and_then(|n| n.to_str()).ok_or("a name")?.to_owned();
     let source = Source::new(&name, std::fs::read_to_string(path)?);
-    let shown = assur::diagnose(&source);
     let code = code_of(path).ok_or("a stage and a code")?;
+    let shown = said(&source, stage_of(&code));
     if assur::diagnostic::explain(&code).is_none() {
         return Err(format!("{code} has no page").into());
     }
@@ -94,5 +113,5 @@ fn example<'a>(page: &'a str, fence: &str) -> Option<&'a str> {
 }
 
 fn reports(text: &str, code: &str) -> bool {
-    assur::diagnose(&Source::new("page.mech", text)).contains(code)
+    said(&Source::new("page.mech", text), stage_of(code)).contains(code)
 }
