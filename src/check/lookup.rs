@@ -114,7 +114,7 @@ impl Context<'_> {
             }
             return None;
         }
-        let Some(inside) = self.names.inside.get(link.index()) else { return None };
+        let inside = self.names.inside.get(link.index())?;
         if inside.bad.contains(&name.node) || self.names.bad.contains(&name.node) {
             return None;
         }

@@ -1,11 +1,11 @@
 //! `variants`: names and units of the columns.
 
 use super::context::Context;
+use super::definition::Settled;
 use super::error::{NameError, RequestError, UnitsError};
 use super::expr::typed::{Dim, Type, mend, phrase};
 use super::lookup::suggestion;
 use super::names::QuantityKind;
-use super::value::Settled;
 use crate::syntax::document::{Column, Statement, Variants};
 use crate::units::{Dimension, Unit};
 
@@ -13,7 +13,12 @@ use crate::units::{Dimension, Unit};
 pub(super) fn variants(cx: &mut Context<'_>) {
     for statement in &cx.doc.statements {
         let Statement::Variants(table) = &statement.node else { continue };
-        table.columns.iter().for_each(|column| check_column(cx, column));
+        for (i, column) in table.columns.iter().enumerate() {
+            match table.columns[..i].iter().find(|c| c.name.node == column.name.node) {
+                Some(first) => cx.error(NameError::duplicate(&column.name, first.name.span)),
+                None => check_column(cx, column),
+            }
+        }
         rows(cx, table);
         cx.unsupported("variants", statement.span);
     }

@@ -128,6 +128,8 @@ pub const CODES: &[Code] = codes! {
     "request" / "no_contacts",
     "request" / "no_mass",
     "request" / "not_driven",
+    "request" / "no_own_effort",
+    "request" / "too_long",
     "request" / "which_drive",
     "request" / "no_value",
     "request" / "part",

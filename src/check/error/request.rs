@@ -179,6 +179,36 @@ pub enum RequestError {
         #[help]
         help: Option<String>,
     },
+    /// The effort of a drive, where other unknown efforts are declared.
+    #[error("`{name}` has no effort of its own, since the file declares what is unknown: `{balance}`")]
+    #[diagnostic(
+        code("mech::request::no_own_effort"),
+        help("ask for `{balance}`, or leave out that `balance`")
+    )]
+    NoOwnEffort {
+        /// What is driven.
+        name: String,
+        /// The first unknown effort.
+        balance: String,
+        /// The call.
+        #[label(primary, "asked here")]
+        span: Span,
+        /// Where the unknown effort is declared.
+        #[label("the unknown effort")]
+        declared: Span,
+    },
+    /// An expression that is too long.
+    #[error("this expression has {count} parts in a row; at most {most} can be read")]
+    #[diagnostic(code("mech::request::too_long"), help("divide it among several `let`"))]
+    TooLong {
+        /// How many.
+        count: usize,
+        /// How many may be.
+        most: usize,
+        /// The expression.
+        #[label(primary, "too long")]
+        span: Span,
+    },
     /// Values of the drive, where there is not one drive.
     #[error("`{function}` gives values of the drive, and there are {count} drives")]
     #[diagnostic(code("mech::request::which_drive"), help("it is defined for mechanisms with one drive"))]
