@@ -58,6 +58,9 @@ fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &
         MotionStep::General { .. } => {
             format!("Newton's method, {} links at once", link_names(scene, group).len())
         }
+        MotionStep::DrivenRrr { .. } | MotionStep::DrivenRrp { .. } => {
+            format!("closed form, dyad {} {}", group.kind_name(), with.join(", "))
+        }
         MotionStep::Rrr { .. }
         | MotionStep::Rrp { .. }
         | MotionStep::Rpr { .. }
@@ -74,6 +77,9 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
         ForceStep::General { .. } if with.is_empty() => "all equations of equilibrium at once".to_owned(),
         ForceStep::General { .. } => {
             format!("all equations of equilibrium at once, with {}", with.join(", "))
+        }
+        ForceStep::DrivenLegs { .. } => {
+            format!("closed form, dyad {} {}", group.kind_name(), with.join(", "))
         }
         ForceStep::Rrr { .. }
         | ForceStep::Rrp { .. }
