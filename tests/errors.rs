@@ -48,15 +48,19 @@ fn stage_of(code: &str) -> &str {
     code.split("::").nth(1).unwrap_or_default()
 }
 
-/// What is said about a text; a first line `// --set r=120mm` gives it a value from outside. The files of `syntax` are
-/// no whole mechanisms: of them only the reading is shown.
+/// What is said about a text; a first line `// --set r=120mm` gives it a value from outside. The files of the early
+/// stages are no whole mechanisms: they are read, or checked, but not solved.
 fn said(source: &Source, stage: &str) -> String {
     if stage == "syntax" {
         return render(&assur::syntax::parse(source).1, source, Style::PLAIN);
     }
     let set = source.text.lines().next().and_then(|line| line.strip_prefix("// --set ")?.split_once('='));
     let values = set.into_iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
-    let (_, problems) = assur::read(source, &Overrides { values });
+    let overrides = Overrides { values };
+    let problems = match stage {
+        "name" | "unit" | "geometry" => assur::check_source(source, &overrides).1,
+        _ => assur::solve_source(source, &overrides).1,
+    };
     render(&problems, source, Style::PLAIN)
 }
 

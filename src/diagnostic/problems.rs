@@ -76,6 +76,12 @@ impl Problems {
     }
 }
 
+impl<D: Diagnostic + Send + Sync + 'static> Extend<D> for Problems {
+    fn extend<I: IntoIterator<Item = D>>(&mut self, problems: I) {
+        problems.into_iter().for_each(|p| self.push(p));
+    }
+}
+
 impl IntoIterator for Problems {
     type Item = AnyDiagnostic;
     type IntoIter = std::vec::IntoIter<AnyDiagnostic>;

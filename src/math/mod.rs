@@ -1,7 +1,11 @@
 //! 2-vectors, the scalar trait and small linear solves with their condition.
 
+mod dense;
+mod rigid;
 mod scalar;
 mod vec2;
 
+pub use dense::Dense;
+pub use rigid::{acceleration_at, velocity_at};
 pub use scalar::Scalar;
 pub use vec2::{V2, Vec2};

@@ -217,7 +217,7 @@ pub enum SubstitutionPart {
     F1,
     /// Inertia force of the second mass (a vector).
     F2,
-    /// Moment of inertia left over: that of the two masses less the link's, kg m².
+    /// Moment of inertia left over: that of the link less that of the two masses, kg m².
     DJ,
 }
 

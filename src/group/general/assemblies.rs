@@ -1,0 +1,64 @@
+//! All the ways in which a general group can be put together.
+
+use super::{General, Pose};
+use crate::math::Vec2;
+
+/// Two assemblies closer than this, relative to the length of the group, are one.
+const DISTINCT: f64 = 1e-6;
+
+/// Assemblies of a group, by Newton's method from many starts. For use when a problem is set up: it allocates.
+/// # Given
+/// `poses` of all bodies; the known ones are read, and the group's own are the first start. `starts` number of
+/// starts; three bodies ask for some hundreds.
+/// # Returns
+/// Poses of the group's own bodies, distinct, in the order found; the same for the same input. Closed and
+/// regular each; there is no proof that there are no others.
+#[must_use]
+pub fn assemblies(group: &mut General, poses: &[Pose], starts: usize) -> Vec<Vec<Pose>> {
+    let mut found: Vec<Vec<Pose>> = Vec::new();
+    let (centre, reach) = surroundings(group, poses);
+    for start in 0..starts {
+        let mut trial = poses.to_vec();
+        if start > 0 {
+            for (body, pose) in trial[..group.moving].iter_mut().enumerate() {
+                *pose = scattered(start, body, centre, reach);
+            }
+        }
+        if group.position(&mut trial).is_ok() {
+            trial.truncate(group.moving);
+            let known = found.iter().any(|other| distance(other, &trial, group.length) < DISTINCT);
+            if !known {
+                found.push(trial);
+            }
+        }
+    }
+    found
+}
+
+/// Where the group's bodies may be: round the known bodies, as far as the group reaches.
+fn surroundings(group: &General, poses: &[Pose]) -> (Vec2, f64) {
+    let joints: Vec<Vec2> =
+        group.constraints.iter().flat_map(|c| c.points_of_known(group.moving, poses)).collect();
+    let count = joints.len().max(1) as f64;
+    let centre = joints.iter().fold(Vec2::zero(), |sum, &p| sum + p) / count;
+    let reach = joints.iter().fold(group.length, |most, &p| most.max((p - centre).norm() + group.length));
+    (centre, reach)
+}
+
+/// The start of one body: a point of a sequence that fills position and direction evenly.
+fn scattered(start: usize, body: usize, centre: Vec2, reach: f64) -> Pose {
+    // Additive recurrence with powers of the root of x⁴ = x + 1, shifted from body to body.
+    const ROOT: f64 = 1.220_744_084_605_759_6;
+    let fraction = |power: i32, shift: f64| {
+        let x = (start as f64) / ROOT.powi(power) + shift * (body as f64);
+        x - x.floor()
+    };
+    let offset = Vec2::new(fraction(1, 0.37) - 0.5, fraction(2, 0.71) - 0.5) * (2.0 * reach);
+    let turn = std::f64::consts::TAU * fraction(3, 0.618_033_988_749_895 * (1.0 + start as f64));
+    Pose { p: centre + offset, u: Vec2::direction(turn) }
+}
+
+/// The greatest difference of position or direction, relative to `length`.
+fn distance(a: &[Pose], b: &[Pose], length: f64) -> f64 {
+    a.iter().zip(b).map(|(a, b)| ((a.p - b.p).norm() / length).max((a.u - b.u).norm())).fold(0.0, f64::max)
+}

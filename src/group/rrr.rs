@@ -1,0 +1,322 @@
+//! RRR: two links joined by a revolute C, hung by revolutes A and B on bodies of known motion.
+//!
+//! Link 1 is AC, link 2 is BC; r_1 = C − A, r_2 = C − B, r = B − A, L = |r|.
+//!
+//! Position: |r_1| = l_1 and |r_2| = l_2, two circles. Let O be the centre of the smaller one, s its radius, g the
+//! greater radius, and w the vector from O to the other centre. C lies at a along w and b across it:
+//!
+//! ```text
+//! a = (s² + L² − g²) / 2L,    2A = L b,    16A² = (x + (y + z)) (z − (x − y)) (z + (x − y)) (x + (y − z)),
+//! ```
+//!
+//! A the area of the triangle, x ≥ y ≥ z its sides L, l_1, l_2 in Kahan's order. a is formed by adding the least
+//! square to (m − g)(m + g), m = max(s, L), where m − g is exact. Both are accurate for the sides as given, and
+//! measured from O their errors are in proportion to the short link, however short it is.
+//!
+//! Velocity:      v_A + ω_1 × r_1 = v_B + ω_2 × r_2.
+//! Acceleration:  a_A + α_1 × r_1 − ω_1² r_1 = a_B + α_2 × r_2 − ω_2² r_2.
+//!
+//! Both read x_1 perp(r_1) − x_2 perp(r_2) = b. Scalar products with r_2 and r_1 leave one unknown each:
+//!
+//! ```text
+//! x_1 = b·r_2 / D,    x_2 = b·r_1 / D,    D = r_1 × r_2 = l_1 l_2 sin(transmission angle).
+//! ```
+//!
+//! D vanishes where the links are in line: stretched, L = l_1 + l_2, or folded, L = |l_1 − l_2|.
+//!
+//! Forces: f_C is the force of link 1 on link 2. Moments of link 1 about A and of link 2 about B:
+//!
+//! ```text
+//! r_1 × f_C = M_1,    r_2 × f_C = −M_2    ⇒    f_C = (M_2 r_1 + M_1 r_2) / D,
+//! ```
+//!
+//! then f_A = f_C − F_1 and f_B = −f_C − F_2.
+//!
+//! A link 2 of given changing length, a cylinder, is the same group: with u = r_2 / l_2 give v_B + l̇_2 u in place of
+//! v_B, and a_B + l̈_2 u + 2 ω_2 l̇_2 perp(u) in place of a_B.
+
+use super::Gap;
+use crate::math::{Scalar, V2, Vec2};
+
+/// Where the links are.
+#[derive(Clone, Copy, Debug)]
+pub struct Position<S> {
+    /// The inner revolute C, m.
+    pub p_C: V2<S>,
+    /// C − A, m, accurate relative to its own length.
+    pub r_1: V2<S>,
+    /// C − B, m, accurate relative to its own length.
+    pub r_2: V2<S>,
+    /// sin of the angle from r_1 to r_2; positive when C is left of A→B.
+    pub sine: S,
+    /// The sum of the two shorter of L, l_1, l_2 less the longest, m; ≥ 0 when the links close.
+    pub closure: S,
+}
+
+/// Position of the inner revolute.
+/// # Given
+/// `p_A`, `p_B` outer revolutes, m; `l_1` = AC, `l_2` = BC, m, > 0; `side` +1 with C left of A→B, −1 right.
+/// # Returns
+/// See [`Position`]. Where the links do not close, C lies on AB, stretched or folded; where A and B
+/// coincide `sine` is 0 and C is not determined.
+/// # Method
+/// Circle ∩ circle from the centre of the smaller; Kahan, "Miscalculating Area and Angles of a
+/// Needle-like Triangle", for the area.
+#[inline(always)]
+pub fn position<S: Scalar>(p_A: V2<S>, p_B: V2<S>, l_1: S, l_2: S, side: S) -> Position<S> {
+    let half = S::of(0.5);
+    let r = p_B - p_A;
+    let square = r.dot(r);
+    // Coincident pins: a finite position that `sine` marks as dead.
+    let inverse = S::one() / square.max(S::of(f64::MIN_POSITIVE));
+    let length = square.sqrt();
+
+    let from_A = l_1.lt(l_2);
+    let short = l_1.min(l_2);
+    let long = l_1.max(l_2);
+    let middle = short.max(length);
+    let least = short.min(length);
+    let excess = middle - long;
+    let closure = least - excess.abs();
+    let (top, next) = (middle.max(long), middle.min(long));
+    let area4 = ((top + (next + least)) * closure * (least + excess.abs()) * (top + (next - least)))
+        .max(S::zero())
+        .sqrt();
+    let along = half * (least * least + excess * (middle + long)) * inverse;
+    let across = side * (half * area4 * inverse);
+
+    let w = select(from_A, r, -r);
+    let near = w * along + r.perp() * across;
+    let far = near - w;
+    Position {
+        p_C: select(from_A, p_A, p_B) + near,
+        r_1: select(from_A, near, far),
+        r_2: select(from_A, far, near),
+        sine: side * (half * area4 / (l_1 * l_2)),
+        closure,
+    }
+}
+
+#[inline(always)]
+fn select<S: Scalar>(mask: S::Mask, a: V2<S>, b: V2<S>) -> V2<S> {
+    V2::new(S::select(mask, a.x, b.x), S::select(mask, a.y, b.y))
+}
+
+/// By how much the links do not close, m; `None` when they do.
+/// # Given
+/// `p_A`, `p_B` outer revolutes, m; `l_1`, `l_2` link lengths, m, > 0.
+#[cold]
+#[must_use]
+pub fn gap(p_A: Vec2, p_B: Vec2, l_1: f64, l_2: f64) -> Option<Gap> {
+    let length = (p_B - p_A).norm();
+    let far = length - (l_1 + l_2);
+    let near = (l_1 - l_2).abs() - length;
+    if far > 0.0 {
+        Some(Gap::TooFar(far))
+    } else if near > 0.0 {
+        Some(Gap::TooNear(near))
+    } else {
+        None
+    }
+}
+
+/// The group in one position: what velocity, acceleration and reactions share.
+#[derive(Clone, Copy, Debug)]
+pub struct Rrr<S> {
+    /// C − A, m.
+    pub r_1: V2<S>,
+    /// C − B, m.
+    pub r_2: V2<S>,
+    /// 1 / (r_1 × r_2), 1/m².
+    pub inverse: S,
+}
+
+/// Forces in the three revolutes, N.
+#[derive(Clone, Copy, Debug)]
+pub struct Reactions<S> {
+    /// On link 1 at A.
+    pub f_A: V2<S>,
+    /// Of link 1 on link 2 at C.
+    pub f_C: V2<S>,
+    /// On link 2 at B.
+    pub f_B: V2<S>,
+}
+
+impl<S: Scalar> Rrr<S> {
+    /// The group in one position.
+    /// # Given
+    /// `r_1` = C − A, `r_2` = C − B, m, not in line.
+    #[inline(always)]
+    pub fn new(r_1: V2<S>, r_2: V2<S>) -> Self {
+        Self { r_1, r_2, inverse: S::one() / r_1.cross(r_2) }
+    }
+
+    /// Angular velocities (ω_1, ω_2), rad/s.
+    /// # Given
+    /// `v_A`, `v_B` velocities of the outer revolutes, m/s.
+    #[inline(always)]
+    pub fn velocity(&self, v_A: V2<S>, v_B: V2<S>) -> (S, S) {
+        self.solve(v_B - v_A)
+    }
+
+    /// Angular accelerations (α_1, α_2), rad/s².
+    /// # Given
+    /// `omega_1`, `omega_2` from [`Rrr::velocity`]; `a_A`, `a_B` accelerations of the outer revolutes, m/s².
+    #[inline(always)]
+    pub fn acceleration(&self, omega_1: S, omega_2: S, a_A: V2<S>, a_B: V2<S>) -> (S, S) {
+        self.solve(a_B - a_A + self.r_1 * (omega_1 * omega_1) - self.r_2 * (omega_2 * omega_2))
+    }
+
+    /// x_1 perp(r_1) − x_2 perp(r_2) = b.
+    #[inline(always)]
+    fn solve(&self, b: V2<S>) -> (S, S) {
+        (b.dot(self.r_2) * self.inverse, b.dot(self.r_1) * self.inverse)
+    }
+
+    /// Forces in the revolutes.
+    /// # Given
+    /// `F_1`, `F_2` applied and inertia forces on the links, N; `M_1` their moment about A, `M_2` about B, N m.
+    #[inline(always)]
+    pub fn reactions(&self, F_1: V2<S>, M_1: S, F_2: V2<S>, M_2: S) -> Reactions<S> {
+        let f_C = (self.r_1 * M_2 + self.r_2 * M_1) * self.inverse;
+        Reactions { f_A: f_C - F_1, f_C, f_B: -f_C - F_2 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::group::testing::{Path, Random, close, equilibrium, rate, rate_of_direction, second_rate};
+
+    /// Two links whose outer revolutes move on given paths.
+    struct Scene {
+        A: Path,
+        B: Path,
+        l_1: f64,
+        l_2: f64,
+        side: f64,
+    }
+
+    impl Scene {
+        fn random(random: &mut Random) -> Self {
+            let (A, B) = (Path::random(random), Path::random(random));
+            let span = (B.at(0.0) - A.at(0.0)).norm();
+            let l_1 = span * random.within(0.4, 1.5);
+            let (least, most) = ((span - l_1).abs(), span + l_1);
+            let l_2 = least + (most - least) * random.within(0.2, 0.8);
+            Self { A, B, l_1, l_2, side: random.sign() }
+        }
+
+        fn position(&self, t: f64) -> Position<f64> {
+            position(self.A.at(t), self.B.at(t), self.l_1, self.l_2, self.side)
+        }
+    }
+
+    #[test]
+    fn position_closes_on_the_side_asked_for() {
+        let mut random = Random::new(1);
+        for _ in 0..300 {
+            let scene = Scene::random(&mut random);
+            let (p_A, p_B) = (scene.A.at(0.0), scene.B.at(0.0));
+            let p = scene.position(0.0);
+            close((p.p_C - p_A).norm(), scene.l_1, 1e-15, scene.l_1.max(scene.l_2) * 8.0);
+            close((p.p_C - p_B).norm(), scene.l_2, 1e-15, scene.l_1.max(scene.l_2) * 8.0);
+            close(p.sine, p.r_1.cross(p.r_2) / (scene.l_1 * scene.l_2), 1e-13, 1.0);
+            assert_eq!((p_B - p_A).cross(p.p_C - p_A).signum(), scene.side);
+            assert_eq!(p.sine.signum(), scene.side);
+            assert!(p.closure > 0.0);
+            assert_eq!(gap(p_A, p_B, scene.l_1, scene.l_2), None);
+        }
+    }
+
+    #[test]
+    fn velocity_and_acceleration_are_derivatives_of_position() {
+        let mut random = Random::new(2);
+        for _ in 0..300 {
+            let scene = Scene::random(&mut random);
+            let p = scene.position(0.0);
+            let group = Rrr::new(p.r_1, p.r_2);
+            let (omega_1, omega_2) = group.velocity(scene.A.velocity(), scene.B.velocity());
+            let (alpha_1, alpha_2) =
+                group.acceleration(omega_1, omega_2, scene.A.acceleration(), scene.B.acceleration());
+            close(omega_1, rate_of_direction(|t| scene.position(t).r_1), 1e-7, omega_1.abs() + 1.0);
+            close(omega_2, rate_of_direction(|t| scene.position(t).r_2), 1e-7, omega_2.abs() + 1.0);
+            let v_C = rate(|t| scene.position(t).p_C);
+            let a_C = second_rate(|t| scene.position(t).p_C);
+            let v = scene.A.velocity() + p.r_1.perp() * omega_1;
+            let a = scene.A.acceleration() + p.r_1.perp() * alpha_1 - p.r_1 * (omega_1 * omega_1);
+            let a_by_2 = scene.B.acceleration() + p.r_2.perp() * alpha_2 - p.r_2 * (omega_2 * omega_2);
+            close((v - v_C).norm(), 0.0, 1e-7, v.norm() + 1.0);
+            close((a - a_C).norm(), 0.0, 1e-5, a.norm() + 1.0);
+            close((a - a_by_2).norm(), 0.0, 1e-11, a.norm() + 1.0);
+        }
+    }
+
+    #[test]
+    fn a_link_may_change_its_length() {
+        let mut random = Random::new(21);
+        for _ in 0..300 {
+            let scene = Scene::random(&mut random);
+            let (rate_2, second_2) = (random.within(-1.0, 1.0), random.within(-1.0, 1.0));
+            let at = |t: f64| {
+                let l_2 = scene.l_2 + rate_2 * t + second_2 * (t * t / 2.0);
+                position(scene.A.at(t), scene.B.at(t), scene.l_1, l_2, scene.side)
+            };
+            let p = at(0.0);
+            let (group, u) = (Rrr::new(p.r_1, p.r_2), p.r_2 / scene.l_2);
+            let (omega_1, omega_2) = group.velocity(scene.A.velocity(), scene.B.velocity() + u * rate_2);
+            close(omega_1, rate_of_direction(|t| at(t).r_1), 1e-7, omega_1.abs() + 1.0);
+            let a_B = scene.B.acceleration() + u * second_2 + u.perp() * (2.0 * omega_2 * rate_2);
+            let (alpha_1, _) = group.acceleration(omega_1, omega_2, scene.A.acceleration(), a_B);
+            let a = scene.A.acceleration() + p.r_1.perp() * alpha_1 - p.r_1 * (omega_1 * omega_1);
+            close((a - second_rate(|t| at(t).p_C)).norm(), 0.0, 1e-5, a.norm() + 1.0);
+        }
+    }
+
+    #[test]
+    fn reactions_balance_both_links() {
+        let mut random = Random::new(3);
+        for _ in 0..300 {
+            let p = Scene::random(&mut random).position(0.0);
+            let ((F_1, M_1), (F_2, M_2)) = (random.wrench(), random.wrench());
+            let got = Rrr::new(p.r_1, p.r_2).reactions(F_1, M_1, F_2, M_2);
+            // Unknowns f_A, f_C, f_B; rows: link 1 (x, y, about A), link 2 (x, y, about B).
+            let (c, d) = (p.r_1, p.r_2);
+            let want = equilibrium(
+                &[
+                    &[1.0, 0.0, -1.0, 0.0, 0.0, 0.0],
+                    &[0.0, 1.0, 0.0, -1.0, 0.0, 0.0],
+                    &[0.0, 0.0, c.y, -c.x, 0.0, 0.0],
+                    &[0.0, 0.0, 1.0, 0.0, 1.0, 0.0],
+                    &[0.0, 0.0, 0.0, 1.0, 0.0, 1.0],
+                    &[0.0, 0.0, -d.y, d.x, 0.0, 0.0],
+                ],
+                &[F_1.x, F_1.y, M_1, F_2.x, F_2.y, M_2],
+            );
+            let all = [got.f_A.x, got.f_A.y, got.f_C.x, got.f_C.y, got.f_B.x, got.f_B.y];
+            for (got, want) in all.into_iter().zip(want) {
+                close(got, want, 1e-12, want.abs() + 100.0);
+            }
+        }
+    }
+
+    #[test]
+    fn what_does_not_close_says_by_how_much() {
+        let at = |x: f64| Vec2::new(x, 0.0);
+        assert_eq!(gap(at(0.0), at(4.0), 1.0, 2.0), Some(Gap::TooFar(1.0)));
+        assert_eq!(gap(at(0.0), at(1.0), 1.0, 4.0), Some(Gap::TooNear(2.0)));
+        let stretched = position(at(0.0), at(4.0), 1.0, 2.0, 1.0);
+        assert_eq!((stretched.closure, stretched.sine, stretched.p_C.y), (-1.0, 0.0, 0.0));
+        let folded = position(at(0.0), at(1.0), 1.0, 4.0, 1.0);
+        assert_eq!((folded.closure, folded.sine), (-2.0, 0.0));
+        let dead = position(at(0.0), at(3.0), 1.0, 2.0, 1.0);
+        assert_eq!((dead.closure, dead.sine, dead.p_C), (0.0, 0.0, at(1.0)));
+    }
+
+    #[test]
+    fn coincident_pins_are_a_dead_position() {
+        let p = position(Vec2::zero(), Vec2::zero(), 1.0, 1.0, 1.0);
+        assert_eq!(p.sine, 0.0);
+        assert!(p.closure >= 0.0);
+    }
+}

@@ -1,0 +1,211 @@
+//! Small dense linear systems, solved in place with their condition.
+
+/// A square matrix with row-scaled LU factors beside it. All memory is taken once.
+#[derive(Clone, Debug)]
+pub struct Dense {
+    n: usize,
+    matrix: Vec<f64>,
+    /// Factors of the matrix whose rows are scaled to unit sum of magnitudes.
+    factors: Vec<f64>,
+    scale: Vec<f64>,
+    /// Row of the matrix that each row of the factors came from.
+    order: Vec<usize>,
+    sign: f64,
+    scratch: Vec<f64>,
+}
+
+impl Dense {
+    /// The null matrix of order `n`.
+    #[must_use]
+    pub fn new(n: usize) -> Self {
+        Self {
+            n,
+            matrix: vec![0.0; n * n],
+            factors: vec![0.0; n * n],
+            scale: vec![0.0; n],
+            order: vec![0; n],
+            sign: 0.0,
+            scratch: vec![0.0; n],
+        }
+    }
+
+    /// Order of the matrix.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.n
+    }
+
+    /// Sets every element to zero.
+    pub fn clear(&mut self) {
+        self.matrix.fill(0.0);
+    }
+
+    /// Row `i`.
+    #[must_use]
+    pub fn row(&self, i: usize) -> &[f64] {
+        &self.matrix[i * self.n..][..self.n]
+    }
+
+    /// Row `i`, to be written.
+    pub fn row_mut(&mut self, i: usize) -> &mut [f64] {
+        &mut self.matrix[i * self.n..][..self.n]
+    }
+
+    /// Factors the matrix with partial pivoting; `false` when a pivot is zero or not finite.
+    pub fn factor(&mut self) -> bool {
+        let n = self.n;
+        self.sign = 0.0;
+        for i in 0..n {
+            let sum: f64 = self.row(i).iter().map(|x| x.abs()).sum();
+            if !(sum > 0.0 && sum.is_finite()) {
+                return false;
+            }
+            self.scale[i] = 1.0 / sum;
+            self.order[i] = i;
+            for j in 0..n {
+                self.factors[i * n + j] = self.matrix[i * n + j] * self.scale[i];
+            }
+        }
+        let mut sign = 1.0;
+        for k in 0..n {
+            let column = |i: usize| self.factors[i * n + k].abs();
+            let pivot = (k + 1..n).fold(k, |best, i| if column(i) > column(best) { i } else { best });
+            if pivot != k {
+                self.order.swap(k, pivot);
+                let (head, tail) = self.factors.split_at_mut(pivot * n);
+                head[k * n..][..n].swap_with_slice(&mut tail[..n]);
+                sign = -sign;
+            }
+            let diagonal = self.factors[k * n + k];
+            if diagonal == 0.0 || diagonal.is_nan() {
+                return false;
+            }
+            sign *= diagonal.signum();
+            let (head, tail) = self.factors.split_at_mut((k + 1) * n);
+            let pivot_row = &head[k * n..][..n];
+            for row in tail.chunks_exact_mut(n) {
+                let ratio = row[k] / diagonal;
+                row[k] = ratio;
+                for j in k + 1..n {
+                    row[j] -= ratio * pivot_row[j];
+                }
+            }
+        }
+        self.sign = sign;
+        true
+    }
+
+    /// Sign of the determinant of what was factored; 0 when it could not be.
+    #[must_use]
+    pub fn sign(&self) -> f64 {
+        self.sign
+    }
+
+    /// Solves A x = b in place, after [`Dense::factor`].
+    pub fn solve(&mut self, b: &mut [f64]) {
+        for i in 0..self.n {
+            self.scratch[i] = b[self.order[i]] * self.scale[self.order[i]];
+        }
+        self.substitute();
+        b.copy_from_slice(&self.scratch);
+    }
+
+    /// L U y = scratch, y left in scratch.
+    fn substitute(&mut self) {
+        let n = self.n;
+        for i in 0..n {
+            let row = &self.factors[i * n..][..n];
+            let known: f64 = (0..i).map(|j| row[j] * self.scratch[j]).sum();
+            self.scratch[i] -= known;
+        }
+        for i in (0..n).rev() {
+            let row = &self.factors[i * n..][..n];
+            let known: f64 = (i + 1..n).map(|j| row[j] * self.scratch[j]).sum();
+            self.scratch[i] = (self.scratch[i] - known) / row[i];
+        }
+    }
+
+    /// Solves Aᵀ x = b in place, after [`Dense::factor`].
+    pub fn solve_transposed(&mut self, b: &mut [f64]) {
+        let n = self.n;
+        let at = |i: usize, j: usize| self.factors[i * n + j];
+        self.scratch.copy_from_slice(b);
+        for i in 0..n {
+            let known: f64 = (0..i).map(|j| at(j, i) * self.scratch[j]).sum();
+            self.scratch[i] = (self.scratch[i] - known) / at(i, i);
+        }
+        for i in (0..n).rev() {
+            let known: f64 = (i + 1..n).map(|j| at(j, i) * self.scratch[j]).sum();
+            self.scratch[i] -= known;
+        }
+        for i in 0..n {
+            b[self.order[i]] = self.scratch[i] * self.scale[self.order[i]];
+        }
+    }
+
+    /// 1 / (‖A‖ ‖A⁻¹‖) of the row-scaled matrix in the greatest row sum, in (0, 1]; 0 when it could not be factored.
+    /// `sums` is room for one number per row.
+    pub fn reciprocal_condition(&mut self, sums: &mut [f64]) -> f64 {
+        if self.sign == 0.0 {
+            return 0.0;
+        }
+        sums.fill(0.0);
+        for k in 0..self.n {
+            self.scratch.fill(0.0);
+            self.scratch[k] = 1.0;
+            self.substitute();
+            for (sum, x) in sums.iter_mut().zip(&self.scratch) {
+                *sum += x.abs();
+            }
+        }
+        if !sums.iter().all(|sum| sum.is_finite()) {
+            return 0.0;
+        }
+        1.0 / sums.iter().fold(1.0, |most: f64, &sum| most.max(sum))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn filled(rows: &[&[f64]]) -> Dense {
+        let mut a = Dense::new(rows.len());
+        for (i, row) in rows.iter().enumerate() {
+            a.row_mut(i).copy_from_slice(row);
+        }
+        a
+    }
+
+    #[test]
+    fn solves_both_ways() {
+        let rows: [&[f64]; 3] = [&[0.0, 2.0, 1.0], &[100.0, 3.0, -1.0], &[1.0, 0.5, 4.0]];
+        let mut a = filled(&rows);
+        assert!(a.factor());
+        assert_eq!(a.sign(), -1.0);
+        let x = [1.0, -2.0, 3.0];
+        let mut b = [0, 1, 2].map(|i: usize| (0..3).map(|j| rows[i][j] * x[j]).sum::<f64>());
+        a.solve(&mut b);
+        let mut c = [0, 1, 2].map(|j: usize| (0..3).map(|i| rows[i][j] * x[i]).sum::<f64>());
+        a.solve_transposed(&mut c);
+        for i in 0..3 {
+            assert!((b[i] - x[i]).abs() < 1e-14 && (c[i] - x[i]).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn tells_its_condition() {
+        let mut sums = [0.0; 2];
+        let mut a = filled(&[&[1.0, 0.0], &[0.0, 1e9]]);
+        assert!(a.factor());
+        assert_eq!(a.reciprocal_condition(&mut sums), 1.0);
+        let mut a = filled(&[&[1.0, 1.0], &[1.0, 1.0 + 1e-6]]);
+        assert!(a.factor());
+        let sigma = a.reciprocal_condition(&mut sums);
+        assert!(sigma > 1e-7 && sigma < 1e-6);
+        let mut a = filled(&[&[1.0, 2.0], &[2.0, 4.0]]);
+        assert!(!a.factor());
+        assert_eq!((a.sign(), a.reciprocal_condition(&mut sums)), (0.0, 0.0));
+        assert!(!filled(&[&[f64::NAN]]).factor());
+    }
+}

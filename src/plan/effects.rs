@@ -1,0 +1,190 @@
+//! The effects that a file calls for. An effect that nothing calls for has no step in the plan.
+
+use crate::model::{Expr, FindKind, LoadKind, Mechanism, Query, Relation};
+
+/// How far motion is followed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// Positions only.
+    #[default]
+    Positions,
+    /// And velocities.
+    Velocities,
+    /// And accelerations.
+    Accelerations,
+}
+
+/// What is computed at every position.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effects {
+    /// How far motion is followed.
+    pub level: Level,
+    /// Velocities are there to be asked for: a drive has a speed, or a sense (then they are ratios).
+    pub moving: bool,
+    /// A drive has a speed: accelerations are there to be asked for.
+    pub timed: bool,
+    /// Reactions and efforts.
+    pub forces: bool,
+    /// Inertia forces.
+    pub inertia: bool,
+    /// Weights.
+    pub gravity: bool,
+    /// Springs.
+    pub springs: bool,
+}
+
+impl Effects {
+    pub(super) fn of(mechanism: &Mechanism) -> Self {
+        let timed = mechanism.drives.iter().any(|d| d.speed.is_some() || d.acceleration.is_some());
+        let moving = timed || mechanism.drives.iter().any(|d| d.sense.is_some());
+        let has_mass = mechanism.links.iter().any(|l| l.mass.is_some());
+        let mut wanted = Wanted::default();
+        wanted.requests(mechanism);
+        let forces = wanted.forces;
+        let inertia = forces && timed && has_mass && !mechanism.ignore_inertia;
+        let damped = mechanism.springs.iter().any(|s| s.damping > 0.0);
+        if forces {
+            wanted.loads(mechanism);
+        }
+        let mut level = wanted.level;
+        if inertia {
+            level = Level::Accelerations;
+        } else if forces && moving && damped {
+            level = level.max(Level::Velocities);
+        }
+        if !timed {
+            level = level.min(Level::Velocities);
+        }
+        if !moving {
+            level = Level::Positions;
+        }
+        Self {
+            level,
+            moving,
+            timed,
+            forces,
+            inertia,
+            gravity: forces && mechanism.gravity.is_some() && has_mass,
+            springs: forces && !mechanism.springs.is_empty(),
+        }
+    }
+
+    /// The effects in words, as `check` and the JSON list them.
+    #[must_use]
+    pub fn names(&self) -> Vec<&'static str> {
+        let mut names = Vec::new();
+        for (on, name) in [
+            (self.level >= Level::Velocities, "velocities"),
+            (self.level >= Level::Accelerations, "accelerations"),
+            (self.inertia, "inertia"),
+            (self.gravity, "gravity"),
+            (self.springs, "springs"),
+            (self.forces, "reactions"),
+        ] {
+            if on {
+                names.push(name);
+            }
+        }
+        names
+    }
+}
+
+#[derive(Default)]
+struct Wanted {
+    level: Level,
+    forces: bool,
+}
+
+impl Wanted {
+    fn requests(&mut self, mechanism: &Mechanism) {
+        for find in &mechanism.finds {
+            match &find.kind {
+                FindKind::Value { expr, .. } => self.expr(expr),
+                // with `find reactions` everything of every pose is reported
+                FindKind::Reactions => {
+                    self.forces = true;
+                    self.level = Level::Accelerations;
+                }
+            }
+        }
+        for expect in &mechanism.expects {
+            self.expr(&expect.expr);
+            match &expect.relation {
+                Relation::Equal(values) => values.iter().for_each(|e| self.expr(e)),
+                Relation::Compare(_, bound) => self.expr(bound),
+                Relation::Truth => {}
+            }
+        }
+        mechanism.quantities.iter().for_each(|q| self.expr(&q.expr));
+    }
+
+    fn loads(&mut self, mechanism: &Mechanism) {
+        for load in &mechanism.loads {
+            if let Some(when) = &load.when {
+                self.expr(when);
+            }
+            match &load.kind {
+                LoadKind::ForceAgainstMotion { value, .. }
+                | LoadKind::Torque { value, against_motion: true, .. } => {
+                    self.expr(value);
+                    self.level = self.level.max(Level::Velocities);
+                }
+                LoadKind::Force { value, .. }
+                | LoadKind::Torque { value, .. }
+                | LoadKind::InPair { value, .. } => {
+                    self.expr(value);
+                }
+            }
+        }
+    }
+
+    fn expr(&mut self, expr: &Expr) {
+        expr.queries(&mut |query| {
+            self.level = self.level.max(level_of(query));
+            self.forces |= needs_forces(query);
+        });
+    }
+}
+
+/// How far motion must be followed to answer.
+#[must_use]
+pub fn level_of(query: &Query) -> Level {
+    match query {
+        Query::Velocity(_)
+        | Query::Omega(_)
+        | Query::RelativeVelocity(_)
+        | Query::Coriolis(_)
+        | Query::PressureAngle(_)
+        | Query::BalancePower(_)
+        | Query::LoadPower(_)
+        | Query::EffortPower(_) => Level::Velocities,
+        Query::Acceleration(_)
+        | Query::Alpha(_)
+        | Query::RelativeAcceleration(_)
+        | Query::InertiaForce(_)
+        | Query::InertiaTorque(_)
+        | Query::InertiaArm(_) => Level::Accelerations,
+        Query::StaticSubstitution(_, _, _, part) | Query::DynamicSubstitution(_, _, part) => {
+            use crate::model::SubstitutionPart as P;
+            if matches!(part, P::A2 | P::F1 | P::F2) { Level::Accelerations } else { Level::Positions }
+        }
+        _ => Level::Positions,
+    }
+}
+
+/// Whether an answer needs reactions or efforts.
+#[must_use]
+pub fn needs_forces(query: &Query) -> bool {
+    matches!(
+        query,
+        Query::Reaction(..)
+            | Query::Moment(..)
+            | Query::Normal(..)
+            | Query::ContactForce(..)
+            | Query::LineOffset(_)
+            | Query::Balance(_)
+            | Query::Effort(_)
+            | Query::BalancePower(_)
+            | Query::EffortPower(_)
+    )
+}

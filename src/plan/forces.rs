@@ -1,0 +1,154 @@
+//! Steps of forces, one per structural group, from the outermost loads to the efforts.
+
+use super::Plan;
+use super::geometry::pin;
+use super::step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, OuterJoint, Way};
+use crate::structure::{Dyad, EffortKind, Group, GroupJoint, GroupKind, JointKind, Structure};
+
+pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
+    for group in &structure.forces {
+        let first = plan.reactions.len();
+        plan.reactions.extend(group.joints.iter().copied());
+        let step = match group.kind {
+            GroupKind::Driven => driven(structure, group, first),
+            GroupKind::Dyad(kind) => Some(dyad(structure, group, first, kind)),
+            GroupKind::Translation => Some(ForceStep::Translation {
+                ways: [0, 1].map(|i| way(structure, group.joints[i], first + i)),
+            }),
+            GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
+            GroupKind::General => None,
+        };
+        let step = step.unwrap_or_else(|| {
+            plan.balance_systems.push(super::general::balance_system(structure, group, first));
+            ForceStep::General { system: plan.balance_systems.len() - 1 }
+        });
+        plan.forces.push(step);
+    }
+}
+
+fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
+    Hinge { body: joint.body.0, pin: pin(&structure.replaced, joint, joint.body), base: joint.base.0, slot }
+}
+
+pub(super) fn way(structure: &Structure, joint: GroupJoint, slot: usize) -> Way {
+    let (slider, point, direction) = match structure.replaced.joint(joint.joint).kind {
+        JointKind::Prismatic { slider, point, direction, .. } => (slider, point, direction),
+        JointKind::Revolute(_) => (joint.body, crate::math::Vec2::zero(), crate::math::Vec2::new(1.0, 0.0)),
+    };
+    Way { body: joint.body.0, base: joint.base.0, slider: slider.0, point, direction, slot }
+}
+
+/// The line of an effort with the sign with which a positive value acts on `body`.
+pub(super) fn effort_line(
+    structure: &Structure,
+    effort: usize,
+    body: usize,
+    joint: Option<(GroupJoint, usize)>,
+) -> Option<(EffortLine, f64)> {
+    match structure.efforts[effort].kind {
+        EffortKind::Angle(b) => Some((EffortLine::Torque { body: b.0, base: 0 }, 1.0)),
+        EffortKind::RelativeAngle { first, second, .. } => {
+            let other = if second.0 == body { first } else { second };
+            Some((EffortLine::Torque { body, base: other.0 }, if second.0 == body { 1.0 } else { -1.0 }))
+        }
+        EffortKind::Line(b) => Some((EffortLine::Force { body: b.0, line: effort }, 1.0)),
+        EffortKind::Coordinate(_) => {
+            let (joint, slot) = joint?;
+            let way = way(structure, joint, slot);
+            Some((EffortLine::Along(way), if way.slider == body { 1.0 } else { -1.0 }))
+        }
+        EffortKind::Point(_) => None,
+    }
+}
+
+/// One body, one joint, one effort; `None` where the effort stands in another joint.
+fn driven(structure: &Structure, group: &Group, slot: usize) -> Option<ForceStep> {
+    let (joint, body) = (group.joints[0], group.bodies[0]);
+    let index = group.efforts[0];
+    let (effort, sign) = effort_line(structure, index, body.0, Some((joint, slot)))?;
+    if let EffortLine::Torque { base, .. } = effort
+        && base != 0
+        && base != joint.base.0
+    {
+        return None;
+    }
+    let value = (index, sign);
+    Some(if joint.prismatic {
+        ForceStep::Shift { way: way(structure, joint, slot), effort, value }
+    } else {
+        ForceStep::Turn { hinge: hinge(structure, joint, slot), effort, value }
+    })
+}
+
+fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> ForceStep {
+    let [first, inner, second] = [group.joints[0], group.joints[1], group.joints[2]];
+    let hinge_of = |i: usize| hinge(structure, group.joints[i], first_slot + i);
+    let way_of = |i: usize| way(structure, group.joints[i], first_slot + i);
+    let inner_hinge = || Inner {
+        pin: pin(&structure.replaced, inner, first.body),
+        second_pin: pin(&structure.replaced, inner, second.body),
+        slot: first_slot + 1,
+        sign: if inner.body == second.body { 1.0 } else { -1.0 },
+    };
+    let length = |outer: GroupJoint| {
+        (pin(&structure.replaced, inner, outer.body) - pin(&structure.replaced, outer, outer.body)).norm()
+    };
+    match kind {
+        Dyad::Rrr => ForceStep::Rrr {
+            outer: [hinge_of(0), hinge_of(2)],
+            inner: inner_hinge(),
+            scale: 1.0 / (length(first) * length(second)),
+        },
+        Dyad::Rrp => ForceStep::Rrp {
+            outer: hinge_of(0),
+            inner: inner_hinge(),
+            way: way_of(2),
+            scale: 1.0 / length(first),
+        },
+        Dyad::Rpr => ForceStep::Rpr { outer: [hinge_of(0), hinge_of(2)], way: way_of(1) },
+        Dyad::Prp => ForceStep::Prp { ways: [way_of(0), way_of(2)], inner: inner_hinge() },
+        Dyad::Rpp => ForceStep::Rpp { outer: hinge_of(0), inner: way_of(1), way: way_of(2) },
+    }
+}
+
+fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> Option<ForceStep> {
+    let [first, inner, second] = [group.joints[0], group.joints[1], group.joints[2]];
+    let far = |root| group.joints[3..].iter().position(|j| j.base == root);
+    let end = |root| far(root).map_or(root, |i| group.joints[3 + i].body);
+    let ends = [end(first.body), end(second.body)];
+    let part = |root| match far(root) {
+        None => Some(None),
+        Some(i) => {
+            let (joint, slot) = (group.joints[3 + i], first_slot + 3 + i);
+            let mut inside = group.efforts.iter();
+            let effort = *inside.find(|&&e| match structure.efforts[e].kind {
+                EffortKind::Coordinate(j) | EffortKind::RelativeAngle { joint: j, .. } => j == joint.joint,
+                _ => false,
+            })?;
+            let (line, sign) = effort_line(structure, effort, joint.body.0, Some((joint, slot)))?;
+            let at = if joint.prismatic {
+                OuterJoint::Way(way(structure, joint, slot))
+            } else {
+                OuterJoint::Hinge(hinge(structure, joint, slot))
+            };
+            Some(Some(DrivenPart { joint: at, effort: line, value: (effort, sign) }))
+        }
+    };
+    let outer = if kind == Dyad::Rrp {
+        OuterJoint::Way(way(structure, second, first_slot + 2))
+    } else {
+        OuterJoint::Hinge(hinge(structure, second, first_slot + 2))
+    };
+    let inner_hinge = Inner {
+        pin: pin(&structure.replaced, inner, ends[0]),
+        second_pin: pin(&structure.replaced, inner, ends[1]),
+        slot: first_slot + 1,
+        sign: if inner.body == ends[1] { 1.0 } else { -1.0 },
+    };
+    Some(ForceStep::DrivenLegs {
+        outer: (hinge(structure, first, first_slot), outer),
+        inner: inner_hinge,
+        ends: ends.map(|b| b.0),
+        driven: [part(first.body)?, part(second.body)?],
+    })
+}

@@ -1,0 +1,227 @@
+//! Groups without a closed form: their joints, drives and efforts as scalar constraints for Newton's method.
+
+use crate::group::general::{Constraint, General, Law, Line, Point};
+use crate::math::Vec2;
+use crate::structure::{BodyId, EffortKind, EffortSource, Group, GroupJoint, JointKind, Structure};
+
+/// A group of motion. Bodies are slots: those of the group first, then those of known motion that it hangs on.
+#[derive(Clone, Debug)]
+pub struct GeneralMotion {
+    /// Slots of the bodies.
+    pub bodies: Vec<usize>,
+    /// How many of them belong to the group.
+    pub moving: usize,
+    /// The equations with their memory; `None` where there are not as many as unknowns.
+    pub equations: Option<General>,
+    /// Constraints that a drive sets: index, slot of the drive.
+    pub driven: Vec<(usize, usize)>,
+    /// Constraints of round profiles: index and radius, m.
+    pub round: Vec<(usize, f64)>,
+}
+
+/// A group of forces.
+#[derive(Clone, Debug)]
+pub struct BalanceSystem {
+    /// Slots of the bodies: those of the group first.
+    pub bodies: Vec<usize>,
+    /// How many of them belong to the group.
+    pub moving: usize,
+    /// The equations with their memory; `None` where there are not as many as unknowns.
+    pub equations: Option<General>,
+    /// What each constraint gives, in their order.
+    pub unknowns: Vec<UnknownForce>,
+    /// Constraints along the lines of unknown forces: index, slot of the effort.
+    pub lines: Vec<(usize, usize)>,
+}
+
+/// What the force in a constraint is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum UnknownForce {
+    /// The force in a revolute, two numbers: slot.
+    Hinge {
+        /// Slot of the reaction.
+        slot: usize,
+        /// The hinge.
+        hinge: super::Hinge,
+    },
+    /// The couple of a prismatic joint on its slider.
+    Couple(super::Way),
+    /// The normal force of a prismatic joint on its slider.
+    Normal(super::Way),
+    /// A torque of `base` on `body`: slot of the effort.
+    Torque {
+        /// Slot of the effort.
+        effort: usize,
+        /// The body.
+        body: usize,
+        /// The other body.
+        base: usize,
+    },
+    /// A force on the slider of a prismatic joint along its line.
+    Along {
+        /// Slot of the effort.
+        effort: usize,
+        /// The joint.
+        way: super::Way,
+    },
+    /// A force on a body along the line of an effort: its slot.
+    Line(usize),
+    /// A torque that holds a passive freedom: nothing.
+    Passive,
+}
+
+/// Places of bodies in the slices of a system.
+struct Places {
+    slots: Vec<usize>,
+    moving: usize,
+}
+
+impl Places {
+    fn new(group: &Group) -> Self {
+        let slots: Vec<usize> = group.bodies.iter().map(|b| b.0).collect();
+        let moving = slots.len();
+        Self { slots, moving }
+    }
+
+    fn of(&mut self, body: BodyId) -> usize {
+        match self.slots.iter().position(|&s| s == body.0) {
+            Some(place) => place,
+            None => {
+                self.slots.push(body.0);
+                self.slots.len() - 1
+            }
+        }
+    }
+}
+
+fn hinge(structure: &Structure, joint: GroupJoint, places: &mut Places) -> Constraint {
+    let pin = |body| super::geometry::pin(&structure.replaced, joint, body);
+    Constraint::Revolute {
+        a: Point { body: places.of(joint.body), r: pin(joint.body) },
+        b: Point { body: places.of(joint.base), r: pin(joint.base) },
+    }
+}
+
+/// The parts of a prismatic joint: the angle (unless it follows from others) and the offset with its radius.
+fn prismatic(
+    structure: &Structure,
+    joint: GroupJoint,
+    places: &mut Places,
+) -> Option<(Option<Constraint>, Point, Line, f64)> {
+    let JointKind::Prismatic {
+        slider, point, direction, guide, through, along, offset, angle_redundant, ..
+    } = structure.replaced.joint(joint.joint).kind
+    else {
+        return None;
+    };
+    let (s, g) = (places.of(slider), places.of(guide));
+    let angle = (!angle_redundant).then(|| Constraint::parallel(g, along, s, direction));
+    Some((angle, Point { body: s, r: point }, Line { body: g, r: through, d: along }, offset))
+}
+
+fn law(value: f64) -> Law {
+    Law { value, ..Law::default() }
+}
+
+fn torque(a: usize, b: usize) -> Constraint {
+    Constraint::Angle { a, b, angle: Vec2::new(1.0, 0.0), rate: 0.0, second: 0.0 }
+}
+
+pub(super) fn problem(structure: &Structure, group: &Group) -> GeneralMotion {
+    let mut places = Places::new(group);
+    let (mut constraints, mut driven, mut round) = (Vec::new(), Vec::new(), Vec::new());
+    for &joint in &group.joints {
+        if !joint.prismatic {
+            constraints.push(hinge(structure, joint, &mut places));
+        } else if let Some((angle, point, line, offset)) = prismatic(structure, joint, &mut places) {
+            constraints.extend(angle);
+            if offset > 0.0 {
+                round.push((constraints.len(), offset));
+            }
+            constraints.push(Constraint::Offset { point, line, law: law(offset) });
+        }
+    }
+    for link in &structure.passive {
+        if group.bodies.contains(&BodyId(link.index())) {
+            let (ground, body) = (places.of(BodyId::GROUND), places.of(BodyId(link.index())));
+            constraints.push(torque(ground, body));
+        }
+    }
+    for &index in &group.efforts {
+        let effort = &structure.drives[index];
+        let EffortSource::Drive(drive) = effort.source else { continue };
+        let constraint = match effort.kind {
+            EffortKind::Angle(body) => torque(places.of(BodyId::GROUND), places.of(body)),
+            EffortKind::RelativeAngle { first, second, .. } => torque(places.of(first), places.of(second)),
+            EffortKind::Coordinate(id) => {
+                let Some(&joint) = group.joints.iter().find(|j| j.joint == id) else { continue };
+                let Some((_, point, line, _)) = prismatic(structure, joint, &mut places) else { continue };
+                Constraint::Coordinate { point, line, law: law(0.0) }
+            }
+            EffortKind::Line(_) | EffortKind::Point(_) => continue,
+        };
+        driven.push((constraints.len(), drive.index()));
+        constraints.push(constraint);
+    }
+    let equations = General::new(places.moving, places.slots.len(), constraints).ok();
+    GeneralMotion { bodies: places.slots, moving: places.moving, equations, driven, round }
+}
+
+pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: usize) -> BalanceSystem {
+    let mut places = Places::new(group);
+    let (mut constraints, mut unknowns, mut lines) = (Vec::new(), Vec::new(), Vec::new());
+    for (i, &joint) in group.joints.iter().enumerate() {
+        let slot = first_slot + i;
+        if !joint.prismatic {
+            let pin = super::geometry::pin(&structure.replaced, joint, joint.body);
+            let at = super::Hinge { body: joint.body.0, pin, base: joint.base.0, slot };
+            constraints.push(hinge(structure, joint, &mut places));
+            unknowns.push(UnknownForce::Hinge { slot, hinge: at });
+        } else if let Some((angle, point, line, offset)) = prismatic(structure, joint, &mut places) {
+            let way = super::forces::way(structure, joint, slot);
+            if let Some(angle) = angle {
+                constraints.push(angle);
+                unknowns.push(UnknownForce::Couple(way));
+            }
+            constraints.push(Constraint::Offset { point, line, law: law(offset) });
+            unknowns.push(UnknownForce::Normal(way));
+        }
+    }
+    for link in &structure.passive {
+        if group.bodies.contains(&BodyId(link.index())) {
+            let (ground, body) = (places.of(BodyId::GROUND), places.of(BodyId(link.index())));
+            constraints.push(torque(ground, body));
+            unknowns.push(UnknownForce::Passive);
+        }
+    }
+    for &effort in &group.efforts {
+        let (constraint, unknown) = match structure.efforts[effort].kind {
+            EffortKind::Angle(body) => (
+                torque(places.of(BodyId::GROUND), places.of(body)),
+                UnknownForce::Torque { effort, body: body.0, base: 0 },
+            ),
+            EffortKind::RelativeAngle { first, second, .. } => (
+                torque(places.of(first), places.of(second)),
+                UnknownForce::Torque { effort, body: second.0, base: first.0 },
+            ),
+            EffortKind::Coordinate(id) => {
+                let Some(i) = group.joints.iter().position(|j| j.joint == id) else { continue };
+                let joint = group.joints[i];
+                let Some((_, point, line, _)) = prismatic(structure, joint, &mut places) else { continue };
+                let way = super::forces::way(structure, joint, first_slot + i);
+                (Constraint::Coordinate { point, line, law: law(0.0) }, UnknownForce::Along { effort, way })
+            }
+            EffortKind::Line(body) => {
+                lines.push((constraints.len(), effort));
+                let point = Point { body: places.of(body), r: Vec2::zero() };
+                let line = Line { body: places.of(BodyId::GROUND), r: Vec2::zero(), d: Vec2::new(1.0, 0.0) };
+                (Constraint::Coordinate { point, line, law: law(0.0) }, UnknownForce::Line(effort))
+            }
+            EffortKind::Point(_) => continue,
+        };
+        constraints.push(constraint);
+        unknowns.push(unknown);
+    }
+    let equations = General::new(places.moving, places.slots.len(), constraints).ok();
+    BalanceSystem { bodies: places.slots, moving: places.moving, equations, unknowns, lines }
+}

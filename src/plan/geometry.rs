@@ -1,0 +1,80 @@
+//! From joints to the numbers of the steps.
+
+use super::step::{Anchor, Leg, Slide};
+use crate::math::Vec2;
+use crate::structure::{BodyId, GroupJoint, JointKind, Replaced};
+
+/// The point of a revolute joint in the frame of one of its bodies.
+pub(super) fn pin(replaced: &Replaced, joint: GroupJoint, body: BodyId) -> Vec2 {
+    match &replaced.joint(joint.joint).kind {
+        JointKind::Revolute(members) => members.iter().find(|m| m.0 == body).map_or(Vec2::zero(), |m| m.1),
+        JointKind::Prismatic { slider, point, through, .. } => {
+            if *slider == body {
+                *point
+            } else {
+                *through
+            }
+        }
+    }
+}
+
+pub(super) fn anchor(replaced: &Replaced, joint: GroupJoint) -> Anchor {
+    Anchor { body: joint.base.0, at: pin(replaced, joint, joint.base) }
+}
+
+/// A prismatic joint seen from `base`: the line is the guide's where the guide is the base; else the parallel through
+/// the slider's point, on which the guide's origin moves backwards.
+pub(super) fn slide(replaced: &Replaced, joint: GroupJoint, base: BodyId) -> Slide {
+    let JointKind::Prismatic { slider, point, direction, guide, through, along, offset, .. } =
+        replaced.joint(joint.joint).kind
+    else {
+        return Slide {
+            base: joint.base.0,
+            origin: Vec2::zero(),
+            along: Vec2::new(1.0, 0.0),
+            body: joint.body.0,
+            point: Vec2::zero(),
+            direction: Vec2::new(1.0, 0.0),
+            radius: 0.0,
+            sense: 1.0,
+        };
+    };
+    if base == guide {
+        Slide {
+            base: guide.0,
+            origin: through,
+            along,
+            body: slider.0,
+            point,
+            direction,
+            radius: offset,
+            sense: 1.0,
+        }
+    } else {
+        Slide {
+            base: slider.0,
+            origin: point,
+            along: direction,
+            body: guide.0,
+            point: through,
+            direction: along,
+            radius: -offset,
+            sense: -1.0,
+        }
+    }
+}
+
+/// The leg of a dyad between its outer revolute and its inner one.
+pub(super) fn leg(replaced: &Replaced, outer: GroupJoint, inner: GroupJoint) -> Leg {
+    let from = pin(replaced, outer, outer.body);
+    let to = pin(replaced, inner, outer.body);
+    let length = (to - from).norm();
+    Leg {
+        body: outer.body.0,
+        base: anchor(replaced, outer),
+        pin: from,
+        direction: (to - from) / length,
+        length,
+        inverse: 1.0 / length,
+    }
+}

@@ -1,0 +1,82 @@
+//! Structure → Plan: a flat list of steps with slots, in the order of solution, with the effects that the file calls for.
+
+mod effects;
+mod forces;
+mod general;
+mod geometry;
+mod loads;
+mod motion;
+pub mod step;
+
+pub use effects::{Effects, Level, level_of, needs_forces};
+pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
+pub use loads::LoadStep;
+pub use step::{
+    Anchor, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
+    OuterJoint, Slide, Way,
+};
+
+use crate::math::Vec2;
+use crate::model::Mechanism;
+use crate::structure::{BodyOrigin, EffortKind, EffortSource, GroupJoint, Structure};
+
+/// What is done at every position, in this order: motion, loads, forces.
+#[derive(Clone, Debug, Default)]
+pub struct Plan {
+    /// Number of bodies, imaginary ones among them.
+    pub bodies: usize,
+    /// Number of drives.
+    pub drives: usize,
+    /// Bodies driven at a point: slot, the point in the body's frame (m), slot of the drive.
+    pub outer: Vec<(usize, Vec2, usize)>,
+    /// Steps of motion.
+    pub motion: Vec<MotionStep>,
+    /// Problems of the general steps.
+    pub general: Vec<GeneralMotion>,
+    /// Steps that add loads to the bodies.
+    pub loads: Vec<LoadStep>,
+    /// Steps of forces.
+    pub forces: Vec<ForceStep>,
+    /// Systems of the general steps of forces.
+    pub balance_systems: Vec<BalanceSystem>,
+    /// The joint of every reaction slot.
+    pub reactions: Vec<GroupJoint>,
+    /// Number of unknown efforts.
+    pub efforts: usize,
+    /// What is computed.
+    pub effects: Effects,
+}
+
+/// Plans what the file calls for.
+#[must_use]
+pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
+    let effects = Effects::of(mechanism);
+    let mut plan = Plan {
+        bodies: structure.replaced.bodies.len(),
+        drives: mechanism.drives.len(),
+        efforts: structure.efforts.len(),
+        effects,
+        ..Plan::default()
+    };
+    for effort in &structure.drives {
+        if let (EffortKind::Point(body), EffortSource::Drive(id)) = (effort.kind, effort.source)
+            && let crate::model::DriveTarget::Point(_, at) = mechanism.drives[id.index()].target
+        {
+            plan.outer.push((body.0, at, id.index()));
+        }
+    }
+    motion::plan(structure, &mut plan);
+    if plan.effects.forces && structure.force_defect.is_none() {
+        plan.loads = loads::plan(mechanism, &plan.effects);
+        forces::plan(structure, &mut plan);
+    }
+    plan
+}
+
+impl Plan {
+    /// Slot of a link's body.
+    #[must_use]
+    pub fn is_imaginary(structure: &Structure, body: usize) -> bool {
+        matches!(structure.replaced.bodies[body].origin, BodyOrigin::Imaginary(_))
+    }
+}

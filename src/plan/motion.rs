@@ -1,0 +1,150 @@
+//! Steps of motion, one per structural group.
+
+use super::Plan;
+use super::geometry::{anchor, leg, pin, slide};
+use super::step::{DrivenJoint, DrivenLeg, MotionStep};
+use crate::math::Vec2;
+use crate::structure::{Dyad, EffortKind, EffortSource, Group, GroupKind, Structure};
+
+pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
+    for (branch, group) in structure.motion.iter().enumerate() {
+        let step = match group.kind {
+            GroupKind::Driven => driven(structure, group, branch),
+            GroupKind::Dyad(kind) => Some(dyad(structure, group, branch, kind)),
+            GroupKind::Translation => Some(MotionStep::Translation {
+                branch,
+                slides: [0, 1].map(|i| slide(&structure.replaced, group.joints[i], group.joints[i].base)),
+            }),
+            GroupKind::DrivenLegs(kind) => driven_legs(structure, group, branch, kind),
+            GroupKind::General => None,
+        };
+        let step = step.unwrap_or_else(|| {
+            plan.general.push(super::general::problem(structure, group));
+            MotionStep::General { branch, problem: plan.general.len() - 1 }
+        });
+        plan.motion.push(step);
+    }
+}
+
+/// `None` where the effort is not one of a single joint: the general solver takes it.
+fn driven(structure: &Structure, group: &Group, branch: usize) -> Option<MotionStep> {
+    let (joint, body) = (group.joints[0], group.bodies[0]);
+    let effort = &structure.drives[group.efforts[0]];
+    let EffortSource::Drive(drive) = effort.source else { return None };
+    let replaced = &structure.replaced;
+    let turn = |relative| MotionStep::Turn {
+        branch,
+        body: body.0,
+        base: anchor(replaced, joint),
+        pin: pin(replaced, joint, body),
+        drive: drive.index(),
+        relative,
+    };
+    match effort.kind {
+        EffortKind::Angle(_) => Some(turn(None)),
+        EffortKind::RelativeAngle { second, .. } => Some(turn(Some(if second == body { 1.0 } else { -1.0 }))),
+        EffortKind::Coordinate(_) => Some(MotionStep::Shift {
+            branch,
+            slide: slide(replaced, joint, joint.base),
+            drive: drive.index(),
+        }),
+        EffortKind::Line(_) | EffortKind::Point(_) => None,
+    }
+}
+
+fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> MotionStep {
+    let replaced = &structure.replaced;
+    let [first, inner, second] = [group.joints[0], group.joints[1], group.joints[2]];
+    let in_axes = |v: Vec2, axis: Vec2| v.turned_back(axis);
+    match kind {
+        Dyad::Rrr => {
+            MotionStep::Rrr { branch, legs: [leg(replaced, first, inner), leg(replaced, second, inner)] }
+        }
+        Dyad::Rrp => {
+            let slide = slide(replaced, second, second.base);
+            let pin = pin(replaced, inner, second.body);
+            let from_point = in_axes(pin - slide.point, slide.direction);
+            MotionStep::Rrp { branch, leg: leg(replaced, first, inner), slide, pin, from_point }
+        }
+        Dyad::Rpr => {
+            let slide = slide(replaced, inner, first.body);
+            let pins = [pin(replaced, first, first.body), pin(replaced, second, second.body)];
+            MotionStep::Rpr {
+                branch,
+                bases: [anchor(replaced, first), anchor(replaced, second)],
+                from_origin: in_axes(pins[0] - slide.origin, slide.along),
+                from_point: in_axes(pins[1] - slide.point, slide.direction),
+                pins,
+                slide,
+            }
+        }
+        Dyad::Prp => {
+            let slides = [slide(replaced, first, first.base), slide(replaced, second, second.base)];
+            let pins = [pin(replaced, inner, first.body), pin(replaced, inner, second.body)];
+            let from_point = [0, 1].map(|i| in_axes(pins[i] - slides[i].point, slides[i].direction));
+            MotionStep::Prp { branch, slides, pins, from_point }
+        }
+        Dyad::Rpp => MotionStep::Rpp {
+            branch,
+            base: anchor(replaced, first),
+            pin: pin(replaced, first, first.body),
+            inner: slide(replaced, inner, second.body),
+            outer: slide(replaced, second, second.base),
+        },
+    }
+}
+
+fn driven_legs(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Option<MotionStep> {
+    let replaced = &structure.replaced;
+    let second = group.joints[2];
+    if kind == Dyad::Rrr {
+        let legs = [driven_leg(structure, group, 0)?, driven_leg(structure, group, 2)?];
+        return Some(MotionStep::DrivenRrr { branch, legs });
+    }
+    let slide = slide(replaced, second, second.base);
+    let pin = pin(replaced, group.joints[1], second.body);
+    let from_point = (pin - slide.point).turned_back(slide.direction);
+    Some(MotionStep::DrivenRrp { branch, leg: driven_leg(structure, group, 0)?, slide, pin, from_point })
+}
+
+/// The leg that hangs on the outer joint of this index.
+fn driven_leg(structure: &Structure, group: &Group, outer: usize) -> Option<DrivenLeg> {
+    let replaced = &structure.replaced;
+    let (outer, inner) = (group.joints[outer], group.joints[1]);
+    let from = pin(replaced, outer, outer.body);
+    let leg = DrivenLeg {
+        body: outer.body.0,
+        base: anchor(replaced, outer),
+        pin: from,
+        arm: pin(replaced, inner, outer.body) - from,
+        joint: None,
+    };
+    let Some(&joint) = group.joints[3..].iter().find(|j| j.base == outer.body) else { return Some(leg) };
+    let (kind, drive) = group.efforts.iter().find_map(|&e| {
+        let effort = &structure.drives[e];
+        let EffortSource::Drive(drive) = effort.source else { return None };
+        match effort.kind {
+            EffortKind::Coordinate(j) | EffortKind::RelativeAngle { joint: j, .. } if j == joint.joint => {
+                Some((effort.kind, drive.index()))
+            }
+            _ => None,
+        }
+    })?;
+    let to = pin(replaced, inner, joint.body);
+    Some(match kind {
+        EffortKind::RelativeAngle { second, .. } => {
+            let base = anchor(replaced, joint);
+            let hinge = pin(replaced, joint, joint.body);
+            let sign = if second == joint.body { 1.0 } else { -1.0 };
+            let turn =
+                DrivenJoint::Turn { base, body: joint.body.0, pin: hinge, arm: to - hinge, drive, sign };
+            DrivenLeg { arm: base.at - from, joint: Some(turn), ..leg }
+        }
+        _ => {
+            let slide = slide(replaced, joint, joint.base);
+            let turned = slide.along.turned_back(slide.direction);
+            let arm = slide.origin - from + (to - slide.point).turned(turned);
+            DrivenLeg { arm, joint: Some(DrivenJoint::Shift { slide, drive }), ..leg }
+        }
+    })
+}

@@ -1,0 +1,387 @@
+//! The steps of a plan: plain numbers and slots, nothing to look up.
+
+use crate::math::Vec2;
+
+/// A point of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Anchor {
+    /// The body's slot.
+    pub body: usize,
+    /// The point in the body's frame, m.
+    pub at: Vec2,
+}
+
+/// A line on a body of known motion along which another body slides without turning against it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slide {
+    /// Slot of the body that carries the line.
+    pub base: usize,
+    /// Origin of the line in the base's frame, m.
+    pub origin: Vec2,
+    /// Unit direction of the line in the base's frame.
+    pub along: Vec2,
+    /// Slot of the sliding body.
+    pub body: usize,
+    /// The point of the sliding body whose coordinate is counted, in its frame, m.
+    pub point: Vec2,
+    /// Unit direction in the sliding body's frame that lies along the line.
+    pub direction: Vec2,
+    /// Distance of the point to the left of the line, times the branch's side, m: not zero for a round profile only.
+    pub radius: f64,
+    /// The pair's coordinate is this times the coordinate counted here: ±1.
+    pub sense: f64,
+}
+
+/// A body hung by a revolute on a body of known motion, with its second revolute at a distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leg {
+    /// Slot of the body.
+    pub body: usize,
+    /// The outer revolute on the base.
+    pub base: Anchor,
+    /// The outer revolute in the body's frame, m.
+    pub pin: Vec2,
+    /// Unit direction in the body's frame from the outer revolute to the inner one.
+    pub direction: Vec2,
+    /// Distance of the two, m.
+    pub length: f64,
+    /// Its reciprocal, 1/m.
+    pub inverse: f64,
+}
+
+/// A link of a dyad that may consist of two bodies with a driven joint between them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrivenLeg {
+    /// Slot of the body with the outer revolute.
+    pub body: usize,
+    /// The outer revolute on the base.
+    pub base: Anchor,
+    /// The outer revolute in the body's frame, m.
+    pub pin: Vec2,
+    /// From the outer revolute to the inner one, in the body's frame, m; of a leg with a driven joint the part that does
+    /// not change.
+    pub arm: Vec2,
+    /// The driven joint.
+    pub joint: Option<DrivenJoint>,
+}
+
+/// The driven joint inside a leg, and the body behind it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DrivenJoint {
+    /// A guide on the first body.
+    Shift {
+        /// The guide.
+        slide: Slide,
+        /// Slot of the drive.
+        drive: usize,
+    },
+    /// A revolute on the first body.
+    Turn {
+        /// The revolute on the first body.
+        base: Anchor,
+        /// Slot of the second body.
+        body: usize,
+        /// The revolute in the second body's frame, m.
+        pin: Vec2,
+        /// From it to the inner revolute, in the second body's frame, m.
+        arm: Vec2,
+        /// Slot of the drive.
+        drive: usize,
+        /// The angle of the second body is this times the drive's value.
+        sign: f64,
+    },
+}
+
+/// One step of motion. `branch` is the slot of the group's branch and of its condition figure.
+#[derive(Clone, Debug)]
+pub enum MotionStep {
+    /// A body on a revolute at a driven angle.
+    Turn {
+        /// Group.
+        branch: usize,
+        /// Slot of the body.
+        body: usize,
+        /// The revolute on the base.
+        base: Anchor,
+        /// The revolute in the body's frame, m.
+        pin: Vec2,
+        /// Slot of the drive.
+        drive: usize,
+        /// The angle is measured from the base instead of the ground, with this sign.
+        relative: Option<f64>,
+    },
+    /// A body on a guide at a driven coordinate.
+    Shift {
+        /// Group.
+        branch: usize,
+        /// The guide.
+        slide: Slide,
+        /// Slot of the drive.
+        drive: usize,
+    },
+    /// Dyad RRR.
+    Rrr {
+        /// Group.
+        branch: usize,
+        /// The two links.
+        legs: [Leg; 2],
+    },
+    /// Dyad RRP: the slider carries the inner revolute.
+    Rrp {
+        /// Group.
+        branch: usize,
+        /// The link.
+        leg: Leg,
+        /// The guide of the slider.
+        slide: Slide,
+        /// The inner revolute in the slider's frame, m.
+        pin: Vec2,
+        /// The inner revolute from the sliding point, in the axes of the guide, m.
+        from_point: Vec2,
+    },
+    /// Dyad RRR with driven joints inside its links.
+    DrivenRrr {
+        /// Group.
+        branch: usize,
+        /// The two links.
+        legs: [DrivenLeg; 2],
+    },
+    /// Dyad RRP with a driven joint inside its link.
+    DrivenRrp {
+        /// Group.
+        branch: usize,
+        /// The link.
+        leg: DrivenLeg,
+        /// The guide of the slider.
+        slide: Slide,
+        /// The inner revolute in the slider's frame, m.
+        pin: Vec2,
+        /// The inner revolute from the sliding point, in the axes of the guide, m.
+        from_point: Vec2,
+    },
+    /// Dyad RPR: the first body carries the line.
+    Rpr {
+        /// Group.
+        branch: usize,
+        /// The outer revolutes on their bases.
+        bases: [Anchor; 2],
+        /// The outer revolutes in the frames of their bodies, m.
+        pins: [Vec2; 2],
+        /// The inner guide, on the first body.
+        slide: Slide,
+        /// The first outer revolute from the line's origin, in the axes of the line, m.
+        from_origin: Vec2,
+        /// The second outer revolute from the sliding point, in the axes of the line, m.
+        from_point: Vec2,
+    },
+    /// Dyad PRP.
+    Prp {
+        /// Group.
+        branch: usize,
+        /// The guides.
+        slides: [Slide; 2],
+        /// The inner revolute in the frames of the sliders, m.
+        pins: [Vec2; 2],
+        /// The inner revolute from the sliding points, in the axes of the guides, m.
+        from_point: [Vec2; 2],
+    },
+    /// Dyad RPP: the first body is hung by a revolute and slides along a line of the second, which slides on a base.
+    Rpp {
+        /// Group.
+        branch: usize,
+        /// The outer revolute on its base.
+        base: Anchor,
+        /// The outer revolute in the first body's frame, m.
+        pin: Vec2,
+        /// The inner guide, on the second body.
+        inner: Slide,
+        /// The outer guide.
+        outer: Slide,
+    },
+    /// A body between two guides that fix its angle alike.
+    Translation {
+        /// Group.
+        branch: usize,
+        /// The guides.
+        slides: [Slide; 2],
+    },
+    /// Anything else, by Newton's method.
+    General {
+        /// Group.
+        branch: usize,
+        /// Index into [`super::Plan::general`].
+        problem: usize,
+    },
+}
+
+/// Where a reaction acts and where it is kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hinge {
+    /// Slot of the body it acts on.
+    pub body: usize,
+    /// The pin in the body's frame, m.
+    pub pin: Vec2,
+    /// Slot of the body it comes from.
+    pub base: usize,
+    /// Slot of the reaction: force on `body`.
+    pub slot: usize,
+}
+
+/// A prismatic joint on the side of forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// Slot of the body the reaction is counted on.
+    pub body: usize,
+    /// Slot of the other body.
+    pub base: usize,
+    /// Slot of the sliding body.
+    pub slider: usize,
+    /// Its point in its frame, m: couples are taken about it.
+    pub point: Vec2,
+    /// Its direction along the line, in its frame.
+    pub direction: Vec2,
+    /// Slot of the reaction: force and couple on `body`.
+    pub slot: usize,
+}
+
+/// One unknown effort on the side of forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum EffortLine {
+    /// A torque on `body`, with the opposite on `base` (the ground where it comes from outside).
+    Torque {
+        /// The body.
+        body: usize,
+        /// The other body.
+        base: usize,
+    },
+    /// A force on `body` along a line, in ground axes.
+    Force {
+        /// The body.
+        body: usize,
+        /// Slot of the effort's line, set before the forces are solved.
+        line: usize,
+    },
+    /// A force on the slider of a prismatic joint along its line, with the opposite on the guide.
+    Along(Way),
+}
+
+/// One step of forces.
+#[derive(Clone, Debug)]
+pub enum ForceStep {
+    /// One body on a revolute with one unknown effort.
+    Turn {
+        /// The revolute.
+        hinge: Hinge,
+        /// The effort.
+        effort: EffortLine,
+        /// Slot of the effort, and the sign with which it acts on the body.
+        value: (usize, f64),
+    },
+    /// One body on a guide with one unknown effort.
+    Shift {
+        /// The guide.
+        way: Way,
+        /// The effort.
+        effort: EffortLine,
+        /// Slot of the effort, and the sign with which it acts on the body.
+        value: (usize, f64),
+    },
+    /// Dyad RRR: outer, inner (force on the second link), outer.
+    Rrr {
+        /// Outer revolutes.
+        outer: [Hinge; 2],
+        /// The inner revolute in the frames of the links, and its slot; the sign turns the force on the second link
+        /// into that kept.
+        inner: Inner,
+        /// 1 / (l_1 l_2), 1/m²: turns the determinant into the condition figure.
+        scale: f64,
+    },
+    /// Dyad RRP.
+    Rrp {
+        /// Outer revolute of the link.
+        outer: Hinge,
+        /// Inner revolute.
+        inner: Inner,
+        /// Guide of the slider.
+        way: Way,
+        /// 1 / l, 1/m: turns the determinant into the condition figure.
+        scale: f64,
+    },
+    /// Dyad RRR or RRP with unknown efforts inside its links: solved as a dyad of stiff links, then taken apart.
+    DrivenLegs {
+        /// Outer revolute of the first link, and of the second or its guide.
+        outer: (Hinge, OuterJoint),
+        /// The inner revolute, on the bodies that carry it.
+        inner: Inner,
+        /// Slots of the bodies that carry the inner revolute.
+        ends: [usize; 2],
+        /// The driven joint of each link with its effort, if it has one.
+        driven: [Option<DrivenPart>; 2],
+    },
+    /// Dyad RPR.
+    Rpr {
+        /// Outer revolutes.
+        outer: [Hinge; 2],
+        /// The inner guide.
+        way: Way,
+    },
+    /// Dyad PRP.
+    Prp {
+        /// The guides.
+        ways: [Way; 2],
+        /// The inner revolute.
+        inner: Inner,
+    },
+    /// Dyad RPP.
+    Rpp {
+        /// Outer revolute of the first body.
+        outer: Hinge,
+        /// The inner guide.
+        inner: Way,
+        /// Guide of the second body.
+        way: Way,
+    },
+    /// A body between two guides; the couples are not determined.
+    Translation {
+        /// The guides.
+        ways: [Way; 2],
+    },
+    /// Anything else: all equations of equilibrium at once.
+    General {
+        /// Index into [`super::Plan::balance_systems`].
+        system: usize,
+    },
+}
+
+/// The second outer joint of a dyad on the side of forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OuterJoint {
+    /// A revolute.
+    Hinge(Hinge),
+    /// A guide.
+    Way(Way),
+}
+
+/// The far half of a link with an unknown effort inside: solved like one body with one joint and one effort.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrivenPart {
+    /// The joint, counted on the far half.
+    pub joint: OuterJoint,
+    /// The effort.
+    pub effort: EffortLine,
+    /// Slot of the effort, and the sign with which it acts on the far half.
+    pub value: (usize, f64),
+}
+
+/// The inner revolute of a dyad on the side of forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inner {
+    /// The pin in the first body's frame, m.
+    pub pin: Vec2,
+    /// The pin in the second body's frame, m.
+    pub second_pin: Vec2,
+    /// Slot of the reaction.
+    pub slot: usize,
+    /// The reaction kept is this times the force of the first body on the second.
+    pub sign: f64,
+}

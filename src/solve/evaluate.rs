@@ -1,0 +1,134 @@
+//! Evaluates expressions at a position.
+
+use super::view::View;
+use crate::math::Vec2;
+use crate::model::{Axis, BinaryOp, Comparison, Expr, Function, Value};
+
+/// NaN where types do not fit: `check` has seen to it that they do.
+const NOT_A_NUMBER: Value = Value::Scalar(f64::NAN);
+
+impl View<'_> {
+    /// The value of an expression. What is not defined (a root of a negative number, a ratio of zeros) is NaN.
+    #[must_use]
+    pub fn value(&self, expr: &Expr) -> Value {
+        match expr {
+            Expr::Constant(value) => *value,
+            Expr::Vector(x, y) => Value::Vector(Vec2::new(self.scalar(x), self.scalar(y))),
+            Expr::Polar(r, phi) => Value::Vector(Vec2::direction(self.scalar(phi)) * self.scalar(r)),
+            Expr::Component(v, axis) => {
+                let v = self.vector(v);
+                Value::Scalar(match axis {
+                    Axis::X => v.x,
+                    Axis::Y => v.y,
+                })
+            }
+            Expr::Negate(a) => match self.value(a) {
+                Value::Scalar(x) => Value::Scalar(-x),
+                Value::Vector(v) => Value::Vector(-v),
+                Value::Truth(_) => NOT_A_NUMBER,
+            },
+            Expr::Binary(op, a, b) => binary(*op, self.value(a), self.value(b)),
+            Expr::Power(a, b) => Value::Scalar(power(self.scalar(a), self.scalar(b))),
+            Expr::Call(function, args) => self.call(*function, args),
+            Expr::Compare(how, a, b) => Value::Truth(compare(*how, self.scalar(a), self.scalar(b))),
+            Expr::And(a, b) => Value::Truth(self.truth(a) && self.truth(b)),
+            Expr::Or(a, b) => Value::Truth(self.truth(a) || self.truth(b)),
+            Expr::Not(a) => Value::Truth(!self.truth(a)),
+            Expr::Quantity(id) => self.quantity(*id),
+            Expr::Query(query) => self.query(query),
+        }
+    }
+
+    /// A scalar; NaN for anything else.
+    #[must_use]
+    pub fn scalar(&self, expr: &Expr) -> f64 {
+        match self.value(expr) {
+            Value::Scalar(x) => x,
+            Value::Vector(_) | Value::Truth(_) => f64::NAN,
+        }
+    }
+
+    /// A vector; NaN for anything else.
+    #[must_use]
+    pub fn vector(&self, expr: &Expr) -> Vec2 {
+        match self.value(expr) {
+            Value::Vector(v) => v,
+            // a literal 0 fits any dimension, and any shape
+            Value::Scalar(0.0) => Vec2::zero(),
+            Value::Scalar(_) | Value::Truth(_) => Vec2::new(f64::NAN, f64::NAN),
+        }
+    }
+
+    /// A truth; false for anything else.
+    #[must_use]
+    pub fn truth(&self, expr: &Expr) -> bool {
+        matches!(self.value(expr), Value::Truth(true))
+    }
+
+    fn call(&self, function: Function, args: &[Expr]) -> Value {
+        let arg = |i: usize| args.get(i).map_or(NOT_A_NUMBER, |e| self.value(e));
+        let scalar = |i: usize| args.get(i).map_or(f64::NAN, |e| self.scalar(e));
+        let vector = |i: usize| args.get(i).map_or(Vec2::new(f64::NAN, f64::NAN), |e| self.vector(e));
+        Value::Scalar(match function {
+            Function::Sqrt => scalar(0).sqrt(),
+            Function::Abs => scalar(0).abs(),
+            Function::Sin => libm::sin(scalar(0)),
+            Function::Cos => libm::cos(scalar(0)),
+            Function::Tan => libm::tan(scalar(0)),
+            Function::Asin => libm::asin(scalar(0)),
+            Function::Acos => libm::acos(scalar(0)),
+            Function::Atan => libm::atan(scalar(0)),
+            Function::Atan2 => libm::atan2(scalar(0), scalar(1)),
+            Function::Mag => match arg(0) {
+                Value::Scalar(x) => x.abs(),
+                Value::Vector(v) => libm::hypot(v.x, v.y),
+                Value::Truth(_) => f64::NAN,
+            },
+            Function::Dot => vector(0).dot(vector(1)),
+            Function::Cross => vector(0).cross(vector(1)),
+            Function::Max => (1..args.len()).map(scalar).fold(scalar(0), f64::max),
+            Function::Min => (1..args.len()).map(scalar).fold(scalar(0), f64::min),
+            Function::Direction => vector(0).angle(),
+            Function::Unit => {
+                return Value::Vector(vector(0).unit().unwrap_or(Vec2::new(f64::NAN, f64::NAN)));
+            }
+        })
+    }
+}
+
+/// Two operands.
+pub(super) fn binary(op: BinaryOp, a: Value, b: Value) -> Value {
+    use BinaryOp::{Add, Div, Mul, Sub};
+    use Value::{Scalar, Vector};
+    match (op, a, b) {
+        (Add, Scalar(a), Scalar(b)) => Scalar(a + b),
+        (Sub, Scalar(a), Scalar(b)) => Scalar(a - b),
+        (Mul, Scalar(a), Scalar(b)) => Scalar(a * b),
+        (Div, Scalar(a), Scalar(b)) => Scalar(a / b),
+        (Add, Vector(a), Vector(b)) => Vector(a + b),
+        (Sub, Vector(a), Vector(b)) => Vector(a - b),
+        (Mul, Vector(a), Scalar(k)) | (Mul, Scalar(k), Vector(a)) => Vector(a * k),
+        (Div, Vector(a), Scalar(k)) => Vector(a / k),
+        (Add, Vector(a), Scalar(0.0)) | (Sub, Vector(a), Scalar(0.0)) | (Add, Scalar(0.0), Vector(a)) => {
+            Vector(a)
+        }
+        (Sub, Scalar(0.0), Vector(a)) => Vector(-a),
+        _ => NOT_A_NUMBER,
+    }
+}
+
+/// Whole powers by multiplication, so that they are exact where the numbers are.
+fn power(base: f64, exponent: f64) -> f64 {
+    if exponent == 2.0 { base * base } else { libm::pow(base, exponent) }
+}
+
+/// A comparison.
+#[must_use]
+pub fn compare(how: Comparison, a: f64, b: f64) -> bool {
+    match how {
+        Comparison::Less => a < b,
+        Comparison::LessEqual => a <= b,
+        Comparison::Greater => a > b,
+        Comparison::GreaterEqual => a >= b,
+    }
+}

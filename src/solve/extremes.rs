@@ -1,0 +1,295 @@
+//! Dead positions, strokes and time ratios: the extremes of a pair's coordinate over one turn of the drive.
+
+use super::assemble::assemble;
+use super::error::SolveError;
+use super::inputs::Rates;
+use super::solution::{DriveValue, Scene};
+use super::state::State;
+use super::track::Tracker;
+use super::view::View;
+use crate::model::{Expr, Mechanism, PairId, Positions, Query};
+use std::f64::consts::TAU;
+
+/// Extremes of the pairs asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Statics(Vec<(PairId, Extremes)>);
+
+/// Extremes of one coordinate over a turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremes {
+    /// The least coordinate, m or rad.
+    pub least: f64,
+    /// The greatest.
+    pub greatest: f64,
+    /// Drive value of the least in [0, 2π), rad.
+    pub at_least: f64,
+    /// Drive value of the greatest in [0, 2π), rad.
+    pub at_greatest: f64,
+}
+
+impl Statics {
+    /// Nothing asked for.
+    pub const EMPTY: Self = Self(Vec::new());
+
+    fn of(&self, pair: PairId) -> Option<&Extremes> {
+        self.0.iter().find(|(p, _)| *p == pair).map(|(_, e)| e)
+    }
+
+    /// The least coordinate of a pair.
+    #[must_use]
+    pub fn least(&self, pair: PairId) -> f64 {
+        self.of(pair).map_or(f64::NAN, |e| e.least)
+    }
+
+    /// Greatest less least coordinate.
+    #[must_use]
+    pub fn stroke(&self, pair: PairId) -> f64 {
+        self.of(pair).map_or(f64::NAN, |e| e.greatest - e.least)
+    }
+
+    /// Drive value of the least (1) or greatest (2) coordinate, in [0, 2π).
+    #[must_use]
+    pub fn dead(&self, pair: PairId, which: u8) -> f64 {
+        self.of(pair).map_or(f64::NAN, |e| if which == 1 { e.at_least } else { e.at_greatest })
+    }
+
+    /// The longer way between the extremes over the shorter.
+    #[must_use]
+    pub fn time_ratio(&self, pair: PairId) -> f64 {
+        self.of(pair).map_or(f64::NAN, |e| {
+            let way = (e.at_greatest - e.at_least).abs();
+            let other = TAU - way;
+            way.max(other) / way.min(other)
+        })
+    }
+}
+
+/// Finds the extremes of every pair whose `dead`, `stroke`, `travel` or `time_ratio` the file names.
+pub(super) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
+    let wanted = wanted(scene.mechanism);
+    if wanted.is_empty() {
+        return Ok(Statics::EMPTY);
+    }
+    let drive = match (scene.mechanism.drives.as_slice(), wanted.as_slice()) {
+        ([drive], _) if super::positions::turns(scene, drive) => drive,
+        (_, [pair, ..]) => return Err(none(scene, *pair, "the mechanism has no single drive that turns")),
+        _ => return Ok(Statics::EMPTY),
+    };
+    let turn = Turn::new(scene).map_err(|why| match why {
+        Failure::Error(e) => *e,
+        Failure::Open(at) => {
+            let degrees = at.to_degrees();
+            none(
+                scene,
+                wanted[0],
+                &format!(
+                    "`{}` does not turn fully: the mechanism does not close at {degrees:.2} deg",
+                    drive.name
+                ),
+            )
+        }
+    })?;
+    let mut out = Vec::new();
+    for pair in wanted {
+        let extremes = turn
+            .extremes(scene, pair)
+            .ok_or_else(|| none(scene, pair, "the coordinate does not go to and fro"))?;
+        out.push((pair, extremes));
+    }
+    Ok(Statics(out))
+}
+
+fn none(scene: &Scene<'_>, pair: PairId, why: &str) -> SolveError {
+    let pair = scene.mechanism.pair(pair);
+    SolveError::NoExtreme {
+        what: "dead",
+        pair: pair.name.clone(),
+        why: why.to_owned(),
+        span: pair.span.into(),
+    }
+}
+
+/// Pairs whose extremes are asked for anywhere in the file.
+fn wanted(mechanism: &Mechanism) -> Vec<PairId> {
+    let mut pairs = Vec::new();
+    let mut look = |expr: &Expr| {
+        expr.queries(&mut |query| {
+            if let Query::Travel(p) | Query::Stroke(p) | Query::TimeRatio(p) | Query::Dead(p, _) = query
+                && !pairs.contains(p)
+            {
+                pairs.push(*p);
+            }
+        });
+    };
+    every_expression(mechanism, &mut look);
+    pairs
+}
+
+/// Calls `look` on every expression of the file.
+pub(super) fn every_expression(mechanism: &Mechanism, look: &mut impl FnMut(&Expr)) {
+    use crate::model::{At, FindKind, LoadKind, Relation};
+    for drive in &mechanism.drives {
+        match &drive.positions {
+            Positions::None => {}
+            Positions::List(list) => list.iter().for_each(&mut *look),
+            Positions::Range { from, to, .. } => {
+                look(from);
+                look(to);
+            }
+        }
+        drive.speed.iter().chain(&drive.acceleration).for_each(&mut *look);
+    }
+    mechanism.poses.iter().flat_map(|p| &p.at).for_each(|(_, e)| look(e));
+    mechanism.quantities.iter().for_each(|q| look(&q.expr));
+    for load in &mechanism.loads {
+        load.when.iter().for_each(&mut *look);
+        match &load.kind {
+            LoadKind::Force { value, .. }
+            | LoadKind::ForceAgainstMotion { value, .. }
+            | LoadKind::Torque { value, .. }
+            | LoadKind::InPair { value, .. } => look(value),
+        }
+    }
+    for find in &mechanism.finds {
+        if let FindKind::Value { expr, .. } = &find.kind {
+            look(expr);
+        }
+    }
+    for expect in &mechanism.expects {
+        look(&expect.expr);
+        match &expect.relation {
+            Relation::Equal(values) => values.iter().for_each(&mut *look),
+            Relation::Compare(_, bound) => look(bound),
+            Relation::Truth => {}
+        }
+        if let Some(At::Drives(list)) = &expect.at {
+            list.iter().for_each(|(_, e)| look(e));
+        }
+    }
+}
+
+enum Failure {
+    Error(Box<SolveError>),
+    Open(f64),
+}
+
+/// One turn of the drive, sampled with unit speed.
+struct Turn {
+    samples: Vec<Sample>,
+}
+
+struct Sample {
+    at: f64,
+    state: State,
+    angles: Vec<f64>,
+}
+
+/// Samples per turn: no coordinate of a common mechanism turns back twice within two degrees.
+const SAMPLES: usize = 180;
+
+impl Turn {
+    fn new(scene: &Scene<'_>) -> Result<Self, Failure> {
+        let rates = Rates::unit(scene);
+        let mut start = State::new(scene.plan);
+        let values = [DriveValue::Scalar(0.0)];
+        rates.at(&values, &mut start.inputs);
+        let state = assemble(scene, start).map_err(|e| match e {
+            SolveError::DoesNotClose { .. } | SolveError::NotFound { .. } => Failure::Open(0.0),
+            e => Failure::Error(Box::new(e)),
+        })?;
+        let mut tracker = Tracker::new(scene, state, &values);
+        let mut samples = Vec::with_capacity(SAMPLES + 1);
+        for i in 0..=SAMPLES {
+            #[allow(clippy::cast_precision_loss)]
+            let at = TAU * i as f64 / SAMPLES as f64;
+            if i > 0 {
+                tracker.go(scene, &rates, &[DriveValue::Scalar(at)]).map_err(|_| Failure::Open(at))?;
+            }
+            let mut state = tracker.state.clone();
+            state.run_motion::<1>(scene.plan);
+            samples.push(Sample { at, state, angles: tracker.angles.clone() });
+        }
+        Ok(Self { samples })
+    }
+
+    /// Coordinate and its derivative with respect to the drive.
+    fn seen(scene: &Scene<'_>, state: &State, angles: &[f64], pair: PairId) -> (f64, f64) {
+        let view = View {
+            mechanism: scene.mechanism,
+            structure: scene.structure,
+            plan: scene.plan,
+            state,
+            angles,
+            statics: &Statics::EMPTY,
+        };
+        (view.displacement(pair), view.relative_velocity(pair))
+    }
+
+    fn extremes(&self, scene: &Scene<'_>, pair: PairId) -> Option<Extremes> {
+        let mut found: Vec<(f64, f64)> = Vec::new();
+        for two in self.samples.windows(2) {
+            let [a, b] = two else { continue };
+            let (_, rate_a) = Self::seen(scene, &a.state, &a.angles, pair);
+            let (_, rate_b) = Self::seen(scene, &b.state, &b.angles, pair);
+            if rate_a == 0.0 {
+                found.push((a.at, Self::seen(scene, &a.state, &a.angles, pair).0));
+            } else if rate_a * rate_b < 0.0 {
+                found.push(refine(scene, a, b.at, rate_a, rate_b, pair));
+            }
+        }
+        let least = found.iter().copied().min_by(|x, y| x.1.total_cmp(&y.1))?;
+        let greatest = found.iter().copied().max_by(|x, y| x.1.total_cmp(&y.1))?;
+        if greatest.1 <= least.1 {
+            return None;
+        }
+        Some(Extremes {
+            least: least.1,
+            greatest: greatest.1,
+            at_least: least.0.rem_euclid(TAU),
+            at_greatest: greatest.0.rem_euclid(TAU),
+        })
+    }
+}
+
+/// The root of the derivative between two samples, by the Illinois variant of regula falsi within a bracket; drive value
+/// and coordinate.
+fn refine(scene: &Scene<'_>, a: &Sample, end: f64, rate_a: f64, rate_b: f64, pair: PairId) -> (f64, f64) {
+    let rates = Rates::unit(scene);
+    let mut state = a.state.clone();
+    let mut at = |x: f64| {
+        rates.at(&[DriveValue::Scalar(x)], &mut state.inputs);
+        state.run_motion::<1>(scene.plan);
+        // within two degrees no angle turns by half a turn
+        let angles: Vec<f64> = state
+            .bodies
+            .iter()
+            .zip(a.state.bodies.iter().zip(&a.angles))
+            .map(|(new, (old, angle))| angle + libm::atan2(old.u.cross(new.u), old.u.dot(new.u)))
+            .collect();
+        Turn::seen(scene, &state, &angles, pair)
+    };
+    let (mut low, mut high, mut f_low, mut f_high) = (a.at, end, rate_a, rate_b);
+    let mut side = 0;
+    for _ in 0..100 {
+        let x = low + (high - low) * (f_low / (f_low - f_high));
+        let f = at(x).1;
+        if f == 0.0 || (high - low).abs() <= 4.0 * f64::EPSILON * high.abs().max(1.0) {
+            return (x, at(x).0);
+        }
+        if f * f_low > 0.0 {
+            (low, f_low) = (x, f);
+            if side == -1 {
+                f_high *= 0.5;
+            }
+            side = -1;
+        } else {
+            (high, f_high) = (x, f);
+            if side == 1 {
+                f_low *= 0.5;
+            }
+            side = 1;
+        }
+    }
+    let x = 0.5 * (low + high);
+    (x, at(x).0)
+}

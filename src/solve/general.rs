@@ -1,0 +1,238 @@
+//! Runs general groups: Newton's method from the state as it stands, forces from the same Jacobian transposed.
+
+use super::state::{Branch, Reaction, State};
+use crate::group::general::{
+    self, Acceleration, Constraint, General, Law, Line, Load, Point, Pose, Velocity,
+};
+use crate::math::Vec2;
+use crate::plan::{BalanceSystem, GeneralMotion, UnknownForce, Way};
+
+/// Starts of the search for assemblies: many for few bodies, as `group::general::assemblies` advises.
+const STARTS: usize = 400;
+
+/// Memory of a general system.
+#[derive(Clone, Debug)]
+pub struct Workspace {
+    equations: General,
+    poses: Vec<Pose>,
+    velocities: Vec<Velocity>,
+    accelerations: Vec<Acceleration>,
+    loads: Vec<Load>,
+    lambda: Vec<f64>,
+}
+
+impl Workspace {
+    /// Memory for a system, laid out once.
+    #[must_use]
+    pub fn new(equations: &General, bodies: usize, moving: usize) -> Self {
+        let rest = Pose { p: Vec2::zero(), u: Vec2::new(1.0, 0.0) };
+        Self {
+            equations: equations.clone(),
+            poses: vec![rest; bodies],
+            velocities: vec![Velocity::default(); bodies],
+            accelerations: vec![Acceleration::default(); bodies],
+            loads: vec![Load::default(); moving],
+            lambda: vec![0.0; 3 * moving],
+        }
+    }
+}
+
+impl State {
+    pub(super) fn general<const LEVEL: u8>(&mut self, branch: usize, problem: usize, group: &GeneralMotion) {
+        let Some(mut work) = self.motion_work.get_mut(problem).and_then(Option::take) else {
+            self.open.get_or_insert(branch);
+            return;
+        };
+        self.set_drives(&mut work.equations, group);
+        self.set_sides(&mut work.equations, group, self.branches[branch]);
+        self.read_poses(&group.bodies, &mut work.poses);
+        match work.equations.position(&mut work.poses) {
+            Ok(condition) => {
+                self.sines[branch] = condition * work.equations.branch();
+                self.write_poses(&group.bodies[..group.moving], &work.poses);
+                if LEVEL > 0 {
+                    self.general_rates::<LEVEL>(group, &mut work);
+                }
+            }
+            Err(_) => {
+                self.open.get_or_insert(branch);
+            }
+        }
+        self.motion_work[problem] = Some(work);
+    }
+
+    fn general_rates<const LEVEL: u8>(&mut self, group: &GeneralMotion, work: &mut Workspace) {
+        for (&slot, velocity) in group.bodies.iter().zip(&mut work.velocities) {
+            *velocity = Velocity { v: self.bodies[slot].v, omega: self.bodies[slot].omega };
+        }
+        work.equations.velocity(&mut work.velocities);
+        if LEVEL > 1 {
+            for (&slot, acceleration) in group.bodies.iter().zip(&mut work.accelerations) {
+                *acceleration = Acceleration { a: self.bodies[slot].a, alpha: self.bodies[slot].alpha };
+            }
+            work.equations.acceleration(&work.poses, &work.velocities, &mut work.accelerations);
+        }
+        for (i, &slot) in group.bodies[..group.moving].iter().enumerate() {
+            let body = &mut self.bodies[slot];
+            body.v = work.velocities[i].v;
+            body.omega = work.velocities[i].omega;
+            if LEVEL > 1 {
+                body.a = work.accelerations[i].a;
+                body.alpha = work.accelerations[i].alpha;
+            }
+        }
+    }
+
+    fn set_drives(&self, equations: &mut General, group: &GeneralMotion) {
+        for &(index, drive) in &group.driven {
+            let input = self.inputs[drive];
+            equations.change(index, |constraint| match constraint {
+                Constraint::Angle { angle, rate, second, .. } => {
+                    *angle = input.place;
+                    *rate = input.rate;
+                    *second = input.acceleration;
+                }
+                Constraint::Coordinate { law, .. } => {
+                    *law = Law { value: input.value, rate: input.rate, second: input.acceleration };
+                }
+                _ => {}
+            });
+        }
+    }
+
+    /// The side of round profiles: one bit of the branch's number each.
+    fn set_sides(&self, equations: &mut General, group: &GeneralMotion, branch: Branch) {
+        for (bit, &(index, radius)) in group.round.iter().enumerate() {
+            equations.change(index, |constraint| {
+                if let Constraint::Offset { law, .. } = constraint {
+                    law.value = if branch.general_sides >> bit & 1 == 0 { radius } else { -radius };
+                }
+            });
+        }
+    }
+
+    fn read_poses(&self, slots: &[usize], poses: &mut [Pose]) {
+        for (&slot, pose) in slots.iter().zip(poses) {
+            *pose = Pose { p: self.bodies[slot].p, u: self.bodies[slot].u };
+        }
+    }
+
+    fn write_poses(&mut self, slots: &[usize], poses: &[Pose]) {
+        for (&slot, pose) in slots.iter().zip(poses) {
+            self.bodies[slot].p = pose.p;
+            self.bodies[slot].u = pose.u;
+        }
+    }
+
+    pub(super) fn force_general(&mut self, index: usize, system: &BalanceSystem) -> f64 {
+        let Some(mut work) = self.force_work.get_mut(index).and_then(Option::take) else { return 0.0 };
+        self.read_poses(&system.bodies, &mut work.poses);
+        for &(constraint, effort) in &system.lines {
+            let (p, n) = self.lines[effort];
+            let bodies = &self.bodies;
+            work.equations.change(constraint, |c| {
+                if let Constraint::Coordinate { point, line, .. } = c {
+                    let body = &bodies[system.bodies[point.body]];
+                    *point = Point { body: point.body, r: (p - body.p).turned_back(body.u) };
+                    *line = Line { body: line.body, r: p, d: n };
+                }
+            });
+        }
+        for (&slot, load) in system.bodies.iter().zip(&mut work.loads) {
+            *load = Load { F: self.wrenches[slot].force, M: self.wrenches[slot].moment };
+        }
+        let condition = work.equations.factor(&work.poses).unwrap_or(0.0);
+        if condition > 0.0 {
+            work.equations.reactions(&work.loads, &mut work.lambda);
+            self.keep_general(system, &work.lambda);
+        }
+        self.force_work[index] = Some(work);
+        condition
+    }
+
+    /// Keeps reactions and efforts and passes them on to bodies outside the group.
+    fn keep_general(&mut self, system: &BalanceSystem, lambda: &[f64]) {
+        let inside = |body: usize| system.bodies[..system.moving].contains(&body);
+        let mut at = 0;
+        for unknown in &system.unknowns {
+            let x = lambda[at];
+            match unknown {
+                UnknownForce::Hinge { slot, hinge } => {
+                    let force = Vec2::new(x, lambda[at + 1]);
+                    at += 1;
+                    self.reactions[*slot] = Reaction { force, couple: 0.0 };
+                    if !inside(hinge.base) {
+                        let p = self.bodies[hinge.body].position(hinge.pin);
+                        self.carry(hinge.base, p, force, 0.0);
+                    }
+                }
+                UnknownForce::Couple(way) => {
+                    let couple = on_body(way, x);
+                    self.reactions[way.slot] = Reaction { force: Vec2::zero(), couple };
+                    if !inside(way.base) {
+                        self.wrenches[way.base].moment -= couple;
+                    }
+                }
+                UnknownForce::Normal(way) => {
+                    let force = self.direction(way).perp() * on_body(way, x);
+                    // a couple kept stands before its normal force; without one there is none
+                    let couple = self.reactions[way.slot].couple;
+                    self.reactions[way.slot] = Reaction { force, couple };
+                    if !inside(way.base) {
+                        let p = self.bodies[way.slider].position(way.point);
+                        self.carry(way.base, p, force, 0.0);
+                    }
+                }
+                UnknownForce::Torque { effort, body, base } => {
+                    self.efforts[*effort] = x;
+                    for (other, moment) in [(*base, -x), (*body, x)] {
+                        if !inside(other) {
+                            self.wrenches[other].moment += moment;
+                        }
+                    }
+                }
+                UnknownForce::Along { effort, way } => {
+                    self.efforts[*effort] = x;
+                    let force = self.direction(way) * on_body(way, x);
+                    if !inside(way.base) {
+                        let p = self.bodies[way.slider].position(way.point);
+                        self.carry(way.base, p, force, 0.0);
+                    }
+                }
+                UnknownForce::Line(effort) => self.efforts[*effort] = x,
+                UnknownForce::Passive => {}
+            }
+            at += 1;
+        }
+    }
+}
+
+/// What acts on the slider, counted on the joint's body.
+fn on_body(way: &Way, on_slider: f64) -> f64 {
+    if way.slider == way.body { on_slider } else { -on_slider }
+}
+
+/// All states in which a general group can stand.
+pub(super) fn assemblies(before: &State, branch: usize, problem: usize, group: &GeneralMotion) -> Vec<State> {
+    let Some(work) = before.motion_work.get(problem).and_then(Option::as_ref) else { return Vec::new() };
+    let mut out = Vec::new();
+    for sides in 0..(1_u32 << group.round.len().min(8)) {
+        let mut state = before.clone();
+        state.branches[branch].general_sides = sides;
+        let mut work = work.clone();
+        state.set_drives(&mut work.equations, group);
+        state.set_sides(&mut work.equations, group, state.branches[branch]);
+        state.read_poses(&group.bodies, &mut work.poses);
+        for poses in general::assemblies(&mut work.equations, &work.poses, STARTS) {
+            let mut found = state.clone();
+            found.open = None;
+            found.write_poses(&group.bodies[..group.moving], &poses);
+            // Newton's method from the answer itself: sets the condition figure
+            found.general::<0>(branch, problem, group);
+            if found.open.is_none() {
+                out.push(found);
+            }
+        }
+    }
+    out
+}

@@ -1,0 +1,62 @@
+//! From drive values to what the steps of motion read: directions, coordinates, rates.
+
+use super::extremes::Statics;
+use super::positions::constant;
+use super::solution::{DriveValue, Scene};
+use super::state::DriveInput;
+use crate::math::Vec2;
+use crate::model::{Drive, Value};
+
+/// Rates of the drives: the same at every position.
+#[derive(Clone, Debug)]
+pub(super) struct Rates(Vec<DriveInput>);
+
+impl Rates {
+    /// The speeds of the file. A drive with a sense and no speed moves by one unit, so that velocities are ratios.
+    pub(super) fn of(scene: &Scene<'_>, statics: &Statics) -> Self {
+        Self(scene.mechanism.drives.iter().map(|d| rates(scene, statics, d)).collect())
+    }
+
+    /// Unit speed of every drive along the way from one set of values to another; nothing accelerates.
+    pub(super) fn unit(scene: &Scene<'_>) -> Self {
+        Self(
+            scene
+                .mechanism
+                .drives
+                .iter()
+                .map(|_| DriveInput { rate: 1.0, ..DriveInput::default() })
+                .collect(),
+        )
+    }
+
+    /// The inputs at one position. The only place where an angle becomes a direction.
+    pub(super) fn at(&self, values: &[DriveValue], inputs: &mut [DriveInput]) {
+        for ((rates, value), input) in self.0.iter().zip(values).zip(inputs) {
+            *input = *rates;
+            match value {
+                DriveValue::Scalar(x) => {
+                    input.value = *x;
+                    input.place = Vec2::direction(*x);
+                }
+                DriveValue::Point(p) => input.place = *p,
+                DriveValue::None => {}
+            }
+        }
+    }
+}
+
+fn rates(scene: &Scene<'_>, statics: &Statics, drive: &Drive) -> DriveInput {
+    let mut input = DriveInput::default();
+    match drive.speed.as_ref().map(|e| constant(scene, statics, e)) {
+        Some(Value::Scalar(x)) => input.rate = x,
+        Some(Value::Vector(v)) => input.velocity = v,
+        Some(Value::Truth(_)) => {}
+        None => input.rate = drive.sense.unwrap_or(0.0),
+    }
+    match drive.acceleration.as_ref().map(|e| constant(scene, statics, e)) {
+        Some(Value::Scalar(x)) => input.acceleration = x,
+        Some(Value::Vector(v)) => input.point_acceleration = v,
+        Some(Value::Truth(_)) | None => {}
+    }
+    input
+}

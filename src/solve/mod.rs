@@ -1,0 +1,31 @@
+//! Plan × positions → Solution.
+#![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
+
+mod assemble;
+mod contact;
+mod driven_legs;
+mod error;
+mod evaluate;
+mod extremes;
+mod forces;
+mod gap;
+mod general;
+mod inputs;
+mod loads;
+mod motion;
+mod positions;
+mod residual;
+mod solution;
+mod state;
+mod substitution;
+mod sweep;
+mod track;
+mod view;
+
+pub use error::SolveError;
+pub use evaluate::compare;
+pub use extremes::Statics;
+pub use solution::{DriveValue, Pose, PoseOrigin, Residuals, Scene, Solution, Solved};
+pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};
+pub use sweep::solve;
+pub use view::View;

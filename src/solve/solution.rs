@@ -1,0 +1,132 @@
+//! What solving gives: one state per position, with residuals and condition.
+
+use super::error::SolveError;
+use super::extremes::Statics;
+use super::state::State;
+use super::view::View;
+use crate::math::Vec2;
+use crate::model::{Mechanism, Value};
+use crate::plan::Plan;
+use crate::structure::Structure;
+
+/// A compiled mechanism: what every position is solved from.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'a> {
+    /// The mechanism.
+    pub mechanism: &'a Mechanism,
+    /// Its structure.
+    pub structure: &'a Structure,
+    /// Its plan.
+    pub plan: &'a Plan,
+}
+
+/// All positions of a file.
+#[derive(Debug, Default)]
+pub struct Solution {
+    /// The sweep's poses in order, then the file's own, then those that an `expect … at` adds.
+    pub poses: Vec<Pose>,
+    /// Dead positions and strokes of the pairs asked for.
+    pub statics: Statics,
+    /// What deserves a warning.
+    pub warnings: Vec<SolveError>,
+}
+
+/// One position.
+#[derive(Debug)]
+pub struct Pose {
+    /// `1`, `2`, … for a sweep; the name of a pose of its own; for an added one the drive values in words.
+    pub name: String,
+    /// Where it comes from.
+    pub origin: PoseOrigin,
+    /// Values of the drives, in their order.
+    pub drives: Vec<DriveValue>,
+    /// The state, or why there is none.
+    pub outcome: Result<Solved, SolveError>,
+}
+
+/// Where a pose comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PoseOrigin {
+    /// The drives' own values; counted from 0.
+    Sweep(usize),
+    /// A `pose` statement: index into [`Mechanism::poses`].
+    Named(usize),
+    /// An `expect … at`: index into [`Mechanism::expects`].
+    Expected(usize),
+}
+
+/// Value of a drive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DriveValue {
+    /// Angle, rad, or coordinate, m.
+    Scalar(f64),
+    /// Place of a driven point, m.
+    Point(Vec2),
+    /// Rates only.
+    None,
+}
+
+impl DriveValue {
+    /// As a value of the language; `None` for rates only.
+    #[must_use]
+    pub const fn value(&self) -> Option<Value> {
+        match self {
+            Self::Scalar(x) => Some(Value::Scalar(*x)),
+            Self::Point(p) => Some(Value::Vector(*p)),
+            Self::None => None,
+        }
+    }
+}
+
+/// A solved position.
+#[derive(Clone, Debug)]
+pub struct Solved {
+    /// Bodies, reactions, efforts.
+    pub state: State,
+    /// Angles of the bodies by slot, continuous over the sweep, rad.
+    pub angles: Vec<f64>,
+    /// How well independent equations hold.
+    pub residuals: Residuals,
+    /// The least condition figure of all groups, in (0, 1].
+    pub condition: f64,
+}
+
+/// How well independent equations hold, relative to the quantities in play.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Residuals {
+    /// Worst mismatch of a pair's points and directions over the mechanism's size.
+    pub closure: f64,
+    /// Worst equilibrium of a body over the greatest force (or moment) in play; `None` without forces.
+    pub equilibrium: Option<f64>,
+    /// Sum of the powers over the greatest force times the greatest velocity; `None` without forces or velocities.
+    pub power: Option<f64>,
+}
+
+impl Solution {
+    /// Why poses of the file have no solution, except for those of a sweep that do not close: one warning speaks of them
+    /// all.
+    #[must_use]
+    pub fn failures(&self) -> Vec<SolveError> {
+        let open =
+            |e: &SolveError| matches!(e, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. });
+        let poses = self.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
+        let failed = poses.filter_map(|p| Some((p.origin, p.outcome.as_ref().err()?)));
+        failed
+            .filter(|(origin, error)| !(matches!(origin, PoseOrigin::Sweep(_)) && open(error)))
+            .map(|(_, error)| error.clone())
+            .collect()
+    }
+
+    /// One of its positions, seen from the language.
+    #[must_use]
+    pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> View<'a> {
+        View {
+            mechanism: scene.mechanism,
+            structure: scene.structure,
+            plan: scene.plan,
+            state: &solved.state,
+            angles: &solved.angles,
+            statics: &self.statics,
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! What is known of the motion (drives) and what is unknown of the forces (balances): one place in the mechanism each.
+
+use super::error::StructureError;
+use super::joint::{BodyId, JointId, JointKind, Replaced};
+use crate::math::Vec2;
+use crate::model::{BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, Mechanism, PairId, PairKind};
+
+/// A driven freedom, or the effort that acts in it.
+#[derive(Clone, Debug)]
+pub struct Effort {
+    /// Where it is declared.
+    pub source: EffortSource,
+    /// Where it stands.
+    pub kind: EffortKind,
+}
+
+/// Where an effort is declared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EffortSource {
+    /// A drive.
+    Drive(DriveId),
+    /// A balance.
+    Balance(BalanceId),
+}
+
+/// Where an effort stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EffortKind {
+    /// The angle of a body to the ground; a torque on it from outside.
+    Angle(BodyId),
+    /// The angle of `second` less that of `first` in a revolute joint; the torque of `first` on `second`.
+    RelativeAngle {
+        /// The joint.
+        joint: JointId,
+        /// Measured from.
+        first: BodyId,
+        /// The body measured.
+        second: BodyId,
+    },
+    /// The coordinate of a prismatic joint; the force of the guide on the slider along it.
+    Coordinate(JointId),
+    /// A force on a body from outside along a line.
+    Line(BodyId),
+    /// The place of a point: the body is known.
+    Point(BodyId),
+}
+
+impl Effort {
+    /// The bodies it acts on.
+    #[must_use]
+    pub fn bodies(&self, replaced: &Replaced) -> Vec<BodyId> {
+        match self.kind {
+            EffortKind::Angle(b) | EffortKind::Line(b) | EffortKind::Point(b) => vec![b],
+            EffortKind::RelativeAngle { first, second, .. } => vec![first, second],
+            EffortKind::Coordinate(joint) => replaced.joint(joint).bodies(),
+        }
+    }
+}
+
+fn body(link: LinkId) -> BodyId {
+    BodyId(link.index())
+}
+
+/// The effort inside a pair, positive along its coordinate. `None` where the pair has none (a contact, a pin of many links).
+fn in_pair(mechanism: &Mechanism, replaced: &Replaced, pair: PairId) -> Option<EffortKind> {
+    let mut joints = replaced.joints_of(pair);
+    match &mechanism.pair(pair).kind {
+        PairKind::Revolute(pins) => match pins.as_slice() {
+            [a, b] => Some(EffortKind::RelativeAngle {
+                joint: joints.next()?,
+                first: body(a.link),
+                second: body(b.link),
+            }),
+            _ => None,
+        },
+        PairKind::Contact { .. } => None,
+        _ => joints
+            .find(|&j| matches!(replaced.joint(j).kind, JointKind::Prismatic { .. }))
+            .map(EffortKind::Coordinate),
+    }
+}
+
+pub(super) fn of_drives(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Effort> {
+    let kind = |target| match target {
+        DriveTarget::Link(link) => Some(EffortKind::Angle(body(link))),
+        DriveTarget::Pair(pair) => in_pair(mechanism, replaced, pair),
+        DriveTarget::Point(link, _) => Some(EffortKind::Point(body(link))),
+    };
+    mechanism
+        .drives
+        .iter()
+        .enumerate()
+        .filter_map(|(i, d)| {
+            Some(Effort { source: EffortSource::Drive(DriveId::at(i)), kind: kind(d.target)? })
+        })
+        .collect()
+}
+
+/// The balances or, where there is none, the drives' own efforts.
+pub(super) fn of_balances(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Effort> {
+    if mechanism.balances.is_empty() {
+        return of_drives(mechanism, replaced)
+            .into_iter()
+            .filter(|e| !matches!(e.kind, EffortKind::Point(_)))
+            .collect();
+    }
+    let kind = |kind: &BalanceKind| match kind {
+        BalanceKind::Torque(link) => Some(EffortKind::Angle(body(*link))),
+        BalanceKind::Force { on, .. } => Some(EffortKind::Line(body(*on))),
+        BalanceKind::InPair(pair) => in_pair(mechanism, replaced, *pair),
+    };
+    mechanism
+        .balances
+        .iter()
+        .enumerate()
+        .filter_map(|(i, b)| {
+            Some(Effort { source: EffortSource::Balance(BalanceId::at(i)), kind: kind(&b.kind)? })
+        })
+        .collect()
+}
+
+/// An outer link is joined at its driven point only: its own rotation is not known.
+pub(super) fn outer_link_defects(
+    mechanism: &Mechanism,
+    replaced: &Replaced,
+    drives: &[Effort],
+) -> Vec<StructureError> {
+    let mut errors = Vec::new();
+    for effort in drives {
+        let (EffortKind::Point(outer), EffortSource::Drive(id)) = (effort.kind, effort.source) else {
+            continue;
+        };
+        let drive = &mechanism.drives[id.index()];
+        let DriveTarget::Point(_, point) = drive.target else { continue };
+        for joint in &replaced.joints {
+            let at_point = match &joint.kind {
+                JointKind::Revolute(members) => members.iter().all(|m| m.0 != outer || same(m.1, point)),
+                JointKind::Prismatic { slider, guide, .. } => *slider != outer && *guide != outer,
+            };
+            if !at_point {
+                errors.push(StructureError::outer_link(mechanism, drive, joint.pair));
+            }
+        }
+    }
+    errors
+}
+
+fn same(a: Vec2, b: Vec2) -> bool {
+    (a - b).norm() <= 1e-12 * (a.norm() + b.norm())
+}

@@ -1,0 +1,242 @@
+//! Structural groups: what belongs to one, and which kind it is.
+
+use super::effort::{Effort, EffortKind};
+use super::joint::{BodyId, JointId, JointKind, Replaced};
+
+/// A structural group: bodies that are solved together.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// The name given by a `group` statement.
+    pub name: Option<String>,
+    /// Its bodies; those of a dyad in the order of its kind.
+    pub bodies: Vec<BodyId>,
+    /// Its joints; those of a dyad in the order outer, inner, outer.
+    pub joints: Vec<GroupJoint>,
+    /// Drives or efforts inside it: indices into [`super::Structure::drives`] or `efforts`.
+    pub efforts: Vec<usize>,
+    /// What it is.
+    pub kind: GroupKind,
+    /// Class after Artobolevsky: I for a driven link, II for a dyad, III and higher for the rest.
+    pub class: u8,
+    /// Order: the number of outer joints.
+    pub order: usize,
+}
+
+/// A joint of a group, reduced to two bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GroupJoint {
+    /// The joint.
+    pub joint: JointId,
+    /// Its body in the group.
+    pub body: BodyId,
+    /// The other body: in the group for an inner joint; else one that is known already (motion) or solved later (forces).
+    pub base: BodyId,
+    /// Both bodies are in the group.
+    pub inner: bool,
+    /// Prismatic rather than revolute.
+    pub prismatic: bool,
+}
+
+/// How a group is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GroupKind {
+    /// One body with a lower pair and a drive (an effort).
+    Driven,
+    /// Two bodies and three lower pairs.
+    Dyad(Dyad),
+    /// A dyad RRR or RRP one or two of whose links are pairs of bodies with a driven joint (an effort) between them, as
+    /// barrel and rod of a cylinder. Bodies: the two that carry the outer joints, then the far halves; joints: outer,
+    /// inner, outer, then the driven ones, each counted on the far half.
+    DrivenLegs(Dyad),
+    /// One body between two prismatic pairs, its angle fixed by either.
+    Translation,
+    /// Anything else.
+    General,
+}
+
+/// The five dyads, by outer, inner and outer pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dyad {
+    /// Three revolutes.
+    Rrr,
+    /// Outer prismatic.
+    Rrp,
+    /// Inner prismatic.
+    Rpr,
+    /// Both outer prismatic.
+    Prp,
+    /// Inner and one outer prismatic.
+    Rpp,
+}
+
+impl Dyad {
+    /// Its usual name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rrr => "RRR",
+            Self::Rrp => "RRP",
+            Self::Rpr => "RPR",
+            Self::Prp => "PRP",
+            Self::Rpp => "RPP",
+        }
+    }
+}
+
+impl Group {
+    /// Names the kind and puts bodies and joints in the order of the kind.
+    pub(super) fn new(
+        bodies: Vec<BodyId>,
+        joints: Vec<GroupJoint>,
+        efforts: Vec<usize>,
+        all_efforts: &[Effort],
+        replaced: &Replaced,
+    ) -> Self {
+        let order = joints.iter().filter(|j| !j.inner).count();
+        let class = super::class::class(&bodies, &joints, &efforts);
+        let mut group = Self { name: None, bodies, joints, efforts, kind: GroupKind::General, class, order };
+        if group.is_driven(all_efforts, replaced) {
+            group.kind = GroupKind::Driven;
+        } else if group.is_translation(replaced) {
+            group.kind = GroupKind::Translation;
+        } else if let Some(dyad) = group.arrange_dyad(replaced) {
+            group.kind = GroupKind::Dyad(dyad);
+        } else if let Some(dyad) = group.arrange_driven_legs(all_efforts, replaced) {
+            group.kind = GroupKind::DrivenLegs(dyad);
+            group.class = 2;
+        }
+        group
+    }
+
+    fn is_driven(&self, efforts: &[Effort], replaced: &Replaced) -> bool {
+        let ([_], [joint], [effort]) =
+            (self.bodies.as_slice(), self.joints.as_slice(), self.efforts.as_slice())
+        else {
+            return false;
+        };
+        if let JointKind::Prismatic { offset, .. } = replaced.joint(joint.joint).kind
+            && offset > 0.0
+        {
+            return false;
+        }
+        match efforts[*effort].kind {
+            EffortKind::Angle(_) => !joint.prismatic,
+            EffortKind::RelativeAngle { joint: j, .. } | EffortKind::Coordinate(j) => j == joint.joint,
+            EffortKind::Line(_) => true,
+            EffortKind::Point(_) => false,
+        }
+    }
+
+    fn is_translation(&self, replaced: &Replaced) -> bool {
+        let ([_], [a, b], []) = (self.bodies.as_slice(), self.joints.as_slice(), self.efforts.as_slice())
+        else {
+            return false;
+        };
+        let redundant = |j: &GroupJoint| {
+            matches!(replaced.joint(j.joint).kind, JointKind::Prismatic { angle_redundant: true, .. })
+        };
+        a.prismatic && b.prismatic && (redundant(a) || redundant(b))
+    }
+
+    fn arrange_dyad(&mut self, replaced: &Replaced) -> Option<Dyad> {
+        if self.bodies.len() != 2 || self.joints.len() != 3 || !self.efforts.is_empty() {
+            return None;
+        }
+        let redundant = |j: &GroupJoint| {
+            matches!(replaced.joint(j.joint).kind, JointKind::Prismatic { angle_redundant: true, .. })
+        };
+        if self.joints.iter().any(redundant) {
+            return None;
+        }
+        let inner = *self.joints.iter().find(|j| j.inner)?;
+        let outer: Vec<GroupJoint> = self.joints.iter().filter(|j| !j.inner).copied().collect();
+        let [mut first, mut second] = outer.try_into().ok()?;
+        if first.body == second.body {
+            return None;
+        }
+        if first.prismatic && !second.prismatic {
+            std::mem::swap(&mut first, &mut second);
+        }
+        let dyad = match (first.prismatic, inner.prismatic, second.prismatic) {
+            (false, false, false) => Dyad::Rrr,
+            (false, false, true) => Dyad::Rrp,
+            (false, true, false) => Dyad::Rpr,
+            (true, false, true) => Dyad::Prp,
+            (false, true, true) => Dyad::Rpp,
+            _ => return None,
+        };
+        self.bodies = vec![first.body, second.body];
+        self.joints = vec![first, inner, second];
+        Some(dyad)
+    }
+
+    /// Takes the driven joints out, each with the body behind it, and looks whether a dyad is left.
+    fn arrange_driven_legs(&mut self, efforts: &[Effort], replaced: &Replaced) -> Option<Dyad> {
+        let driven: Vec<JointId> = self
+            .efforts
+            .iter()
+            .map(|&e| match efforts[e].kind {
+                EffortKind::RelativeAngle { joint, .. } | EffortKind::Coordinate(joint) => Some(joint),
+                EffortKind::Angle(_) | EffortKind::Line(_) | EffortKind::Point(_) => None,
+            })
+            .collect::<Option<_>>()?;
+        let (inside, rest): (Vec<GroupJoint>, Vec<GroupJoint>) =
+            self.joints.iter().partition(|j| driven.contains(&j.joint));
+        if driven.is_empty() || inside.len() != driven.len() || inside.iter().any(|j| !j.inner) {
+            return None;
+        }
+        let (outer, inner): (Vec<GroupJoint>, Vec<GroupJoint>) = rest.iter().partition(|j| !j.inner);
+        let ([first, second], [middle]) = (outer.as_slice(), inner.as_slice()) else { return None };
+        let simple = |j: &GroupJoint| match replaced.joint(j.joint).kind {
+            JointKind::Prismatic { angle_redundant, offset, .. } => !angle_redundant && offset == 0.0,
+            JointKind::Revolute(_) => true,
+        };
+        if middle.prismatic || first.prismatic && second.prismatic || !self.joints.iter().all(simple) {
+            return None;
+        }
+        let (first, second) = if first.prismatic { (second, first) } else { (first, second) };
+        let mut bodies = vec![first.body, second.body];
+        let mut joints = vec![*first, *middle, *second];
+        for joint in inside {
+            let root = bodies.iter().take(2).copied().find(|b| [joint.body, joint.base].contains(b))?;
+            let far = if joint.body == root { joint.base } else { joint.body };
+            if bodies.contains(&far) || second.prismatic && root == second.body {
+                return None;
+            }
+            bodies.push(far);
+            joints.push(GroupJoint { body: far, base: root, ..joint });
+        }
+        let ends = [middle.body, middle.base];
+        let holds = |root: BodyId| {
+            let far = joints[3..].iter().find(|j| j.base == root).map(|j| j.body);
+            ends.contains(&far.unwrap_or(root))
+        };
+        let complete = bodies.len() == self.bodies.len() && first.body != second.body;
+        if !complete || !holds(first.body) || !holds(second.body) {
+            return None;
+        }
+        let dyad = if second.prismatic { Dyad::Rrp } else { Dyad::Rrr };
+        self.bodies = bodies;
+        self.joints = joints;
+        Some(dyad)
+    }
+
+    /// The kind as it is printed: `RRR`, `driven`, `translation`, `general`.
+    #[must_use]
+    pub fn kind_name(&self) -> &'static str {
+        match self.kind {
+            GroupKind::Driven => "driven",
+            GroupKind::Dyad(dyad) => dyad.name(),
+            GroupKind::DrivenLegs(dyad) => dyad.name(),
+            GroupKind::Translation => "PP",
+            GroupKind::General => "general",
+        }
+    }
+
+    /// The class in Roman figures.
+    #[must_use]
+    pub const fn class_name(&self) -> &'static str {
+        const ROMAN: [&str; 10] = ["0", "I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX"];
+        if (self.class as usize) < ROMAN.len() { ROMAN[self.class as usize] } else { "X or higher" }
+    }
+}

@@ -1,0 +1,127 @@
+//! Bodies and joints of the replaced mechanism: revolute and prismatic only.
+
+use crate::math::Vec2;
+use crate::model::{LinkId, Mechanism, PairId};
+
+/// A body of the replaced mechanism: the mechanism's links first, imaginary ones behind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BodyId(pub usize);
+
+impl BodyId {
+    /// The ground.
+    pub const GROUND: Self = Self(0);
+}
+
+/// A joint of the replaced mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct JointId(pub usize);
+
+/// A body and where it comes from.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Where it comes from.
+    pub origin: BodyOrigin,
+    /// Its motion is known from outside: the ground, and outer links driven at a point.
+    pub known: bool,
+}
+
+/// Where a body comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyOrigin {
+    /// A link of the mechanism.
+    Link(LinkId),
+    /// A massless link that replaces this higher pair.
+    Imaginary(PairId),
+}
+
+/// A joint between bodies.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// The pair it belongs to.
+    pub pair: PairId,
+    /// What it is.
+    pub kind: JointKind,
+}
+
+/// Kinds of joint.
+#[derive(Clone, Debug)]
+pub enum JointKind {
+    /// Points (in the frames of their bodies, m) that coincide. Two members make one lower pair, k make k − 1.
+    Revolute(Vec<(BodyId, Vec2)>),
+    /// A body that slides along a line without turning against it.
+    Prismatic {
+        /// The sliding body.
+        slider: BodyId,
+        /// Its point, in its frame, m.
+        point: Vec2,
+        /// Unit direction in its frame that lies along the line.
+        direction: Vec2,
+        /// The body that carries the line.
+        guide: BodyId,
+        /// Origin of the line in the guide's frame, m.
+        through: Vec2,
+        /// Unit direction of the line in the guide's frame.
+        along: Vec2,
+        /// The point keeps this distance from the line, m: the radius of a round profile. On which side is a matter of
+        /// assembly.
+        offset: f64,
+        /// The condition on the angle follows from other prismatic pairs: it is left out, and the couple with it.
+        angle_redundant: bool,
+        /// The joint closes a chain of prismatic pairs: its couple is not determined.
+        in_chain: bool,
+    },
+}
+
+/// The mechanism with every higher pair replaced.
+#[derive(Clone, Debug)]
+pub struct Replaced {
+    /// Bodies, the links first and in their order.
+    pub bodies: Vec<Body>,
+    /// Joints.
+    pub joints: Vec<Joint>,
+    /// Links whose rotation changes nothing: it is held at zero.
+    pub passive: Vec<LinkId>,
+}
+
+impl Joint {
+    /// The bodies it joins.
+    #[must_use]
+    pub fn bodies(&self) -> Vec<BodyId> {
+        match &self.kind {
+            JointKind::Revolute(members) => members.iter().map(|m| m.0).collect(),
+            JointKind::Prismatic { slider, guide, .. } => vec![*slider, *guide],
+        }
+    }
+}
+
+impl Replaced {
+    /// The joint with this id.
+    #[must_use]
+    pub fn joint(&self, id: JointId) -> &Joint {
+        &self.joints[id.0]
+    }
+
+    /// Prismatic pairs whose couples are not determined.
+    #[must_use]
+    pub fn undetermined_couples(&self) -> Vec<PairId> {
+        self.joints
+            .iter()
+            .filter(|j| matches!(j.kind, JointKind::Prismatic { in_chain: true, .. }))
+            .map(|j| j.pair)
+            .collect()
+    }
+
+    /// The name of a body: its link's, or that of the pair it replaces.
+    #[must_use]
+    pub fn body_name(&self, mechanism: &Mechanism, body: BodyId) -> String {
+        match self.bodies[body.0].origin {
+            BodyOrigin::Link(id) => mechanism.link(id).name.clone(),
+            BodyOrigin::Imaginary(pair) => format!("({})", mechanism.pair(pair).name),
+        }
+    }
+
+    /// The joints that stand for a pair, in the order made.
+    pub fn joints_of(&self, pair: PairId) -> impl Iterator<Item = JointId> + '_ {
+        self.joints.iter().enumerate().filter(move |(_, j)| j.pair == pair).map(|(i, _)| JointId(i))
+    }
+}

@@ -1,0 +1,195 @@
+//! Maximum matching of scalar conditions to the freedoms of bodies, and what it leaves over.
+
+/// A scalar condition (or, on the side of forces, a scalar unknown) and the freedoms it can take.
+#[derive(Clone, Debug)]
+pub(super) struct Condition {
+    /// Nodes it touches.
+    pub nodes: Vec<usize>,
+}
+
+/// A matching of conditions to nodes of limited capacity.
+pub(super) struct Matching {
+    /// The node each condition is matched to.
+    pub node_of: Vec<Option<usize>>,
+    /// The conditions matched to each node.
+    pub held: Vec<Vec<usize>>,
+}
+
+/// Matches as many conditions as possible, earlier ones first. `capacity` is the number of freedoms of each node.
+pub(super) fn match_all(conditions: &[Condition], capacity: &[usize]) -> Matching {
+    let mut m = Matching { node_of: vec![None; conditions.len()], held: vec![Vec::new(); capacity.len()] };
+    let mut found_by = vec![usize::MAX; capacity.len()];
+    let mut touched = Vec::new();
+    for start in 0..conditions.len() {
+        m.augment(start, conditions, capacity, &mut found_by, &mut touched);
+        for &node in &touched {
+            found_by[node] = usize::MAX;
+        }
+        touched.clear();
+    }
+    m
+}
+
+impl Matching {
+    fn augment(
+        &mut self,
+        start: usize,
+        conditions: &[Condition],
+        capacity: &[usize],
+        found_by: &mut [usize],
+        touched: &mut Vec<usize>,
+    ) {
+        let mut queue = std::collections::VecDeque::from([start]);
+        while let Some(condition) = queue.pop_front() {
+            for &node in &conditions[condition].nodes {
+                if found_by[node] != usize::MAX {
+                    continue;
+                }
+                found_by[node] = condition;
+                touched.push(node);
+                if self.held[node].len() < capacity[node] {
+                    self.shift(node, found_by);
+                    return;
+                }
+                queue.extend(self.held[node].iter().copied());
+            }
+        }
+    }
+
+    /// Walks back from a free node and moves every condition on the way one node on.
+    fn shift(&mut self, free: usize, found_by: &[usize]) {
+        let mut node = free;
+        loop {
+            let condition = found_by[node];
+            let left = self.node_of[condition].replace(node);
+            self.held[node].push(condition);
+            let Some(left) = left else { return };
+            self.held[left].retain(|&c| c != condition);
+            node = left;
+        }
+    }
+
+    /// Conditions and nodes that hang together with conditions for which no freedom is left: too many conditions.
+    pub(super) fn overdetermined(&self, conditions: &[Condition]) -> (Vec<usize>, Vec<usize>) {
+        let mut queue: Vec<usize> = (0..conditions.len()).filter(|&c| self.node_of[c].is_none()).collect();
+        let mut in_conditions = vec![false; conditions.len()];
+        let mut in_nodes = vec![false; self.held.len()];
+        while let Some(condition) = queue.pop() {
+            if std::mem::replace(&mut in_conditions[condition], true) {
+                continue;
+            }
+            for &node in &conditions[condition].nodes {
+                if !std::mem::replace(&mut in_nodes[node], true) {
+                    queue.extend(self.held[node].iter().copied());
+                }
+            }
+        }
+        (indices(&in_conditions), indices(&in_nodes))
+    }
+
+    /// Conditions and nodes that hang together with freedoms that no condition takes: too few conditions.
+    pub(super) fn underdetermined(
+        &self,
+        conditions: &[Condition],
+        capacity: &[usize],
+    ) -> (Vec<usize>, Vec<usize>) {
+        let mut queue: Vec<usize> =
+            (0..capacity.len()).filter(|&n| self.held[n].len() < capacity[n]).collect();
+        let mut in_conditions = vec![false; conditions.len()];
+        let mut in_nodes = vec![false; capacity.len()];
+        while let Some(node) = queue.pop() {
+            if std::mem::replace(&mut in_nodes[node], true) {
+                continue;
+            }
+            for (c, condition) in conditions.iter().enumerate() {
+                if condition.nodes.contains(&node) && !std::mem::replace(&mut in_conditions[c], true) {
+                    queue.extend(self.node_of[c]);
+                }
+            }
+        }
+        (indices(&in_conditions), indices(&in_nodes))
+    }
+}
+
+fn indices(flags: &[bool]) -> Vec<usize> {
+    flags.iter().enumerate().filter(|(_, f)| **f).map(|(i, _)| i).collect()
+}
+
+/// Strongly connected components of a directed graph, each after those it points to (Tarjan, without recursion).
+pub(super) fn components(successors: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    const NEW: usize = usize::MAX;
+    let n = successors.len();
+    let (mut index, mut low) = (vec![NEW; n], vec![0; n]);
+    let mut on_stack = vec![false; n];
+    let (mut stack, mut out, mut next) = (Vec::new(), Vec::new(), 0);
+    for root in 0..n {
+        if index[root] != NEW {
+            continue;
+        }
+        let mut work = vec![(root, 0)];
+        while let Some(&(v, edge)) = work.last() {
+            if edge == 0 {
+                index[v] = next;
+                low[v] = next;
+                next += 1;
+                stack.push(v);
+                on_stack[v] = true;
+            }
+            if let Some(&w) = successors[v].get(edge) {
+                if let Some(top) = work.last_mut() {
+                    top.1 += 1;
+                }
+                if index[w] == NEW {
+                    work.push((w, 0));
+                } else if on_stack[w] {
+                    low[v] = low[v].min(index[w]);
+                }
+                continue;
+            }
+            work.pop();
+            if let Some(&(parent, _)) = work.last() {
+                low[parent] = low[parent].min(low[v]);
+            }
+            if low[v] == index[v] {
+                let mut component = Vec::new();
+                while let Some(w) = stack.pop() {
+                    on_stack[w] = false;
+                    component.push(w);
+                    if w == v {
+                        break;
+                    }
+                }
+                component.sort_unstable();
+                out.push(component);
+            }
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_later_condition_moves_an_earlier_one_on() {
+        let conditions = [Condition { nodes: vec![0, 1] }, Condition { nodes: vec![0] }];
+        let m = match_all(&conditions, &[1, 1]);
+        assert_eq!(m.node_of, vec![Some(1), Some(0)]);
+    }
+
+    #[test]
+    fn over_and_under_are_told_apart() {
+        let conditions =
+            [Condition { nodes: vec![0] }, Condition { nodes: vec![0] }, Condition { nodes: vec![1, 2] }];
+        let m = match_all(&conditions, &[1, 1, 1]);
+        assert_eq!(m.overdetermined(&conditions), (vec![0, 1], vec![0]));
+        assert_eq!(m.underdetermined(&conditions, &[1, 1, 1]), (vec![2], vec![1, 2]));
+    }
+
+    #[test]
+    fn components_come_after_what_they_point_to() {
+        let successors = vec![vec![1], vec![2], vec![1, 3], vec![]];
+        assert_eq!(components(&successors), vec![vec![3], vec![1, 2], vec![0]]);
+    }
+}

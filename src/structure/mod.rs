@@ -1,0 +1,83 @@
+//! Mechanism → Structure: mobility, structural groups in the order of solution, static determinacy, and lower pairs in
+//! place of higher ones.
+
+mod assertion;
+mod class;
+mod count;
+mod decompose;
+mod effort;
+mod error;
+mod group;
+mod joint;
+mod matching;
+mod replace;
+
+pub use count::Count;
+pub use effort::{Effort, EffortKind, EffortSource};
+pub use error::StructureError;
+pub use group::{Dyad, Group, GroupJoint, GroupKind};
+pub use joint::{Body, BodyId, BodyOrigin, Joint, JointId, JointKind, Replaced};
+
+use crate::model::{LinkId, Mechanism, PairId};
+
+/// What the mechanism is built from.
+#[derive(Clone, Debug)]
+pub struct Structure {
+    /// Numbers of links and pairs, mobility.
+    pub count: Count,
+    /// Bodies and joints after every higher pair is replaced by lower ones.
+    pub replaced: Replaced,
+    /// The known motions, one per drive (several numbers for a driven point).
+    pub drives: Vec<Effort>,
+    /// Structural groups in the order in which motion is solved, from the drives outwards.
+    pub motion: Vec<Group>,
+    /// The unknown efforts: balances or, where there is none, the drives' own.
+    pub efforts: Vec<Effort>,
+    /// Structural groups in the order in which forces are solved, from the outermost loads to the balances. Empty where
+    /// efforts do not determine them (see [`Structure::force_defect`]).
+    pub forces: Vec<Group>,
+    /// Why forces are not determined, where they are not.
+    pub force_defect: Option<StructureError>,
+    /// Links whose rotation changes nothing (a free roller): set aside.
+    pub passive: Vec<LinkId>,
+    /// Prismatic pairs whose couples are not determined: they close a chain of prismatic pairs.
+    pub undetermined_couples: Vec<PairId>,
+}
+
+/// Finds the structure of a mechanism.
+///
+/// # Errors
+/// All defects found: loose and floating links, over- and underconstrained parts, assertions that do not hold.
+pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError>), Vec<StructureError>> {
+    let mut errors = error::floating_links(mechanism);
+    let replaced = replace::replace(mechanism);
+    let drives = effort::of_drives(mechanism, &replaced);
+    errors.extend(effort::outer_link_defects(mechanism, &replaced, &drives));
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    let count = count::count(mechanism, &replaced, &drives);
+    let motion = decompose::decompose(&replaced, &drives, decompose::Side::Motion);
+    let motion = match motion {
+        Ok(groups) => groups,
+        Err(defect) => return Err(vec![error::of_motion(mechanism, &replaced, &count, &drives, &defect)]),
+    };
+    let efforts = effort::of_balances(mechanism, &replaced);
+    let (forces, force_defect) = match decompose::decompose(&replaced, &efforts, decompose::Side::Forces) {
+        Ok(groups) => (groups, None),
+        Err(defect) => (Vec::new(), Some(error::of_forces(mechanism, &replaced, &count, &efforts, &defect))),
+    };
+    let mut structure = Structure {
+        passive: replaced.passive.clone(),
+        undetermined_couples: replaced.undetermined_couples(),
+        count,
+        replaced,
+        drives,
+        motion,
+        efforts,
+        forces,
+        force_defect,
+    };
+    let (assertion_errors, warnings) = assertion::check(mechanism, &mut structure);
+    if assertion_errors.is_empty() { Ok((structure, warnings)) } else { Err(assertion_errors) }
+}

@@ -1,0 +1,271 @@
+//! Lower pairs in place of higher ones, passive freedoms, and chains of prismatic pairs.
+//!
+//! A pin in a slot becomes an imaginary block hinged on the pin that slides along the slot; a contact of a circle with a
+//! line the same, at the distance of the radius; a contact of two circles (or a circle and a point) an imaginary rod
+//! between the centres. For circular and straight profiles the replacement holds for every position, not for one
+//! instant only, because the curvature is constant.
+
+use super::joint::{Body, BodyId, BodyOrigin, Joint, JointKind, Replaced};
+use crate::math::Vec2;
+use crate::model::{DriveTarget, Guide, LinkId, Mechanism, PairId, PairKind, Pin, Profile, ProfileShape};
+
+const X_AXIS: Vec2 = Vec2::new(1.0, 0.0);
+const ORIGIN: Vec2 = Vec2::new(0.0, 0.0);
+
+pub(super) fn replace(mechanism: &Mechanism) -> Replaced {
+    let mut replaced = Replaced {
+        bodies: (0..mechanism.links.len())
+            .map(|i| Body { origin: BodyOrigin::Link(LinkId::at(i)), known: i == 0 })
+            .collect(),
+        joints: Vec::new(),
+        passive: passive_links(mechanism),
+    };
+    for drive in &mechanism.drives {
+        if let DriveTarget::Point(link, _) = drive.target {
+            replaced.bodies[link.index()].known = true;
+        }
+    }
+    for (i, pair) in mechanism.pairs.iter().enumerate() {
+        replaced.add_pair(PairId::at(i), &pair.kind);
+    }
+    mark_chains(&mut replaced);
+    replaced
+}
+
+fn body(link: LinkId) -> BodyId {
+    BodyId(link.index())
+}
+
+impl Replaced {
+    fn add_pair(&mut self, pair: PairId, kind: &PairKind) {
+        match kind {
+            PairKind::Revolute(pins) => {
+                self.revolute(pair, pins.iter().map(|p| (body(p.link), p.at)).collect());
+            }
+            PairKind::Prismatic(g) => {
+                self.slide(pair, body(g.slider), g.point, g.direction, g, 0.0);
+            }
+            PairKind::Slot(g) => self.block(pair, (body(g.slider), g.point), g, 0.0),
+            PairKind::Contact { first, second, internal } => self.contact(pair, first, second, *internal),
+            PairKind::Cylinder { barrel, rod, from, to } => self.cylinder(pair, *barrel, *rod, from, to),
+        }
+    }
+
+    fn revolute(&mut self, pair: PairId, members: Vec<(BodyId, Vec2)>) {
+        self.joints.push(Joint { pair, kind: JointKind::Revolute(members) });
+    }
+
+    fn slide(
+        &mut self,
+        pair: PairId,
+        slider: BodyId,
+        point: Vec2,
+        direction: Vec2,
+        line: &Guide,
+        offset: f64,
+    ) {
+        self.joints.push(Joint {
+            pair,
+            kind: JointKind::Prismatic {
+                slider,
+                point,
+                direction,
+                guide: body(line.guide),
+                through: line.through,
+                along: line.along,
+                offset,
+                angle_redundant: false,
+                in_chain: false,
+            },
+        });
+    }
+
+    fn imaginary(&mut self, pair: PairId) -> BodyId {
+        self.bodies.push(Body { origin: BodyOrigin::Imaginary(pair), known: false });
+        BodyId(self.bodies.len() - 1)
+    }
+
+    /// An imaginary block hinged at `pin` that slides along the line at a distance from it.
+    fn block(&mut self, pair: PairId, pin: (BodyId, Vec2), line: &Guide, offset: f64) {
+        let block = self.imaginary(pair);
+        self.revolute(pair, vec![pin, (block, ORIGIN)]);
+        self.slide(pair, block, ORIGIN, X_AXIS, line, offset);
+    }
+
+    /// An imaginary rod of the given length between two points.
+    fn rod(&mut self, pair: PairId, from: (BodyId, Vec2), to: (BodyId, Vec2), length: f64) {
+        let rod = self.imaginary(pair);
+        self.revolute(pair, vec![from, (rod, ORIGIN)]);
+        self.revolute(pair, vec![(rod, X_AXIS * length), to]);
+    }
+
+    fn contact(&mut self, pair: PairId, first: &Profile, second: &Profile, internal: bool) {
+        let round = |shape: ProfileShape| match shape {
+            ProfileShape::Point(p) => Some((p, 0.0)),
+            ProfileShape::Circle(c, r) => Some((c, r)),
+            ProfileShape::Line(..) => None,
+        };
+        match (round(first.shape), round(second.shape)) {
+            (Some((p_1, r_1)), Some((p_2, r_2))) => {
+                let length = if internal { (r_1 - r_2).abs() } else { r_1 + r_2 };
+                self.rod(pair, (body(first.link), p_1), (body(second.link), p_2), length);
+            }
+            (Some((p, r)), None) => self.block(pair, (body(first.link), p), &line_of(second), r),
+            (None, Some((p, r))) => self.block(pair, (body(second.link), p), &line_of(first), r),
+            // check refuses a contact of two lines
+            (None, None) => {}
+        }
+    }
+
+    fn cylinder(&mut self, pair: PairId, barrel: LinkId, rod: LinkId, from: &Pin, to: &Pin) {
+        self.revolute(pair, vec![(body(from.link), from.at), (body(barrel), ORIGIN)]);
+        let line = Guide {
+            slider: rod,
+            point_name: String::new(),
+            point: ORIGIN,
+            direction: X_AXIS,
+            guide: barrel,
+            line_name: String::new(),
+            through: ORIGIN,
+            along: X_AXIS,
+            contacts: None,
+            guide_first: false,
+        };
+        self.slide(pair, body(rod), ORIGIN, X_AXIS, &line, 0.0);
+        self.revolute(pair, vec![(body(rod), ORIGIN), (body(to.link), to.at)]);
+    }
+}
+
+fn line_of(profile: &Profile) -> Guide {
+    let (through, along) = match profile.shape {
+        ProfileShape::Line(through, along) => (through, along),
+        ProfileShape::Point(p) | ProfileShape::Circle(p, _) => (p, X_AXIS),
+    };
+    Guide {
+        slider: profile.link,
+        point_name: String::new(),
+        point: ORIGIN,
+        direction: X_AXIS,
+        guide: profile.link,
+        line_name: profile.name.clone(),
+        through,
+        along,
+        contacts: None,
+        guide_first: false,
+    }
+}
+
+/// Links whose rotation changes nothing: one hinge, and otherwise only contacts of circles about that hinge.
+fn passive_links(mechanism: &Mechanism) -> Vec<LinkId> {
+    let driven = |link: LinkId| mechanism.drives.iter().any(|d| d.target == DriveTarget::Link(link));
+    (1..mechanism.links.len())
+        .map(LinkId::at)
+        .filter(|&link| !driven(link) && is_free_roller(mechanism, link))
+        .collect()
+}
+
+fn is_free_roller(mechanism: &Mechanism, link: LinkId) -> bool {
+    let mut hinge = None;
+    let mut centres = Vec::new();
+    for pair in &mechanism.pairs {
+        if !pair.kind.links().contains(&link) {
+            continue;
+        }
+        match &pair.kind {
+            PairKind::Revolute(pins) if hinge.is_none() => {
+                hinge = pins.iter().find(|p| p.link == link).map(|p| p.at);
+            }
+            PairKind::Contact { first, second, .. } => {
+                for profile in [first, second] {
+                    match profile.shape {
+                        ProfileShape::Circle(c, _) if profile.link == link => centres.push(c),
+                        _ if profile.link == link => return false,
+                        _ => {}
+                    }
+                }
+            }
+            _ => return false,
+        }
+    }
+    let Some(hinge) = hinge else { return false };
+    !centres.is_empty() && centres.iter().all(|&c| c == hinge)
+}
+
+/// Marks prismatic joints whose condition on the angle follows from others (a spanning forest from the ground keeps
+/// those nearest to it), and all that lie on a closed chain of prismatic joints.
+fn mark_chains(replaced: &mut Replaced) {
+    let edges: Vec<(usize, usize, usize)> = replaced
+        .joints
+        .iter()
+        .enumerate()
+        .filter_map(|(i, j)| match j.kind {
+            JointKind::Prismatic { slider, guide, .. } => Some((i, slider.0, guide.0)),
+            JointKind::Revolute(_) => None,
+        })
+        .collect();
+    let kept = spanning_forest(replaced.bodies.len(), &edges);
+    let chained: Vec<usize> = edges
+        .iter()
+        .filter(|&&(joint, a, b)| {
+            let others: Vec<_> = edges.iter().copied().filter(|e| e.0 != joint).collect();
+            connected(replaced.bodies.len(), &others, a, b)
+        })
+        .map(|e| e.0)
+        .collect();
+    for (i, joint) in replaced.joints.iter_mut().enumerate() {
+        if let JointKind::Prismatic { angle_redundant, in_chain, .. } = &mut joint.kind {
+            *angle_redundant = !kept.contains(&i);
+            *in_chain = chained.contains(&i);
+        }
+    }
+}
+
+fn spanning_forest(bodies: usize, edges: &[(usize, usize, usize)]) -> Vec<usize> {
+    let mut seen = vec![false; bodies];
+    let mut kept = Vec::new();
+    for root in 0..bodies {
+        if seen[root] {
+            continue;
+        }
+        seen[root] = true;
+        let mut queue = std::collections::VecDeque::from([root]);
+        while let Some(at) = queue.pop_front() {
+            for &(joint, a, b) in edges {
+                let next = if a == at {
+                    b
+                } else if b == at {
+                    a
+                } else {
+                    continue;
+                };
+                if !seen[next] {
+                    seen[next] = true;
+                    kept.push(joint);
+                    queue.push_back(next);
+                }
+            }
+        }
+    }
+    kept
+}
+
+fn connected(bodies: usize, edges: &[(usize, usize, usize)], from: usize, to: usize) -> bool {
+    let mut seen = vec![false; bodies];
+    let mut stack = vec![from];
+    while let Some(at) = stack.pop() {
+        if at == to {
+            return true;
+        }
+        if std::mem::replace(&mut seen[at], true) {
+            continue;
+        }
+        for &(_, a, b) in edges {
+            if a == at {
+                stack.push(b);
+            } else if b == at {
+                stack.push(a);
+            }
+        }
+    }
+    false
+}

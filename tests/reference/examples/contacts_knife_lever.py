@@ -1,0 +1,25 @@
+"""Circle on point: eccentric disc and the tip of a lever."""
+from planar import *
+
+m = Mechanism().ground(A=(0, 0), C=(mpf("0.13"), mpf("0.05")))
+m.bar("disc", "A-O", mpf("0.018"))
+m.circle("disc.rim", "O", mpf("0.05"))
+m.link("lever", C=(0, 0), T=(mpf("0.11"), mpf("0.01")), S=(mpf("0.04"), 0))
+m.mass("lever", mpf("0.6"), "S", J=mpf("0.001"))
+m.revolute("A", "ground", "disc")
+m.revolute("C", "ground", "lever")
+m.contact("N", "disc.rim", "lever.T")
+m.drive("disc", deg(30), mpf(20), mpf(-50))
+m.torque("lever", mpf(9))
+m.balance_torque("Mb", "disc")
+s = m.solve(near={"lever.T": (mpf("0.03"), mpf("0.06"))})
+assert s.normal("N", "lever") > 0
+key("angle(lever)", s.angle("lever"), "deg")
+key("position(lever.T)", s.position("lever.T"), "mm")
+key("omega(lever)", s.omega("lever"), "rad/s")
+key("alpha(lever)", s.alpha("lever"), "rad/s^2")
+key("normal(N, lever)", s.normal("N", "lever"), "N")
+key("reaction(N, lever)", s.reaction("N", "lever"), "N")
+key("reaction(C, lever)", s.reaction("C", "lever"), "N")
+key("reaction(A, disc)", s.reaction("A", "disc"), "N")
+key("Mb", s.balance["Mb"], "N*m")

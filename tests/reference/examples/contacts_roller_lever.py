@@ -1,0 +1,27 @@
+"""Circle on circle: eccentric disc and the roller of a lever over a turn."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(A=(0, 0), C=(mpf("0.14"), mpf("0.03")))
+m.bar("cam", "A-O", mpf("0.02"))
+m.circle("cam.rim", "O", mpf("0.055"))
+m.link("lever", C=(0, 0), D=(mpf("0.12"), 0), S=(mpf("0.05"), mpf("0.01")), E=(mpf("-0.08"), 0))
+m.circle("lever.roller", "D", mpf("0.012"))
+m.mass("lever", mpf("1.3"), "S", J=mpf("0.0042"))
+m.revolute("A", "ground", "cam")
+m.revolute("C", "ground", "lever")
+m.contact("N", "cam.rim", "lever.roller")
+m.drive("cam", mpf(0), mpf(14))
+m.torque("lever", mpf(18))
+m.balance_torque("Mb", "cam")
+turn = m.sweep(m.solve(near={"lever.D": (mpf("0.04"), mpf("0.09"))}), "cam", [deg(30 * i) for i in range(12)])
+assert all(s.normal("N", "lever") > 0 for s in turn)
+keys("angle(lever)", [s.angle("lever") for s in turn], "deg")
+keys("omega(lever)", [s.omega("lever") for s in turn], "rad/s")
+keys("alpha(lever)", [s.alpha("lever") for s in turn], "rad/s^2")
+keys("normal(N, lever)", [s.normal("N", "lever") for s in turn], "N")
+keys("Mb", [s.balance["Mb"] for s in turn], "N*m")
+s = turn[5]
+key("position(lever.D)", s.position("lever.D"), "mm", " at pose 6")
+key("reaction(N, lever)", s.reaction("N", "lever"), "N", " at pose 6")
+key("reaction(C, lever)", s.reaction("C", "lever"), "N", " at pose 6")
+key("reaction(A, cam)", s.reaction("A", "cam"), "N", " at pose 6")

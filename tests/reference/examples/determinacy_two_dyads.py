@@ -1,0 +1,27 @@
+"""A30: statics of a six-bar of two dyads."""
+from planar import *
+
+m = Mechanism().ground(A=(0, 0), D=(mpf("0.3"), 0), Q=(0, mpf("0.25")))
+m.line("ground.guide", "Q", 0)
+m.bar("crank", "A-B", mpf("0.08"))
+m.bar("coupler", "B-C", mpf("0.25"), P=(mpf("0.1"), mpf("0.03")))
+m.bar("rocker", "D-C", mpf("0.2"), E=(mpf("0.15"), mpf("0.05")))
+m.bar("rod", "E-F", mpf("0.3"))
+m.link("ram", F=(0, 0), H=(mpf("0.04"), mpf("0.02")))
+m.revolute("A", "ground", "crank")
+m.revolute("B", "crank", "coupler")
+m.revolute("C", "coupler", "rocker")
+m.revolute("D", "ground", "rocker")
+m.revolute("E", "rocker", "rod")
+m.revolute("F", "rod", "ram")
+m.prismatic("G", "ram.F", "ground.guide")
+m.drive("crank", deg(50))
+m.force("coupler", "P", (mpf(30), mpf(-120)))
+m.torque("rod", mpf(4))
+m.force("ram", "H", at(mpf(500), deg(170)))
+m.balance_torque("Mb", "crank")
+s = m.solve(left_of("C", "B", "D"), ahead("F", "E", "G"))
+for pair, link in (("A", "crank"), ("B", "coupler"), ("C", "rocker"), ("D", "rocker"), ("E", "rod"), ("F", "ram"), ("G", "ram")):
+    key(f"reaction({pair}, {link})", s.reaction(pair, link), "N")
+key("moment(G, ram)", s.moment("G", "ram"), "N*m")
+key("Mb", s.balance["Mb"], "N*m")

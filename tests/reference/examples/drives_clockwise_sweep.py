@@ -1,0 +1,27 @@
+"""A clockwise sweep: crank-slider turning backwards."""
+from planar import *
+
+m = Mechanism().ground(A=(0, 0), Q=(0, mpf("0.02")))
+m.line("ground.guide", "Q", 0)
+m.bar("crank", "A-B", mpf("0.08"))
+m.bar("rod", "B-C", mpf("0.25"), S=(mpf("0.1"), 0))
+m.link("piston", C=(0, 0))
+m.mass("rod", mpf("1.5"), "S", J=mpf("0.01"))
+m.mass("piston", 2, "C")
+m.revolute("A", "ground", "crank")
+m.revolute("B", "crank", "rod")
+m.revolute("C", "rod", "piston")
+m.prismatic("D", "piston.C", "ground.guide")
+m.drive("crank", mpf(0), -rpm(500))
+m.balance_torque("Mb", "crank")
+turn = m.sweep(m.solve(ahead("C", "B", "D")), "crank", [deg(-30 * i) for i in range(12)])
+keys("displacement(D)", [s.displacement("D") for s in turn], "mm")
+keys("omega(rod)", [s.omega("rod") for s in turn], "rad/s")
+keys("relative_velocity(D)", [s.relative_velocity("D") for s in turn], "m/s")
+keys("Mb", [s.balance["Mb"] for s in turn], "N*m")
+s = turn[1]
+key("angle(crank)", s.angle("crank"), "deg", " at pose 2")
+key("velocity(B)", s.velocity("B"), "m/s", " at pose 2")
+key("reaction(B, rod)", s.reaction("B", "rod"), "N", " at pose 2")
+s = m.there(turn, "crank", deg(-100))
+key("reaction(B, rod)", s.reaction("B", "rod"), "N", " at crank = -100 deg")

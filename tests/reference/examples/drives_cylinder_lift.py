@@ -1,0 +1,22 @@
+"""A cylinder swept through its stroke lifts a four-bar."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(A=(0, 0), D=(mpf("0.8"), mpf("0.1")), G=(mpf("0.45"), mpf("-0.1")))
+m.bar("left_arm", "A-B", mpf("0.9"), K=(mpf("0.5"), mpf("-0.05")))
+m.bar("table", "B-C", mpf("0.85"), S=(mpf("0.4"), mpf("0.2")))
+m.bar("right_arm", "D-C", mpf("0.95"))
+m.mass("table", 120, "S", J=11)
+m.revolute("A", "ground", "left_arm")
+m.revolute("B", "left_arm", "table")
+m.revolute("C", "table", "right_arm")
+m.revolute("D", "ground", "right_arm")
+m.cylinder("lift", "ground.G", "left_arm.K")
+m.drive("lift", mpf("0.5"), mpf("0.06"))
+m.balance_inside("F", "lift")
+first = m.solve(near={"B": (mpf("0.45"), mpf("0.75")), "C": (mpf("1.3"), mpf("0.85"))})
+turn = m.sweep(first, "lift", [mpf("0.5") + mpf("0.02") * i for i in range(5)])
+keys("angle(left_arm)", [s.angle("left_arm") for s in turn], "deg")
+keys("velocity(table.S)", [s.velocity("table.S") for s in turn], "m/s")
+keys("acceleration(table.S)", [s.acceleration("table.S") for s in turn], "m/s^2")
+keys("reaction(B, table)", [s.reaction("B", "table") for s in turn], "N")
+keys("F", [s.balance["F"] for s in turn], "N")

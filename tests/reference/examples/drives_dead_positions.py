@@ -1,0 +1,37 @@
+"""Dead positions of an offset crank-slider: closed forms, and the motion from the inner dead position on."""
+from planar import *
+
+r, l, e = mpf("0.08"), mpf("0.24"), mpf("0.05")
+m = Mechanism().ground(A=(0, 0), Q=(0, e))
+m.line("ground.guide", "Q", 0)
+m.bar("crank", "A-B", r)
+m.bar("rod", "B-C", l)
+m.link("ram", C=(0, 0))
+m.mass("ram", 5, "C")
+m.revolute("A", "ground", "crank")
+m.revolute("B", "crank", "rod")
+m.revolute("C", "rod", "ram")
+m.prismatic("G", "ram.C", "ground.guide")
+inner = pi + mp.asin(e / (l - r))
+outer = mp.asin(e / (l + r))
+stroke = sqrt((l + r) ** 2 - e ** 2) - sqrt((l - r) ** 2 - e ** 2)
+m.drive("crank", inner, rpm(90))
+m.force("ram", "C", (mpf(-200), mpf(0)))
+m.balance_torque("Mb", "crank")
+first = m.solve(ahead("C", "B", "G"))
+least = sqrt((l - r) ** 2 - e ** 2)
+assert abs(first.relative_velocity("G")) < mpf(10) ** -30 and abs(first.displacement("G") - least) < mpf(10) ** -30
+lo, hi = extremes(m, [ahead("C", "B", "G")], "crank", "G")
+assert abs(lo[1] - inner) < mpf(10) ** -28 and abs(hi[1] - outer) < mpf(10) ** -28
+way = inner - outer
+key("stroke(G)", stroke, "mm")
+key("time_ratio(G)", max(way, 2 * pi - way) / min(way, 2 * pi - way))
+turn = m.sweep(first, "crank", [inner + deg(30 * i) for i in range(12)])
+keys("travel(G)", [s.displacement("G") - least for s in turn], "mm")
+keys("relative_velocity(G)", [s.relative_velocity("G") for s in turn], "m/s")
+keys("relative_acceleration(G)", [s.relative_acceleration("G") for s in turn], "m/s^2")
+keys("Mb", [s.balance["Mb"] for s in turn], "N*m")
+s = m.there(turn, "crank", outer + 2 * pi)
+key("travel(G)", s.displacement("G") - least, "mm", " at pose front")
+key("relative_acceleration(G)", s.relative_acceleration("G"), "m/s^2", " at pose front")
+key("reaction(G, ram)", s.reaction("G", "ram"), "N", " at pose front")

@@ -1,0 +1,27 @@
+"""Outer hinges driven as points, with speed and acceleration: slotted group of the first kind in motion."""
+from planar import *
+
+phi, e, l_BD, l21 = deg(60), mpf("0.03"), mpf("0.3"), mpf("0.02")
+m = Mechanism()
+m.link("crank", A=(0, 0)).link("slider", B=(0, 0), A=(-l21, 0), S=(mpf("0.01"), mpf("0.005"))).link("bar", C=(0, 0), D=(0, e), S=(mpf("0.2"), mpf("0.02"))).link("arm", C=(0, 0))
+m.line("bar.slot", "D", 0)
+m.mass("slider", mpf("0.8"), "S", J=mpf("0.0004"))
+m.mass("bar", mpf("2.5"), "S", J=mpf("0.04"))
+m.revolute("A", "crank", "slider")
+m.revolute("C", "arm", "bar")
+m.prismatic("s", "slider.B", "bar.slot")
+m.drive("crank.A", add(at(l_BD - l21, phi), at(e, phi + pi / 2)), (mpf("1.2"), mpf("-0.4")), (mpf(3), mpf(8)))
+m.drive("arm.C", (mpf(0), mpf(0)), (mpf("-0.2"), mpf("0.1")), (mpf(0), mpf(-1)))
+m.torque("slider", mpf("-1.5"))
+m.torque("bar", mpf(-25))
+s = m.solve(positive("s"))
+key("displacement(s)", s.displacement("s"), "mm")
+key("relative_velocity(s)", s.relative_velocity("s"), "m/s")
+key("relative_acceleration(s)", s.relative_acceleration("s"), "m/s^2")
+key("coriolis(s)", s.coriolis("s"), "m/s^2")
+key("omega(bar)", s.omega("bar"), "rad/s")
+key("alpha(bar)", s.alpha("bar"), "rad/s^2")
+key("acceleration(slider.B)", s.acceleration("slider.B"), "m/s^2")
+for pair, link in (("A", "slider"), ("C", "bar"), ("s", "slider")):
+    key(f"reaction({pair}, {link})", s.reaction(pair, link), "N")
+key("moment(s, slider)", s.moment("s", "slider"), "N*m")

@@ -1,0 +1,32 @@
+"""PRP dyad: a block on a turning guide pinned to a block on a fixed, inclined guide."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(A=(0, 0), Q=(mpf("0.2"), 0))
+m.line("ground.way", "Q", deg(75))
+m.link("arm", A=(0, 0), D=(0, mpf("0.012")))
+m.line("arm.guide", "D", 0)
+m.link("shoe", C=(0, 0), S2=(mpf("0.01"), 0))
+m.link("ram", C=(0, 0), S3=(mpf("0.02"), mpf("0.03")), E=(mpf("0.01"), mpf("0.08")))
+m.mass("shoe", mpf("0.5"), "S2", J=mpf("0.0002"))
+m.mass("ram", mpf("3.2"), "S3", J=mpf("0.01"))
+m.revolute("A", "ground", "arm")
+m.prismatic("p", "shoe.C", "arm.guide")
+m.revolute("C", "shoe", "ram")
+m.prismatic("q", "ram.C", "ground.way", angle=deg(-90))
+m.drive("arm", deg(-30), mpf(4))
+m.force("ram", "E", (mpf(-20), mpf(-90)))
+m.balance_torque("Mb", "arm")
+turn = m.sweep(m.solve(), "arm", [deg(-30 + 5 * i) for i in range(13)])
+keys("displacement(p)", [s.displacement("p") for s in turn], "mm")
+keys("displacement(q)", [s.displacement("q") for s in turn], "mm")
+keys("relative_acceleration(q)", [s.relative_acceleration("q") for s in turn], "m/s^2")
+keys("Mb", [s.balance["Mb"] for s in turn], "N*m")
+s = turn[9]
+key("angle(shoe)", s.angle("shoe"), "deg", " at pose 10")
+key("angle(ram)", s.angle("ram"), "deg", " at pose 10")
+key("relative_velocity(p)", s.relative_velocity("p"), "m/s", " at pose 10")
+key("coriolis(p)", s.coriolis("p"), "m/s^2", " at pose 10")
+for pair, link in (("A", "arm"), ("p", "shoe"), ("C", "ram"), ("q", "ram")):
+    key(f"reaction({pair}, {link})", s.reaction(pair, link), "N", " at pose 10")
+key("moment(p, shoe)", s.moment("p", "shoe"), "N*m", " at pose 10")
+key("moment(q, ram)", s.moment("q", "ram"), "N*m", " at pose 10")

@@ -1,0 +1,32 @@
+"""RPP dyad: Scotch yoke with an inclined slot on an inclined guide, yoke and guide line on line."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(A=(0, 0), Q=(mpf("0.05"), mpf("0.01")))
+m.line("ground.guide", "Q", deg(15))
+m.bar("crank", "A-B", mpf("0.07"))
+m.link("block", B=(0, 0), S2=(mpf("0.005"), mpf("0.002")))
+m.link("yoke", E=(0, 0), F=(mpf("0.1"), mpf("0.02")), S3=(mpf("0.06"), mpf("-0.01")))
+m.line("yoke.slot", "E", deg(70))
+m.line("yoke.stem", "F", 0)
+m.mass("block", mpf("0.3"), "S2", J=mpf("0.0001"))
+m.mass("yoke", mpf("2.4"), "S3", J=mpf("0.009"))
+m.revolute("A", "ground", "crank")
+m.revolute("B", "crank", "block")
+m.prismatic("p", "block.B", "yoke.slot")
+m.prismatic("q", "yoke.stem", "ground.guide")
+m.drive("crank", mpf(0), mpf(-12))
+m.force("yoke", "F", lambda s: times(-mpf(300) / mag(s.velocity("yoke.F")), s.velocity("yoke.F")))
+m.balance_torque("Mb", "crank")
+turn = m.sweep(m.solve(), "crank", [deg(-30 * i) for i in range(12)])
+keys("displacement(p)", [s.displacement("p") for s in turn], "mm")
+keys("displacement(q)", [s.displacement("q") for s in turn], "mm")
+keys("relative_velocity(q)", [s.relative_velocity("q") for s in turn], "m/s")
+keys("Mb", [s.balance["Mb"] for s in turn], "N*m")
+s = turn[2]
+key("angle(block)", s.angle("block"), "deg", " at pose 3")
+key("velocity(yoke.S3)", s.velocity("yoke.S3"), "m/s", " at pose 3")
+key("acceleration(block.S2)", s.acceleration("block.S2"), "m/s^2", " at pose 3")
+for pair, link in (("A", "crank"), ("B", "block"), ("p", "yoke"), ("q", "yoke")):
+    key(f"reaction({pair}, {link})", s.reaction(pair, link), "N", " at pose 3")
+key("moment(p, yoke)", s.moment("p", "yoke"), "N*m", " at pose 3")
+key("moment(q, yoke)", s.moment("q", "yoke"), "N*m", " at pose 3")

@@ -1,0 +1,31 @@
+"""RPR dyad: quick-return guide-bar with an offset slot over a turn."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(C=(0, 0), A=(mpf("0.02"), mpf("0.25")))
+m.bar("crank", "A-B", mpf("0.1"))
+m.link("block", B=(0, 0), S2=(mpf("0.008"), mpf("0.004")))
+m.link("bar", C=(0, 0), D=(0, mpf("0.015")), S3=(mpf("0.2"), mpf("0.015")), E=(mpf("0.45"), 0))
+m.line("bar.slot", "D", 0)
+m.mass("block", mpf("0.6"), "S2", J=mpf("0.0003"))
+m.mass("bar", mpf("4.5"), "S3", J=mpf("0.08"))
+m.revolute("A", "ground", "crank")
+m.revolute("B", "crank", "block")
+m.revolute("C", "ground", "bar")
+m.prismatic("s", "block.B", "bar.slot", contacts=(mpf("0.02"), mpf("-0.02")))
+m.drive("crank", mpf(0), rpm(90))
+m.force("bar", "E", (mpf(180), mpf(0)))
+m.balance_torque("Mb", "crank")
+turn = m.sweep(m.solve(positive("s")), "crank", [deg(30 * i) for i in range(12)])
+keys("angle(bar)", [s.angle("bar") for s in turn], "deg")
+keys("displacement(s)", [s.displacement("s") for s in turn], "mm")
+keys("alpha(bar)", [s.alpha("bar") for s in turn], "rad/s^2")
+keys("Mb", [s.balance["Mb"] for s in turn], "N*m")
+s = turn[7]
+key("relative_velocity(s)", s.relative_velocity("s"), "m/s", " at pose 8")
+key("coriolis(s)", s.coriolis("s"), "m/s^2", " at pose 8")
+key("acceleration(bar, block.B)", s.acceleration("bar", "block.B"), "m/s^2", " at pose 8")
+for pair, link in (("A", "crank"), ("B", "block"), ("s", "bar"), ("C", "bar")):
+    key(f"reaction({pair}, {link})", s.reaction(pair, link), "N", " at pose 8")
+key("moment(s, block)", s.moment("s", "block"), "N*m", " at pose 8")
+key("contact_force(s, 1)", s.contact_force("s", 1), "N", " at pose 8")
+key("contact_force(s, 2)", s.contact_force("s", 2), "N", " at pose 8")

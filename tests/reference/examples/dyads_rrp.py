@@ -1,0 +1,30 @@
+"""RRP dyad: crank-slider with an offset inclined guide over a turn."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(A=(0, 0), Q=(mpf("0.02"), mpf("-0.03")))
+m.line("ground.guide", "Q", deg(20))
+m.bar("crank", "A-B", mpf("0.06"), S1=(mpf("0.02"), 0))
+m.bar("rod", "B-C", mpf("0.22"), S2=(mpf("0.08"), mpf("0.01")))
+m.link("piston", C=(0, 0), S3=(mpf("0.015"), mpf("0.005")), E=(mpf("0.03"), mpf("-0.01")))
+m.mass("crank", mpf("0.8"), "S1", J=mpf("0.0006"))
+m.mass("rod", mpf("1.1"), "S2", J=mpf("0.005"))
+m.mass("piston", mpf("1.5"), "S3", J=mpf("0.001"))
+m.revolute("A", "ground", "crank")
+m.revolute("B", "crank", "rod")
+m.revolute("C", "rod", "piston")
+m.prismatic("D", "piston.C", "ground.guide")
+m.drive("crank", mpf(0), rpm(300))
+m.force("piston", "E", (mpf(-250), mpf(0)), frame="piston")
+m.balance_torque("Mb", "crank")
+turn = m.sweep(m.solve(ahead("C", "B", "D")), "crank", [deg(30 * i) for i in range(12)])
+keys("displacement(D)", [s.displacement("D") for s in turn], "mm")
+keys("relative_velocity(D)", [s.relative_velocity("D") for s in turn], "m/s")
+keys("relative_acceleration(D)", [s.relative_acceleration("D") for s in turn], "m/s^2")
+keys("Mb", [s.balance["Mb"] for s in turn], "N*m")
+s = turn[4]
+key("angle(rod)", s.angle("rod"), "deg", " at pose 5")
+key("angle(piston)", s.angle("piston"), "deg", " at pose 5")
+for pair, link in (("A", "crank"), ("B", "rod"), ("C", "piston"), ("D", "piston")):
+    key(f"reaction({pair}, {link})", s.reaction(pair, link), "N", " at pose 5")
+key("moment(D, piston)", s.moment("D", "piston"), "N*m", " at pose 5")
+key("line_offset(D)", s.line_offset("D"), "mm", " at pose 5")

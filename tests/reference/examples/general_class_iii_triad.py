@@ -1,0 +1,32 @@
+"""Class III: a plate on three legs, one of them moved by a crank."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(O=(0, 0), Q=(mpf("0.42"), mpf("0.03")), R=(mpf("0.16"), mpf("0.5")))
+m.bar("crank", "O-P", mpf("0.05"))
+m.bar("leg1", "P-A", mpf("0.19"))
+m.bar("leg2", "Q-B", mpf("0.22"))
+m.bar("leg3", "R-C", mpf("0.17"))
+m.link("plate", A=(0, 0), B=(mpf("0.24"), 0), C=(mpf("0.1"), mpf("0.16")), S=(mpf("0.11"), mpf("0.05")), E=(mpf("0.2"), mpf("0.12")))
+m.mass("plate", mpf("2.2"), "S", J=mpf("0.016"))
+m.revolute("O", "ground", "crank")
+m.revolute("P", "crank", "leg1")
+m.revolute("Q", "ground", "leg2")
+m.revolute("R", "ground", "leg3")
+m.revolute("A", "leg1", "plate")
+m.revolute("B", "leg2", "plate")
+m.revolute("C", "leg3", "plate")
+m.drive("crank", deg(20), mpf(8))
+m.force("plate", "E", (mpf(-60), mpf(-35)))
+m.balance_torque("Mb", "crank")
+first = m.solve(near={"plate.A": (mpf("0.08"), mpf("0.2")), "plate.B": (mpf("0.32"), mpf("0.21"))}, starts=400)
+turn = m.sweep(first, "crank", [deg(20 + 10 * i) for i in range(7)])
+keys("angle(plate)", [s.angle("plate") for s in turn], "deg")
+keys("omega(plate)", [s.omega("plate") for s in turn], "rad/s")
+keys("alpha(plate)", [s.alpha("plate") for s in turn], "rad/s^2")
+keys("Mb", [s.balance["Mb"] for s in turn], "N*m")
+s = turn[3]
+key("position(plate.A)", s.position("plate.A"), "mm", " at pose 4")
+key("position(plate.E)", s.position("plate.E"), "mm", " at pose 4")
+key("acceleration(plate.S)", s.acceleration("plate.S"), "m/s^2", " at pose 4")
+for pair, link in (("O", "crank"), ("P", "leg1"), ("Q", "leg2"), ("R", "leg3"), ("A", "plate"), ("B", "plate"), ("C", "plate")):
+    key(f"reaction({pair}, {link})", s.reaction(pair, link), "N", " at pose 4")

@@ -1,0 +1,33 @@
+"""Class IV: two ternary and two binary links in a closed contour."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(O=(0, 0), Q=(mpf("0.5"), mpf("0.02")))
+m.bar("crank", "O-P", mpf("0.06"))
+m.link("left_plate", P=(0, 0), A=(mpf("0.2"), mpf("0.04")), C=(mpf("0.16"), mpf("0.14")), S=(mpf("0.12"), mpf("0.06")))
+m.link("right_plate", Q=(0, 0), B=(mpf("-0.15"), mpf("0.12")), D=(mpf("-0.05"), mpf("0.22")), S=(mpf("-0.06"), mpf("0.1")))
+m.bar("lower", "A-B", mpf("0.14"))
+m.bar("upper", "C-D", mpf("0.26"), K=(mpf("0.13"), mpf("0.01")))
+m.mass("left_plate", mpf("1.4"), "S", J=mpf("0.006"))
+m.mass("right_plate", mpf("1.8"), "S", J=mpf("0.009"))
+m.revolute("O", "ground", "crank")
+m.revolute("P", "crank", "left_plate")
+m.revolute("Q", "ground", "right_plate")
+m.revolute("A", "left_plate", "lower")
+m.revolute("B", "lower", "right_plate")
+m.revolute("C", "left_plate", "upper")
+m.revolute("D", "upper", "right_plate")
+m.drive("crank", deg(60), mpf(5), mpf(30))
+m.force("upper", "K", (mpf(25), mpf(-70)))
+m.torque("right_plate", mpf(-9))
+m.balance_torque("Mb", "crank")
+s = m.solve(near={"left_plate.A": (mpf("0.23"), mpf("0.07")), "right_plate.D": (mpf("0.45"), mpf("0.24"))}, starts=200)
+key("position(left_plate.A)", s.position("left_plate.A"), "mm")
+key("position(right_plate.D)", s.position("right_plate.D"), "mm")
+for link in ("left_plate", "right_plate", "lower", "upper"):
+    key(f"angle({link})", s.angle(link), "deg")
+    key(f"omega({link})", s.omega(link), "rad/s")
+    key(f"alpha({link})", s.alpha(link), "rad/s^2")
+key("acceleration(upper.K)", s.acceleration("upper.K"), "m/s^2")
+for pair, link in (("O", "crank"), ("P", "left_plate"), ("Q", "right_plate"), ("A", "lower"), ("B", "right_plate"), ("C", "upper"), ("D", "right_plate")):
+    key(f"reaction({pair}, {link})", s.reaction(pair, link), "N")
+key("Mb", s.balance["Mb"], "N*m")

@@ -1,0 +1,33 @@
+"""Five-bar with two driven cranks."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(A=(0, 0), E=(mpf("0.2"), 0))
+m.bar("crank1", "A-B", mpf("0.12"), S=(mpf("0.06"), 0))
+m.bar("rod1", "B-C", mpf("0.25"), S=(mpf("0.12"), 0))
+m.bar("rod2", "D-C", mpf("0.24"), S=(mpf("0.12"), 0))
+m.bar("crank2", "E-D", mpf("0.1"), S=(mpf("0.05"), 0))
+m.mass("crank1", mpf("0.5"), "S", J=mpf("0.0008"))
+m.mass("rod1", mpf("0.8"), "S", J=mpf("0.004"))
+m.mass("rod2", mpf("0.75"), "S", J=mpf("0.0037"))
+m.mass("crank2", mpf("0.4"), "S", J=mpf("0.0006"))
+m.revolute("A", "ground", "crank1")
+m.revolute("B", "crank1", "rod1")
+m.revolute("C", "rod1", "rod2")
+m.revolute("D", "rod2", "crank2")
+m.revolute("E", "ground", "crank2")
+m.drive("crank1", deg(110), mpf(6), mpf(-15))
+m.drive("crank2", deg(60), mpf(-4), mpf(10))
+m.force("rod1", "C", (mpf(35), mpf(-90)))
+m.balance_torque("M1", "crank1")
+m.balance_torque("M2", "crank2")
+s = m.solve(left_of("C", "B", "D"))
+key("position(C)", s.position("C"), "mm")
+key("velocity(C)", s.velocity("C"), "m/s")
+key("acceleration(C)", s.acceleration("C"), "m/s^2")
+for link in ("rod1", "rod2"):
+    key(f"omega({link})", s.omega(link), "rad/s")
+    key(f"alpha({link})", s.alpha(link), "rad/s^2")
+for pair, link in (("A", "crank1"), ("B", "rod1"), ("C", "rod2"), ("D", "rod2"), ("E", "crank2")):
+    key(f"reaction({pair}, {link})", s.reaction(pair, link), "N")
+key("M1", s.balance["M1"], "N*m")
+key("M2", s.balance["M2"], "N*m")

@@ -1,0 +1,32 @@
+"""Stephenson III six-bar over a turn: a dyad on the coupler point of a crank-rocker."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(A=(0, 0), D=(mpf("0.2"), mpf("-0.02")), G=(mpf("0.05"), mpf("0.32")))
+m.bar("crank", "A-B", mpf("0.06"))
+m.bar("coupler", "B-C", mpf("0.18"), E=(mpf("0.1"), mpf("0.12")), S=(mpf("0.09"), mpf("0.04")))
+m.bar("rocker", "D-C", mpf("0.15"))
+m.bar("rod", "E-F", mpf("0.16"), S=(mpf("0.08"), 0))
+m.bar("output", "G-F", mpf("0.14"), S=(mpf("0.05"), mpf("0.01")))
+m.mass("coupler", mpf("1.6"), "S", J=mpf("0.007"))
+m.mass("rod", mpf("0.5"), "S", J=mpf("0.0011"))
+m.mass("output", mpf("0.9"), "S", J=mpf("0.0019"))
+m.revolute("A", "ground", "crank")
+m.revolute("B", "crank", "coupler")
+m.revolute("C", "coupler", "rocker")
+m.revolute("D", "ground", "rocker")
+m.revolute("E", "coupler", "rod")
+m.revolute("F", "rod", "output")
+m.revolute("G", "ground", "output")
+m.drive("crank", mpf(0), rpm(100))
+m.torque("output", lambda s: -5 * mp.sign(s.omega("output")))
+m.balance_torque("Mb", "crank")
+turn = m.sweep(m.solve(left_of("C", "B", "D"), right_of("F", "E", "G")), "crank", [deg(30 * i) for i in range(12)])
+keys("angle(output)", [s.angle("output") for s in turn], "deg")
+keys("omega(output)", [s.omega("output") for s in turn], "rad/s")
+keys("alpha(output)", [s.alpha("output") for s in turn], "rad/s^2")
+keys("Mb", [s.balance["Mb"] for s in turn], "N*m")
+s = turn[8]
+key("position(E)", s.position("E"), "mm", " at pose 9")
+key("velocity(F)", s.velocity("F"), "m/s", " at pose 9")
+for pair, link in (("A", "crank"), ("B", "coupler"), ("C", "rocker"), ("E", "rod"), ("F", "output"), ("G", "output")):
+    key(f"reaction({pair}, {link})", s.reaction(pair, link), "N", " at pose 9")

@@ -1,0 +1,21 @@
+"""A06: guide-bar in its extreme position."""
+from planar import *
+
+m = Mechanism().ground(C=(0, 0), A=(0, mpf("0.2")))
+m.bar("crank", "A-B", mpf("0.1"))
+m.link("block", B=(0, 0))
+m.link("bar", C=(0, 0))
+m.line("bar.slot", "C", 0)
+m.mass("bar", 0, J=mpf("0.2"))
+m.revolute("A", "ground", "crank")
+m.revolute("B", "crank", "block")
+m.prismatic("s", "block.B", "bar.slot")
+m.revolute("C", "ground", "bar")
+m.drive("crank", mp.acos(mpf("0.5")) - pi / 2, mpf(20))
+m.balance_torque("Mb", "crank")
+s = m.solve(positive("s"))
+key("angle(bar)", s.angle("bar"), "deg")
+key("velocity(B)", s.velocity("B"), "m/s")
+key("reaction(s, bar)", s.reaction("s", "bar"), "N")
+key("reaction(C, bar)", s.reaction("C", "bar"), "N")
+key("Mb", s.balance["Mb"], "N*m")

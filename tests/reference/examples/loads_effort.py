@@ -1,0 +1,22 @@
+"""No balance declared: the drives' own efforts, a crank and a cylinder."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(A=(0, 0), G=(mpf("0.1"), mpf("-0.4")))
+m.bar("mast", "A-B", mpf("0.8"), K=(mpf("0.3"), mpf("-0.05")), S=(mpf("0.4"), 0))
+m.bar("jib", "B-C", mpf("0.6"), S=(mpf("0.3"), 0))
+m.mass("mast", 12, "S", J=mpf("0.7"))
+m.mass("jib", 8, "S", J=mpf("0.3"))
+m.revolute("A", "ground", "mast")
+m.revolute("B", "mast", "jib")
+m.cylinder("c1", "ground.G", "mast.K")
+m.drive("c1", mpf("0.55"), mpf("0.08"))
+m.drive("jib", deg(-10), mpf("0.5"), mpf(-1))
+m.force("jib", "C", (mpf(0), mpf(-150)))
+s = m.solve(near={"B": (mpf("0.65"), mpf("0.45"))})
+key("angle(mast)", s.angle("mast"), "deg")
+key("omega(mast)", s.omega("mast"), "rad/s")
+key("alpha(mast)", s.alpha("mast"), "rad/s^2")
+key("effort(c1)", s.balance["effort(c1)"], "N")
+key("effort(jib)", s.balance["effort(jib)"], "N*m")
+key("reaction(B, jib)", s.reaction("B", "jib"), "N")
+key("reaction(A, mast)", s.reaction("A", "mast"), "N")

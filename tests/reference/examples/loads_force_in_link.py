@@ -1,0 +1,21 @@
+"""A force that turns with its link, and one at a place in the ground's axes."""
+from planar import *
+
+m = Mechanism().ground(A=(0, 0))
+m.line("ground.guide", "A", 0)
+m.bar("crank", "A-B", mpf("0.1"))
+m.bar("rod", "B-C", mpf("0.3"), S=(mpf("0.12"), mpf("0.02")))
+m.link("piston", C=(0, 0))
+m.revolute("A", "ground", "crank")
+m.revolute("B", "crank", "rod")
+m.revolute("C", "rod", "piston")
+m.prismatic("D", "piston.C", "ground.guide")
+m.drive("crank", deg(20))
+m.force("rod", "S", at(mpf(100), deg(90)), frame="rod")
+m.force("rod", (mpf("0.2"), mpf("0.05")), (mpf(30), mpf(-10)))
+m.force("crank", "B", (mpf(0), mpf(25)), frame="crank")
+m.balance_torque("Mb", "crank")
+turn = m.sweep(m.solve(ahead("C", "B", "D")), "crank", [deg(20), deg(100), deg(200)])
+keys("reaction(B, rod)", [s.reaction("B", "rod") for s in turn], "N")
+keys("reaction(D, piston)", [s.reaction("D", "piston") for s in turn], "N")
+keys("Mb", [s.balance["Mb"] for s in turn], "N*m")

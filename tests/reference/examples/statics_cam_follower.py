@@ -1,0 +1,22 @@
+"""A31: flat-faced follower, load at 30 deg to its axis."""
+from planar import *
+
+m = Mechanism().ground(A=(0, 0))
+m.line("ground.axis", "A", deg(90))
+m.bar("cam", "A-O", mpf("0.03"))
+m.circle("cam.rim", "O", mpf("0.06"))
+m.link("follower", C=(0, 0))
+m.line("follower.face", "C", deg(-90))
+m.revolute("A", "ground", "cam")
+m.prismatic("P", "follower.C", "ground.axis")
+m.contact("K", "cam.rim", "follower.face")
+m.drive("cam", mpf(0))
+m.force("follower", "C", at(1000, deg(-60)))
+m.balance_torque("M_d1", "cam")
+s = m.solve(positive("P"))
+key("displacement(P)", s.displacement("P"), "mm")
+key("reaction(K, follower)", s.reaction("K", "follower"), "N")
+key("normal(K, follower)", s.normal("K", "follower"), "N")
+key("reaction(P, follower)", s.reaction("P", "follower"), "N")
+key("moment(P, follower)", s.moment("P", "follower"), "N*m")
+key("reaction(A, cam)", s.reaction("A", "cam"), "N")

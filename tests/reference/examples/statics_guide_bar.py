@@ -1,0 +1,20 @@
+"""A32: guide-bar, crank upright, bar at 30 deg."""
+from planar import *
+
+m = Mechanism().ground(A=(0, 0), C=(-mpf("0.6") * mp.cos(deg(30)), 0))
+m.bar("crank", "A-B", mpf("0.3"))
+m.link("block", B=(0, 0))
+m.link("bar", C=(0, 0))
+m.line("bar.slot", "C", 0)
+m.revolute("A", "ground", "crank")
+m.revolute("B", "crank", "block")
+m.prismatic("s", "block.B", "bar.slot")
+m.revolute("C", "ground", "bar")
+m.drive("crank", deg(90))
+m.torque("bar", mpf(-60))
+m.balance_torque("M_d1", "crank")
+s = m.solve(positive("s"))
+key("reaction(s, bar)", s.reaction("s", "bar"), "N")
+key("reaction(B, block)", s.reaction("B", "block"), "N")
+key("reaction(C, bar)", s.reaction("C", "bar"), "N")
+key("reaction(A, crank)", s.reaction("A", "crank"), "N")
