@@ -45,7 +45,6 @@ fn holds(folder: &str) -> usize {
         let mut wrong = Vec::new();
         validate(&schema, &schema, &value, "", &mut wrong);
         assert!(wrong.is_empty(), "{}: {}", value["file"], wrong.join("\n"));
-        assert!(!line.contains("null"), "{}: null", value["file"]);
     }
     json.lines().count()
 }
@@ -73,7 +72,8 @@ fn the_validator_finds_what_does_not_fit() {
         wrong.join("; ")
     };
     assert_eq!(check(r#"{"schema": "assur.solution/1", "file": "a.mech", "diagnostics": []}"#), "");
-    let wrong = check(r#"{"schema": "other", "file": 1, "poses": [{"name": "1", "drives": {"a": [1]}, "x": 0}]}"#);
+    let wrong =
+        check(r#"{"schema": "other", "file": 1, "poses": [{"name": "1", "drives": {"a": [1]}, "x": 0}]}"#);
     for part in ["/schema", "/file", "/poses/0/drives/a", "/poses/0/x", "diagnostics is missing"] {
         assert!(wrong.contains(part), "{part} in {wrong}");
     }

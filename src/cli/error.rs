@@ -81,7 +81,9 @@ pub enum CliError {
     #[error("internal error of assur {version} in `{file}`: {what}")]
     #[diagnostic(
         code(mech::internal::panic),
-        help("this is a mistake of the program, not of your file: please report it with the file and this message")
+        help(
+            "this is a mistake of the program, not of your file: please report it with the file and this message"
+        )
     )]
     Internal {
         /// The file.

@@ -75,14 +75,19 @@ fn inputs_of(name: &str) -> Result<Vec<Input>, CliError> {
     if path.exists() {
         return Ok(vec![Input::File(path.to_owned())]);
     }
-    if name.contains(['*', '?', '[', '{']) { matches_of(name) } else { Err(CliError::Missing { name: name.to_owned() }) }
+    if name.contains(['*', '?', '[', '{']) {
+        matches_of(name)
+    } else {
+        Err(CliError::Missing { name: name.to_owned() })
+    }
 }
 
 /// Files that match a glob; `*` stops at `/`, `**` does not.
 fn matches_of(pattern: &str) -> Result<Vec<Input>, CliError> {
     let plain = pattern.strip_prefix("./").unwrap_or(pattern);
     let glob = GlobBuilder::new(plain).literal_separator(true).build();
-    let glob = glob.map_err(|e| CliError::BadPattern { pattern: pattern.to_owned(), why: e.kind().to_string() })?;
+    let glob =
+        glob.map_err(|e| CliError::BadPattern { pattern: pattern.to_owned(), why: e.kind().to_string() })?;
     let matcher = glob.compile_matcher();
     let files = walk(&literal_part(plain), |file| matcher.is_match(file));
     if files.is_empty() { Err(CliError::NoMatch { pattern: pattern.to_owned() }) } else { Ok(files) }

@@ -69,7 +69,8 @@ impl<'a> Key<'a> {
                     self.outcomes.push(outcome);
                 }
                 Err(error) => {
-                    failed = failed.or_else(|| Some(ExpectError::pose_failed(expect, &self.name(pose), error)));
+                    failed =
+                        failed.or_else(|| Some(ExpectError::pose_failed(expect, &self.name(pose), error)));
                 }
             }
         }

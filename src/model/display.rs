@@ -61,7 +61,12 @@ impl Mechanism {
         found.cloned().unwrap_or_else(|| Display {
             unit: dimension.si_text(),
             factor: 1.0,
-            dimension: [dimension.length, dimension.mass, dimension.time, i8::from(dimension.kind == Kind::Angle)],
+            dimension: [
+                dimension.length,
+                dimension.mass,
+                dimension.time,
+                i8::from(dimension.kind == Kind::Angle),
+            ],
         })
     }
 

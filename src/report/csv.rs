@@ -31,12 +31,8 @@ mod tests {
 
     #[test]
     fn fields_with_commas_and_quotes_are_quoted() {
-        let mut table =
-            Table::new(vec![Column::words("pose"), Column::numbers("reaction(B, rod).x [N]")], 1);
+        let mut table = Table::new(vec![Column::words("pose"), Column::numbers("reaction(B, rod).x [N]")], 1);
         table.row(vec!["the \"first\"".into(), "1.5".into()]);
-        assert_eq!(
-            super::render(&table),
-            "pose,\"reaction(B, rod).x [N]\"\r\n\"the \"\"first\"\"\",1.5\r\n"
-        );
+        assert_eq!(super::render(&table), "pose,\"reaction(B, rod).x [N]\"\r\n\"the \"\"first\"\"\",1.5\r\n");
     }
 }

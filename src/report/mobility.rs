@@ -19,9 +19,8 @@ pub(super) struct GroupCount {
 impl GroupCount {
     /// Counts a group: an imaginary body with its two joints is a higher pair.
     pub fn of(structure: &Structure, group: &Group) -> Self {
-        let imaginary = |body: &BodyId| {
-            matches!(structure.replaced.bodies[body.0].origin, BodyOrigin::Imaginary(_))
-        };
+        let imaginary =
+            |body: &BodyId| matches!(structure.replaced.bodies[body.0].origin, BodyOrigin::Imaginary(_));
         let higher = group.bodies.iter().filter(|b| imaginary(b)).count();
         let lower = group.joints.iter().filter(|j| !imaginary(&j.body) && !imaginary(&j.base)).count();
         Self { n: group.bodies.len() - higher, lower, higher }
@@ -29,7 +28,8 @@ impl GroupCount {
 
     /// The count in figures, as `3·2 − 2·3 = 0`; a body between two guides does not turn, so that 2n = P_L counts.
     pub fn formula(self, kind: GroupKind) -> String {
-        let [n, lower, higher] = [self.n, self.lower, self.higher].map(|x| i64::try_from(x).unwrap_or(i64::MAX));
+        let [n, lower, higher] =
+            [self.n, self.lower, self.higher].map(|x| i64::try_from(x).unwrap_or(i64::MAX));
         if kind == GroupKind::Translation {
             return format!("2·{n} − {lower} = {}", 2 * n - lower);
         }
@@ -190,11 +190,8 @@ fn notes(scene: &Scene<'_>) -> Vec<String> {
             mechanism.link(*link).name
         ));
     }
-    let chained: Vec<String> = structure
-        .undetermined_couples
-        .iter()
-        .map(|p| format!("`{}`", mechanism.pair(*p).name))
-        .collect();
+    let chained: Vec<String> =
+        structure.undetermined_couples.iter().map(|p| format!("`{}`", mechanism.pair(*p).name)).collect();
     if !chained.is_empty() {
         notes.push(format!(
             "the couples in {} are not determined: the pairs close a chain of prismatic pairs, where 2n = P_L counts",

@@ -34,7 +34,9 @@ pub(super) fn sections(source: &Source, scene: &Scene<'_>, report: &mut Report) 
     let unsupported = scene.mechanism.unsupported.iter();
     let mut later = Section::new("Understood, not solved yet");
     later.list(
-        unsupported.map(|u| format!("{} (line {})", u.what, place(&source.text, u.span.start).line)).collect(),
+        unsupported
+            .map(|u| format!("{} (line {})", u.what, place(&source.text, u.span.start).line))
+            .collect(),
     );
     report.section(later);
 }

@@ -184,5 +184,7 @@ fn drives_in_words(answers: &Answers<'_>, pose: &Pose) -> String {
 fn failures(answers: &Answers<'_>) -> Vec<String> {
     let own = answers.solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
     let failed = own.filter_map(|pose| Some((pose, pose.outcome.as_ref().err()?)));
-    failed.map(|(pose, error)| format!("pose {} ({}): {error}", pose.name, drives_in_words(answers, pose))).collect()
+    failed
+        .map(|(pose, error)| format!("pose {} ({}): {error}", pose.name, drives_in_words(answers, pose)))
+        .collect()
 }

@@ -107,7 +107,8 @@ impl Solution {
     /// all.
     #[must_use]
     pub fn failures(&self) -> Vec<SolveError> {
-        let open = |e: &SolveError| matches!(e, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. });
+        let open =
+            |e: &SolveError| matches!(e, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. });
         let poses = self.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
         let failed = poses.filter_map(|p| Some((p.origin, p.outcome.as_ref().err()?)));
         failed
