@@ -2,7 +2,7 @@
 
 use super::Plan;
 use super::geometry::pin;
-use super::step::{EffortLine, ForceStep, Hinge, Inner, Way};
+use super::step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, OuterJoint, Way};
 use crate::structure::{Dyad, EffortKind, Group, GroupJoint, GroupKind, JointKind, Structure};
 
 pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
@@ -15,6 +15,7 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
             GroupKind::Translation => Some(ForceStep::Translation {
                 ways: [0, 1].map(|i| way(structure, group.joints[i], first + i)),
             }),
+            GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
             GroupKind::General => None,
         };
         let step = step.unwrap_or_else(|| {
@@ -89,11 +90,65 @@ fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> 
         slot: first_slot + 1,
         sign: if inner.body == second.body { 1.0 } else { -1.0 },
     };
+    let length = |outer: GroupJoint| {
+        (pin(&structure.replaced, inner, outer.body) - pin(&structure.replaced, outer, outer.body)).norm()
+    };
     match kind {
-        Dyad::Rrr => ForceStep::Rrr { outer: [hinge_of(0), hinge_of(2)], inner: inner_hinge() },
-        Dyad::Rrp => ForceStep::Rrp { outer: hinge_of(0), inner: inner_hinge(), way: way_of(2) },
+        Dyad::Rrr => ForceStep::Rrr {
+            outer: [hinge_of(0), hinge_of(2)],
+            inner: inner_hinge(),
+            scale: 1.0 / (length(first) * length(second)),
+        },
+        Dyad::Rrp => ForceStep::Rrp {
+            outer: hinge_of(0),
+            inner: inner_hinge(),
+            way: way_of(2),
+            scale: 1.0 / length(first),
+        },
         Dyad::Rpr => ForceStep::Rpr { outer: [hinge_of(0), hinge_of(2)], way: way_of(1) },
         Dyad::Prp => ForceStep::Prp { ways: [way_of(0), way_of(2)], inner: inner_hinge() },
         Dyad::Rpp => ForceStep::Rpp { outer: hinge_of(0), inner: way_of(1), way: way_of(2) },
     }
+}
+
+fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> Option<ForceStep> {
+    let [first, inner, second] = [group.joints[0], group.joints[1], group.joints[2]];
+    let far = |root| group.joints[3..].iter().position(|j| j.base == root);
+    let end = |root| far(root).map_or(root, |i| group.joints[3 + i].body);
+    let ends = [end(first.body), end(second.body)];
+    let part = |root| match far(root) {
+        None => Some(None),
+        Some(i) => {
+            let (joint, slot) = (group.joints[3 + i], first_slot + 3 + i);
+            let mut inside = group.efforts.iter();
+            let effort = *inside.find(|&&e| match structure.efforts[e].kind {
+                EffortKind::Coordinate(j) | EffortKind::RelativeAngle { joint: j, .. } => j == joint.joint,
+                _ => false,
+            })?;
+            let (line, sign) = effort_line(structure, effort, joint.body.0, Some((joint, slot)))?;
+            let at = if joint.prismatic {
+                OuterJoint::Way(way(structure, joint, slot))
+            } else {
+                OuterJoint::Hinge(hinge(structure, joint, slot))
+            };
+            Some(Some(DrivenPart { joint: at, effort: line, value: (effort, sign) }))
+        }
+    };
+    let outer = if kind == Dyad::Rrp {
+        OuterJoint::Way(way(structure, second, first_slot + 2))
+    } else {
+        OuterJoint::Hinge(hinge(structure, second, first_slot + 2))
+    };
+    let inner_hinge = Inner {
+        pin: pin(&structure.replaced, inner, ends[0]),
+        second_pin: pin(&structure.replaced, inner, ends[1]),
+        slot: first_slot + 1,
+        sign: if inner.body == ends[1] { 1.0 } else { -1.0 },
+    };
+    Some(ForceStep::DrivenLegs {
+        outer: (hinge(structure, first, first_slot), outer),
+        inner: inner_hinge,
+        ends: ends.map(|b| b.0),
+        driven: [part(first.body)?, part(second.body)?],
+    })
 }

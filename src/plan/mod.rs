@@ -11,7 +11,10 @@ pub mod step;
 pub use effects::{Effects, Level, level_of, needs_forces};
 pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
 pub use loads::LoadStep;
-pub use step::{Anchor, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep, Slide, Way};
+pub use step::{
+    Anchor, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
+    OuterJoint, Slide, Way,
+};
 
 use crate::math::Vec2;
 use crate::model::Mechanism;

@@ -2,7 +2,7 @@
 
 use super::Plan;
 use super::geometry::{anchor, leg, pin, slide};
-use super::step::MotionStep;
+use super::step::{DrivenJoint, DrivenLeg, MotionStep};
 use crate::math::Vec2;
 use crate::structure::{Dyad, EffortKind, EffortSource, Group, GroupKind, Structure};
 
@@ -15,6 +15,7 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
                 branch,
                 slides: [0, 1].map(|i| slide(&structure.replaced, group.joints[i], group.joints[i].base)),
             }),
+            GroupKind::DrivenLegs(kind) => driven_legs(structure, group, branch, kind),
             GroupKind::General => None,
         };
         let step = step.unwrap_or_else(|| {
@@ -91,4 +92,59 @@ fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Moti
             outer: slide(replaced, second, second.base),
         },
     }
+}
+
+fn driven_legs(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Option<MotionStep> {
+    let replaced = &structure.replaced;
+    let second = group.joints[2];
+    if kind == Dyad::Rrr {
+        let legs = [driven_leg(structure, group, 0)?, driven_leg(structure, group, 2)?];
+        return Some(MotionStep::DrivenRrr { branch, legs });
+    }
+    let slide = slide(replaced, second, second.base);
+    let pin = pin(replaced, group.joints[1], second.body);
+    let from_point = (pin - slide.point).turned_back(slide.direction);
+    Some(MotionStep::DrivenRrp { branch, leg: driven_leg(structure, group, 0)?, slide, pin, from_point })
+}
+
+/// The leg that hangs on the outer joint of this index.
+fn driven_leg(structure: &Structure, group: &Group, outer: usize) -> Option<DrivenLeg> {
+    let replaced = &structure.replaced;
+    let (outer, inner) = (group.joints[outer], group.joints[1]);
+    let from = pin(replaced, outer, outer.body);
+    let leg = DrivenLeg {
+        body: outer.body.0,
+        base: anchor(replaced, outer),
+        pin: from,
+        arm: pin(replaced, inner, outer.body) - from,
+        joint: None,
+    };
+    let Some(&joint) = group.joints[3..].iter().find(|j| j.base == outer.body) else { return Some(leg) };
+    let (kind, drive) = group.efforts.iter().find_map(|&e| {
+        let effort = &structure.drives[e];
+        let EffortSource::Drive(drive) = effort.source else { return None };
+        match effort.kind {
+            EffortKind::Coordinate(j) | EffortKind::RelativeAngle { joint: j, .. } if j == joint.joint => {
+                Some((effort.kind, drive.index()))
+            }
+            _ => None,
+        }
+    })?;
+    let to = pin(replaced, inner, joint.body);
+    Some(match kind {
+        EffortKind::RelativeAngle { second, .. } => {
+            let base = anchor(replaced, joint);
+            let hinge = pin(replaced, joint, joint.body);
+            let sign = if second == joint.body { 1.0 } else { -1.0 };
+            let turn =
+                DrivenJoint::Turn { base, body: joint.body.0, pin: hinge, arm: to - hinge, drive, sign };
+            DrivenLeg { arm: base.at - from, joint: Some(turn), ..leg }
+        }
+        _ => {
+            let slide = slide(replaced, joint, joint.base);
+            let turned = slide.along.turned_back(slide.direction);
+            let arm = slide.origin - from + (to - slide.point).turned(turned);
+            DrivenLeg { arm, joint: Some(DrivenJoint::Shift { slide, drive }), ..leg }
+        }
+    })
 }

@@ -49,6 +49,49 @@ pub struct Leg {
     pub inverse: f64,
 }
 
+/// A link of a dyad that may consist of two bodies with a driven joint between them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrivenLeg {
+    /// Slot of the body with the outer revolute.
+    pub body: usize,
+    /// The outer revolute on the base.
+    pub base: Anchor,
+    /// The outer revolute in the body's frame, m.
+    pub pin: Vec2,
+    /// From the outer revolute to the inner one, in the body's frame, m; of a leg with a driven joint the part that does
+    /// not change.
+    pub arm: Vec2,
+    /// The driven joint.
+    pub joint: Option<DrivenJoint>,
+}
+
+/// The driven joint inside a leg, and the body behind it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DrivenJoint {
+    /// A guide on the first body.
+    Shift {
+        /// The guide.
+        slide: Slide,
+        /// Slot of the drive.
+        drive: usize,
+    },
+    /// A revolute on the first body.
+    Turn {
+        /// The revolute on the first body.
+        base: Anchor,
+        /// Slot of the second body.
+        body: usize,
+        /// The revolute in the second body's frame, m.
+        pin: Vec2,
+        /// From it to the inner revolute, in the second body's frame, m.
+        arm: Vec2,
+        /// Slot of the drive.
+        drive: usize,
+        /// The angle of the second body is this times the drive's value.
+        sign: f64,
+    },
+}
+
 /// One step of motion. `branch` is the slot of the group's branch and of its condition figure.
 #[derive(Clone, Debug)]
 pub enum MotionStep {
@@ -89,6 +132,26 @@ pub enum MotionStep {
         branch: usize,
         /// The link.
         leg: Leg,
+        /// The guide of the slider.
+        slide: Slide,
+        /// The inner revolute in the slider's frame, m.
+        pin: Vec2,
+        /// The inner revolute from the sliding point, in the axes of the guide, m.
+        from_point: Vec2,
+    },
+    /// Dyad RRR with driven joints inside its links.
+    DrivenRrr {
+        /// Group.
+        branch: usize,
+        /// The two links.
+        legs: [DrivenLeg; 2],
+    },
+    /// Dyad RRP with a driven joint inside its link.
+    DrivenRrp {
+        /// Group.
+        branch: usize,
+        /// The link.
+        leg: DrivenLeg,
         /// The guide of the slider.
         slide: Slide,
         /// The inner revolute in the slider's frame, m.
@@ -230,6 +293,8 @@ pub enum ForceStep {
         /// The inner revolute in the frames of the links, and its slot; the sign turns the force on the second link
         /// into that kept.
         inner: Inner,
+        /// 1 / (l_1 l_2), 1/m²: turns the determinant into the condition figure.
+        scale: f64,
     },
     /// Dyad RRP.
     Rrp {
@@ -239,6 +304,19 @@ pub enum ForceStep {
         inner: Inner,
         /// Guide of the slider.
         way: Way,
+        /// 1 / l, 1/m: turns the determinant into the condition figure.
+        scale: f64,
+    },
+    /// Dyad RRR or RRP with unknown efforts inside its links: solved as a dyad of stiff links, then taken apart.
+    DrivenLegs {
+        /// Outer revolute of the first link, and of the second or its guide.
+        outer: (Hinge, OuterJoint),
+        /// The inner revolute, on the bodies that carry it.
+        inner: Inner,
+        /// Slots of the bodies that carry the inner revolute.
+        ends: [usize; 2],
+        /// The driven joint of each link with its effort, if it has one.
+        driven: [Option<DrivenPart>; 2],
     },
     /// Dyad RPR.
     Rpr {
@@ -273,6 +351,26 @@ pub enum ForceStep {
         /// Index into [`super::Plan::balance_systems`].
         system: usize,
     },
+}
+
+/// The second outer joint of a dyad on the side of forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OuterJoint {
+    /// A revolute.
+    Hinge(Hinge),
+    /// A guide.
+    Way(Way),
+}
+
+/// The far half of a link with an unknown effort inside: solved like one body with one joint and one effort.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrivenPart {
+    /// The joint, counted on the far half.
+    pub joint: OuterJoint,
+    /// The effort.
+    pub effort: EffortLine,
+    /// Slot of the effort, and the sign with which it acts on the far half.
+    pub value: (usize, f64),
 }
 
 /// The inner revolute of a dyad on the side of forces.

@@ -6,15 +6,17 @@ use crate::math::Vec2;
 use crate::plan::{EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 
 impl State {
-    /// Runs all steps of forces from the loads in `applied`. Allocates nothing.
+    /// Runs all steps of forces from the loads in `wrenches`, to which it adds the reactions. Allocates nothing.
     pub fn run_forces(&mut self, plan: &Plan) {
-        self.wrenches.copy_from_slice(&self.applied);
         for (index, step) in plan.forces.iter().enumerate() {
             self.force_sines[index] = match step {
                 ForceStep::Turn { hinge, effort, value } => self.force_turn(hinge, effort, *value),
                 ForceStep::Shift { way, effort, value } => self.force_shift(way, effort, *value),
-                ForceStep::Rrr { outer, inner } => self.force_rrr(outer, inner),
-                ForceStep::Rrp { outer, inner, way } => self.force_rrp(outer, inner, way),
+                ForceStep::Rrr { outer, inner, scale } => self.force_rrr(outer, inner, *scale),
+                ForceStep::Rrp { outer, inner, way, scale } => self.force_rrp(outer, inner, way, *scale),
+                ForceStep::DrivenLegs { outer, inner, ends, driven } => {
+                    self.force_driven_legs(outer, inner, *ends, driven)
+                }
                 ForceStep::Rpr { outer, way } => self.force_rpr(outer, way),
                 ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
                 ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
@@ -34,6 +36,10 @@ impl State {
     /// The opposite of a force and couple at a place, on the body that carries it.
     #[inline(always)]
     pub(super) fn carry(&mut self, base: usize, p: Vec2, force: Vec2, couple: f64) {
+        // what the ground carries is not asked
+        if base == 0 {
+            return;
+        }
         let r = p - self.bodies[base].p;
         let w = &mut self.wrenches[base];
         w.force -= force;
@@ -41,7 +47,7 @@ impl State {
     }
 
     #[inline(always)]
-    fn hinge_reaction(&mut self, hinge: &Hinge, p: Vec2, force: Vec2) {
+    pub(super) fn hinge_reaction(&mut self, hinge: &Hinge, p: Vec2, force: Vec2) {
         self.reactions[hinge.slot] = Reaction { force, couple: 0.0 };
         self.carry(hinge.base, p, force, 0.0);
     }
@@ -56,7 +62,7 @@ impl State {
     }
 
     #[inline(always)]
-    fn carried_way(&mut self, way: &Way, p: Vec2, force: Vec2, couple: f64) {
+    pub(super) fn carried_way(&mut self, way: &Way, p: Vec2, force: Vec2, couple: f64) {
         let (reference, couple) = self.way_reaction(way, p, force, couple);
         self.carry(way.base, reference, force, couple);
     }
@@ -67,7 +73,12 @@ impl State {
     }
 
     /// One body on a revolute: the effort is found from the moment about it.
-    fn force_turn(&mut self, hinge: &Hinge, effort: &EffortLine, (slot, sign): (usize, f64)) -> f64 {
+    pub(super) fn force_turn(
+        &mut self,
+        hinge: &Hinge,
+        effort: &EffortLine,
+        (slot, sign): (usize, f64),
+    ) -> f64 {
         let p = self.bodies[hinge.body].position(hinge.pin);
         let (force, moment) = self.load_about(hinge.body, p);
         match effort {
@@ -90,7 +101,7 @@ impl State {
     }
 
     /// One body on a guide: the effort is found from the forces along it.
-    fn force_shift(&mut self, way: &Way, effort: &EffortLine, (slot, sign): (usize, f64)) -> f64 {
+    pub(super) fn force_shift(&mut self, way: &Way, effort: &EffortLine, (slot, sign): (usize, f64)) -> f64 {
         let d = self.direction(way);
         let p = self.bodies[way.slider].position(way.point);
         let (mut force, mut moment) = self.load_about(way.body, p);
@@ -119,7 +130,7 @@ impl State {
     }
 
     #[inline(always)]
-    fn force_rrr(&mut self, outer: &[Hinge; 2], inner: &Inner) -> f64 {
+    fn force_rrr(&mut self, outer: &[Hinge; 2], inner: &Inner, scale: f64) -> f64 {
         let [one, two] = outer;
         let (body_1, body_2) = (&self.bodies[one.body], &self.bodies[two.body]);
         let (p_A, p_B) = (body_1.position(one.pin), body_2.position(two.pin));
@@ -131,11 +142,11 @@ impl State {
         self.hinge_reaction(one, p_A, got.f_A);
         self.hinge_reaction(two, p_B, got.f_B);
         self.reactions[inner.slot] = Reaction { force: got.f_C * inner.sign, couple: 0.0 };
-        r_1.cross(r_2) / (r_1.dot(r_1) * r_2.dot(r_2)).sqrt()
+        r_1.cross(r_2) * scale
     }
 
     #[inline(always)]
-    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way) -> f64 {
+    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way, scale: f64) -> f64 {
         let body_1 = &self.bodies[outer.body];
         let p_A = body_1.position(outer.pin);
         let r_1 = (inner.pin - outer.pin).turned(body_1.u);
@@ -147,7 +158,7 @@ impl State {
         self.hinge_reaction(outer, p_A, got.f_A);
         self.reactions[inner.slot] = Reaction { force: got.f_C * inner.sign, couple: 0.0 };
         self.carried_way(way, p_C, d.perp() * got.normal, got.couple);
-        r_1.dot(d) / r_1.norm()
+        r_1.dot(d) * scale
     }
 
     #[inline(always)]

@@ -94,6 +94,10 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
                 None => unknown(&name(1)),
             }
         }
+        MotionStep::DrivenRrr { .. } | MotionStep::DrivenRrp { .. } => (
+            format!("the links about {} do not meet at these values of the drives", name(1)),
+            "check the values of the drives inside the links".to_owned(),
+        ),
         _ => ("the guides are parallel".to_owned(), "turn one of the guides".to_owned()),
     }
 }

@@ -3,6 +3,7 @@
 
 mod assemble;
 mod contact;
+mod driven_legs;
 mod error;
 mod evaluate;
 mod extremes;

@@ -12,21 +12,25 @@ const CLOSURE: f64 = 16.0 * f64::EPSILON;
 
 /// Position, velocity and acceleration of a point.
 #[derive(Clone, Copy)]
-struct Point {
-    p: Vec2,
-    v: Vec2,
-    a: Vec2,
+pub(super) struct Point {
+    pub p: Vec2,
+    pub v: Vec2,
+    pub a: Vec2,
 }
 
 /// A line on a body of known motion at one position.
 #[derive(Clone, Copy)]
-struct Line {
-    origin: Vec2,
-    along: Vec2,
+pub(super) struct Line {
+    pub origin: Vec2,
+    pub along: Vec2,
 }
 
 #[inline(always)]
-fn point<const LEVEL: u8>(bodies: &[BodyState], anchor: &Anchor) -> Point {
+pub(super) fn point<const LEVEL: u8>(bodies: &[BodyState], anchor: &Anchor) -> Point {
+    // most outer joints sit on the ground, which does not move
+    if anchor.body == 0 {
+        return Point { p: anchor.at, v: Vec2::new(0.0, 0.0), a: Vec2::new(0.0, 0.0) };
+    }
     let body = &bodies[anchor.body];
     let r = anchor.at.turned(body.u);
     let v = if LEVEL > 0 { body.v + r.perp() * body.omega } else { Vec2::new(0.0, 0.0) };
@@ -40,7 +44,7 @@ fn point<const LEVEL: u8>(bodies: &[BodyState], anchor: &Anchor) -> Point {
 
 /// Velocity and acceleration of the point of a body that lies at `p` now.
 #[inline(always)]
-fn under<const LEVEL: u8>(body: &BodyState, p: Vec2) -> Point {
+pub(super) fn under<const LEVEL: u8>(body: &BodyState, p: Vec2) -> Point {
     let r = p - body.p;
     let v = if LEVEL > 0 { body.v + r.perp() * body.omega } else { Vec2::new(0.0, 0.0) };
     let a = if LEVEL > 1 {
@@ -52,14 +56,24 @@ fn under<const LEVEL: u8>(body: &BodyState, p: Vec2) -> Point {
 }
 
 #[inline(always)]
-fn line(bodies: &[BodyState], slide: &Slide) -> Line {
+pub(super) fn line(bodies: &[BodyState], slide: &Slide) -> Line {
+    if slide.base == 0 {
+        return Line { origin: slide.origin, along: slide.along };
+    }
     let base = &bodies[slide.base];
     Line { origin: base.position(slide.origin), along: slide.along.turned(base.u) }
 }
 
 /// Puts a body so that its point `at` moves as given, at direction `u`, angular velocity and acceleration as given.
 #[inline(always)]
-fn place<const LEVEL: u8>(body: &mut BodyState, at: Vec2, point: Point, u: Vec2, omega: f64, alpha: f64) {
+pub(super) fn place<const LEVEL: u8>(
+    body: &mut BodyState,
+    at: Vec2,
+    point: Point,
+    u: Vec2,
+    omega: f64,
+    alpha: f64,
+) {
     let r = at.turned(u);
     body.p = point.p - r;
     body.u = u;
@@ -95,7 +109,14 @@ impl State {
     /// Whether a step has a second assembly of the other root.
     #[must_use]
     pub fn has_two_roots(&self, step: &MotionStep) -> bool {
-        matches!(step, MotionStep::Rrr { .. } | MotionStep::Rrp { .. } | MotionStep::Rpr { .. })
+        matches!(
+            step,
+            MotionStep::Rrr { .. }
+                | MotionStep::Rrp { .. }
+                | MotionStep::Rpr { .. }
+                | MotionStep::DrivenRrr { .. }
+                | MotionStep::DrivenRrp { .. }
+        )
     }
 
     /// Runs all steps of motion for the drives' inputs and the branches set. Allocates nothing.
@@ -118,6 +139,10 @@ impl State {
             MotionStep::Rrp { branch, leg, slide, pin, from_point } => {
                 self.rrp::<LEVEL>(*branch, leg, slide, *pin, *from_point);
             }
+            MotionStep::DrivenRrr { branch, legs } => self.driven_rrr::<LEVEL>(*branch, legs),
+            MotionStep::DrivenRrp { branch, leg, slide, pin, from_point } => {
+                self.driven_rrp::<LEVEL>(*branch, leg, slide, *pin, *from_point);
+            }
             MotionStep::Rpr { .. } => self.rpr::<LEVEL>(step),
             MotionStep::Prp { branch, slides, pins, from_point } => {
                 self.prp::<LEVEL>(*branch, slides, pins, from_point);
@@ -133,14 +158,14 @@ impl State {
     }
 
     #[inline(always)]
-    fn closes(&mut self, branch: usize, closure: f64, scale: f64) {
+    pub(super) fn closes(&mut self, branch: usize, closure: f64, scale: f64) {
         if (closure < -CLOSURE * scale || closure.is_nan()) && self.open.is_none() {
             self.open = Some(branch);
         }
     }
 
-    #[inline(always)]
-    fn turn<const LEVEL: u8>(
+    #[inline(never)]
+    pub(super) fn turn<const LEVEL: u8>(
         &mut self,
         branch: usize,
         body: usize,
@@ -167,8 +192,8 @@ impl State {
         place::<LEVEL>(&mut self.bodies[body], pin, hinge, u, omega, alpha);
     }
 
-    #[inline(always)]
-    fn shift<const LEVEL: u8>(&mut self, branch: usize, slide: &Slide, drive: usize) {
+    #[inline(never)]
+    pub(super) fn shift<const LEVEL: u8>(&mut self, branch: usize, slide: &Slide, drive: usize) {
         let input = self.inputs[drive];
         let guide = line(&self.bodies, slide);
         let p = guide.origin + guide.along * (slide.sense * input.value);
@@ -185,7 +210,7 @@ impl State {
 
     /// Puts a sliding body with its point `at` at `p`, moving along the guide.
     #[inline(always)]
-    fn place_slider<const LEVEL: u8>(
+    pub(super) fn place_slider<const LEVEL: u8>(
         &mut self,
         slide: &Slide,
         d: Vec2,
@@ -200,7 +225,7 @@ impl State {
         place::<LEVEL>(&mut self.bodies[slide.body], at, moved, u, base.omega, base.alpha);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn rrr<const LEVEL: u8>(&mut self, branch: usize, legs: &[Leg; 2]) {
         let [one, two] = legs;
         let a = point::<LEVEL>(&self.bodies, &one.base);
@@ -222,7 +247,7 @@ impl State {
         place::<LEVEL>(&mut self.bodies[two.body], two.pin, b, u_2, omega.1, alpha.1);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn rrp<const LEVEL: u8>(&mut self, branch: usize, leg: &Leg, slide: &Slide, pin: Vec2, from_point: Vec2) {
         let Branch2 { root, side } = self.branch(branch, 0);
         let a = point::<LEVEL>(&self.bodies, &leg.base);
@@ -246,7 +271,7 @@ impl State {
         self.place_slider::<LEVEL>(slide, guide.along, pin, at.p_C, s_dot, s_ddot);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn rpr<const LEVEL: u8>(&mut self, step: &MotionStep) {
         let MotionStep::Rpr { branch, bases, pins, slide, from_origin, from_point } = step else { return };
         let Branch2 { root, side } = self.branch(*branch, 0);
@@ -271,7 +296,7 @@ impl State {
         place::<LEVEL>(&mut self.bodies[slide.body], pins[1], b, u_2, omega, alpha);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn prp<const LEVEL: u8>(
         &mut self,
         branch: usize,
@@ -298,7 +323,7 @@ impl State {
         self.place_slider::<LEVEL>(&slides[1], guides[1].along, pins[1], at.p_C, rate.1, second.1);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn rpp<const LEVEL: u8>(
         &mut self,
         branch: usize,
@@ -330,7 +355,7 @@ impl State {
         place::<LEVEL>(&mut self.bodies[inner.body], pin, a, u_1, carrier.omega, carrier.alpha);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn translation<const LEVEL: u8>(&mut self, branch: usize, slides: &[Slide; 2]) {
         let sides = self.branches[branch].sides;
         let guides = [line(&self.bodies, &slides[0]), line(&self.bodies, &slides[1])];
@@ -352,13 +377,13 @@ impl State {
     }
 
     #[inline(always)]
-    fn branch(&self, branch: usize, joint: usize) -> Branch2 {
+    pub(super) fn branch(&self, branch: usize, joint: usize) -> Branch2 {
         let b = &self.branches[branch];
         Branch2 { root: b.root, side: b.sides[joint] }
     }
 }
 
-struct Branch2 {
-    root: f64,
-    side: f64,
+pub(super) struct Branch2 {
+    pub root: f64,
+    pub side: f64,
 }

@@ -44,6 +44,10 @@ pub enum GroupKind {
     Driven,
     /// Two bodies and three lower pairs.
     Dyad(Dyad),
+    /// A dyad RRR or RRP one or two of whose links are pairs of bodies with a driven joint (an effort) between them, as
+    /// barrel and rod of a cylinder. Bodies: the two that carry the outer joints, then the far halves; joints: outer,
+    /// inner, outer, then the driven ones, each counted on the far half.
+    DrivenLegs(Dyad),
     /// One body between two prismatic pairs, its angle fixed by either.
     Translation,
     /// Anything else.
@@ -97,6 +101,9 @@ impl Group {
             group.kind = GroupKind::Translation;
         } else if let Some(dyad) = group.arrange_dyad(replaced) {
             group.kind = GroupKind::Dyad(dyad);
+        } else if let Some(dyad) = group.arrange_driven_legs(all_efforts, replaced) {
+            group.kind = GroupKind::DrivenLegs(dyad);
+            group.class = 2;
         }
         group
     }
@@ -163,12 +170,65 @@ impl Group {
         Some(dyad)
     }
 
+    /// Takes the driven joints out, each with the body behind it, and looks whether a dyad is left.
+    fn arrange_driven_legs(&mut self, efforts: &[Effort], replaced: &Replaced) -> Option<Dyad> {
+        let driven: Vec<JointId> = self
+            .efforts
+            .iter()
+            .map(|&e| match efforts[e].kind {
+                EffortKind::RelativeAngle { joint, .. } | EffortKind::Coordinate(joint) => Some(joint),
+                EffortKind::Angle(_) | EffortKind::Line(_) | EffortKind::Point(_) => None,
+            })
+            .collect::<Option<_>>()?;
+        let (inside, rest): (Vec<GroupJoint>, Vec<GroupJoint>) =
+            self.joints.iter().partition(|j| driven.contains(&j.joint));
+        if driven.is_empty() || inside.len() != driven.len() || inside.iter().any(|j| !j.inner) {
+            return None;
+        }
+        let (outer, inner): (Vec<GroupJoint>, Vec<GroupJoint>) = rest.iter().partition(|j| !j.inner);
+        let ([first, second], [middle]) = (outer.as_slice(), inner.as_slice()) else { return None };
+        let simple = |j: &GroupJoint| match replaced.joint(j.joint).kind {
+            JointKind::Prismatic { angle_redundant, offset, .. } => !angle_redundant && offset == 0.0,
+            JointKind::Revolute(_) => true,
+        };
+        if middle.prismatic || first.prismatic && second.prismatic || !self.joints.iter().all(simple) {
+            return None;
+        }
+        let (first, second) = if first.prismatic { (second, first) } else { (first, second) };
+        let mut bodies = vec![first.body, second.body];
+        let mut joints = vec![*first, *middle, *second];
+        for joint in inside {
+            let root = bodies.iter().take(2).copied().find(|b| [joint.body, joint.base].contains(b))?;
+            let far = if joint.body == root { joint.base } else { joint.body };
+            if bodies.contains(&far) || second.prismatic && root == second.body {
+                return None;
+            }
+            bodies.push(far);
+            joints.push(GroupJoint { body: far, base: root, ..joint });
+        }
+        let ends = [middle.body, middle.base];
+        let holds = |root: BodyId| {
+            let far = joints[3..].iter().find(|j| j.base == root).map(|j| j.body);
+            ends.contains(&far.unwrap_or(root))
+        };
+        let complete = bodies.len() == self.bodies.len() && first.body != second.body;
+        if !complete || !holds(first.body) || !holds(second.body) {
+            return None;
+        }
+        let dyad = if second.prismatic { Dyad::Rrp } else { Dyad::Rrr };
+        self.bodies = bodies;
+        self.joints = joints;
+        Some(dyad)
+    }
+
     /// The kind as it is printed: `RRR`, `driven`, `translation`, `general`.
     #[must_use]
     pub fn kind_name(&self) -> &'static str {
         match self.kind {
             GroupKind::Driven => "driven",
             GroupKind::Dyad(dyad) => dyad.name(),
+            GroupKind::DrivenLegs(Dyad::Rrp) => "RRP with a driven link",
+            GroupKind::DrivenLegs(_) => "RRR with driven links",
             GroupKind::Translation => "PP",
             GroupKind::General => "general",
         }

@@ -1,0 +1,186 @@
+//! Dyads whose links hold a driven joint, such as a boom on a hydraulic cylinder.
+//!
+//! At one instant such a link is a stiff one from its outer revolute A to the inner one C, with the arm w(t) in the frame
+//! of its first body. C moves in that frame by ẇ and ẅ, so that with r = w turned into ground axes
+//!
+//!     v_C = v_A + ω × r + ẇ,    a_C = a_A + α × r − ω² r + 2 ω × ẇ + ẅ:
+//!
+//! the equations of the dyad, with v_A + ẇ in place of v_A and a_A + 2 ω × ẇ + ẅ in place of a_A.
+
+use super::motion::{Branch2, Point, line, place, point, under};
+use super::state::{BodyState, State};
+use crate::group::{rrp, rrr};
+use crate::math::Vec2;
+use crate::plan::{DrivenJoint, DrivenLeg, DrivenPart, Hinge, Inner, OuterJoint, Slide};
+
+/// The arm of a leg in the frame of its first body, with its derivatives.
+struct Arm {
+    w: Vec2,
+    rate: Vec2,
+    second: Vec2,
+}
+
+/// The outer revolute of a leg, moved on by what the driven joint adds in ground axes.
+fn drifted<const LEVEL: u8>(a: Point, arm: &Arm, u: Vec2, omega: f64) -> Point {
+    let mut moved = a;
+    if LEVEL > 0 {
+        let rate = arm.rate.turned(u);
+        moved.v += rate;
+        moved.a += rate.perp() * (2.0 * omega) + arm.second.turned(u);
+    }
+    moved
+}
+
+impl State {
+    fn arm(&self, leg: &DrivenLeg) -> Arm {
+        match &leg.joint {
+            None => Arm { w: leg.arm, rate: Vec2::zero(), second: Vec2::zero() },
+            Some(DrivenJoint::Shift { slide, drive }) => {
+                let input = self.inputs[*drive];
+                let along = slide.along * slide.sense;
+                Arm {
+                    w: leg.arm + along * input.value,
+                    rate: along * input.rate,
+                    second: along * input.acceleration,
+                }
+            }
+            Some(DrivenJoint::Turn { arm, drive, sign, .. }) => {
+                let input = self.inputs[*drive];
+                let r = arm.turned(Vec2::new(input.place.x, sign * input.place.y));
+                Arm {
+                    w: leg.arm + r,
+                    rate: r.perp() * (sign * input.rate),
+                    second: r.perp() * (sign * input.acceleration) - r * (input.rate * input.rate),
+                }
+            }
+        }
+    }
+
+    /// Places the body behind a driven joint.
+    fn follow<const LEVEL: u8>(&mut self, branch: usize, leg: &DrivenLeg) {
+        match &leg.joint {
+            None => {}
+            Some(DrivenJoint::Shift { slide, drive }) => self.shift::<LEVEL>(branch, slide, *drive),
+            Some(DrivenJoint::Turn { base, body, pin, drive, sign, .. }) => {
+                self.turn::<LEVEL>(branch, *body, base, *pin, *drive, Some(*sign));
+            }
+        }
+    }
+
+    pub(super) fn driven_rrr<const LEVEL: u8>(&mut self, branch: usize, legs: &[DrivenLeg; 2]) {
+        let ends = [0, 1].map(|i| point::<LEVEL>(&self.bodies, &legs[i].base));
+        let arms = [self.arm(&legs[0]), self.arm(&legs[1])];
+        let lengths = [arms[0].w.norm(), arms[1].w.norm()];
+        let at = rrr::position(ends[0].p, ends[1].p, lengths[0], lengths[1], self.branches[branch].root);
+        self.closes(branch, at.closure, lengths[0] + lengths[1]);
+        let r = [at.r_1, at.r_2];
+        let u = [0, 1].map(|i| r[i].turned_back(arms[i].w) / (lengths[i] * lengths[i]));
+        let (mut omega, mut alpha) = ((0.0, 0.0), (0.0, 0.0));
+        if LEVEL > 0 {
+            let group = rrr::Rrr::new(at.r_1, at.r_2);
+            let still = [0, 1].map(|i| drifted::<LEVEL>(ends[i], &arms[i], u[i], 0.0));
+            omega = group.velocity(still[0].v, still[1].v);
+            if LEVEL > 1 {
+                let a_1 = drifted::<LEVEL>(ends[0], &arms[0], u[0], omega.0).a;
+                let a_2 = drifted::<LEVEL>(ends[1], &arms[1], u[1], omega.1).a;
+                alpha = group.acceleration(omega.0, omega.1, a_1, a_2);
+            }
+        }
+        place::<LEVEL>(&mut self.bodies[legs[0].body], legs[0].pin, ends[0], u[0], omega.0, alpha.0);
+        place::<LEVEL>(&mut self.bodies[legs[1].body], legs[1].pin, ends[1], u[1], omega.1, alpha.1);
+        self.follow::<LEVEL>(branch, &legs[0]);
+        self.follow::<LEVEL>(branch, &legs[1]);
+        self.sines[branch] = at.sine;
+    }
+
+    pub(super) fn driven_rrp<const LEVEL: u8>(
+        &mut self,
+        branch: usize,
+        leg: &DrivenLeg,
+        slide: &Slide,
+        pin: Vec2,
+        from_point: Vec2,
+    ) {
+        let Branch2 { root, .. } = self.branch(branch, 0);
+        let a = point::<LEVEL>(&self.bodies, &leg.base);
+        let guide = line(&self.bodies, slide);
+        let arm = self.arm(leg);
+        let length = arm.w.norm();
+        let at = rrp::position(a.p, length, guide.origin, guide.along, from_point.y, root);
+        self.closes(branch, at.closure, length);
+        let u = at.r_1.turned_back(arm.w) / (length * length);
+        let (mut omega, mut alpha, mut s_dot, mut s_ddot) = (0.0, 0.0, 0.0, 0.0);
+        if LEVEL > 0 {
+            let base: &BodyState = &self.bodies[slide.base];
+            let g = under::<LEVEL>(base, at.p_C);
+            let group = rrp::Rrp::new(at.r_1, guide.along);
+            (omega, s_dot) = group.velocity(drifted::<LEVEL>(a, &arm, u, 0.0).v, g.v);
+            if LEVEL > 1 {
+                let a_A = drifted::<LEVEL>(a, &arm, u, omega).a;
+                (alpha, s_ddot) = group.acceleration(omega, s_dot, a_A, g.a, base.omega);
+            }
+        }
+        place::<LEVEL>(&mut self.bodies[leg.body], leg.pin, a, u, omega, alpha);
+        self.place_slider::<LEVEL>(slide, guide.along, pin, at.p_C, s_dot, s_ddot);
+        self.follow::<LEVEL>(branch, leg);
+        self.sines[branch] = at.sine;
+    }
+
+    /// Loads on a link of one or two bodies about a place.
+    fn link_load(&self, root: usize, end: usize, p: Vec2) -> (Vec2, f64) {
+        let (mut force, mut moment) = self.load_about(root, p);
+        if end != root {
+            let (f, m) = self.load_about(end, p);
+            force += f;
+            moment += m;
+        }
+        (force, moment)
+    }
+
+    pub(super) fn force_driven_legs(
+        &mut self,
+        (first, second): &(Hinge, OuterJoint),
+        inner: &Inner,
+        ends: [usize; 2],
+        driven: &[Option<DrivenPart>; 2],
+    ) -> f64 {
+        let p_A = self.bodies[first.body].position(first.pin);
+        let p_C = self.bodies[ends[0]].position(inner.pin);
+        let r_1 = p_C - p_A;
+        let (F_1, M_1) = self.link_load(first.body, ends[0], p_A);
+        let (f_C, sine) = match second {
+            OuterJoint::Hinge(hinge) => {
+                let p_B = self.bodies[hinge.body].position(hinge.pin);
+                let r_2 = p_C - p_B;
+                let (F_2, M_2) = self.link_load(hinge.body, ends[1], p_B);
+                let got = rrr::Rrr::new(r_1, r_2).reactions(F_1, M_1, F_2, M_2);
+                self.hinge_reaction(first, p_A, got.f_A);
+                self.hinge_reaction(hinge, p_B, got.f_B);
+                (got.f_C, r_1.cross(r_2) / (r_1.norm() * r_2.norm()))
+            }
+            OuterJoint::Way(way) => {
+                let d = self.direction(way);
+                let (F_2, M_2) = self.load_about(way.body, p_C);
+                let got = rrp::Rrp::new(r_1, d).reactions(F_1, M_1, F_2, M_2);
+                self.hinge_reaction(first, p_A, got.f_A);
+                self.carried_way(way, p_C, d.perp() * got.normal, got.couple);
+                (got.f_C, r_1.dot(d) / r_1.norm())
+            }
+        };
+        self.reactions[inner.slot].force = f_C * inner.sign;
+        self.load(ends[0], p_C, -f_C);
+        self.load(ends[1], p_C, f_C);
+        for part in driven.iter().flatten() {
+            match &part.joint {
+                OuterJoint::Hinge(hinge) => self.force_turn(hinge, &part.effort, part.value),
+                OuterJoint::Way(way) => self.force_shift(way, &part.effort, part.value),
+            };
+        }
+        sine
+    }
+
+    /// Adds a force at a place to what a body carries.
+    fn load(&mut self, body: usize, p: Vec2, force: Vec2) {
+        self.carry(body, p, -force, 0.0);
+    }
+}
