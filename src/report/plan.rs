@@ -7,7 +7,7 @@ use crate::model::{LinkId, LoadKind};
 use crate::plan::{ForceStep, LoadStep, MotionStep};
 use crate::solve::Scene;
 use crate::source::Source;
-use crate::structure::{Effort, Group};
+use crate::structure::{Effort, Group, GroupKind};
 
 /// What is done at every position, and what is understood but not solved yet.
 pub(super) fn sections(source: &Source, scene: &Scene<'_>, report: &mut Report) {
@@ -58,12 +58,7 @@ fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &
         MotionStep::General { .. } => {
             format!("Newton's method, {} links at once", link_names(scene, group).len())
         }
-        MotionStep::Rrr { .. }
-        | MotionStep::Rrp { .. }
-        | MotionStep::Rpr { .. }
-        | MotionStep::Prp { .. }
-        | MotionStep::Rpp { .. } => format!("closed form, dyad {}", group.kind_name()),
-        MotionStep::Translation { .. } => "closed form, between two guides".to_owned(),
+        _ => closed_form(group, &with),
     }
 }
 
@@ -75,12 +70,16 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
         ForceStep::General { .. } => {
             format!("all equations of equilibrium at once, with {}", with.join(", "))
         }
-        ForceStep::Rrr { .. }
-        | ForceStep::Rrp { .. }
-        | ForceStep::Rpr { .. }
-        | ForceStep::Prp { .. }
-        | ForceStep::Rpp { .. } => format!("closed form, dyad {}", group.kind_name()),
-        ForceStep::Translation { .. } => "closed form, between two guides".to_owned(),
+        _ => closed_form(group, &with),
+    }
+}
+
+/// `closed form, dyad RRR with driven links (drive c1)`
+fn closed_form(group: &Group, with: &[String]) -> String {
+    let inside = if with.is_empty() { String::new() } else { format!(" ({})", with.join(", ")) };
+    match group.kind {
+        GroupKind::Translation => "closed form, between two guides".to_owned(),
+        _ => format!("closed form, dyad {}{inside}", group.kind_name()),
     }
 }
 
