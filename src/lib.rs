@@ -79,7 +79,6 @@ pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
 
 /// Solves what was compiled and holds it against its answer key. A failed expectation is an outcome, not a problem; one
 /// that cannot be evaluated is a problem.
-#[must_use]
 pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
     let mut problems = Problems::new();
     let scene = compiled.scene();
