@@ -53,7 +53,7 @@ pub struct Solved {
 pub fn check_source(source: &Source, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
     let (document, mut problems) = syntax::parse(source);
     let (mechanism, found) = check::check(&document, overrides);
-    problems.append(found);
+    problems.append_later(found);
     (mechanism.filter(|_| !problems.has_errors()), problems)
 }
 

@@ -74,7 +74,7 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
     }
 }
 
-/// `closed form, dyad RRR with driven links (drive c1)`
+/// `closed form, dyad RRR (drive c1)`: with a driven joint inside a link.
 fn closed_form(group: &Group, with: &[String]) -> String {
     let inside = if with.is_empty() { String::new() } else { format!(" ({})", with.join(", ")) };
     match group.kind {
