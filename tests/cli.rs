@@ -57,16 +57,16 @@ fn a_wrong_file_is_told_on_standard_error() {
 fn what_cannot_be_used_ends_with_2() {
     let folder = Folder::new("unusable").with("latin1.mech", "").with("empty/readme.txt", "no program");
     folder.write_bytes("latin1.mech", b"mechanism \"Kurbel \xfc\"\n");
-    for (name, code) in [
-        ("missing.mech", "mech::file::missing"),
-        ("latin1.mech", "mech::file::not_utf8"),
-        ("empty", "mech::file::no_mech_files"),
-        ("*.nothing", "mech::file::no_match"),
-        ("[a", "mech::file::bad_pattern"),
+    for (name, says) in [
+        ("missing.mech", "there is no file or folder `missing.mech`"),
+        ("latin1.mech", "byte 18 cannot be read"),
+        ("empty", "no .mech file in the folder `empty`"),
+        ("*.nothing", "no file matches `*.nothing`"),
+        ("[a", "not a pattern"),
     ] {
         let out = assur(&folder, &["check", name]);
         assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{name}");
-        assert!(out.stderr.contains(code), "{name}: {}", out.stderr);
+        assert!(out.stderr.contains(says), "{name}: {}", out.stderr);
     }
     for args in
         [&["solve"][..], &["sulve", "a"], &["solve", "a", "--format", "xml"], &["solve", "a", "--set", "r"]]
@@ -238,7 +238,7 @@ fn explanations() {
     }
     let unknown = assur(&folder, &["explain", "mech::no::such"]);
     assert_eq!((unknown.status, unknown.stdout.as_str()), (2, ""));
-    assert!(unknown.stderr.contains("mech::command::unknown_code"), "{}", unknown.stderr);
+    assert!(unknown.stderr.contains("no diagnostic `mech::no::such`"), "{}", unknown.stderr);
     assert_eq!(assur(&folder, &["explain"]).status, 2);
 }
 
