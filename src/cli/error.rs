@@ -31,9 +31,9 @@ pub enum CliError {
     },
     /// An empty folder.
     #[error("there is no .mech file in the folder `{name}`")]
-    #[diagnostic(
-        help("files that .gitignore names are left out; name a file itself to read it all the same")
-    )]
+    #[diagnostic(help(
+        "files that .gitignore names are left out; name a file itself to read it all the same"
+    ))]
     NoMechFiles {
         /// As given.
         name: String,
@@ -72,11 +72,9 @@ pub enum CliError {
     },
     /// Our own mistake.
     #[error("internal error of assur {version} in `{file}`: {what}")]
-    #[diagnostic(
-        help(
-            "this is a mistake of the program, not of your file: please report it with the file and this message"
-        )
-    )]
+    #[diagnostic(help(
+        "this is a mistake of the program, not of your file: please report it with the file and this message"
+    ))]
     Internal {
         /// The file.
         file: String,

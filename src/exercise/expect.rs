@@ -71,8 +71,7 @@ impl<'a> Key<'a> {
                     self.outcomes.push(outcome);
                 }
                 Err(error) => {
-                    failed =
-                        failed.or_else(|| Some(ExpectError::pose_failed(expect, error)));
+                    failed = failed.or_else(|| Some(ExpectError::pose_failed(expect, error)));
                 }
             }
         }
