@@ -3,7 +3,7 @@
 use super::document::{Report, Section, Table};
 use super::mobility::{link_names, source_name};
 use crate::diagnostic::place;
-use crate::model::{LinkId, LoadKind};
+use crate::model::{LinkId, LoadKind, Unsupported};
 use crate::plan::{ForceStep, LoadStep, MotionStep};
 use crate::solve::Scene;
 use crate::source::Source;
@@ -31,13 +31,11 @@ pub(super) fn sections(source: &Source, scene: &Scene<'_>, report: &mut Report) 
     let mut section = Section::new("Plan");
     section.table(table);
     report.section(section);
-    let unsupported = scene.mechanism.unsupported.iter();
+    let mut unsupported: Vec<&Unsupported> = scene.mechanism.unsupported.iter().collect();
+    unsupported.sort_by_key(|u| u.span);
+    let line = |u: &&Unsupported| format!("{} (line {})", u.what, place(&source.text, u.span.start).line);
     let mut later = Section::new("Understood, not solved yet");
-    later.list(
-        unsupported
-            .map(|u| format!("{} (line {})", u.what, place(&source.text, u.span.start).line))
-            .collect(),
-    );
+    later.list(unsupported.iter().map(line).collect());
     report.section(later);
 }
 
