@@ -237,7 +237,8 @@ impl Run<'_, '_> {
             state.frictions.fill(0.0);
             state.locked = false;
             state.run_forces_without_friction(scene.plan);
-            Box::new(state)
+            let values = View::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
+            Box::new((state, values))
         });
         if state.locked {
             state.forget_forces();
@@ -246,7 +247,10 @@ impl Run<'_, '_> {
         }
         let residuals = residuals(scene, &state);
         let angles = tracker.angles.clone();
-        let solved = Solved { state, frictionless, angles, residuals, condition };
+        let mut solved = Solved { state, frictionless, quantities: Vec::new(), angles, residuals, condition };
+        let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
+        let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
+        solved.quantities = View { frictionless: ideal, ..view }.all_quantities();
         self.warn_contacts(&solved, pose);
         Ok(solved)
     }
@@ -281,7 +285,8 @@ impl Run<'_, '_> {
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
         let scene = self.scene;
         let view = View::new(scene, state, angles, &self.statics);
-        view.evaluated_loads(&mut self.evaluated);
+        let motion = view.all_quantities();
+        View { quantities: &motion, ..view }.evaluated_loads(&mut self.evaluated);
         state.run_loads(scene, &self.evaluated);
         state.applied.clone_from(&state.wrenches);
         state.set_lines(scene);

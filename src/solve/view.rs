@@ -26,8 +26,10 @@ pub struct View<'a> {
     pub angles: &'a [f64],
     /// What needs no position: dead positions, strokes.
     pub statics: &'a Statics,
-    /// The same position without friction, where the file declares any.
-    pub frictionless: Option<&'a State>,
+    /// Values of the file's quantities as far as they are known, in the order of the mechanism's.
+    pub quantities: &'a [Value],
+    /// The same position without friction and its quantities, where the file declares any.
+    pub frictionless: Option<(&'a State, &'a [Value])>,
 }
 
 const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
@@ -43,16 +45,29 @@ impl<'a> View<'a> {
             state,
             angles,
             statics,
+            quantities: &[],
             frictionless: None,
         }
+    }
+
+    /// Values of all quantities of the file at this position. They stand in the order in which one hangs on another, so
+    /// that none is evaluated twice, however long the chain.
+    #[must_use]
+    pub fn all_quantities(&self) -> Vec<Value> {
+        let mut done = Vec::with_capacity(self.mechanism.quantities.len());
+        for quantity in &self.mechanism.quantities {
+            let value = View { quantities: &done, ..*self }.value(&quantity.expr);
+            done.push(value);
+        }
+        done
     }
 }
 
 impl View<'_> {
-    /// The value of a quantity of the file at this position.
+    /// The value of a quantity of the file at this position; NaN where it is not known yet.
     #[must_use]
     pub fn quantity(&self, id: QuantityId) -> Value {
-        self.mechanism.quantities.get(id.index()).map_or(Value::Scalar(f64::NAN), |q| self.value(&q.expr))
+        self.quantities.get(id.index()).copied().unwrap_or(Value::Scalar(f64::NAN))
     }
 
     /// The answer to a question. NaN where there is none.
