@@ -80,11 +80,10 @@ impl<'a> Key<'a> {
 
     /// Values that hang on no pose are asked of a mechanism at rest.
     fn without_pose(&mut self, expect: &Expect) -> Result<(), ExpectError> {
-        let Scene { mechanism, structure, plan } = *self.scene;
+        let plan = self.scene.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
-        let statics = &self.solution.statics;
-        let view = View { mechanism, structure, plan, state: &state, angles: &angles, statics };
+        let view = View::new(self.scene, &state, &angles, &self.solution.statics);
         let outcome = self.outcome(expect, 0, None, &view)?;
         self.outcomes.push(outcome);
         Ok(())

@@ -68,6 +68,9 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
         ForceStep::General { .. } => {
             format!("all equations of equilibrium at once, with {}", with.join(", "))
         }
+        ForceStep::Rubbing { plain, .. } => {
+            format!("{}, friction by Newton's method", force_in_words(scene, group, efforts, plain))
+        }
         _ => closed_form(group, &with),
     }
 }
