@@ -3,7 +3,9 @@
 
 mod assemble;
 mod contact;
+mod coordinate;
 mod driven_legs;
+mod effort;
 mod error;
 mod evaluate;
 mod extremes;
@@ -15,6 +17,7 @@ mod general;
 mod inputs;
 mod loads;
 mod motion;
+mod pose;
 mod positions;
 mod residual;
 mod solution;
