@@ -31,32 +31,39 @@ const MECHANISMS: u64 = 2500;
 fn random_mechanisms_agree_with_newton_and_euler() {
     let mut worst = Worst::default();
     let mut failures = Vec::new();
-    for seed in 0..MECHANISMS {
+    let one = std::env::var("ASSUR_SEED").ok().and_then(|s| s.parse().ok());
+    for seed in one.map_or(0..MECHANISMS, |s| s..s + 1) {
         let draft = generate::mechanism(seed);
         let Some(reference) = Reference::new(&draft.mechanism, &draft.frames) else {
-            failures.push(format!("{seed}: singular reference"));
+            failures.push((draft.frames.len(), format!("{seed}: singular reference {:?}", draft.made)));
             continue;
         };
         let run = match run::Run::new(&draft.mechanism) {
             Ok(run) => run,
             Err(e) => {
-                failures.push(format!("{seed}: {e:.300}"));
+                failures.push((draft.frames.len(), format!("{seed}: {e:.300}")));
                 continue;
             }
         };
+        if one.is_some() {
+            println!("{:#?}", draft.mechanism);
+            println!("{:?}", draft.frames);
+            println!("{:#?}", run.structure);
+        }
         match compare(&draft, &reference, &run) {
             Ok(w) => {
-                failures.extend(w.failures().into_iter().map(|f| format!("{seed}: {f}")));
+                failures.extend(w.failures().into_iter().map(|f| (draft.frames.len(), format!("{seed}: {f}"))));
                 worst.merge(w);
             }
-            Err(e) => failures.push(format!("{seed}: {e:.300}")),
+            Err(e) => failures.push((draft.frames.len(), format!("{seed}: {e:.300}"))),
         }
     }
     for e in &worst.errors {
         println!("{:24} {:.2e} {}", e.0, e.1, e.2);
     }
     println!("{} failures", failures.len());
-    for f in failures.iter().take(60) {
+    failures.sort_by_key(|f| f.0);
+    for (_, f) in failures.iter().take(60) {
         println!("{f}");
     }
     assert!(failures.is_empty());

@@ -132,7 +132,8 @@ impl Comparison<'_> {
         for (i, pair) in self.draft.mechanism.pairs.clone().iter().enumerate() {
             let (id, view) = (PairId::at(i), self.view);
             let name = || format!("pair {i}");
-            let body = |link: LinkId| (&self.reference.bodies[link.index()], self.reference.rates[link.index()]);
+            let body =
+                |link: LinkId| (&self.reference.bodies[link.index()], self.reference.rates[link.index()]);
             let want = match &pair.kind {
                 PairKind::Revolute(pins) if pins.len() == 2 => {
                     let ((_, a), (_, b)) = (body(pins[0].link), body(pins[1].link));
@@ -186,9 +187,12 @@ impl Comparison<'_> {
             } else if !moment.is_nan() {
                 self.worst.note("couple said determined", 1.0, 1.0, name);
             }
-            if let (Some([a, b]), true) = (g.contacts, on.determined.0 && on.determined.1 && on.link == g.slider) {
+            if let (Some([a, b]), true) =
+                (g.contacts, on.determined.0 && on.determined.1 && on.link == g.slider)
+            {
                 let n = [1, 2].map(|k| scalar(&view, &Query::ContactForce(on.pair, k)));
-                let normal = self.reference.bodies[g.guide.index()].axis(g.along).value().perp().dot(on.force);
+                let normal =
+                    self.reference.bodies[g.guide.index()].axis(g.along).value().perp().dot(on.force);
                 let scale = scale.max(scale_moment) / (b - a).abs();
                 self.note("contact forces", n[0] + n[1], normal, scale, name);
                 self.note("contact forces", n[0] * a + n[1] * b, on.couple, scale, name);
@@ -213,6 +217,11 @@ impl Comparison<'_> {
             let speed = self.most(|r| r.v.norm().max(r.omega.abs()));
             self.note("effort power", scalar(&view, &its_power), *power, scale * speed, name);
         }
-        self.worst.note("power of the reference", forces.power.0, forces.power.1 / self.sigma.powi(3), String::new);
+        self.worst.note(
+            "power of the reference",
+            forces.power.0,
+            forces.power.1 / self.sigma.powi(3),
+            String::new,
+        );
     }
 }

@@ -185,7 +185,13 @@ impl System<'_> {
                 let (c, e) = (at(first, c), at(second, e));
                 let n = (c - e) / (c - e).norm();
                 // internal: the smaller circle lies in the greater one
-                if internal && r > s { (c - n * r, n) } else if internal { (c + n * r, -n) } else { (c - n * r, n) }
+                if internal && r > s {
+                    (c - n * r, n)
+                } else if internal {
+                    (c + n * r, -n)
+                } else {
+                    (c - n * r, n)
+                }
             }
         }
     }
@@ -265,7 +271,8 @@ impl System<'_> {
             let ends = [spring.from, spring.to].map(|(link, at)| self.body(link).point(at));
             let r = ends[1].minus(ends[0]);
             let (length, unit) = (r.value().norm(), r.value() / r.value().norm());
-            let tension = spring.stiffness * (length - spring.free_length) + spring.damping * r.rate().dot(unit);
+            let tension =
+                spring.stiffness * (length - spring.free_length) + spring.damping * r.rate().dot(unit);
             out[spring.from.0.index()].add(Wrench::at(ends[0].value(), unit * tension));
             out[spring.to.0.index()].add(Wrench::at(ends[1].value(), unit * -tension));
         }

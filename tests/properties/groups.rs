@@ -123,8 +123,8 @@ impl Draft {
 
     pub fn add_rrp(&mut self) -> Option<()> {
         let (a, c, d) = self.leg_and_line()?;
-        let links = [self.link(a.at), self.link(c)];
         let host = self.host();
+        let links = [self.link(a.at), self.link(c)];
         self.hang(a, links[0]);
         self.revolute(links[0], links[1], c);
         self.prismatic(links[1], host, c, d);
@@ -188,8 +188,8 @@ impl Draft {
 
     pub fn add_prp(&mut self) -> Option<()> {
         let ((d, e), c) = (self.two_lines()?, self.spot());
-        let links = [self.link(c), self.link(c)];
         let hosts = [self.host(), self.host()];
+        let links = [self.link(c), self.link(c)];
         self.prismatic(links[0], hosts[0], c, d);
         self.prismatic(links[1], hosts[1], c, e);
         self.revolute(links[0], links[1], c);
@@ -199,8 +199,8 @@ impl Draft {
 
     pub fn add_rpp(&mut self) -> Option<()> {
         let ((d, e), a, c) = (self.two_lines()?, self.anchor(), self.spot());
-        let links = [self.link(a.at), self.link(c)];
         let host = self.host();
+        let links = [self.link(a.at), self.link(c)];
         self.hang(a, links[0]);
         self.prismatic(links[0], links[1], c, d);
         self.prismatic(links[1], host, c, e);
@@ -228,7 +228,8 @@ impl Draft {
     pub fn add_slot(&mut self) -> Option<()> {
         if self.random.chance(0.5) {
             let (a, c, d) = self.leg_and_line()?;
-            let (link, host) = (self.link(a.at), self.host());
+            let host = self.host();
+            let link = self.link(a.at);
             self.hang(a, link);
             self.slot(link, host, c, d);
             self.made(vec![link], "RRP");
@@ -258,7 +259,8 @@ impl Draft {
             }
             1 => {
                 let (a, c, d) = self.leg_and_line()?;
-                let (link, host) = (self.link(a.at), self.host());
+                let host = self.host();
+                let link = self.link(a.at);
                 self.hang(a, link);
                 self.round_on_straight(link, host, c, d);
                 self.made(vec![link], "RRP");
@@ -336,7 +338,9 @@ impl Draft {
     /// A follower with a roller that turns freely on it.
     pub fn add_roller(&mut self) -> Option<()> {
         let (a, b, c) = self.triangle()?;
-        let (follower, roller) = (self.link(a.at), self.link(c));
+        // the rotation of a passive link is set to zero
+        let still = Frame { p: c + self.random.vector(0.3), u: Vec2::new(1.0, 0.0) };
+        let (follower, roller) = (self.link(a.at), self.link_at(still));
         self.hang(a, follower);
         self.revolute(follower, roller, c);
         if self.random.chance(0.5) {

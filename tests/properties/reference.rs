@@ -314,7 +314,10 @@ impl Solver {
                 let least = NULL * self.greatest();
                 // what is left of the unit vector outside the range of the rows
                 let covered = |j: usize| -> f64 {
-                    (0..v.nrows()).filter(|&i| svd.singular_values[i] > least).map(|i| v[(i, j)].powi(2)).sum()
+                    (0..v.nrows())
+                        .filter(|&i| svd.singular_values[i] > least)
+                        .map(|i| v[(i, j)].powi(2))
+                        .sum()
                 };
                 (0..columns).map(|j| (1.0 - covered(j)).abs() < 1e-8).collect()
             }
