@@ -52,7 +52,8 @@ fn random_mechanisms_agree_with_newton_and_euler() {
         }
         match compare(&draft, &reference, &run) {
             Ok(w) => {
-                failures.extend(w.failures().into_iter().map(|f| (draft.frames.len(), format!("{seed}: {f}"))));
+                failures
+                    .extend(w.failures().into_iter().map(|f| (draft.frames.len(), format!("{seed}: {f}"))));
                 worst.merge(w);
             }
             Err(e) => failures.push((draft.frames.len(), format!("{seed}: {e:.300}"))),

@@ -8,7 +8,7 @@ use assur::model::{BalanceId, DriveId, LinkId, PairId, PairKind, PointRef, Query
 use assur::solve::View;
 
 /// Errors are told in units of this, relative to the largest magnitude in play, over a power of the condition figure.
-pub const TOLERANCE: f64 = 1e-10;
+pub const TOLERANCE: f64 = 1e-12;
 
 /// The worst error of each kind, in units of the tolerance.
 #[derive(Clone, Debug, Default)]
@@ -217,11 +217,7 @@ impl Comparison<'_> {
             let speed = self.most(|r| r.v.norm().max(r.omega.abs()));
             self.note("effort power", scalar(&view, &its_power), *power, scale * speed, name);
         }
-        self.worst.note(
-            "power of the reference",
-            forces.power.0,
-            forces.power.1 / self.sigma.powi(3),
-            String::new,
-        );
+        let speed = self.most(|r| r.v.norm().max(r.omega.abs()));
+        self.worst.note("power of the reference", forces.power.abs(), scale * speed, String::new);
     }
 }

@@ -52,6 +52,8 @@ pub struct Draft {
     pub random: Random,
     /// Links that turn alike have the same number.
     pub turning: Vec<usize>,
+    /// Links that turn freely.
+    pub rollers: Vec<LinkId>,
     /// Pairs whose coordinate is driven.
     pub driven: Vec<PairId>,
 }
@@ -65,6 +67,7 @@ impl Draft {
             made: Vec::new(),
             random,
             turning: vec![0],
+            rollers: Vec::new(),
             driven: Vec::new(),
         }
     }

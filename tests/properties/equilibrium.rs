@@ -59,8 +59,8 @@ pub struct Forces {
     pub most: (f64, f64),
     /// A load hangs on the sign of something that is zero but for rounding.
     pub doubtful: bool,
-    /// Sum of the powers of loads, inertia and efforts, and the greatest of them.
-    pub power: (f64, f64),
+    /// Sum of the powers of loads, inertia and efforts.
+    pub power: f64,
 }
 
 /// An unknown and what a unit of it does.
@@ -338,13 +338,8 @@ impl System<'_> {
         };
         let effort_powers: Vec<f64> =
             self.unknowns[first_effort..].iter().zip(&efforts).map(|(u, x)| power(&u.on) * x).collect();
-        let (mut sum, mut greatest) = (0.0, f64::MIN_POSITIVE);
-        let loads: Vec<f64> =
-            applied.iter().enumerate().map(|(i, w)| power(&[(LinkId::at(i), *w)])).collect();
-        for p in loads.iter().chain(&effort_powers) {
-            sum += p;
-            greatest = greatest.max(p.abs());
-        }
+        let loads = applied.iter().enumerate().map(|(i, w)| power(&[(LinkId::at(i), *w)]));
+        let sum = loads.chain(effort_powers.iter().copied()).sum();
         let (mut force, mut moment) = (f64::MIN_POSITIVE, f64::MIN_POSITIVE);
         for w in applied {
             force = force.max(w.force.norm());
@@ -366,7 +361,7 @@ impl System<'_> {
             condition,
             most,
             doubtful: self.doubtful,
-            power: (sum, greatest),
+            power: sum,
         })
     }
 

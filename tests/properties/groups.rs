@@ -21,8 +21,13 @@ impl Draft {
     /// A link to hang something on: late ones are preferred, so that chains get long.
     fn host(&mut self) -> LinkId {
         let n = self.frames.len();
-        let from = if self.random.chance(0.6) { n.saturating_sub(4) } else { 0 };
-        LinkId::at(from + self.random.below(n - from))
+        loop {
+            let from = if self.random.chance(0.6) { n.saturating_sub(4) } else { 0 };
+            let host = LinkId::at(from + self.random.below(n - from));
+            if !self.rollers.contains(&host) {
+                return host;
+            }
+        }
     }
 
     fn anchor(&mut self) -> Anchor {
@@ -36,7 +41,7 @@ impl Draft {
             if !pairs.is_empty() {
                 let id = pairs[self.random.below(pairs.len())];
                 if let PairKind::Revolute(pins) = &self.mechanism.pairs[id].kind {
-                    let pin = &pins[0];
+                    let pin = pins.iter().find(|p| !self.rollers.contains(&p.link)).unwrap_or(&pins[0]);
                     let at = self.frame(pin.link).place(pin.at);
                     return Anchor { host: pin.link, at, pin: Some(PairId::at(id)) };
                 }
@@ -343,6 +348,7 @@ impl Draft {
         let (follower, roller) = (self.link(a.at), self.link_at(still));
         self.hang(a, follower);
         self.revolute(follower, roller, c);
+        self.rollers.push(roller);
         if self.random.chance(0.5) {
             let r = (c - b.at).norm() * self.random.within(0.1, 0.9);
             let profiles = (self.round(roller, c, r), self.round(b.host, b.at, (c - b.at).norm() - r));

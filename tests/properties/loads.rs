@@ -13,12 +13,14 @@ pub fn vector(v: Vec2) -> Expr {
 }
 
 impl Draft {
+    /// A link that something may act on: a torque would turn a free roller.
     fn moving(&mut self) -> LinkId {
-        LinkId::at(1 + self.random.below(self.frames.len() - 1))
-    }
-
-    fn is_roller(&self, link: LinkId) -> bool {
-        assur::structure::structure(&self.mechanism).is_ok_and(|(s, _)| s.passive.contains(&link))
+        loop {
+            let link = LinkId::at(1 + self.random.below(self.frames.len() - 1));
+            if !self.rollers.contains(&link) {
+                return link;
+            }
+        }
     }
 
     pub fn add_masses(&mut self) {
@@ -27,7 +29,7 @@ impl Draft {
                 continue;
             }
             let mut centre = self.random.vector(0.4);
-            if self.is_roller(LinkId::at(i)) {
+            if self.rollers.contains(&LinkId::at(i)) {
                 // a roller that hangs on its mass centre stays as it is
                 for pair in &self.mechanism.pairs {
                     if let PairKind::Revolute(pins) = &pair.kind {
@@ -48,7 +50,9 @@ impl Draft {
     /// Pairs of two links between which an effort can act.
     fn pairs_with_effort(&self) -> Vec<PairId> {
         let fits = |kind: &PairKind| match kind {
-            PairKind::Revolute(pins) => pins.len() == 2,
+            PairKind::Revolute(pins) => {
+                pins.len() == 2 && !pins.iter().any(|p| self.rollers.contains(&p.link))
+            }
             PairKind::Contact { .. } => false,
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => true,
         };
@@ -65,12 +69,7 @@ impl Draft {
 
     pub fn add_loads(&mut self) {
         for _ in 0..self.random.below(5) {
-            let on = loop {
-                let link = self.moving();
-                if !self.is_roller(link) {
-                    break link;
-                }
-            };
+            let on = self.moving();
             let kind = match self.random.below(7) {
                 0..=2 => LoadKind::Force {
                     on,
@@ -105,7 +104,7 @@ impl Draft {
         }
         for _ in 0..self.random.below(3) {
             let (a, b) = (LinkId::at(self.random.below(self.frames.len())), self.moving());
-            if a == b || self.is_roller(a) || self.is_roller(b) {
+            if a == b || self.rollers.contains(&a) {
                 continue;
             }
             let (p, q) = (self.spot(), self.spot());

@@ -257,13 +257,15 @@ fn motion(mechanism: &Mechanism, frames: &[Frame]) -> Option<Vec<Rates>> {
     Some(rates)
 }
 
-/// A linear system: square by LU with full pivoting, otherwise by singular values.
+/// A linear system: square by LU with full pivoting; with more rows than columns, or fewer, by QR of the matrix or of its
+/// transpose.
 pub enum Solver {
     Square(nalgebra::FullPivLU<f64, nalgebra::Dyn, nalgebra::Dyn>),
-    Svd(Box<nalgebra::SVD<f64, nalgebra::Dyn, nalgebra::Dyn>>),
+    Tall(DMatrix<f64>, DMatrix<f64>),
+    Wide(DMatrix<f64>, DMatrix<f64>),
 }
 
-/// Singular values below this share of the greatest are zero.
+/// Diagonal elements below this share of the greatest are zero.
 const NULL: f64 = 1e-10;
 
 impl Solver {
@@ -277,16 +279,21 @@ impl Solver {
     pub fn of_any_rank(matrix: DMatrix<f64>) -> Self {
         if matrix.is_square() {
             Self::Square(matrix.full_piv_lu())
+        } else if matrix.nrows() > matrix.ncols() {
+            let qr = matrix.qr();
+            Self::Tall(qr.q(), qr.r())
         } else {
-            Self::Svd(Box::new(matrix.svd(true, true)))
+            let qr = matrix.transpose().qr();
+            Self::Wide(qr.q(), qr.r())
         }
     }
 
     fn measures(&self) -> Vec<f64> {
-        match self {
-            Self::Square(lu) => lu.u().diagonal().iter().map(|x| x.abs()).collect(),
-            Self::Svd(svd) => svd.singular_values.iter().copied().collect(),
-        }
+        let diagonal = match self {
+            Self::Square(lu) => lu.u().diagonal(),
+            Self::Tall(_, r) | Self::Wide(_, r) => r.diagonal(),
+        };
+        diagonal.iter().map(|x| x.abs()).collect()
     }
 
     fn greatest(&self) -> f64 {
@@ -308,26 +315,18 @@ impl Solver {
     /// Whether each unknown is determined.
     pub fn determined(&self, columns: usize) -> Vec<bool> {
         match self {
-            Self::Square(_) => vec![self.rank() == columns; columns],
-            Self::Svd(svd) => {
-                let Some(v) = svd.v_t.as_ref() else { return vec![false; columns] };
-                let least = NULL * self.greatest();
-                // what is left of the unit vector outside the range of the rows
-                let covered = |j: usize| -> f64 {
-                    (0..v.nrows())
-                        .filter(|&i| svd.singular_values[i] > least)
-                        .map(|i| v[(i, j)].powi(2))
-                        .sum()
-                };
-                (0..columns).map(|j| (1.0 - covered(j)).abs() < 1e-8).collect()
-            }
+            Self::Square(_) | Self::Tall(..) => vec![self.rank() == columns; columns],
+            // what is left of a unit vector outside the range of the rows
+            Self::Wide(q, _) => (0..columns).map(|j| (1.0 - q.row(j).norm_squared()).abs() < 1e-8).collect(),
         }
     }
 
+    /// The solution, of least squares or of least length where there are too many or too few equations.
     pub fn solve(&self, right: &DVector<f64>) -> Option<DVector<f64>> {
         match self {
             Self::Square(lu) => lu.solve(right),
-            Self::Svd(svd) => svd.solve(right, NULL * self.greatest()).ok(),
+            Self::Tall(q, r) => r.solve_upper_triangular(&(q.transpose() * right)),
+            Self::Wide(q, r) => Some(q * r.transpose().solve_lower_triangular(right)?),
         }
     }
 }
