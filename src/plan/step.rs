@@ -1,5 +1,6 @@
 //! The steps of a plan: plain numbers and slots, nothing to look up.
 
+use super::friction::RubbingGroup;
 use crate::math::Vec2;
 
 /// A point of a body.
@@ -267,6 +268,7 @@ pub enum EffortLine {
 
 /// One step of forces.
 #[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant, reason = "a plan has few steps, and the loop reads them in a row")]
 pub enum ForceStep {
     /// One body on a revolute with one unknown effort.
     Turn {
@@ -350,6 +352,13 @@ pub enum ForceStep {
     General {
         /// Index into [`super::Plan::balance_systems`].
         system: usize,
+    },
+    /// A group with friction.
+    Rubbing {
+        /// The step without friction.
+        plain: Box<ForceStep>,
+        /// What rubs in it.
+        group: Box<RubbingGroup>,
     },
 }
 

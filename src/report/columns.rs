@@ -73,14 +73,9 @@ impl<'a> Answers<'a> {
         let plan = self.scene.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
-        let view = View {
-            mechanism: self.scene.mechanism,
-            structure: self.scene.structure,
-            plan,
-            state: &state,
-            angles: &angles,
-            statics: &self.solution.statics,
-        };
+        let view = View::new(&self.scene, &state, &angles, &self.solution.statics);
+        let quantities = view.all_quantities();
+        let view = View { quantities: &quantities, ..view };
         let quantity = |(find, expr, display): (&'a Find, &'a Expr, &'a Display)| Quantity {
             name: find.name.clone(),
             display: display.clone(),

@@ -3,16 +3,21 @@
 
 mod assemble;
 mod contact;
+mod coordinate;
 mod driven_legs;
+mod effort;
 mod error;
 mod evaluate;
 mod extremes;
 mod forces;
+mod friction;
+mod friction_answers;
 mod gap;
 mod general;
 mod inputs;
 mod loads;
 mod motion;
+mod pose;
 mod positions;
 mod residual;
 mod solution;

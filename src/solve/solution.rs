@@ -83,6 +83,10 @@ impl DriveValue {
 pub struct Solved {
     /// Bodies, reactions, efforts.
     pub state: State,
+    /// The same without friction, where the file declares any.
+    pub frictionless: Option<Box<(State, Vec<Value>)>>,
+    /// Values of the file's quantities.
+    pub quantities: Vec<Value>,
     /// Angles of the bodies by slot, continuous over the sweep, rad.
     pub angles: Vec<f64>,
     /// How well independent equations hold.
@@ -120,13 +124,8 @@ impl Solution {
     /// One of its positions, seen from the language.
     #[must_use]
     pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> View<'a> {
-        View {
-            mechanism: scene.mechanism,
-            structure: scene.structure,
-            plan: scene.plan,
-            state: &solved.state,
-            angles: &solved.angles,
-            statics: &self.statics,
-        }
+        let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
+        let frictionless = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
+        View { quantities: &solved.quantities, frictionless, ..view }
     }
 }

@@ -5,18 +5,11 @@ use super::error::{SolveError, label};
 use super::extremes::{Statics, every_expression, statics};
 use super::inputs::Rates;
 use super::positions::{Wanted, beside, sweep, turns};
-use super::residual::residuals;
 use super::solution::{DriveValue, Pose, PoseOrigin, Scene, Solution, Solved};
 use super::state::State;
 use super::track::Tracker;
-use super::view::View;
-use crate::model::{LoadId, Mechanism, PairId, PairKind, Query, Value};
+use crate::model::{LoadId, Mechanism, Value};
 use crate::plan::{Level, level_of};
-
-/// Below this condition a warning tells how many digits are left.
-const WARN: f64 = 1e-3;
-/// At and below this condition velocities and forces do not exist.
-const DEAD: f64 = 1e-12;
 
 /// Solves all positions. What fails at one position stands in its pose; what makes all of them meaningless is an error.
 ///
@@ -92,15 +85,15 @@ struct Stuck {
     back: Option<Tracker>,
 }
 
-struct Run<'a, 's> {
-    scene: &'s Scene<'a>,
-    rates: Rates,
-    statics: Statics,
-    evaluated: Vec<(LoadId, Value)>,
+pub(super) struct Run<'a, 's> {
+    pub scene: &'s Scene<'a>,
+    pub rates: Rates,
+    pub statics: Statics,
+    pub evaluated: Vec<(LoadId, Value)>,
     poses: Vec<Pose>,
-    warnings: Vec<SolveError>,
+    pub warnings: Vec<SolveError>,
     /// The worst condition so far and its warning.
-    worst: Option<(f64, SolveError)>,
+    pub worst: Option<(f64, SolveError)>,
 }
 
 impl Run<'_, '_> {
@@ -216,118 +209,6 @@ impl Run<'_, '_> {
         });
     }
 
-    /// Motion, loads, forces and residuals at an assembled position.
-    fn solved(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, SolveError> {
-        let scene = self.scene;
-        let mut state = tracker.state.clone();
-        self.rates.at(&pose.drives, &mut state.inputs);
-        match scene.plan.effects.level {
-            Level::Positions => state.run_motion::<0>(scene.plan),
-            Level::Velocities => state.run_motion::<1>(scene.plan),
-            Level::Accelerations => state.run_motion::<2>(scene.plan),
-        }
-        let moves = scene.plan.effects.level > Level::Positions;
-        let mut condition = self.motion_condition(&state, pose, moves)?;
-        if scene.plan.effects.forces {
-            condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
-        }
-        let residuals = residuals(scene, &state);
-        if !is_finite(&state) {
-            return Err(self.not_finite(pose));
-        }
-        let solved = Solved { state, angles: tracker.angles.clone(), residuals, condition };
-        self.warn_contacts(&solved, pose);
-        Ok(solved)
-    }
-
-    fn motion_condition(&mut self, state: &State, pose: &Wanted, moves: bool) -> Result<f64, SolveError> {
-        let mut least = 1.0_f64;
-        for (group, sine) in state.sines.iter().enumerate() {
-            let condition = sine.abs();
-            least = least.min(condition);
-            if moves && is_dead(condition) {
-                return Err(SolveError::DeadPosition {
-                    pose: self.place(pose),
-                    group: group_name(self.scene, group),
-                    condition,
-                    labels: group_labels(self.scene, group),
-                });
-            }
-            if condition < WARN && self.worst.as_ref().is_none_or(|w| condition < w.0) {
-                let warning = SolveError::IllConditioned {
-                    pose: self.place(pose),
-                    group: group_name(self.scene, group),
-                    condition,
-                    digits: digits_left(condition),
-                    labels: group_labels(self.scene, group),
-                };
-                self.worst = Some((condition, warning));
-            }
-        }
-        Ok(least)
-    }
-
-    fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
-        let scene = self.scene;
-        let view = View {
-            mechanism: scene.mechanism,
-            structure: scene.structure,
-            plan: scene.plan,
-            state,
-            angles,
-            statics: &self.statics,
-        };
-        view.evaluated_loads(&mut self.evaluated);
-        state.run_loads(scene, &self.evaluated);
-        state.applied.clone_from(&state.wrenches);
-        state.set_lines(scene);
-        state.run_forces(scene.plan);
-        let mut least = 1.0_f64;
-        for (index, sine) in state.force_sines.iter().enumerate() {
-            least = least.min(sine.abs());
-            if is_dead(sine.abs()) {
-                let pairs = scene.structure.forces[index].joints.iter();
-                let labels = pairs
-                    .map(|j| scene.mechanism.pair(scene.structure.replaced.joint(j.joint).pair))
-                    .map(|p| label("in this group", p.span))
-                    .collect();
-                let (pose, condition) = (self.place(pose), sine.abs());
-                return Err(SolveError::EffortCannotHold { pose, condition, labels });
-            }
-        }
-        Ok(least)
-    }
-
-    fn warn_contacts(&mut self, solved: &Solved, pose: &Wanted) {
-        if !self.scene.plan.effects.forces {
-            return;
-        }
-        let place = self.place(pose);
-        for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
-            let PairKind::Contact { first, .. } = &pair.kind else { continue };
-            let view = View {
-                mechanism: self.scene.mechanism,
-                structure: self.scene.structure,
-                plan: self.scene.plan,
-                state: &solved.state,
-                angles: &solved.angles,
-                statics: &self.statics,
-            };
-            let Value::Scalar(normal) = view.query(&Query::Normal(PairId::at(i), first.link)) else {
-                continue;
-            };
-            let force = view.reaction(PairId::at(i), first.link).norm();
-            if normal < -1e-9 * force.max(f64::MIN_POSITIVE) && normal < -1e-9 {
-                self.warnings.push(SolveError::ContactPulls {
-                    name: pair.name.clone(),
-                    pose: place.clone(),
-                    normal,
-                    span: pair.span.into(),
-                });
-            }
-        }
-    }
-
     fn warn_switch(&mut self, group: usize, from: &str, to: &str) {
         self.warnings.push(SolveError::BranchSwitch {
             group: group_name(self.scene, group),
@@ -370,7 +251,7 @@ impl Run<'_, '_> {
         });
     }
 
-    fn not_finite(&self, pose: &Wanted) -> SolveError {
+    pub(super) fn not_finite(&self, pose: &Wanted) -> SolveError {
         let drives = self.scene.mechanism.drives.iter();
         SolveError::NotFinite {
             pose: self.place(pose),
@@ -378,7 +259,7 @@ impl Run<'_, '_> {
         }
     }
 
-    fn place(&self, pose: &Wanted) -> String {
+    pub(super) fn place(&self, pose: &Wanted) -> String {
         let drives = self.drive_text(&pose.drives);
         match pose.origin {
             _ if drives.is_empty() => String::new(),
@@ -398,10 +279,6 @@ impl Run<'_, '_> {
         });
         texts.collect::<Vec<_>>().join(", ")
     }
-}
-
-fn is_dead(condition: f64) -> bool {
-    condition <= DEAD || condition.is_nan()
 }
 
 /// Up to six decimals, without trailing zeros.
@@ -425,24 +302,4 @@ fn with_pose(error: SolveError, place: &str) -> SolveError {
         }
         other => other,
     }
-}
-
-/// Digits left in accelerations and forces: the error grows as ε/σ³.
-fn digits_left(condition: f64) -> u32 {
-    let digits = -(f64::EPSILON.log10()) + 3.0 * condition.max(f64::MIN_POSITIVE).log10();
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
-    {
-        digits.clamp(0.0, 16.0) as u32
-    }
-}
-
-fn is_finite(state: &State) -> bool {
-    let body = |b: &super::state::BodyState| {
-        [b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha]
-            .iter()
-            .all(|x| x.is_finite())
-    };
-    state.bodies.iter().all(body)
-        && state.reactions.iter().all(|r| (r.force.x + r.force.y + r.couple).is_finite())
-        && state.efforts.iter().all(|e| e.is_finite())
 }
