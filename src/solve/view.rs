@@ -224,9 +224,19 @@ impl View<'_> {
 
     /// Slots of reactions that act on a link in a pair, with their signs.
     fn slots(&self, pair: PairId, link: LinkId) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let body = BodyId(link.index());
+        // of a pin in a slot: what the block that stands for it exchanges with the slot, without an effort along it
+        let in_slot = match (&self.mechanism.pair(pair).kind, self.prismatic_joint(pair)) {
+            (PairKind::Slot(g), Some(JointKind::Prismatic { slider, .. })) => Some((g.slider, *slider)),
+            _ => None,
+        };
+        let body = match in_slot {
+            Some((pin, block)) if pin == link => block,
+            _ => BodyId(link.index()),
+        };
         self.plan.reactions.iter().enumerate().filter_map(move |(slot, joint)| {
-            if self.structure.replaced.joint(joint.joint).pair != pair {
+            if self.structure.replaced.joint(joint.joint).pair != pair
+                || in_slot.is_some() && !joint.prismatic
+            {
                 return None;
             }
             if joint.body == body {
