@@ -56,6 +56,11 @@ pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
         Ok((structure, warnings)) => {
             warnings.into_iter().for_each(|w| problems.push(w));
             let plan = plan(&mechanism, &structure);
+            structure
+                .force_defect
+                .iter()
+                .filter(|_| plan.effects.forces)
+                .for_each(|e| problems.push(e.clone()));
             (Some(Compiled { mechanism, structure, plan }), problems)
         }
         Err(errors) => {
