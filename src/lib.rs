@@ -1,28 +1,135 @@
 //! `assur`: a small declarative language for planar mechanism problems, and the compiler that solves them.
 
 pub mod check;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod diagnostic;
+pub mod exercise;
 pub mod force;
 pub mod group;
 pub mod math;
 pub mod model;
-mod pipeline;
 pub mod plan;
+pub mod report;
 pub mod solve;
 pub mod source;
 pub mod structure;
 pub mod syntax;
 pub mod units;
 
-pub use pipeline::{Compiled, compile};
+use check::Overrides;
+use diagnostic::Problems;
+use exercise::Outcome;
+use model::Mechanism;
+use plan::Plan;
+use solve::{Scene, Solution};
+use source::Source;
+use structure::Structure;
 
-/// What the author of a text is told about it when it is solved, without colour, 100 columns wide; empty where nothing
-/// is wrong.
+/// A checked mechanism with its structure and its plan.
+#[derive(Debug)]
+pub struct Compiled {
+    /// The mechanism.
+    pub mechanism: Mechanism,
+    /// What it is built from.
+    pub structure: Structure,
+    /// How it is solved.
+    pub plan: Plan,
+}
+
+/// A compiled mechanism, solved, with what became of its expectations.
+#[derive(Debug)]
+pub struct Solved {
+    /// What was solved.
+    pub compiled: Compiled,
+    /// Its poses.
+    pub solution: Solution,
+    /// Its expectations, one per pose.
+    pub outcomes: Vec<Outcome>,
+}
+
+/// Text → [`Mechanism`], with all that was found on the way. No mechanism comes out where there is an error.
 #[must_use]
-pub fn diagnose(source: &source::Source) -> String {
-    let (compiled, mut problems) = compile(source, &check::Overrides::none());
-    if let Some(compiled) = compiled {
-        compiled.solve(&mut problems);
+pub fn check_source(source: &Source, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
+    let (document, mut problems) = syntax::parse(source);
+    let (mechanism, found) = check::check(&document, overrides);
+    problems.append_later(found);
+    (mechanism.filter(|_| !problems.has_errors()), problems)
+}
+
+/// Text → [`Compiled`]: checked, decomposed into structural groups, planned. Nothing is solved. What is compiled can be
+/// looked at even where the problems hold an error: that forces are asked for which are not determined.
+#[must_use]
+pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Problems) {
+    let (mechanism, mut problems) = check_source(source, overrides);
+    let Some(mechanism) = mechanism else { return (None, problems) };
+    match structure::structure(&mechanism) {
+        Ok((structure, warnings)) => {
+            problems.extend(warnings);
+            let plan = plan::plan(&mechanism, &structure);
+            problems.extend(structure.force_defect.clone().filter(|_| plan.effects.forces));
+            (Some(Compiled { mechanism, structure, plan }), problems)
+        }
+        Err(errors) => {
+            problems.extend(errors);
+            (None, problems)
+        }
     }
+}
+
+/// Solves what was compiled and holds it against its answer key. A failed expectation is an outcome, not a problem; one
+/// that cannot be evaluated is a problem.
+#[must_use]
+pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
+    let mut problems = Problems::new();
+    let scene = compiled.scene();
+    let mut solution = match solve::solve(&scene) {
+        Ok(solution) => solution,
+        Err(errors) => {
+            problems.extend(errors);
+            return (Err(compiled), problems);
+        }
+    };
+    problems.extend(std::mem::take(&mut solution.warnings));
+    problems.extend(solution.failures());
+    let (outcomes, errors) = exercise::evaluate(&scene, &solution);
+    problems.extend(errors);
+    (Ok(Solved { compiled, solution, outcomes }), problems)
+}
+
+/// Text → [`Solved`], with all that was found on the way. A solution comes out even where an expectation cannot be
+/// evaluated.
+#[must_use]
+pub fn solve_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {
+    let (compiled, mut problems) = compile(source, overrides);
+    let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
+    let (solved, found) = solve(compiled);
+    problems.append(found);
+    (solved.ok(), problems)
+}
+
+/// What the author of a text is told about it, failed expectations included, without colour, 100 columns wide; empty
+/// where nothing is wrong.
+#[must_use]
+pub fn diagnose(source: &Source) -> String {
+    let (solved, mut problems) = solve_source(source, &Overrides::none());
+    problems.extend(solved.iter().flat_map(|s| &s.outcomes).filter_map(Outcome::mismatch));
     diagnostic::render(&problems, source, diagnostic::Style::PLAIN)
+}
+
+impl Compiled {
+    /// As the solver sees it.
+    #[must_use]
+    pub fn scene(&self) -> Scene<'_> {
+        Scene { mechanism: &self.mechanism, structure: &self.structure, plan: &self.plan }
+    }
+}
+
+impl Solved {
+    /// As a report sees it.
+    #[must_use]
+    pub fn answers(&self, precision: report::Precision) -> report::Answers<'_> {
+        let scene = self.compiled.scene();
+        report::Answers { scene, solution: &self.solution, outcomes: &self.outcomes, precision }
+    }
 }

@@ -30,7 +30,7 @@ fn nesting() {
         assert!(errors > 0);
         let (_, errors) = read(&format!("let x = {}\n", open.repeat(N)));
         assert!(errors > 0);
-        let nested = format!("let x = {}{middle}{}\n", open.repeat(40), close.repeat(40));
+        let nested = format!("let x = {}{middle}{}\n", open.repeat(62), close.repeat(62));
         assert_eq!(read(&nested), (1, 0), "{nested}");
     }
     for text in ["{", "}", "link a {\n", "{\n", "(\n", "a {", "link a { b {", "revolute A: b - c { d {\n"] {

@@ -26,7 +26,7 @@ fn compare(cx: &mut Context<'_>, list: &[(String, Span)]) {
             continue;
         }
         if let Some(&(first, first_span)) = alike.first() {
-            let help = difference(first, name);
+            let help = difference(first, name, "in the first", "in the second");
             cx.error(NameError::LookAlike { name: name.clone(), span: *span, first: first_span, help });
             // What is not found because of this is no second mistake.
             cx.names.bad.extend([first.to_owned(), name.clone()]);
@@ -36,11 +36,11 @@ fn compare(cx: &mut Context<'_>, list: &[(String, Span)]) {
 }
 
 /// Which letters differ.
-pub(super) fn difference(first: &str, second: &str) -> String {
+pub(super) fn difference(first: &str, second: &str, at_first: &str, at_second: &str) -> String {
     let differs = first.chars().zip(second.chars()).find(|(a, b)| a != b);
     match differs {
         Some((a, b)) => {
-            format!("the letter `{a}` is {} in the first and {} in the second", script(a), script(b))
+            format!("the letter `{a}` is {} {at_first} and {} {at_second}", script(a), script(b))
         }
         None => "they are written with different letters".to_owned(),
     }

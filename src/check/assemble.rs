@@ -6,7 +6,7 @@ use super::error::MotionError;
 use super::expr::Want;
 use super::lookup::{is_linkage_pair, place_of_pair};
 use super::names::ThingKind;
-use crate::model::{Hint, HintKind, LinkPoint, PairId, PairKind};
+use crate::model::{self, Hint, HintKind, LinkPoint, PairId, PairKind, Positions};
 use crate::syntax::document::{AssembleClause, CompareOp, Expr, Order, Path, Side, Statement};
 
 /// Enters all clauses of `assemble` into the mechanism.
@@ -19,6 +19,28 @@ pub(super) fn hints(cx: &mut Context<'_>) {
                 cx.mech.hints.push(Hint { span: clause.span, kind });
             }
         }
+    }
+    near_with_dead(cx);
+}
+
+/// `near` holds for the first pose, which is not known where the drive begins at a dead position: that is found from the
+/// assembly.
+fn near_with_dead(cx: &mut Context<'_>) {
+    let near = cx.mech.hints.iter().filter(|h| matches!(h.kind, HintKind::Near { .. }));
+    let near = near.map(|h| h.span).collect::<Vec<_>>();
+    let dead = cx.mech.drives.iter().find(|d| {
+        let mut found = false;
+        let mut look = |e: &model::Expr| e.queries(&mut |_| found = true);
+        match &d.positions {
+            Positions::None => {}
+            Positions::List(values) => values.iter().for_each(look),
+            Positions::Range { from, to, .. } => [from, to].into_iter().for_each(&mut look),
+        }
+        found
+    });
+    let Some((drive, drive_span)) = dead.map(|d| (d.name.clone(), d.span)) else { return };
+    for span in near {
+        cx.error(MotionError::NearWithDead { drive: drive.clone(), span, drive_span });
     }
 }
 

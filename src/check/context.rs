@@ -1,9 +1,9 @@
 //! What the parts of the stage share: the document, the names, the mechanism under construction, the problems.
 
+use super::definition::Definitions;
 use super::names::Names;
 use super::overrides::Overrides;
 use super::unit_choice::{self, UnitUse};
-use super::value::Definitions;
 use crate::diagnostic::Problems;
 use crate::model::{Mechanism, Unsupported};
 use crate::source::Span;

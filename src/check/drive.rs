@@ -80,6 +80,15 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
         return None;
     }
     let (positions, speed, acceleration, sense) = (positions?, speed?, acceleration?, sense?);
+    if matches!(positions, Positions::None) && !has_wheels(cx) {
+        let example = match moves {
+            Moves::Turning => "45 deg",
+            Moves::Sliding => "100 mm",
+            Moves::Freely => "(200 mm, 300 mm)",
+        };
+        cx.error(MotionError::WithoutPosition { name, example: example.into(), span });
+        return None;
+    }
     let Some(target) = target else {
         cx.unsupported("a drive of a shaft or slider", span);
         return None;
@@ -120,6 +129,15 @@ pub(super) fn target(cx: &mut Context<'_>, path: &Path, what: &str) -> Option<(O
             None
         }
     }
+}
+
+/// Whether the file has wheels, shafts or ropes, whose rates are found without positions.
+fn has_wheels(cx: &Context<'_>) -> bool {
+    let kinds = cx.names.things.values().map(|d| d.what);
+    kinds.into_iter().any(|kind| match kind {
+        ThingKind::Joint(kind) => !is_linkage_pair(kind),
+        kind => matches!(kind, ThingKind::Wheel | ThingKind::Shaft | ThingKind::Slider),
+    })
 }
 
 /// Reports what stands on the ground.

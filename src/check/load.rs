@@ -251,8 +251,9 @@ const fn force_result(query: &Query) -> Option<&'static str> {
         Query::Moment(..) => Some("a moment in a pair"),
         Query::Normal(..) | Query::ContactForce(..) => Some("a normal force"),
         Query::LineOffset(_) => Some("the place of a reaction"),
-        Query::Balance(_) | Query::BalancePower(_) => Some("an unknown load"),
-        Query::Effort(_) | Query::EffortPower(_) => Some("the effort of a drive"),
+        Query::Balance(_) => Some("an unknown load"),
+        Query::Effort(_) => Some("the effort of a drive"),
+        Query::BalancePower(_) | Query::LoadPower(_) | Query::EffortPower(_) => Some("a power"),
         _ => None,
     }
 }

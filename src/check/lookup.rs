@@ -6,8 +6,10 @@ use super::names::ThingKind;
 use crate::diagnostic::did_you_mean;
 use crate::math::Vec2;
 use crate::model::{Circle, Guide, Line, LinkId, PairId, PairKind};
+use crate::source::Span;
 use crate::syntax::document::{JointKind, Name};
 use crate::syntax::skeleton;
+use indexmap::IndexSet;
 
 /// The pairs that join links of a linkage; all others are transmissions.
 pub fn is_linkage_pair(kind: JointKind) -> bool {
@@ -112,7 +114,7 @@ impl Context<'_> {
             }
             return None;
         }
-        let Some(inside) = self.names.inside.get(link.index()) else { return None };
+        let inside = self.names.inside.get(link.index())?;
         if inside.bad.contains(&name.node) || self.names.bad.contains(&name.node) {
             return None;
         }
@@ -174,15 +176,16 @@ impl Context<'_> {
             return self.no_point(name);
         };
         let joined = self.joined_with(first);
-        let apart = bearers.iter().filter(|b| !joined.contains(b)).count();
-        if apart == 0 {
+        if bearers.iter().all(|b| joined.contains(b)) {
             return Some(first);
+        }
+        if !self.pairs_complete() {
+            return None;
         }
         let spelled = |&(link, _): &(LinkId, Vec2)| format!("`{}.{}`", self.mech.link(link).name, name.node);
         let choices = bearers.iter().map(spelled).collect::<Vec<_>>().join(" or ");
         self.error(NameError::AmbiguousPoint {
             name: name.node.clone(),
-            count: apart + 1,
             span: name.span,
             help: format!("write {choices}"),
         });
@@ -240,12 +243,34 @@ impl Context<'_> {
         {
             return None;
         }
-        let all =
-            self.names.inside.iter().flat_map(|i| i.points.keys()).map(String::as_str).collect::<Vec<_>>();
+        if let Some(link) = self.find_link(&name.node) {
+            self.link_for_point(name, link);
+            return None;
+        }
+        let all = self.names.inside.iter().flat_map(|i| i.points.keys()).map(String::as_str);
+        let all = all.collect::<IndexSet<_>>().into_iter().collect::<Vec<_>>();
         let help = suggestion(&name.node, &all, "points");
         let (name, span) = (name.node.clone(), name.span);
         self.error(NameError::Unknown { kind: "point", name, place: String::new(), span, help });
         None
+    }
+}
+
+impl Context<'_> {
+    /// Reports a link where a point is due.
+    fn link_for_point(&mut self, name: &Name, link: LinkId) {
+        let points = self.names.inside.get(link.index()).map(|i| &i.points);
+        let point = points.and_then(|p| p.last()).map(|(point, _)| point.clone());
+        let help = point.map(|point| format!("write one of its points: `{}.{point}`", name.node));
+        let declared = self.mech.link(link).span;
+        self.error(NameError::WrongKind {
+            name: name.node.clone(),
+            is: "a link".into(),
+            wanted: "a point".into(),
+            span: name.span,
+            declared: (declared != Span::default()).then_some(declared),
+            help,
+        });
     }
 }
 
@@ -264,10 +289,8 @@ pub fn place_of_pair(kind: &PairKind) -> Option<(LinkId, Vec2)> {
 pub fn suggestion(name: &str, all: &[&str], kind: &str) -> Option<String> {
     let quoted = |names: &[&str]| names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>();
     if let Some(alike) = all.iter().find(|n| **n != name && skeleton(n) == skeleton(name)) {
-        return Some(format!(
-            "`{alike}` is there, and only looks the same: {}",
-            super::alike::difference(alike, name)
-        ));
+        let how = super::alike::difference(alike, name, "there", "here");
+        return Some(format!("`{alike}` is declared, and only looks the same: {how}"));
     }
     let near = did_you_mean(name, all.iter().copied());
     if !near.is_empty() {

@@ -31,7 +31,7 @@ pub(super) fn masses(cx: &mut Context<'_>) {
     }
 }
 
-/// Whether a link can turn; unknown where an error hides what joins it.
+/// Whether a link can turn; unknown where nothing joins it or an error hides what does.
 #[derive(Clone, Copy)]
 enum Turning {
     No,
@@ -57,17 +57,19 @@ fn turning(cx: &Context<'_>) -> Vec<Turning> {
             break;
         }
     }
-    let complete = cx.pairs_complete();
-    let by = |link: usize| {
-        let pairs = cx.mech.pairs.iter().filter(|p| !matches!(p.kind, PairKind::Prismatic(_)));
-        pairs.into_iter().find(|p| p.kind.links().contains(&LinkId::at(link))).map(|p| p.span)
-    };
-    let turns = |(i, held)| match held {
-        true => Turning::No,
-        false if complete => Turning::Yes(by(i)),
-        false => Turning::Unknown,
-    };
-    held.into_iter().enumerate().map(turns).collect()
+    let mut turning = vec![Turning::Unknown; held.len()];
+    if cx.pairs_complete() {
+        for pair in &cx.mech.pairs {
+            let by = (!matches!(pair.kind, PairKind::Prismatic(_))).then_some(pair.span);
+            for link in pair.kind.links() {
+                let turns = &mut turning[link.index()];
+                let before = if let Turning::Yes(before) = turns { *before } else { None };
+                *turns = Turning::Yes(before.or(by));
+            }
+        }
+    }
+    let links = turning.into_iter().zip(held);
+    links.map(|(turning, held)| if held { Turning::No } else { turning }).collect()
 }
 
 /// A mass as stated, or as weight over gravity.
@@ -93,7 +95,7 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
     let about_centre = match (inertia, &stated) {
         (Some((inertia, _)), stated) => steiner(cx, link, inertia, stated.as_ref(), mass, centre)?,
         (None, Some(stated)) => {
-            if let Turning::Yes(_) = turning {
+            if matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
                 let link = cx.mech.link(link).name.clone();
                 cx.error(LinkError::PointMass { link, span: stated.span });
             }
@@ -102,6 +104,17 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
         (None, None) => 0.0,
     };
     Some(MassProperties { mass, centre, inertia: about_centre })
+}
+
+/// Whether the machine moves with a speed, so that inertia forces act.
+fn inertia_counts(cx: &Context<'_>) -> bool {
+    let statements = || cx.doc.statements.iter().map(|s| &s.node);
+    let moves = |s: &Statement| match s {
+        Statement::Drive(drive) => drive.rate.is_some(),
+        Statement::Simulate(_) => true,
+        _ => false,
+    };
+    statements().any(moves) && !statements().any(|s| matches!(s, Statement::Ignore(_)))
 }
 
 /// The mass and the inertia stated in a body; reports a second one of either.

@@ -10,6 +10,7 @@ mod balance;
 mod cam;
 mod contact;
 mod context;
+mod definition;
 mod drive;
 mod element;
 pub mod error;
@@ -55,7 +56,7 @@ pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, 
     names::declare(&mut cx);
     alike::look_alikes(&mut cx);
     head::head(&mut cx);
-    value::order(&mut cx);
+    definition::order(&mut cx);
     value::constants(&mut cx);
     machine::machine(&mut cx);
     request::finds(&mut cx);

@@ -38,6 +38,21 @@ pub enum QuantityKind<'a> {
     Column(&'a Column),
 }
 
+impl QuantityKind<'_> {
+    /// What it is called, with its article.
+    pub const fn phrase(self) -> &'static str {
+        match self {
+            Self::Given(_) => "a `given`",
+            Self::Let(_) => "a `let`",
+            Self::Find(_) => "what is to be found",
+            Self::Load(..) => "a load",
+            Self::Balance(..) => "an unknown effort",
+            Self::Flywheel => "a flywheel",
+            Self::Column(_) => "a column of variants",
+        }
+    }
+}
+
 /// What a thing's name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ThingKind {

@@ -5,9 +5,6 @@ use super::error::RequestError;
 use super::expr::typed::{Dim, Type, Typed, phrase};
 use super::lookup::suggestion;
 use super::names::QuantityKind;
-use super::value::Settled;
-use crate::source::Span;
-use crate::syntax::document::Expr;
 use crate::units::{Dimension, lookup};
 
 /// Values that replace those of `given` statements, in the order given; a later one wins.
@@ -25,25 +22,14 @@ impl Overrides {
     }
 }
 
-/// Gives the named `given` their values from outside. Their values in the file are read nevertheless, for the dimension.
-pub(super) fn apply(cx: &mut Context<'_>) {
-    for (name, text) in &cx.overrides.values {
-        let declared = cx.names.quantities.get(name).map(|d| (d.what, d.span));
-        match declared {
-            Some((QuantityKind::Given(expr), span)) => {
-                let settled = replaced(cx, name, text, expr, span);
-                cx.settle(name, settled.map_or(Settled::Failed, Settled::Constant));
-            }
+/// Reports values for what is no `given`.
+pub(super) fn unknown_names(cx: &mut Context<'_>) {
+    for (name, _) in &cx.overrides.values {
+        match cx.names.quantities.get(name).map(|d| (d.what, d.span)) {
+            Some((QuantityKind::Given(_), _)) => {}
             Some((kind, span)) => {
-                let is = match kind {
-                    QuantityKind::Let(_) => "a `let`, which the file derives",
-                    QuantityKind::Find(_) => "what is to be found",
-                    QuantityKind::Load(..) => "a load",
-                    QuantityKind::Balance(..) => "an unknown effort",
-                    QuantityKind::Column(_) => "a column of variants",
-                    QuantityKind::Flywheel | QuantityKind::Given(_) => "a flywheel",
-                };
-                let why = format!("`{name}` is {is}; only a `given` can be set from outside");
+                let is = kind.phrase();
+                let why = format!("`{name}` is {is}, and only a `given` can be set from outside");
                 let help = matches!(kind, QuantityKind::Let(_))
                     .then(|| format!("write `given {name} = …` in the file instead of `let {name} = …`"));
                 cx.error(RequestError::SetUnknown { name: name.clone(), why, declared: Some(span), help });
@@ -64,13 +50,18 @@ fn unknown(cx: &mut Context<'_>, name: &str) {
     cx.error(RequestError::SetUnknown { name: name.to_owned(), why, declared: None, help });
 }
 
-fn replaced(cx: &mut Context<'_>, name: &str, text: &str, expr: &Expr, span: Span) -> Option<Typed> {
-    let written = cx.read(expr)?;
+/// The value of a definition: that from outside where there is one, otherwise that of the file.
+pub(super) fn replaced(cx: &mut Context<'_>, name: &str, written: Typed) -> Option<Typed> {
+    let Some((_, text)) = cx.overrides.values.iter().rev().find(|(n, _)| n == name) else {
+        return Some(written);
+    };
+    let declared = cx.names.quantities.get(name).filter(|d| matches!(d.what, QuantityKind::Given(_)));
+    let Some(declared) = declared.map(|d| d.span) else { return Some(written) };
     match value(text, written.ty, &cx.usual_unit(written.ty.dimension())) {
         Ok(t) => Some(t),
         Err((why, help)) => {
-            let (name, text) = (name.to_owned(), text.to_owned());
-            cx.error(RequestError::SetValue { name, text, why, declared: span, help });
+            let (name, text) = (name.to_owned(), text.clone());
+            cx.error(RequestError::SetValue { name, text, why, declared, help });
             None
         }
     }

@@ -18,6 +18,9 @@ pub(super) fn pairs(cx: &mut Context<'_>) {
     let mut held = Held::new();
     for statement in &doc.statements {
         let Statement::Joint(joint) = &statement.node else { continue };
+        if !cx.is_own(&joint.name) {
+            continue;
+        }
         if !is_linkage_pair(joint.kind.node) {
             element::transmission(cx, joint, statement.span);
         } else if let Some(kind) = pair(cx, joint, &shared, &mut held) {
@@ -40,6 +43,11 @@ fn pair(cx: &mut Context<'_>, joint: &Joint, shared: &Shared, held: &mut Held) -
 }
 
 impl Context<'_> {
+    /// Whether the name's first declaration is this one; a second is reported with the names, and left out.
+    pub(super) fn is_own(&self, name: &Name) -> bool {
+        self.names.things.get(&name.node).is_some_and(|d| d.span == name.span)
+    }
+
     /// Whether all pairs of the linkage are in the mechanism: none has an error, no statement is unreadable. Where it is
     /// not so, something that seems unjoined may be joined.
     pub(super) fn pairs_complete(&self) -> bool {
@@ -194,6 +202,7 @@ pub(super) fn groups(cx: &mut Context<'_>) {
     let doc = cx.doc;
     for statement in &doc.statements {
         if let Statement::Group(group) = &statement.node
+            && cx.is_own(&group.name)
             && let Some(links) = group_links(cx, group)
         {
             let name = group.name.node.clone();

@@ -6,7 +6,7 @@ use super::expr::Want;
 use super::link::{Points, known, place, positive};
 use crate::math::Vec2;
 use crate::model::{LinkId, Point};
-use crate::syntax::document::{Bar, Body, Expr, Member, Name, PointFrom, Side};
+use crate::syntax::document::{Bar, Body, Expr, ExprKind, Member, Name, PointFrom, Side};
 use crate::units::Dimension;
 
 /// A gap below this part of the longest side is rounding: the triangle is flat.
@@ -31,7 +31,9 @@ pub(super) fn points<'a>(
         match &member.node {
             Member::Point(p) if !found.contains_key(p.name.node.as_str()) => {
                 let what = format!("the place of point `{}`", p.name.node);
-                let at = cx.vector_constant(&p.at, &Want::LENGTH, &what);
+                // A number behind a name is reported where it is read: `wieght 21 N`.
+                let number = matches!(&p.at.kind, ExprKind::Number(n) if n.value != 0.0);
+                let at = if number { None } else { cx.vector_constant(&p.at, &Want::LENGTH, &what) };
                 found.insert(&p.name.node, at);
             }
             // A second point of that name is reported with the names.

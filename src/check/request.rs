@@ -1,11 +1,11 @@
 //! `find`: what is asked.
 
 use super::context::Context;
+use super::definition::Settled;
 use super::error::{RequestError, UnitsError};
 use super::expr::Want;
 use super::expr::typed::{Type, Typed, phrase};
 use super::unit_choice::display_in;
-use super::value::Settled;
 use super::walk;
 use crate::model::{Display, Expr as ModelExpr, Find, FindKind};
 use crate::source::Span;

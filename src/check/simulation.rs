@@ -3,7 +3,8 @@
 use super::context::Context;
 use super::drive::{target, value};
 use super::element::constant;
-use crate::syntax::document::{Start, Statement};
+use super::expr::typed::Type;
+use crate::syntax::document::{Start, Statement, Until};
 use crate::units::Dimension;
 
 /// Checks `start`, `simulate` and `until`.
@@ -23,9 +24,22 @@ pub(super) fn simulation(cx: &mut Context<'_>) {
                 }
                 cx.unsupported("motion under loads", statement.span);
             }
-            Statement::Until(_) => cx.unsupported("motion under loads", statement.span),
+            Statement::Until(u) => {
+                until(cx, u);
+                cx.unsupported("motion under loads", statement.span);
+            }
             _ => {}
         }
+    }
+}
+
+fn until(cx: &mut Context<'_>, until: &Until) {
+    let what = cx.read(&until.what);
+    let value = cx.read(&until.value);
+    if let (Some(what), Some(value)) = (what, value)
+        && let Type::Number(_) = what.ty
+    {
+        cx.fit(value, what.ty.dimension(), "the value that is waited for", &until.value);
     }
 }
 

@@ -19,6 +19,7 @@ pub(super) fn springs(cx: &mut Context<'_>) {
     let doc = cx.doc;
     for statement in &doc.statements {
         if let Statement::Spring(s) = &statement.node
+            && cx.is_own(&s.name)
             && let Some(spring) = spring(cx, s)
         {
             cx.mech.springs.push(spring);

@@ -42,10 +42,9 @@ fn suits(unit: &Unit, dimension: Dimension) -> bool {
     let percent = unit.dimension == Dimension::NUMBER;
     // A torque and an energy have one dimension, but nobody reads a torque in joules.
     let energy = unit.text.contains('J');
-    !percent
-        && !energy
-        && unit.dimension.fits(dimension)
-        && !(dimension.is_dimensionless() && dimension.kind == Kind::Free)
+    // A ratio of lengths fits an angle, and is a plain number to everyone.
+    let ratio = dimension.is_dimensionless() && dimension.kind == Kind::Free;
+    unit.dimension.fits(dimension) && !(percent || energy || ratio)
 }
 
 /// The exponents and the kind as the model keeps them: 0 plain, 1 angle, 2 free.

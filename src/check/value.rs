@@ -1,140 +1,26 @@
-//! `given`, `let` and `find NAME =`: in which order they hang on one another, and what they are.
+//! What `given`, `let` and `find NAME =` are.
 
 use super::context::Context;
-use super::error::{NameError, RequestError};
+use super::definition::Settled;
+use super::error::{NameError, RequestError, UnitsError};
 use super::expr::typed::{Type, Typed};
 use super::names::QuantityKind;
+use super::overrides;
 use super::unit_choice::display_in;
 use super::walk;
+use crate::diagnostic::did_you_mean;
 use crate::model::{self, Display, NamedValue, Quantity, QuantityId};
 use crate::source::Span;
 use crate::syntax::document::{Column, Expr, ExprKind, LoadKind, Name, Site, Statement};
 use crate::units::{Dimension, Kind};
-use indexmap::IndexMap;
-use miette::LabeledSpan;
+use indexmap::IndexSet;
 
-/// A definition that has been read.
-#[derive(Clone, Debug)]
-pub enum Settled {
-    /// A value.
-    Constant(Typed),
-    /// One value per pose.
-    Result(QuantityId, Type),
-    /// It cannot be solved yet.
-    Pending(Type),
-    /// It has an error.
-    Failed,
-}
-
-/// Definitions and what they hang on.
-#[derive(Debug, Default)]
-pub struct Definitions {
-    /// Each after those it hangs on.
-    order: Vec<String>,
-    /// For each that hangs on results: on which, in words.
-    results: IndexMap<String, String>,
-    /// Those that have been read.
-    settled: IndexMap<String, Settled>,
-    /// For each quantity of the mechanism, whether it needs no pose.
-    poseless: Vec<bool>,
-}
-
-/// Finds the order of the definitions; reports those that hang on themselves.
-pub fn order(cx: &mut Context<'_>) {
-    let mut uses = IndexMap::new();
-    for (name, declared) in &cx.names.quantities {
-        if let Some(expr) = definition(declared.what) {
-            uses.insert(name.clone(), names_in(cx, expr));
-        }
-    }
-    let mut state: IndexMap<String, bool> = IndexMap::new(); // false: under way; true: done
-    for start in uses.keys() {
-        let mut path = vec![(start.clone(), 0)];
-        while let Some((name, next)) = path.pop() {
-            if next == 0 && state.insert(name.clone(), false).is_some() {
-                state.insert(name, true);
-                continue;
-            }
-            let Some(used) = uses[&name].get(next) else {
-                state.insert(name.clone(), true);
-                cx.definitions.order.push(name);
-                continue;
-            };
-            path.push((name, next + 1));
-            match state.get(used) {
-                None => path.push((used.clone(), 0)),
-                Some(false) => cycle(cx, &path, used),
-                Some(true) => {}
-            }
-        }
-    }
-    for name in cx.definitions.order.clone() {
-        let Some(declared) = cx.names.quantities.get(&name) else { continue };
-        let found = definition(declared.what).and_then(|e| cx.first_result(e)).map(|(_, result)| result);
-        let found = found.or_else(|| {
-            matches!(declared.what, QuantityKind::Find(_)).then(|| "what is to be found".to_owned())
-        });
-        if let Some(result) = found {
-            cx.definitions.results.insert(name, result);
-        }
-    }
-}
-
-fn definition(kind: QuantityKind<'_>) -> Option<&Expr> {
-    match kind {
-        QuantityKind::Given(e) | QuantityKind::Let(e) => Some(e),
-        QuantityKind::Find(item) => Some(&item.value),
-        QuantityKind::Load(..)
-        | QuantityKind::Balance(..)
-        | QuantityKind::Flywheel
-        | QuantityKind::Column(_) => None,
-    }
-}
-
-/// The definitions whose values an expression uses.
-fn names_in(cx: &Context<'_>, expr: &Expr) -> Vec<String> {
-    let mut found = Vec::new();
-    values(expr, &mut |part| {
-        if let ExprKind::Name(name) = &part.kind
-            && cx.names.quantities.get(name).is_some_and(|d| definition(d.what).is_some())
-            && !found.contains(name)
-        {
-            found.push(name.clone());
-        }
-    });
-    found
-}
-
-/// Calls `visit` on all parts that stand for values: the arguments of `velocity(C)` are names of things.
-fn values<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
-    if let ExprKind::Call { function, args } = &expr.kind {
-        visit(expr);
-        if super::query::takes_values(&function.node) {
-            args.iter().for_each(|a| values(&a.value, visit));
-        }
-        return;
-    }
-    visit(expr);
-    walk::children(expr, &mut |child| values(child, visit));
-}
-
-fn cycle(cx: &mut Context<'_>, path: &[(String, usize)], again: &str) {
-    let from = path.iter().position(|(name, _)| name == again).unwrap_or(0);
-    let names = path[from..].iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
-    let place = |name: &String| cx.names.quantities.get(name).map_or_else(Span::default, |d| d.span);
-    let label = |name: &String| LabeledSpan::at(place(name).start..place(name).end, "hangs on the next");
-    let others = names.iter().skip(1).map(label).collect();
-    let span = names.first().map_or_else(Span::default, place);
-    let chain = names.iter().map(|n| format!("`{n}`")).chain([format!("`{again}`")]).collect::<Vec<_>>();
-    for name in &names {
-        cx.definitions.settled.insert(name.clone(), Settled::Failed);
-    }
-    cx.error(NameError::Cycle { name: again.to_owned(), chain: chain.join(" → "), span, others });
-}
+/// The largest expression of a drive, in parts.
+const LARGEST: usize = 2000;
 
 /// Reads the definitions that need no results, and the values from outside.
 pub fn constants(cx: &mut Context<'_>) {
-    super::overrides::apply(cx);
+    overrides::unknown_names(cx);
     for name in cx.definitions.order.clone() {
         let Some(kind) = cx.names.quantities.get(&name).map(|d| d.what) else { continue };
         if cx.definitions.settled.contains_key(&name) {
@@ -151,7 +37,7 @@ pub fn constants(cx: &mut Context<'_>) {
             }
             QuantityKind::Given(expr) | QuantityKind::Let(expr) if !results => match cx.read(expr) {
                 Some(t) if t.pending => Settled::Pending(t.ty),
-                Some(t) => Settled::Constant(t),
+                Some(t) => overrides::replaced(cx, &name, t).map_or(Settled::Failed, Settled::Constant),
                 None => Settled::Failed,
             },
             _ => continue,
@@ -203,7 +89,7 @@ pub fn results(cx: &mut Context<'_>) {
             }
             _ => continue,
         };
-        cx.settle(&name, settled);
+        cx.definitions.settled.insert(name, settled);
     }
 }
 
@@ -213,8 +99,8 @@ fn keep(cx: &mut Context<'_>, name: String, span: Span, read: Option<(Typed, Dis
         return Settled::Pending(t.ty);
     }
     let id = QuantityId::at(cx.mech.quantities.len());
-    let poseless = cx.is_poseless(&t.expr);
-    cx.definitions.poseless.push(poseless);
+    let kept = (cx.is_poseless(&t.expr), cx.size(&t.expr));
+    cx.definitions.kept.push(kept);
     cx.mech.quantities.push(Quantity { name, span, expr: t.expr, display });
     Settled::Result(id, t.ty)
 }
@@ -223,39 +109,6 @@ impl Context<'_> {
     /// What a definition is, once it has been read.
     pub fn settled(&self, name: &str) -> Option<&Settled> {
         self.definitions.settled.get(name)
-    }
-
-    /// Sets what a `given` is.
-    pub(super) fn settle(&mut self, name: &str, settled: Settled) {
-        self.definitions.settled.insert(name.to_owned(), settled);
-    }
-
-    /// The first part of an expression that is known only once the mechanism is solved, in words.
-    pub fn first_result(&self, expr: &Expr) -> Option<(Span, String)> {
-        let mut first = None;
-        values(expr, &mut |part| {
-            if first.is_some() {
-                return;
-            }
-            first = match &part.kind {
-                ExprKind::Call { function, args } if self.is_result(&function.node, args) => {
-                    Some((part.span, format!("`{}(…)`", function.node)))
-                }
-                ExprKind::Name(name) => self.result_name(name).map(|why| (part.span, why)),
-                _ => None,
-            };
-        });
-        first
-    }
-
-    fn result_name(&self, name: &str) -> Option<String> {
-        match self.names.quantities.get(name).map(|d| d.what) {
-            Some(QuantityKind::Load(..) | QuantityKind::Balance(..) | QuantityKind::Flywheel) => {
-                Some(format!("`{name}`"))
-            }
-            Some(_) => self.definitions.results.get(name).map(|why| format!("`{name}`, that is on {why}")),
-            None => (name == "time").then(|| "`time`".to_owned()),
-        }
     }
 
     /// The value a name stands for.
@@ -361,8 +214,9 @@ impl Context<'_> {
                 help: super::query::ask_of(what, &name.node),
             }
         } else {
-            let all = self.names.quantities.keys().map(String::as_str).chain(["pi"]).collect::<Vec<_>>();
-            let help = super::lookup::suggestion(&name.node, &all, "quantities");
+            let all = self.names.quantities.keys().map(String::as_str).collect::<Vec<_>>();
+            let near = || did_you_mean(&name.node, ["pi"]).first().map(|_| "did you mean `pi`?".to_owned());
+            let help = near().or_else(|| super::lookup::suggestion(&name.node, &all, "quantities"));
             let (name, span) = (name.node.clone(), name.span);
             NameError::Unknown { kind: "quantity", name, place: String::new(), span, help }
         };
@@ -374,7 +228,7 @@ impl Context<'_> {
         let mut poseless = true;
         expr.parts(&mut |part| {
             poseless &= match part {
-                model::Expr::Quantity(id) => self.definitions.poseless.get(id.index()) == Some(&true),
+                model::Expr::Quantity(id) => self.needs_no_pose(*id),
                 model::Expr::Query(q) => {
                     matches!(q, model::Query::Stroke(_) | model::Query::TimeRatio(_) | model::Query::Dead(..))
                 }
@@ -384,24 +238,58 @@ impl Context<'_> {
         poseless
     }
 
-    /// Calls `visit` on every result the expression hangs on, those behind other quantities included.
-    pub fn queries_behind(&self, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
-        expr.parts(&mut |part| match part {
-            model::Expr::Query(query) => visit(query),
-            model::Expr::Quantity(id) => {
-                if let Some(quantity) = self.mech.quantities.get(id.index()) {
-                    self.queries_behind(&quantity.expr, visit);
-                }
-            }
-            _ => {}
-        });
+    fn needs_no_pose(&self, id: QuantityId) -> bool {
+        self.definitions.kept.get(id.index()).is_some_and(|(poseless, _)| *poseless)
     }
 
-    /// The expression with quantities that need no pose written out.
-    pub(super) fn inline(&self, expr: &model::Expr) -> model::Expr {
+    /// How many parts the expression has with all that it hangs on written out.
+    fn size(&self, expr: &model::Expr) -> usize {
+        let mut size = 0_usize;
+        expr.parts(&mut |part| {
+            let of_part = match part {
+                model::Expr::Quantity(id) => {
+                    self.definitions.kept.get(id.index()).map_or(1, |(_, size)| *size)
+                }
+                _ => 1,
+            };
+            size = size.saturating_add(of_part);
+        });
+        size
+    }
+
+    /// Calls `visit` on every result the expression hangs on, those behind other quantities included.
+    pub fn queries_behind(&self, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
+        let mut found: IndexSet<QuantityId> = IndexSet::new();
+        let mut look = |expr: &model::Expr, found: &mut IndexSet<QuantityId>| {
+            expr.parts(&mut |part| match part {
+                model::Expr::Query(query) => visit(query),
+                model::Expr::Quantity(id) => {
+                    found.insert(*id);
+                }
+                _ => {}
+            });
+        };
+        look(expr, &mut found);
+        let mut next = 0;
+        while let Some(quantity) = found.get_index(next).and_then(|id| self.mech.quantities.get(id.index())) {
+            look(&quantity.expr, &mut found);
+            next += 1;
+        }
+    }
+
+    /// The expression with quantities that need no pose written out. Reports one that grows too large.
+    pub(super) fn inline(&mut self, expr: &model::Expr, span: Span) -> Option<model::Expr> {
+        if self.size(expr) > LARGEST {
+            self.error(UnitsError::NoValue { why: "written out it is too long", span });
+            return None;
+        }
+        Some(self.written_out(expr))
+    }
+
+    fn written_out(&self, expr: &model::Expr) -> model::Expr {
         expr.map_leaves(&mut |leaf| match leaf {
-            model::Expr::Quantity(id) if self.definitions.poseless.get(id.index()) == Some(&true) => {
-                self.inline(&self.mech.quantities[id.index()].expr)
+            model::Expr::Quantity(id) if self.needs_no_pose(*id) => {
+                self.written_out(&self.mech.quantities[id.index()].expr)
             }
             other => other.clone(),
         })

@@ -1,11 +1,11 @@
 //! `variants`: names and units of the columns.
 
 use super::context::Context;
+use super::definition::Settled;
 use super::error::{NameError, RequestError, UnitsError};
 use super::expr::typed::{Dim, Type, mend, phrase};
 use super::lookup::suggestion;
 use super::names::QuantityKind;
-use super::value::Settled;
 use crate::syntax::document::{Column, Statement, Variants};
 use crate::units::{Dimension, Unit};
 
@@ -13,7 +13,12 @@ use crate::units::{Dimension, Unit};
 pub(super) fn variants(cx: &mut Context<'_>) {
     for statement in &cx.doc.statements {
         let Statement::Variants(table) = &statement.node else { continue };
-        table.columns.iter().for_each(|column| check_column(cx, column));
+        for (i, column) in table.columns.iter().enumerate() {
+            match table.columns[..i].iter().find(|c| c.name.node == column.name.node) {
+                Some(first) => cx.error(NameError::duplicate(&column.name, first.name.span)),
+                None => check_column(cx, column),
+            }
+        }
         rows(cx, table);
         cx.unsupported("variants", statement.span);
     }
@@ -39,10 +44,11 @@ fn check_column(cx: &mut Context<'_>, column: &Column) {
                 unknown(cx, column);
             }
         }
-        Some(_) => {
+        Some(kind) => {
+            let is = kind.phrase().to_owned();
             cx.error(NameError::WrongKind {
                 name: name.node.clone(),
-                is: "no `given`".into(),
+                is,
                 wanted: "a `given`".into(),
                 span: name.span,
                 declared: cx.names.quantities.get(&name.node).map(|d| d.span),
@@ -55,7 +61,8 @@ fn check_column(cx: &mut Context<'_>, column: &Column) {
 
 fn unknown(cx: &mut Context<'_>, column: &Column) {
     let name = &column.name;
-    if cx.names.bad.contains(&name.node) || !cx.reported.insert(("given", name.node.clone())) {
+    let told = cx.names.bad.contains(&name.node) || cx.reported.contains(&("quantity", name.node.clone()));
+    if told || !cx.reported.insert(("given", name.node.clone())) {
         return;
     }
     let given = cx.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
@@ -91,7 +98,8 @@ fn rows(cx: &mut Context<'_>, table: &Variants) {
     let columns = table.columns.len();
     let header = table.columns.iter().map(|c| c.name.span).reduce(|a, b| a.to(b));
     for row in table.rows.iter().filter(|row| row.cells.len() != columns) {
-        let found = row.cells.len();
+        let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+        let (found, columns) = (count(row.cells.len(), "number"), count(columns, "column"));
         cx.error(RequestError::VariantRow { found, columns, span: row.span, header });
     }
 }

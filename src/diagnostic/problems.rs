@@ -28,6 +28,15 @@ impl Problems {
         self.items.extend(other.items);
     }
 
+    /// Adds what a later stage says, except about places that an error of this collection is about: one mistake is told
+    /// once.
+    pub fn append_later(&mut self, later: Self) {
+        let told = self.items.iter().filter(|p| is_error(p.as_ref())).filter_map(|p| primary(p.as_ref()));
+        let told = told.collect::<Vec<_>>();
+        let overlaps = |(start, end): (usize, usize)| told.iter().any(|&(s, e)| start < e && s < end);
+        self.items.extend(later.items.into_iter().filter(|p| !primary(p.as_ref()).is_some_and(overlaps)));
+    }
+
     /// Whether there is nothing to say.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -67,6 +76,12 @@ impl Problems {
     }
 }
 
+impl<D: Diagnostic + Send + Sync + 'static> Extend<D> for Problems {
+    fn extend<I: IntoIterator<Item = D>>(&mut self, problems: I) {
+        problems.into_iter().for_each(|p| self.push(p));
+    }
+}
+
 impl IntoIterator for Problems {
     type Item = AnyDiagnostic;
     type IntoIter = std::vec::IntoIter<AnyDiagnostic>;
@@ -81,8 +96,14 @@ pub(super) fn is_error(problem: &dyn Diagnostic) -> bool {
     matches!(problem.severity(), None | Some(Severity::Error))
 }
 
-/// The first byte of the place it is about: that of the primary label, else of the first.
+/// The first byte of the place it is about.
 fn offset(problem: &dyn Diagnostic) -> Option<usize> {
+    primary(problem).map(|(start, _)| start)
+}
+
+/// The place it is about: that of the primary label, else of the first.
+fn primary(problem: &dyn Diagnostic) -> Option<(usize, usize)> {
     let labels = problem.labels()?.collect::<Vec<_>>();
-    labels.iter().find(|l| l.primary()).or(labels.first()).map(miette::LabeledSpan::offset)
+    let label = labels.iter().find(|l| l.primary()).or(labels.first())?;
+    Some((label.offset(), label.offset() + label.len()))
 }

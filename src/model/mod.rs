@@ -1,6 +1,7 @@
 //! The mechanism as plain data: SI units, radians, typed ids. What the compiler knows after `check` and before any
 //! structure is found.
 
+mod display;
 mod expr;
 mod id;
 mod link;

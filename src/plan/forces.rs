@@ -90,9 +90,21 @@ fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> 
         slot: first_slot + 1,
         sign: if inner.body == second.body { 1.0 } else { -1.0 },
     };
+    let length = |outer: GroupJoint| {
+        (pin(&structure.replaced, inner, outer.body) - pin(&structure.replaced, outer, outer.body)).norm()
+    };
     match kind {
-        Dyad::Rrr => ForceStep::Rrr { outer: [hinge_of(0), hinge_of(2)], inner: inner_hinge() },
-        Dyad::Rrp => ForceStep::Rrp { outer: hinge_of(0), inner: inner_hinge(), way: way_of(2) },
+        Dyad::Rrr => ForceStep::Rrr {
+            outer: [hinge_of(0), hinge_of(2)],
+            inner: inner_hinge(),
+            scale: 1.0 / (length(first) * length(second)),
+        },
+        Dyad::Rrp => ForceStep::Rrp {
+            outer: hinge_of(0),
+            inner: inner_hinge(),
+            way: way_of(2),
+            scale: 1.0 / length(first),
+        },
         Dyad::Rpr => ForceStep::Rpr { outer: [hinge_of(0), hinge_of(2)], way: way_of(1) },
         Dyad::Prp => ForceStep::Prp { ways: [way_of(0), way_of(2)], inner: inner_hinge() },
         Dyad::Rpp => ForceStep::Rpp { outer: hinge_of(0), inner: way_of(1), way: way_of(2) },

@@ -293,6 +293,8 @@ pub enum ForceStep {
         /// The inner revolute in the frames of the links, and its slot; the sign turns the force on the second link
         /// into that kept.
         inner: Inner,
+        /// 1 / (l_1 l_2), 1/m²: turns the determinant into the condition figure.
+        scale: f64,
     },
     /// Dyad RRP.
     Rrp {
@@ -302,6 +304,8 @@ pub enum ForceStep {
         inner: Inner,
         /// Guide of the slider.
         way: Way,
+        /// 1 / l, 1/m: turns the determinant into the condition figure.
+        scale: f64,
     },
     /// Dyad RRR or RRP with unknown efforts inside its links: solved as a dyad of stiff links, then taken apart.
     DrivenLegs {

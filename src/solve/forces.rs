@@ -6,15 +6,14 @@ use crate::math::Vec2;
 use crate::plan::{EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 
 impl State {
-    /// Runs all steps of forces from the loads in `applied`. Allocates nothing.
+    /// Runs all steps of forces from the loads in `wrenches`, to which it adds the reactions. Allocates nothing.
     pub fn run_forces(&mut self, plan: &Plan) {
-        self.wrenches.copy_from_slice(&self.applied);
         for (index, step) in plan.forces.iter().enumerate() {
             self.force_sines[index] = match step {
                 ForceStep::Turn { hinge, effort, value } => self.force_turn(hinge, effort, *value),
                 ForceStep::Shift { way, effort, value } => self.force_shift(way, effort, *value),
-                ForceStep::Rrr { outer, inner } => self.force_rrr(outer, inner),
-                ForceStep::Rrp { outer, inner, way } => self.force_rrp(outer, inner, way),
+                ForceStep::Rrr { outer, inner, scale } => self.force_rrr(outer, inner, *scale),
+                ForceStep::Rrp { outer, inner, way, scale } => self.force_rrp(outer, inner, way, *scale),
                 ForceStep::DrivenLegs { outer, inner, ends, driven } => {
                     self.force_driven_legs(outer, inner, *ends, driven)
                 }
@@ -37,6 +36,10 @@ impl State {
     /// The opposite of a force and couple at a place, on the body that carries it.
     #[inline(always)]
     pub(super) fn carry(&mut self, base: usize, p: Vec2, force: Vec2, couple: f64) {
+        // what the ground carries is not asked
+        if base == 0 {
+            return;
+        }
         let r = p - self.bodies[base].p;
         let w = &mut self.wrenches[base];
         w.force -= force;
@@ -127,7 +130,7 @@ impl State {
     }
 
     #[inline(always)]
-    fn force_rrr(&mut self, outer: &[Hinge; 2], inner: &Inner) -> f64 {
+    fn force_rrr(&mut self, outer: &[Hinge; 2], inner: &Inner, scale: f64) -> f64 {
         let [one, two] = outer;
         let (body_1, body_2) = (&self.bodies[one.body], &self.bodies[two.body]);
         let (p_A, p_B) = (body_1.position(one.pin), body_2.position(two.pin));
@@ -139,11 +142,11 @@ impl State {
         self.hinge_reaction(one, p_A, got.f_A);
         self.hinge_reaction(two, p_B, got.f_B);
         self.reactions[inner.slot] = Reaction { force: got.f_C * inner.sign, couple: 0.0 };
-        r_1.cross(r_2) / (r_1.dot(r_1) * r_2.dot(r_2)).sqrt()
+        r_1.cross(r_2) * scale
     }
 
     #[inline(always)]
-    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way) -> f64 {
+    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way, scale: f64) -> f64 {
         let body_1 = &self.bodies[outer.body];
         let p_A = body_1.position(outer.pin);
         let r_1 = (inner.pin - outer.pin).turned(body_1.u);
@@ -155,7 +158,7 @@ impl State {
         self.hinge_reaction(outer, p_A, got.f_A);
         self.reactions[inner.slot] = Reaction { force: got.f_C * inner.sign, couple: 0.0 };
         self.carried_way(way, p_C, d.perp() * got.normal, got.couple);
-        r_1.dot(d) / r_1.norm()
+        r_1.dot(d) * scale
     }
 
     #[inline(always)]

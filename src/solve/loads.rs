@@ -14,15 +14,15 @@ impl State {
     #[inline(always)]
     fn apply(&mut self, body: usize, p: Vec2, force: Vec2) {
         let r = p - self.bodies[body].p;
-        let w = &mut self.applied[body];
+        let w = &mut self.wrenches[body];
         w.force += force;
         w.moment += r.cross(force);
     }
 
-    /// Sums all loads. Loads that are numbers allocate nothing and look up nothing; the rest is evaluated through `view`,
+    /// Sums all loads in `wrenches`. Loads that are numbers allocate nothing and look up nothing; the rest is evaluated through `view`,
     /// which is made of the state where there is any.
     pub fn run_loads(&mut self, scene: &Scene<'_>, evaluated: &[(LoadId, Value)]) {
-        self.applied.fill(Wrench::default());
+        self.wrenches.fill(Wrench::default());
         for step in &scene.plan.loads {
             match step {
                 LoadStep::Mass { body, centre, mass, moment_of_inertia, gravity, inertia } => {
@@ -35,7 +35,7 @@ impl State {
                         force -= a_S * *mass;
                         couple = -moment_of_inertia * b.alpha;
                     }
-                    let w = &mut self.applied[*body];
+                    let w = &mut self.wrenches[*body];
                     w.force += force;
                     w.moment += r.cross(force) + couple;
                 }
@@ -44,7 +44,7 @@ impl State {
                     let p = self.bodies[*body].position(*at);
                     self.apply(*body, p, force);
                 }
-                LoadStep::Torque { body, torque, .. } => self.applied[*body].moment += torque,
+                LoadStep::Torque { body, torque, .. } => self.wrenches[*body].moment += torque,
                 LoadStep::Spring(id) => self.apply_spring(scene, *id),
                 LoadStep::Evaluated(_) => {}
             }
@@ -77,7 +77,7 @@ impl State {
                 self.apply(on.index(), p, force);
             }
             (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => {
-                self.applied[on.index()].moment += torque;
+                self.wrenches[on.index()].moment += torque;
             }
             (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => {
                 self.apply_in_pair(scene, *pair, effort);
@@ -101,8 +101,8 @@ impl State {
                     if matches!(scene.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_)) =>
                 {
                     if let [first, second] = members.as_slice() {
-                        self.applied[second.0.0].moment += effort;
-                        self.applied[first.0.0].moment -= effort;
+                        self.wrenches[second.0.0].moment += effort;
+                        self.wrenches[first.0.0].moment -= effort;
                     }
                     return;
                 }

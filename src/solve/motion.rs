@@ -27,6 +27,10 @@ pub(super) struct Line {
 
 #[inline(always)]
 pub(super) fn point<const LEVEL: u8>(bodies: &[BodyState], anchor: &Anchor) -> Point {
+    // most outer joints sit on the ground, which does not move
+    if anchor.body == 0 {
+        return Point { p: anchor.at, v: Vec2::new(0.0, 0.0), a: Vec2::new(0.0, 0.0) };
+    }
     let body = &bodies[anchor.body];
     let r = anchor.at.turned(body.u);
     let v = if LEVEL > 0 { body.v + r.perp() * body.omega } else { Vec2::new(0.0, 0.0) };
@@ -53,6 +57,9 @@ pub(super) fn under<const LEVEL: u8>(body: &BodyState, p: Vec2) -> Point {
 
 #[inline(always)]
 pub(super) fn line(bodies: &[BodyState], slide: &Slide) -> Line {
+    if slide.base == 0 {
+        return Line { origin: slide.origin, along: slide.along };
+    }
     let base = &bodies[slide.base];
     Line { origin: base.position(slide.origin), along: slide.along.turned(base.u) }
 }
@@ -157,7 +164,7 @@ impl State {
         }
     }
 
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn turn<const LEVEL: u8>(
         &mut self,
         branch: usize,
@@ -185,7 +192,7 @@ impl State {
         place::<LEVEL>(&mut self.bodies[body], pin, hinge, u, omega, alpha);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     pub(super) fn shift<const LEVEL: u8>(&mut self, branch: usize, slide: &Slide, drive: usize) {
         let input = self.inputs[drive];
         let guide = line(&self.bodies, slide);
@@ -218,7 +225,7 @@ impl State {
         place::<LEVEL>(&mut self.bodies[slide.body], at, moved, u, base.omega, base.alpha);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn rrr<const LEVEL: u8>(&mut self, branch: usize, legs: &[Leg; 2]) {
         let [one, two] = legs;
         let a = point::<LEVEL>(&self.bodies, &one.base);
@@ -240,7 +247,7 @@ impl State {
         place::<LEVEL>(&mut self.bodies[two.body], two.pin, b, u_2, omega.1, alpha.1);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn rrp<const LEVEL: u8>(&mut self, branch: usize, leg: &Leg, slide: &Slide, pin: Vec2, from_point: Vec2) {
         let Branch2 { root, side } = self.branch(branch, 0);
         let a = point::<LEVEL>(&self.bodies, &leg.base);
@@ -264,7 +271,7 @@ impl State {
         self.place_slider::<LEVEL>(slide, guide.along, pin, at.p_C, s_dot, s_ddot);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn rpr<const LEVEL: u8>(&mut self, step: &MotionStep) {
         let MotionStep::Rpr { branch, bases, pins, slide, from_origin, from_point } = step else { return };
         let Branch2 { root, side } = self.branch(*branch, 0);
@@ -289,7 +296,7 @@ impl State {
         place::<LEVEL>(&mut self.bodies[slide.body], pins[1], b, u_2, omega, alpha);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn prp<const LEVEL: u8>(
         &mut self,
         branch: usize,
@@ -316,7 +323,7 @@ impl State {
         self.place_slider::<LEVEL>(&slides[1], guides[1].along, pins[1], at.p_C, rate.1, second.1);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn rpp<const LEVEL: u8>(
         &mut self,
         branch: usize,
@@ -348,7 +355,7 @@ impl State {
         place::<LEVEL>(&mut self.bodies[inner.body], pin, a, u_1, carrier.omega, carrier.alpha);
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn translation<const LEVEL: u8>(&mut self, branch: usize, slides: &[Slide; 2]) {
         let sides = self.branches[branch].sides;
         let guides = [line(&self.bodies, &slides[0]), line(&self.bodies, &slides[1])];

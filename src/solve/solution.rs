@@ -5,7 +5,7 @@ use super::extremes::Statics;
 use super::state::State;
 use super::view::View;
 use crate::math::Vec2;
-use crate::model::Mechanism;
+use crate::model::{Mechanism, Value};
 use crate::plan::Plan;
 use crate::structure::Structure;
 
@@ -66,6 +66,18 @@ pub enum DriveValue {
     None,
 }
 
+impl DriveValue {
+    /// As a value of the language; `None` for rates only.
+    #[must_use]
+    pub const fn value(&self) -> Option<Value> {
+        match self {
+            Self::Scalar(x) => Some(Value::Scalar(*x)),
+            Self::Point(p) => Some(Value::Vector(*p)),
+            Self::None => None,
+        }
+    }
+}
+
 /// A solved position.
 #[derive(Clone, Debug)]
 pub struct Solved {
@@ -91,6 +103,20 @@ pub struct Residuals {
 }
 
 impl Solution {
+    /// Why poses of the file have no solution, except for those of a sweep that do not close: one warning speaks of them
+    /// all.
+    #[must_use]
+    pub fn failures(&self) -> Vec<SolveError> {
+        let open =
+            |e: &SolveError| matches!(e, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. });
+        let poses = self.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
+        let failed = poses.filter_map(|p| Some((p.origin, p.outcome.as_ref().err()?)));
+        failed
+            .filter(|(origin, error)| !(matches!(origin, PoseOrigin::Sweep(_)) && open(error)))
+            .map(|(_, error)| error.clone())
+            .collect()
+    }
+
     /// One of its positions, seen from the language.
     #[must_use]
     pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> View<'a> {

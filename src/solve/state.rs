@@ -119,9 +119,9 @@ pub struct State {
     pub sines: Vec<f64>,
     /// The first group that does not close.
     pub open: Option<usize>,
-    /// Loads on the bodies before reactions are added.
+    /// Loads on the bodies before reactions are added, kept for the residuals.
     pub applied: Vec<Wrench>,
-    /// Loads and reactions found so far.
+    /// Loads, to which the steps of forces add the reactions found so far.
     pub wrenches: Vec<Wrench>,
     /// Reactions by slot.
     pub reactions: Vec<Reaction>,

@@ -279,6 +279,7 @@ impl Run<'_, '_> {
         };
         view.evaluated_loads(&mut self.evaluated);
         state.run_loads(scene, &self.evaluated);
+        state.applied.clone_from(&state.wrenches);
         state.set_lines(scene);
         state.run_forces(scene.plan);
         let mut least = 1.0_f64;

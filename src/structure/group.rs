@@ -227,8 +227,7 @@ impl Group {
         match self.kind {
             GroupKind::Driven => "driven",
             GroupKind::Dyad(dyad) => dyad.name(),
-            GroupKind::DrivenLegs(Dyad::Rrp) => "RRP with a driven link",
-            GroupKind::DrivenLegs(_) => "RRR with driven links",
+            GroupKind::DrivenLegs(dyad) => dyad.name(),
             GroupKind::Translation => "PP",
             GroupKind::General => "general",
         }

@@ -289,6 +289,56 @@ pub enum SyntaxError {
         help: String,
     },
 
+    #[error("`{wanted}` is expected instead of `{found}`")]
+    #[diagnostic(code(mech::syntax::other_word))]
+    OtherWord {
+        found: String,
+        wanted: String,
+        #[label("`{wanted}` instead of this")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("`{found}` is not written here")]
+    #[diagnostic(code(mech::syntax::needless_sign))]
+    NeedlessSign {
+        found: String,
+        #[label("leave this out")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("a comma does not separate statements or members")]
+    #[diagnostic(code(mech::syntax::comma_between))]
+    CommaBetween {
+        #[label("`;` or a new line instead of this")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("what `{function}` is taken of stands in brackets")]
+    #[diagnostic(code(mech::syntax::without_brackets))]
+    WithoutBrackets {
+        function: String,
+        #[label("in brackets")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("`{found}` cannot be a name: it begins with a digit")]
+    #[diagnostic(code(mech::syntax::digit_first))]
+    DigitFirst {
+        found: String,
+        #[label("a name begins with a letter")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
     #[error("a vector has two coordinates")]
     #[diagnostic(
         code(mech::syntax::third_coordinate),

@@ -232,6 +232,51 @@ pub(super) const CONTEXTUAL: &[&str] = &[
     "radius", "teeth", "under",
 ];
 
+/// Functions that are often written without brackets.
+pub(super) const FUNCTIONS: &[&str] = &[
+    "over",
+    "under",
+    "sqrt",
+    "abs",
+    "sin",
+    "cos",
+    "tan",
+    "asin",
+    "acos",
+    "atan",
+    "mag",
+    "unit",
+    "dir",
+    "position",
+    "velocity",
+    "acceleration",
+    "angle",
+    "omega",
+    "alpha",
+    "displacement",
+    "relative_velocity",
+    "relative_acceleration",
+    "coriolis",
+    "reaction",
+    "moment",
+    "normal",
+    "friction",
+    "inertia_force",
+    "inertia_torque",
+    "transmission_angle",
+    "pressure_angle",
+    "speed",
+    "power",
+    "effort",
+    "max",
+    "min",
+    "mean",
+    "integral",
+    "table",
+    "travel",
+    "stroke",
+];
+
 /// Whether a word cannot be a name.
 pub(super) fn is_reserved(word: &str) -> bool {
     CONNECTING.contains(&word) || LAWS.contains(&word)

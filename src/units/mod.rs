@@ -5,6 +5,7 @@
 mod dimension;
 mod error;
 mod lookup;
+mod number;
 mod spelling;
 mod table;
 mod unit;
@@ -15,4 +16,5 @@ mod tests;
 pub use dimension::{Dimension, Kind};
 pub use error::UnitError;
 pub use lookup::{Factor, factors, is_unit, lookup};
+pub use number::significant;
 pub use unit::Unit;

@@ -24,7 +24,10 @@ pub enum ExpectError {
     },
     /// A truth with values behind it.
     #[error("`{text}` is a truth, and a truth has no value")]
-    #[diagnostic(code("mech::expect::truth"), help("write `expect {text}`, or `expect not ({text})`"))]
+    #[diagnostic(
+        code("mech::expect::truth"),
+        help("leave out what stands behind it; for the opposite put `not` before it")
+    )]
     Truth {
         /// What is expected, as written.
         text: String,

@@ -88,13 +88,11 @@ pub enum NameError {
         others: Vec<LabeledSpan>,
     },
     /// A point name that stands for several points.
-    #[error("`{name}` names {count} points that no pair joins")]
+    #[error("`{name}` names several points that no pin joins")]
     #[diagnostic(code("mech::name::ambiguous_point"))]
     AmbiguousPoint {
         /// The name.
         name: String,
-        /// How many points bear it.
-        count: usize,
         /// Where it stands.
         #[label(primary, "which of them?")]
         span: Span,

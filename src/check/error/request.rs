@@ -60,7 +60,7 @@ pub enum RequestError {
         /// `a point`, `a link`
         wanted: String,
         /// The argument.
-        #[label(primary, "this is not {wanted}")]
+        #[label(primary, "{wanted} is expected")]
         span: Span,
         /// How it is written.
         usage: String,
@@ -179,6 +179,36 @@ pub enum RequestError {
         #[help]
         help: Option<String>,
     },
+    /// The effort of a drive, where other unknown efforts are declared.
+    #[error("`{name}` has no effort of its own, since the file declares what is unknown: `{balance}`")]
+    #[diagnostic(
+        code("mech::request::no_own_effort"),
+        help("ask for `{balance}`, or leave out that `balance`")
+    )]
+    NoOwnEffort {
+        /// What is driven.
+        name: String,
+        /// The first unknown effort.
+        balance: String,
+        /// The call.
+        #[label(primary, "asked here")]
+        span: Span,
+        /// Where the unknown effort is declared.
+        #[label("the unknown effort")]
+        declared: Span,
+    },
+    /// An expression that is too long.
+    #[error("this expression has {count} parts in a row; at most {most} can be read")]
+    #[diagnostic(code("mech::request::too_long"), help("divide it among several `let`"))]
+    TooLong {
+        /// How many.
+        count: usize,
+        /// How many may be.
+        most: usize,
+        /// The expression.
+        #[label(primary, "too long")]
+        span: Span,
+    },
     /// Values of the drive, where there is not one drive.
     #[error("`{function}` gives values of the drive, and there are {count} drives")]
     #[diagnostic(code("mech::request::which_drive"), help("it is defined for mechanisms with one drive"))]
@@ -215,7 +245,7 @@ pub enum RequestError {
         span: Span,
         /// The parts there are.
         #[help]
-        help: String,
+        help: Option<String>,
     },
     /// The same is asked twice.
     #[error("`{name}` is asked for twice")]
@@ -235,18 +265,18 @@ pub enum RequestError {
         first: Span,
     },
     /// A row of variants that is longer or shorter than the header.
-    #[error("this row has {found} numbers, and the table has {columns} columns")]
+    #[error("this row has {found}, and the table has {columns}")]
     #[diagnostic(code("mech::request::variant_row"), help("one number per column, separated by commas"))]
     VariantRow {
-        /// How many numbers.
-        found: usize,
-        /// How many columns.
-        columns: usize,
+        /// `1 number`
+        found: String,
+        /// `2 columns`
+        columns: String,
         /// The row.
-        #[label(primary, "{found} numbers")]
+        #[label(primary, "{found}")]
         span: Span,
         /// The header.
-        #[label("{columns} columns")]
+        #[label("{columns}")]
         header: Option<Span>,
     },
     /// A value from outside for what is no `given`.

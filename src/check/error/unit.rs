@@ -22,7 +22,7 @@ pub enum UnitsError {
         help: Option<String>,
     },
     /// A bare number where a quantity is due.
-    #[error("{what} is {want}, and {want} needs a unit")]
+    #[error("{what} needs a unit: it is {want}")]
     #[diagnostic(code("mech::unit::missing"), help("did you mean {example}?"))]
     Missing {
         /// What the number is for.
@@ -74,7 +74,7 @@ pub enum UnitsError {
     },
     /// Turns per time of which nobody said what a turn is.
     #[error("{what} is an angular velocity: does Hz mean rev/s or rad/s here?")]
-    #[diagnostic(code("mech::unit::hertz"), help("write rev/s or rad/s instead of Hz"))]
+    #[diagnostic(code("mech::unit::hertz"), help("write `rev/s` or `rad/s` instead of `Hz`"))]
     Hertz {
         /// What it is for.
         what: String,

@@ -110,6 +110,6 @@ impl Context<'_> {
         if let Some(text) = bare(y, right, x).or_else(|| bare(x, left, y)) {
             return Some(format!("did you mean `{text}`?"));
         }
-        mend(x, y)
+        mend(x, y).map(|text| text.replacen("by", "the second by", 1))
     }
 }

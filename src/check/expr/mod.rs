@@ -73,7 +73,7 @@ impl Context<'_> {
     }
 
     fn without_pose(&mut self, found: model::Expr, expr: &Expr, what: &str) -> Option<model::Expr> {
-        let found = self.inline(&found);
+        let found = self.inline(&found, expr.span)?;
         if !self.is_poseless(&found) {
             self.error(RequestError::NeedsPose { what: what.to_owned(), span: expr.span });
             return None;

@@ -16,16 +16,14 @@ impl Context<'_> {
             return Some(Typed::new(model::Expr::number(number.value), Type::Number(dim)));
         };
         let unit = self.unit(word)?;
+        self.warn_of_names(word);
         Some(Typed::constant(unit.to_si(number.value), unit.dimension))
     }
 
-    /// The unit a word means. Reports a word that means none, once, and warns of one that is a name as well.
+    /// The unit a word means. Reports a word that means none, once.
     pub fn unit(&mut self, word: &Spanned<String>) -> Option<Unit> {
         match lookup(&word.node) {
-            Ok(unit) => {
-                self.warn_of_names(word);
-                Some(unit)
-            }
+            Ok(unit) => Some(unit),
             Err(error) => {
                 if self.reported.insert(("unit", word.node.clone())) {
                     let (start, end) = error.range();
@@ -38,6 +36,7 @@ impl Context<'_> {
         }
     }
 
+    /// Warns of a part of a unit that is a name of the file as well, once.
     fn warn_of_names(&mut self, word: &Spanned<String>) {
         for factor in factors(&word.node).into_iter().skip(1) {
             let Some(declared) = self.names.quantities.get(factor.symbol).map(|d| d.span) else { continue };

@@ -3,11 +3,14 @@
 use super::fold;
 use super::typed::{Dim, Type, Typed, phrase};
 use crate::check::context::Context;
-use crate::check::error::UnitsError;
+use crate::check::error::{RequestError, UnitsError};
 use crate::model::{self, Axis, Comparison, Value};
 use crate::source::{Span, Spanned};
 use crate::syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp};
 use crate::units::Dimension;
+
+/// The most operands in a row.
+const MOST: usize = 500;
 
 /// Whether the sign of a value matters where it stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,10 +36,17 @@ impl Context<'_> {
             ExprKind::Vector(x, y) => self.components(x, y),
             ExprKind::Polar(r, phi) => self.polar(r, phi),
             ExprKind::Unary(op, inner) => self.unary(op.node, inner, sign),
+            ExprKind::Chain(_, rest) if rest.len() >= MOST => self.too_long(rest.len(), expr.span),
+            ExprKind::Compare(_, rest) if rest.len() >= MOST => self.too_long(rest.len(), expr.span),
             ExprKind::Chain(first, rest) => self.chain(first, rest, expr.span, sign),
             ExprKind::Power(base, exponent) => self.raised(base, exponent, expr.span),
             ExprKind::Compare(first, rest) => self.comparison(first, rest),
         }
+    }
+
+    fn too_long(&mut self, count: usize, span: Span) -> Option<Typed> {
+        self.error(RequestError::TooLong { count: count + 1, most: MOST, span });
+        None
     }
 
     /// `.x` and `.y` of vectors, and the parts of a mass substitution.
@@ -247,7 +257,7 @@ impl Context<'_> {
             _ => dimension.is_number().then_some(Dimension::NUMBER),
         };
         let Some(raised) = raised else {
-            let help = Some("a base with a unit takes a whole exponent written as a number".to_owned());
+            let help = Some("a base with a unit takes a whole exponent".to_owned());
             let what = format!("this power of {}", phrase(dimension));
             self.error(UnitsError::Power { what, span: base.span, base: dimension, help });
             return None;

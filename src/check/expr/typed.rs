@@ -91,7 +91,7 @@ impl Type {
         match self {
             Self::Number(d) => phrase(d.known()),
             Self::Vector(d) if d.known() == Dimension::NUMBER => "a vector of plain numbers".into(),
-            Self::Vector(d) => format!("a vector, {}", phrase(d.known())),
+            Self::Vector(d) => format!("a vector in {}", d.known().si_text()),
             Self::Truth => "a truth".into(),
         }
     }

@@ -146,7 +146,7 @@ impl Context<'_> {
 /// What kind of pair it is, with its article.
 pub const fn kind_phrase(kind: &PairKind) -> &'static str {
     match kind {
-        PairKind::Revolute(_) => "a revolute",
+        PairKind::Revolute(_) => "a revolute pair",
         PairKind::Prismatic(_) => "a prismatic pair",
         PairKind::Slot(_) => "a slot",
         PairKind::Contact { .. } => "a contact",

@@ -9,11 +9,15 @@ use crate::check::expr::typed::{Type, Typed};
 use crate::check::lookup::suggestion;
 use crate::check::names::QuantityKind;
 use crate::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query};
-use crate::syntax::document::{Expr, Name};
+use crate::syntax::document::{Expr, Member, Name, Statement};
 use crate::units::Dimension;
 
 fn number(query: Query, dimension: Dimension) -> Typed {
     Typed::new(ModelExpr::Query(query), Type::number(dimension))
+}
+
+const fn may_have_mass(member: &Member) -> bool {
+    matches!(member, Member::Mass(_) | Member::Weight(_) | Member::Inertia(_) | Member::Bad(_))
 }
 
 impl Context<'_> {
@@ -135,8 +139,15 @@ impl Context<'_> {
         if declared.mass.is_some() {
             return Some(());
         }
-        // A mass that is declared with an error is missing here as well; then the error has been told.
-        if !self.problems.has_errors() {
+        // A mass that is declared with an error is missing here as well, and that has been told.
+        let written = self.doc.statements.iter().any(|s| match &s.node {
+            Statement::Link(l) => {
+                l.name.span == declared.span && l.body.iter().any(|m| may_have_mass(&m.node))
+            }
+            Statement::Bad(_) => true,
+            _ => false,
+        });
+        if !written {
             let (link, declared) = (declared.name.clone(), declared.span);
             self.error(RequestError::NoMass { link, span: call.span, declared });
         }
@@ -157,8 +168,21 @@ impl Context<'_> {
             self.wrong_argument(call, "a link or a pair that is driven", args[0].span);
             return None;
         }
+        self.own_effort(args[0])?;
+        let statement = self.drive_statements()[drive.index()];
         let turns = self.drive_dimension(statement) == Dimension::ANGLE;
         Some(number(Query::Effort(drive), if turns { Dimension::TORQUE } else { Dimension::FORCE }))
+    }
+
+    /// Reports an effort of a drive where other efforts are unknown.
+    fn own_effort(&mut self, driven: &Expr) -> Option<()> {
+        let balance = self.names.quantities.iter().find(|(_, d)| matches!(d.what, QuantityKind::Balance(..)));
+        let Some((balance, declared)) = balance.map(|(name, d)| (name.clone(), d.span)) else {
+            return Some(());
+        };
+        let name = path(driven)?.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join(".");
+        self.error(RequestError::NoOwnEffort { name, balance, span: driven.span, declared });
+        None
     }
 
     /// The drive of what is named.
@@ -173,7 +197,7 @@ impl Context<'_> {
             return None;
         }
         let all = drives.iter().map(String::as_str).collect::<Vec<_>>();
-        let help = suggestion(&written, &all, "driven");
+        let help = suggestion(&written, &all, "things driven");
         self.error(RequestError::NotDriven { name: written, span: first.span.to(last.span), help });
         None
     }
@@ -210,7 +234,11 @@ impl Context<'_> {
                 });
                 return None;
             }
-            _ => Query::EffortPower(self.drive(&names)?),
+            _ => {
+                let drive = self.drive(&names)?;
+                self.own_effort(args[0])?;
+                Query::EffortPower(drive)
+            }
         };
         Some(number(query, Dimension::POWER))
     }

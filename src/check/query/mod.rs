@@ -97,7 +97,7 @@ impl Context<'_> {
         let named = call.args.iter().find_map(|a| a.name.as_ref());
         if let Some(name) = named {
             let usage = usage(&call.name.node);
-            let wanted = "an argument without a name".to_owned();
+            let wanted = "a value without a name".to_owned();
             self.error(RequestError::Argument {
                 function: call.name.node.clone(),
                 wanted,

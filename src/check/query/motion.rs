@@ -133,7 +133,7 @@ impl Context<'_> {
             PairKind::Revolute(pins) if pins.len() > 2 => {
                 let links = pins.iter().map(|p| p.link).collect::<Vec<_>>();
                 let names = self.spelled(&links);
-                let help = format!("write it with links: `angle({}) - angle({})`", names[1], names[0]);
+                let help = format!("write it with links: `angle({}) - angle({})`", names[2], names[1]);
                 let (pair, count) = (self.mech.pair(pair).name.clone(), names.len());
                 self.error(RequestError::WhichTwo { pair, count, span: call.span, help });
                 None

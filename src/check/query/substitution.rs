@@ -64,8 +64,10 @@ impl Context<'_> {
         if self.kind_inside(link, &tail.node) == Some("point") {
             let help = Some(format!("ask something of it: `position({path})` or `velocity({path})`"));
             self.error(RequestError::NoValue { path, span: whole.span, help });
-        } else {
+        } else if self.kind_inside(link, &tail.node).is_some() {
             self.error(RequestError::NoValue { path, span: whole.span, help: None });
+        } else {
+            self.point(link, tail);
         }
         None
     }
@@ -85,7 +87,11 @@ impl Context<'_> {
         }
         self.with_mass(call, link)?;
         let Some((_, which, ty)) = PARTS.iter().find(|(name, ..)| *name == part.node) else {
-            self.error(RequestError::Part { part: part.node.clone(), span: part.span, help: part_list() });
+            self.error(RequestError::Part {
+                part: part.node.clone(),
+                span: part.span,
+                help: Some(part_list()),
+            });
             return None;
         };
         let query = match points[..] {
@@ -109,8 +115,8 @@ impl Context<'_> {
             return Some(base.clone());
         }
         let help = match base.ty {
-            Type::Vector(_) => "the parts of a vector are `.x` and `.y`".to_owned(),
-            _ => "this has no parts".to_owned(),
+            Type::Vector(_) => Some("the parts of a vector are `.x` and `.y`".to_owned()),
+            _ => None,
         };
         self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
         None

@@ -5,6 +5,7 @@
 mod brackets;
 mod case;
 mod first_word;
+mod swap;
 mod within;
 
 use super::Rule;
@@ -50,6 +51,8 @@ pub(super) fn report(text: &str, read: &str, at: Span, what: What, problems: &mu
         let found = first_word::explain(&case)
             .or_else(|| within::explain(&case))
             .or_else(|| brackets::explain(&case))
+            .or_else(|| swap::explain(&case))
+            .or_else(|| within::missing(&case))
             .unwrap_or_else(|| unexpected(&case));
         problems.push(found);
     }
@@ -104,7 +107,14 @@ fn unexpected(case: &Case<'_>) -> SyntaxError {
     };
     let expected = case.expected.iter().flat_map(|r| words::expected(*r)).collect::<Vec<Expected>>();
     let at = case.span(case.fail, token.len());
-    SyntaxError::Unexpected { what, expected: words::list(expected), at, found, help: help(first) }
+    let help = match case.what {
+        What::Header | What::Row => Some(
+            "the header and each row stand on a line of their own: names with units, then plain numbers"
+                .to_owned(),
+        ),
+        _ => help(first),
+    };
+    SyntaxError::Unexpected { what, expected: words::list(expected), at, found, help }
 }
 
 /// The shape of a statement that could not be read.
@@ -138,6 +148,14 @@ fn help(word: &str) -> Option<String> {
         "weight" => "weight 21 N at C",
         "inertia" => "inertia 0.0425 kg*m^2",
         "wheel" => "wheel z1 teeth 18 module 16 mm",
+        "gravity" => "gravity 9.81 m/s^2",
+        "slider" => "slider A",
+        "rack" => "rack r: w3 - bar.line1",
+        "all" => "all revolute { friction_circle 5 mm }",
+        "cam" => "cam plate { base_radius 50 mm; turning cw; rise 60 deg through 18 deg parabolic }",
+        "flywheel" => "flywheel J on O1 for Mb { fluctuation 1/30 }",
+        "until" => "until angle(crank) = 360 deg",
+        "ignore" => "ignore inertia",
         "shaft" => "shaft I { wheel w1 radius 0.2 m }",
         "start" => "start OF = 5 deg at 0 rad/s",
         "simulate" => "simulate 0 s .. 0.03 s within 1e-9",

@@ -13,8 +13,11 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| reserved_name(case))
         .or_else(|| misspelt_here(case))
         .or_else(|| misspelt_before(case))
-        .or_else(|| missing_operator(case))
-        .or_else(|| missing_word(case))
+}
+
+/// What remains when nothing else mends it.
+pub(super) fn missing(case: &Case<'_>) -> Option<SyntaxError> {
+    missing_operator(case).or_else(|| missing_word(case))
 }
 
 /// `0,5 m`: first the comma nearest before the failure alone, then all.
@@ -126,7 +129,8 @@ fn missing_word(case: &Case<'_>) -> Option<SyntaxError> {
         return None;
     }
     let mut fitting = case.literals();
-    fitting.retain(|w| case.reads(&case.with(case.fail, case.fail, &format!(" {w} "))));
+    fitting
+        .retain(|w| w != "{" && w != "}" && case.reads(&case.with(case.fail, case.fail, &format!(" {w} "))));
     let [missing] = fitting.as_slice() else { return None };
     let before = case.slice.get(..case.fail)?.trim_end();
     let spaced = match missing.as_str() {

@@ -70,10 +70,13 @@ pub enum LoadError {
         kind: Span,
     },
     /// A load hangs on a force that is found only with the loads known.
-    #[error("{what} hangs on {on}, which is found from the loads")]
+    #[error("{what} hangs on {on}")]
     #[diagnostic(
         code("mech::geometry::depends_on_forces"),
-        help("loads and their conditions may use given values, positions, velocities and accelerations")
+        help(
+            "loads come first and forces are found from them: a load and its condition may use given values, positions, \
+             velocities and accelerations"
+        )
     )]
     DependsOnForces {
         /// The load or its condition.

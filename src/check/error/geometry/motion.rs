@@ -74,6 +74,23 @@ pub enum MotionError {
         #[label("which speed does it change?")]
         span: Span,
     },
+    /// A drive of a linkage without a position.
+    #[error("`{name}` is driven, but nothing says where it stands")]
+    #[diagnostic(
+        code("mech::geometry::drive_without_position"),
+        help(
+            "give a position, several, or a range: `drive {name} = {example}`; only trains of wheels and ropes move by rates alone"
+        )
+    )]
+    WithoutPosition {
+        /// What is driven.
+        name: String,
+        /// A position.
+        example: String,
+        /// The drive.
+        #[label("at which position?")]
+        span: Span,
+    },
     /// A number of steps that is none.
     #[error("the number of steps must be a whole number from 1 to {most}, it is {value}")]
     #[diagnostic(
@@ -170,6 +187,25 @@ pub enum MotionError {
         /// Its place.
         #[label("not the point of a prismatic pair")]
         span: Span,
+    },
+    /// `near` where the first pose is not known yet.
+    #[error("`near` needs a first pose, but `{drive}` begins at a dead position")]
+    #[diagnostic(
+        code("mech::geometry::near_with_dead"),
+        help(
+            "dead positions are sought over the whole turn, with the assembly given: name it by `left of`, `ahead of` or a \
+             sign, as in `assemble s > 0`"
+        )
+    )]
+    NearWithDead {
+        /// The drive.
+        drive: String,
+        /// The clause.
+        #[label(primary, "near in which pose?")]
+        span: Span,
+        /// The drive.
+        #[label("hangs on `dead`, `stroke` or `time_ratio`")]
+        drive_span: Span,
     },
     /// A pair that has no single point.
     #[error("`{name}` is {is}, which has no single point")]

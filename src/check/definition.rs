@@ -1,0 +1,169 @@
+//! Definitions, `given`, `let` and `find NAME =`: in which order they hang on one another, and on what.
+
+use super::context::Context;
+use super::error::NameError;
+use super::expr::typed::{Type, Typed};
+use super::names::QuantityKind;
+use super::walk;
+use crate::model::QuantityId;
+use crate::source::Span;
+use crate::syntax::document::{Expr, ExprKind};
+use indexmap::IndexMap;
+use miette::LabeledSpan;
+
+/// A definition that has been read.
+#[derive(Clone, Debug)]
+pub enum Settled {
+    /// A value.
+    Constant(Typed),
+    /// One value per pose.
+    Result(QuantityId, Type),
+    /// It cannot be solved yet.
+    Pending(Type),
+    /// It has an error.
+    Failed,
+}
+
+/// Definitions and what they hang on.
+#[derive(Debug, Default)]
+pub struct Definitions {
+    /// Each after those it hangs on.
+    pub(super) order: Vec<String>,
+    /// For each that hangs on results: on which, in words.
+    pub(super) results: IndexMap<String, String>,
+    /// Those that have been read.
+    pub(super) settled: IndexMap<String, Settled>,
+    /// For each quantity of the mechanism, whether it needs no pose, and its size with all it hangs on written out.
+    pub(super) kept: Vec<(bool, usize)>,
+}
+
+/// Finds the order of the definitions; reports those that hang on themselves.
+pub fn order(cx: &mut Context<'_>) {
+    let mut uses = IndexMap::new();
+    for (name, declared) in &cx.names.quantities {
+        if let Some(expr) = definition(declared.what) {
+            uses.insert(name.clone(), names_in(cx, expr));
+        }
+    }
+    let mut state: IndexMap<String, bool> = IndexMap::new(); // false: under way; true: done
+    for start in uses.keys() {
+        let mut path = vec![(start.clone(), 0)];
+        while let Some((name, next)) = path.pop() {
+            if next == 0 && state.insert(name.clone(), false).is_some() {
+                state.insert(name, true);
+                continue;
+            }
+            let Some(used) = uses[&name].get(next) else {
+                state.insert(name.clone(), true);
+                cx.definitions.order.push(name);
+                continue;
+            };
+            path.push((name, next + 1));
+            match state.get(used) {
+                None => path.push((used.clone(), 0)),
+                Some(false) => cycle(cx, &path, used),
+                Some(true) => {}
+            }
+        }
+    }
+    for name in cx.definitions.order.clone() {
+        let Some(declared) = cx.names.quantities.get(&name) else { continue };
+        let found = definition(declared.what).and_then(|e| cx.first_root(e)).map(|(_, root, _)| root);
+        let found = found.or_else(|| {
+            matches!(declared.what, QuantityKind::Find(_)).then(|| "what is to be found".to_owned())
+        });
+        if let Some(result) = found {
+            cx.definitions.results.insert(name, result);
+        }
+    }
+}
+
+fn definition(kind: QuantityKind<'_>) -> Option<&Expr> {
+    match kind {
+        QuantityKind::Given(e) | QuantityKind::Let(e) => Some(e),
+        QuantityKind::Find(item) => Some(&item.value),
+        QuantityKind::Load(..)
+        | QuantityKind::Balance(..)
+        | QuantityKind::Flywheel
+        | QuantityKind::Column(_) => None,
+    }
+}
+
+/// The definitions whose values an expression uses.
+fn names_in(cx: &Context<'_>, expr: &Expr) -> Vec<String> {
+    let mut found = Vec::new();
+    values(expr, &mut |part| {
+        if let ExprKind::Name(name) = &part.kind
+            && cx.names.quantities.get(name).is_some_and(|d| definition(d.what).is_some())
+            && !found.contains(name)
+        {
+            found.push(name.clone());
+        }
+    });
+    found
+}
+
+/// Calls `visit` on all parts that stand for values: the arguments of `velocity(C)` are names of things.
+fn values<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
+    if let ExprKind::Call { function, args } = &expr.kind {
+        visit(expr);
+        if super::query::takes_values(&function.node) {
+            args.iter().for_each(|a| values(&a.value, visit));
+        }
+        return;
+    }
+    visit(expr);
+    walk::children(expr, &mut |child| values(child, visit));
+}
+
+fn cycle(cx: &mut Context<'_>, path: &[(String, usize)], again: &str) {
+    let from = path.iter().position(|(name, _)| name == again).unwrap_or(0);
+    let names = path[from..].iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+    let place = |name: &String| cx.names.quantities.get(name).map_or_else(Span::default, |d| d.span);
+    let label = |name: &String| LabeledSpan::at(place(name).start..place(name).end, "hangs on the next");
+    let others = names.iter().skip(1).map(label).collect();
+    let span = names.first().map_or_else(Span::default, place);
+    let chain = names.iter().map(|n| format!("`{n}`")).chain([format!("`{again}`")]).collect::<Vec<_>>();
+    for name in &names {
+        cx.definitions.settled.insert(name.clone(), Settled::Failed);
+    }
+    cx.error(NameError::Cycle { name: again.to_owned(), chain: chain.join(" → "), span, others });
+}
+
+impl Context<'_> {
+    /// The first part of an expression that is known only once the mechanism is solved, in words.
+    pub fn first_result(&self, expr: &Expr) -> Option<(Span, String)> {
+        self.first_root(expr).map(|(span, root, via)| match via {
+            Some(name) => (span, format!("`{name}`, which hangs on {root}")),
+            None => (span, root),
+        })
+    }
+
+    /// The first such part, what it comes down to, and the name it is hidden behind.
+    fn first_root(&self, expr: &Expr) -> Option<(Span, String, Option<String>)> {
+        let mut first = None;
+        values(expr, &mut |part| {
+            if first.is_some() {
+                return;
+            }
+            first = match &part.kind {
+                ExprKind::Call { function, args } if self.is_result(&function.node, args) => {
+                    Some((part.span, format!("`{}(…)`", function.node), None))
+                }
+                ExprKind::Name(name) => self.root_of(name).map(|(root, via)| (part.span, root, via)),
+                _ => None,
+            };
+        });
+        first
+    }
+
+    fn root_of(&self, name: &str) -> Option<(String, Option<String>)> {
+        match self.names.quantities.get(name).map(|d| d.what) {
+            Some(QuantityKind::Load(..) | QuantityKind::Balance(..) | QuantityKind::Flywheel) => {
+                Some((format!("`{name}`"), None))
+            }
+            Some(_) => self.definitions.results.get(name).map(|root| (root.clone(), Some(name.to_owned()))),
+            None => (name == "time").then(|| ("`time`".to_owned(), None)),
+        }
+    }
+}

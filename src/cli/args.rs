@@ -1,0 +1,137 @@
+//! The manual of the command line.
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+use crate::check::Overrides;
+
+/// Solves planar mechanism problems written as text.
+///
+/// A file says what is given, what the mechanism is, what acts on it and what to find. Results go to standard output,
+/// diagnostics to standard error.
+#[derive(Debug, Parser)]
+#[command(name = "assur", version, after_help = EXAMPLES, after_long_help = LONG)]
+pub struct Args {
+    /// What to do
+    #[command(subcommand)]
+    pub command: Command,
+    /// When to use colours; NO_COLOR and pipes are respected by `auto`
+    #[arg(long, global = true, value_enum, value_name = "WHEN", default_value_t = Color::Auto)]
+    pub color: Color,
+}
+
+const EXAMPLES: &str = "Example: assur solve engine.mech";
+const LONG: &str = "\
+Examples:
+  assur check engine.mech                   what the mechanism is built from
+  assur solve engine.mech                   the answers as a readable table
+  assur solve examples --format json        one object per file and line
+  assur solve engine.mech --set r=120mm     with another crank
+  assur test 'homework/**/*.mech'           the answer key
+  assur explain mech::assembly::ambiguous   what a diagnostic means
+
+Exit status:
+  0  fine
+  1  a problem is wrong: it has errors or, with `test`, an expectation fails
+  2  the command line or a file cannot be used";
+
+/// Subcommands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Show what a mechanism is built from: mobility, structural groups, effects, plan; nothing is solved
+    Check(Problem),
+    /// Solve and print the answers
+    Solve(Solve),
+    /// Hold the solution against the file's own answer key
+    Test(Problem),
+    /// Solve once per row of a table of variants
+    Batch(Batch),
+    /// Show what accuracy costs in time
+    Accuracy(Problem),
+    /// Explain a diagnostic by its code
+    Explain(Explain),
+}
+
+/// Files, and values from outside.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Problem {
+    /// Files, folders, globs, or `-` for standard input
+    #[arg(required = true, value_name = "FILES")]
+    pub files: Vec<String>,
+    /// Give a `given` another value, as in `--set r=120mm`; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
+    pub settings: Vec<(String, String)>,
+}
+
+/// Arguments of `solve`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Solve {
+    /// What to solve
+    #[command(flatten)]
+    pub problem: Problem,
+    /// How to print the answers
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// Arguments of `batch`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Batch {
+    /// What to solve
+    #[command(flatten)]
+    pub problem: Problem,
+    /// A table of variants: names with units in the header, plain numbers below
+    #[arg(long, value_name = "TABLE.csv")]
+    pub variants: Option<String>,
+}
+
+/// Arguments of `explain`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Explain {
+    /// The code of a diagnostic, as `mech::assembly::ambiguous`; `mech::` may be left out
+    #[arg(required_unless_present = "all", value_name = "CODE")]
+    pub code: Option<String>,
+    /// List all codes
+    #[arg(long, conflicts_with = "code")]
+    pub all: bool,
+}
+
+/// How answers are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// Tables to read, in the author's units
+    Table,
+    /// One object per file and line, SI and radians
+    Json,
+    /// One row per pose, in the author's units
+    Csv,
+    /// Tables to paste into a document
+    Markdown,
+}
+
+/// When to use colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Color {
+    /// On a terminal, unless `NO_COLOR` is set
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+impl Problem {
+    /// The values from outside.
+    #[must_use]
+    pub fn overrides(&self) -> Overrides {
+        Overrides { values: self.settings.clone() }
+    }
+}
+
+fn setting(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
+            Ok((name.trim().to_owned(), value.trim().to_owned()))
+        }
+        _ => Err("write NAME=VALUE, as in r=120mm".to_owned()),
+    }
+}

@@ -1,0 +1,96 @@
+//! What can be wrong with the command line and with files.
+
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// An error that is not one of the text.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum CliError {
+    /// No such file.
+    #[error("there is no file or folder `{name}`")]
+    #[diagnostic(code(mech::file::missing))]
+    Missing {
+        /// As given.
+        name: String,
+    },
+    /// The file cannot be read.
+    #[error("`{name}` cannot be read: {why}")]
+    #[diagnostic(code(mech::file::unreadable))]
+    Unreadable {
+        /// As given.
+        name: String,
+        /// What the system says.
+        why: String,
+    },
+    /// No text.
+    #[error("`{name}` is not a text in UTF-8: byte {at} cannot be read")]
+    #[diagnostic(code(mech::file::not_utf8), help("save the file in the encoding UTF-8"))]
+    NotUtf8 {
+        /// As given.
+        name: String,
+        /// The first byte that cannot be read, from 1.
+        at: usize,
+    },
+    /// An empty folder.
+    #[error("there is no .mech file in the folder `{name}`")]
+    #[diagnostic(
+        code(mech::file::no_mech_files),
+        help("files that .gitignore names are left out; name a file itself to read it all the same")
+    )]
+    NoMechFiles {
+        /// As given.
+        name: String,
+    },
+    /// A glob that matches nothing.
+    #[error("no file matches `{pattern}`")]
+    #[diagnostic(code(mech::file::no_match))]
+    NoMatch {
+        /// As given.
+        pattern: String,
+    },
+    /// No glob.
+    #[error("`{pattern}` is not a pattern of file names: {why}")]
+    #[diagnostic(code(mech::file::bad_pattern))]
+    BadPattern {
+        /// As given.
+        pattern: String,
+        /// What is wrong.
+        why: String,
+    },
+    /// A subcommand that exists in name.
+    #[error("`assur {command}` is not supported yet")]
+    #[diagnostic(code(mech::command::not_supported_yet))]
+    NotSupportedYet {
+        /// The subcommand.
+        command: &'static str,
+        /// What to do instead.
+        #[help]
+        help: &'static str,
+    },
+    /// No such code.
+    #[error("there is no diagnostic `{code}`")]
+    #[diagnostic(code(mech::command::unknown_code))]
+    UnknownCode {
+        /// As given.
+        code: String,
+        /// What may be meant.
+        #[help]
+        help: String,
+    },
+    /// Our own mistake.
+    #[error("internal error of assur {version} in `{file}`: {what}")]
+    #[diagnostic(
+        code(mech::internal::panic),
+        help(
+            "this is a mistake of the program, not of your file: please report it with the file and this message"
+        )
+    )]
+    Internal {
+        /// The file.
+        file: String,
+        /// The message.
+        what: String,
+        /// Our version.
+        version: &'static str,
+    },
+}

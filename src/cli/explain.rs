@@ -1,0 +1,27 @@
+//! `assur explain`
+
+use super::args::Explain;
+use super::error::CliError;
+use super::reply::{Status, complaint};
+use super::screen::Screen;
+use crate::diagnostic::{CODES, did_you_mean, explain};
+
+/// Prints the page of a code, or lists all codes.
+pub fn run(args: &Explain, screen: &Screen) -> Status {
+    let Some(code) = &args.code else {
+        let list: String = CODES.iter().map(|c| format!("{}\n", c.code)).collect();
+        screen.print(&list);
+        return Status::Fine;
+    };
+    if let Some(page) = explain(code) {
+        screen.print(&format!("{}\n", page.trim_end()));
+        return Status::Fine;
+    }
+    let near = did_you_mean(code, CODES.iter().map(|c| c.code.strip_prefix("mech::").unwrap_or(c.code)));
+    let help = match near.first() {
+        Some(near) => format!("did you mean `mech::{near}`?"),
+        None => "`assur explain --all` lists all codes".to_owned(),
+    };
+    screen.complain(&complaint(CliError::UnknownCode { code: code.clone(), help }, screen));
+    Status::Unusable
+}

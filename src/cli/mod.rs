@@ -1,0 +1,43 @@
+//! The command line: one file per subcommand, [`args`] is the manual.
+
+mod accuracy;
+pub mod args;
+mod batch;
+mod check;
+mod error;
+mod explain;
+mod files;
+mod reply;
+mod screen;
+mod solve;
+mod test;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use args::{Args, Command};
+use clap::Parser;
+use screen::Screen;
+
+/// Runs the program: results on standard output, diagnostics on standard error. 0: fine; 1: a problem is wrong; 2: the
+/// command line or a file cannot be used.
+pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let args = match Args::try_parse_from(args) {
+        Ok(args) => args,
+        Err(error) => {
+            // help goes to standard output; there is nobody to tell where that is closed
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    let screen = Screen::new(args.color);
+    let status = match args.command {
+        Command::Check(args) => check::run(&args, &screen),
+        Command::Solve(args) => solve::run(&args, &screen),
+        Command::Test(args) => test::run(&args, &screen),
+        Command::Batch(args) => batch::run(&args, &screen),
+        Command::Accuracy(args) => accuracy::run(&args, &screen),
+        Command::Explain(args) => explain::run(&args, &screen),
+    };
+    ExitCode::from(status as u8)
+}

@@ -1,0 +1,102 @@
+//! What the program says about a file, and the loop over all files.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::error::CliError;
+use super::files::{self, Input};
+use super::screen::Screen;
+use crate::diagnostic::Problems;
+use crate::source::Source;
+
+/// Exit status; the worst of all files counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Status {
+    /// All is well.
+    #[default]
+    Fine = 0,
+    /// A problem is wrong.
+    Wrong = 1,
+    /// The command line or a file cannot be used.
+    Unusable = 2,
+}
+
+/// What is said about one file.
+#[derive(Debug, Default)]
+pub struct Reply {
+    /// For standard output.
+    pub results: String,
+    /// For standard error.
+    pub diagnostics: String,
+    /// How it ends.
+    pub status: Status,
+}
+
+impl Reply {
+    /// A reply that is wrong where the problems hold an error.
+    #[must_use]
+    pub fn new(results: String, problems: &Problems, source: &Source, screen: &Screen) -> Self {
+        let status = if problems.has_errors() { Status::Wrong } else { Status::Fine };
+        Self { results, diagnostics: screen.diagnostics(problems, source), status }
+    }
+
+    fn unusable(error: CliError, screen: &Screen) -> Self {
+        Self { results: String::new(), diagnostics: complaint(error, screen), status: Status::Unusable }
+    }
+}
+
+/// An error that has no place in a text.
+pub fn complaint(error: CliError, screen: &Screen) -> String {
+    let mut problems = Problems::new();
+    problems.push(error);
+    screen.diagnostics(&problems, &Source::new("", ""))
+}
+
+/// Works through all files that the command line names; one that cannot be used does not spoil the others. `apart`
+/// stands between the results of two files.
+pub fn for_each_file(
+    names: &[String],
+    screen: &Screen,
+    apart: &str,
+    work: impl Fn(&Source) -> Reply,
+) -> Status {
+    let mut status = Status::Fine;
+    let mut printed = false;
+    quiet_panics();
+    for input in files::expand(names) {
+        let reply = match input.and_then(Input::read) {
+            Ok(source) => guarded(&source, screen, &work),
+            Err(error) => Reply::unusable(error, screen),
+        };
+        screen.complain(&reply.diagnostics);
+        status = status.max(reply.status);
+        if reply.results.is_empty() {
+            continue;
+        }
+        let text = if printed { format!("{apart}{}", reply.results) } else { reply.results };
+        if !screen.print(&text) {
+            return status;
+        }
+        printed = true;
+    }
+    status
+}
+
+/// An error of our own ends one file, not the program.
+fn guarded(source: &Source, screen: &Screen, work: impl Fn(&Source) -> Reply) -> Reply {
+    match catch_unwind(AssertUnwindSafe(|| work(source))) {
+        Ok(reply) => reply,
+        Err(payload) => {
+            let words = payload.downcast_ref::<String>().map(String::as_str);
+            let what = words.or(payload.downcast_ref::<&str>().copied()).unwrap_or("no message");
+            let (file, what) = (source.name.clone(), what.to_owned());
+            Reply::unusable(CliError::Internal { file, what, version: env!("CARGO_PKG_VERSION") }, screen)
+        }
+    }
+}
+
+/// An internal error is reported once, as a diagnostic.
+fn quiet_panics() {
+    if std::env::var_os("RUST_BACKTRACE").is_none() {
+        std::panic::set_hook(Box::new(|_| {}));
+    }
+}

@@ -1,0 +1,212 @@
+//! Every `expect` of a file against its solution.
+
+use super::compare::{bound, equal, is_within};
+use super::error::{ExpectError, at_pose};
+use super::undefined::why_undefined;
+use crate::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
+use crate::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution, State, View, compare};
+use crate::source::Span;
+
+/// What became of one expectation at one pose.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// What was expected of: the left side's own text.
+    pub text: String,
+    /// The pose's name; `None` where no pose is needed.
+    pub pose: Option<String>,
+    /// The comparison that should hold; `None` for an equality and for a truth.
+    pub comparison: Option<Comparison>,
+    /// The expected value, the bound of a comparison, or `true` for a truth; SI.
+    pub expected: Value,
+    /// What the solution says, SI.
+    pub got: Value,
+    /// The greatest difference allowed, SI; `None` for comparisons and truths.
+    pub within: Option<f64>,
+    /// Whether it holds.
+    pub passed: bool,
+    /// Compared modulo a turn.
+    pub angle: bool,
+    /// Place of the statement.
+    pub span: Span,
+    /// How it is printed.
+    pub display: Display,
+}
+
+/// Holds the solution against the answer key: one outcome per expectation and pose, in the order of the file.
+///
+/// The second list names what could not be evaluated: each of them is an error of the file. A value that differs from
+/// the expected one is not among them, see [`Outcome::mismatch`].
+#[must_use]
+pub fn evaluate(scene: &Scene<'_>, solution: &Solution) -> (Vec<Outcome>, Vec<ExpectError>) {
+    let mut key = Key { scene, solution, outcomes: Vec::new(), errors: Vec::new() };
+    for (index, expect) in scene.mechanism.expects.iter().enumerate() {
+        if let Err(error) = key.expect(index, expect) {
+            key.errors.push(error);
+        }
+    }
+    (key.outcomes, key.errors)
+}
+
+struct Key<'a> {
+    scene: &'a Scene<'a>,
+    solution: &'a Solution,
+    outcomes: Vec<Outcome>,
+    errors: Vec<ExpectError>,
+}
+
+impl<'a> Key<'a> {
+    fn expect(&mut self, index: usize, expect: &Expect) -> Result<(), ExpectError> {
+        if expect.poseless {
+            return self.without_pose(expect);
+        }
+        let poses = self.poses(index, expect)?;
+        let mut failed = None;
+        for (case, pose) in poses.into_iter().enumerate() {
+            match &pose.outcome {
+                Ok(solved) => {
+                    let view = self.solution.view(self.scene, solved);
+                    let outcome = self.outcome(expect, case, Some(&self.name(pose)), &view)?;
+                    self.outcomes.push(outcome);
+                }
+                Err(error) => {
+                    failed =
+                        failed.or_else(|| Some(ExpectError::pose_failed(expect, &self.name(pose), error)));
+                }
+            }
+        }
+        failed.map_or(Ok(()), Err)
+    }
+
+    /// Values that hang on no pose are asked of a mechanism at rest.
+    fn without_pose(&mut self, expect: &Expect) -> Result<(), ExpectError> {
+        let Scene { mechanism, structure, plan } = *self.scene;
+        let state = State::new(plan);
+        let angles = vec![0.0; plan.bodies];
+        let statics = &self.solution.statics;
+        let view = View { mechanism, structure, plan, state: &state, angles: &angles, statics };
+        let outcome = self.outcome(expect, 0, None, &view)?;
+        self.outcomes.push(outcome);
+        Ok(())
+    }
+
+    /// The poses it holds for: those it names, the file's one, or all of a sweep for a list.
+    fn poses(&self, index: usize, expect: &Expect) -> Result<Vec<&'a Pose>, ExpectError> {
+        let poses = &self.solution.poses;
+        let values = values(expect);
+        let sweep = || poses.iter().filter(|p| matches!(p.origin, PoseOrigin::Sweep(_))).collect::<Vec<_>>();
+        let found = match &expect.at {
+            Some(At::Pose(name, span)) => {
+                let own = |p: &&Pose| !matches!(p.origin, PoseOrigin::Expected(_));
+                match poses.iter().filter(own).find(|p| p.name == *name) {
+                    Some(pose) => vec![pose],
+                    None => return Err(ExpectError::unknown_pose(name, *span, poses)),
+                }
+            }
+            Some(At::Drives(_)) => poses.iter().filter(|p| p.origin == PoseOrigin::Expected(index)).collect(),
+            None => sweep(),
+        };
+        match (found.len(), values) {
+            (0, _) => Err(ExpectError::no_solution(expect)),
+            (poses, values) if poses == values => Ok(found),
+            (_, 1) => Err(ExpectError::needs_pose(expect, found.len())),
+            (poses, values) => Err(ExpectError::list_length(expect, values, poses)),
+        }
+    }
+
+    /// A pose's own name; the drive values in words where an `expect` adds it.
+    fn name(&self, pose: &Pose) -> String {
+        let PoseOrigin::Expected(index) = pose.origin else { return pose.name.clone() };
+        let mechanism = self.scene.mechanism;
+        let Some(At::Drives(list)) = &mechanism.expects[index].at else { return pose.name.clone() };
+        let texts = list.iter().map(|(id, _)| {
+            let drive = &mechanism.drives[id.index()];
+            let display = mechanism.drive_display(drive.target);
+            let value = pose.drives.get(id.index()).and_then(DriveValue::value);
+            let text = value.map(|v| display.text(v, 6)).unwrap_or_default();
+            format!("{} = {text}", drive.name)
+        });
+        texts.collect::<Vec<_>>().join(", ")
+    }
+
+    fn outcome(
+        &self,
+        expect: &Expect,
+        case: usize,
+        pose: Option<&str>,
+        view: &View<'_>,
+    ) -> Result<Outcome, ExpectError> {
+        let value = |expr: &Expr| -> Result<Value, ExpectError> {
+            let value = view.value(expr);
+            if value.is_defined() {
+                return Ok(value);
+            }
+            let why = why_undefined(self.scene, expr);
+            Err(ExpectError::no_value(expect, at_pose(pose), why))
+        };
+        let got = value(&expect.expr)?;
+        let mut outcome = Outcome {
+            text: expect.text.clone(),
+            pose: pose.map(str::to_owned),
+            comparison: None,
+            expected: Value::Truth(true),
+            got,
+            within: None,
+            passed: got == Value::Truth(true),
+            angle: expect.angle,
+            span: expect.span,
+            display: expect.display.clone(),
+        };
+        match &expect.relation {
+            Relation::Truth => {}
+            Relation::Compare(how, expr) => {
+                outcome.expected = value(expr)?;
+                outcome.comparison = Some(*how);
+                outcome.passed = match (got, outcome.expected) {
+                    (Value::Scalar(a), Value::Scalar(b)) => compare(*how, a, b),
+                    _ => false,
+                };
+            }
+            Relation::Equal(list) => {
+                let Some(expr) = list.get(case) else { return Ok(outcome) };
+                outcome.expected = equal::shaped_like(got, value(expr)?);
+                let within = match &expect.tolerance {
+                    Tolerance::Relative(r) => r * outcome.expected.magnitude(),
+                    Tolerance::Absolute(a) => *a,
+                    Tolerance::Written(each) => each.get(case).copied().unwrap_or(0.0),
+                    Tolerance::None => 0.0,
+                };
+                outcome.within = Some(within);
+                outcome.passed = is_within(outcome.difference().magnitude(), within);
+            }
+        }
+        Ok(outcome)
+    }
+}
+
+/// How many values stand on the right side.
+fn values(expect: &Expect) -> usize {
+    match &expect.relation {
+        Relation::Equal(list) => list.len(),
+        Relation::Compare(..) | Relation::Truth => 1,
+    }
+}
+
+impl Outcome {
+    /// What was got less what was expected, SI; modulo a turn for angles. A truth has none.
+    #[must_use]
+    pub fn difference(&self) -> Value {
+        equal::difference(self.got, self.expected, self.angle)
+    }
+
+    /// What is wrong, where it does not hold.
+    #[must_use]
+    pub fn mismatch(&self) -> Option<ExpectError> {
+        (!self.passed).then(|| ExpectError::mismatch(self))
+    }
+
+    /// What was expected, as `= 26 N*m`, `> 40 deg`; empty for a truth.
+    #[must_use]
+    pub fn expectation(&self, digits: usize) -> String {
+        bound(self.comparison, &self.display, self.expected, digits)
+    }
+}

@@ -1,0 +1,71 @@
+//! What a report of answers is made from.
+
+use crate::exercise::Outcome;
+use crate::model::{DriveTarget, FindKind};
+use crate::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution};
+use crate::units::significant;
+
+/// A solved file.
+#[derive(Clone, Copy, Debug)]
+pub struct Answers<'a> {
+    /// What was solved.
+    pub scene: Scene<'a>,
+    /// Its poses.
+    pub solution: &'a Solution,
+    /// What became of its expectations.
+    pub outcomes: &'a [Outcome],
+    /// How numbers are rounded for people.
+    pub precision: Precision,
+}
+
+/// How numbers are rounded for people.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Precision {
+    /// Significant digits.
+    pub digits: usize,
+    /// Numbers below this part of the greatest one in their column are printed as 0: they are rounding errors.
+    pub noise: f64,
+    /// Residuals are printed as a power of ten that they stay below, not in digits.
+    pub coarse_residuals: bool,
+}
+
+impl Precision {
+    /// What people read.
+    pub const READABLE: Self = Self { digits: 6, noise: 1e-13, coarse_residuals: false };
+    /// What does not hang on the last digits of the arithmetic.
+    pub const STABLE: Self = Self { digits: 6, noise: 1e-9, coarse_residuals: true };
+
+    /// A number in figures; `scale` is the greatest magnitude in its column.
+    #[must_use]
+    pub fn figures(&self, x: f64, scale: f64) -> String {
+        if x.abs() <= self.noise * scale { "0".to_owned() } else { significant(x, self.digits) }
+    }
+}
+
+/// What stands where there is no number.
+pub(super) const NONE: &str = "—";
+
+impl<'a> Answers<'a> {
+    /// The poses that are reported: all but those that an `expect` adds.
+    pub fn poses(&self) -> impl Iterator<Item = &'a Pose> + use<'a> {
+        self.solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)))
+    }
+
+    /// Whether the file asks for all reactions.
+    #[must_use]
+    pub fn wants_reactions(&self) -> bool {
+        self.scene.mechanism.finds.iter().any(|f| matches!(f.kind, FindKind::Reactions))
+    }
+
+    /// The value of a drive at a pose in figures, in the author's unit.
+    pub(super) fn drive_figures(&self, target: DriveTarget, value: Option<&DriveValue>) -> String {
+        let display = self.scene.mechanism.drive_display(target);
+        let value = value.and_then(DriveValue::value);
+        value.map_or_else(|| NONE.to_owned(), |v| display.figures(v, self.precision.digits))
+    }
+}
+
+/// A name with its unit in brackets, as it heads a column.
+pub(super) fn with_unit(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") }
+}

@@ -1,0 +1,181 @@
+//! The quantities of a report, with their values at every pose.
+
+use super::answers::Answers;
+use crate::exercise::why_undefined;
+use crate::model::{Display, Expr, Find, FindKind, Value};
+use crate::solve::{Pose, Solved, State, View};
+use crate::structure::{EffortKind, EffortSource};
+use crate::units::Dimension;
+
+/// A quantity and its values.
+#[derive(Clone, Debug)]
+pub(super) struct Quantity {
+    /// Its name, or its own text.
+    pub name: String,
+    /// How it is printed.
+    pub display: Display,
+    /// Values in SI, one per pose. `None` where the pose has no solution or the value does not exist.
+    pub values: Vec<Option<Value>>,
+    /// The structure leaves it open.
+    pub undetermined: bool,
+}
+
+/// An unknown effort.
+#[derive(Clone, Debug)]
+pub(super) struct EffortEntry {
+    /// The balance's name, or `effort(crank)`.
+    pub name: String,
+    /// It is a drive's own: no balance is declared.
+    pub of_drive: bool,
+    /// How it is printed.
+    pub display: Display,
+    slot: usize,
+}
+
+impl EffortEntry {
+    /// Its value, N m or N.
+    pub fn value(&self, solved: &Solved) -> Option<f64> {
+        solved.state.efforts.get(self.slot).copied().filter(|x| x.is_finite())
+    }
+}
+
+impl<'a> Answers<'a> {
+    /// Items of `find` with one value per pose, then those efforts that nobody asked for by name: the drives' own where
+    /// no balance is declared, and all of them where all reactions are asked for.
+    pub(super) fn quantities(&self, poses: &[&Pose]) -> Vec<Quantity> {
+        let mut quantities: Vec<Quantity> = self
+            .finds(false)
+            .map(|(find, expr, display)| Quantity {
+                name: find.name.clone(),
+                display: display.clone(),
+                values: poses.iter().map(|pose| self.value(expr, pose)).collect(),
+                undetermined: why_undefined(&self.scene, expr).is_some(),
+            })
+            .collect();
+        for effort in self.efforts() {
+            let wanted = effort.of_drive || self.wants_reactions();
+            if !wanted || quantities.iter().any(|q| q.name == effort.name) {
+                continue;
+            }
+            let value = |p: &&Pose| p.outcome.as_ref().ok().and_then(|s| effort.value(s)).map(Value::Scalar);
+            quantities.push(Quantity {
+                values: poses.iter().map(value).collect(),
+                name: effort.name,
+                display: effort.display,
+                undetermined: false,
+            });
+        }
+        quantities
+    }
+
+    /// Items of `find` that need no pose: each with its one value.
+    pub(super) fn quantities_without_pose(&self) -> Vec<Quantity> {
+        let plan = self.scene.plan;
+        let state = State::new(plan);
+        let angles = vec![0.0; plan.bodies];
+        let view = View {
+            mechanism: self.scene.mechanism,
+            structure: self.scene.structure,
+            plan,
+            state: &state,
+            angles: &angles,
+            statics: &self.solution.statics,
+        };
+        let quantity = |(find, expr, display): (&'a Find, &'a Expr, &'a Display)| Quantity {
+            name: find.name.clone(),
+            display: display.clone(),
+            values: vec![Some(view.value(expr)).filter(Value::is_defined)],
+            undetermined: false,
+        };
+        self.finds(true).map(quantity).collect()
+    }
+
+    /// Items of `find` that are values.
+    pub(super) fn finds(
+        &self,
+        without_pose: bool,
+    ) -> impl Iterator<Item = (&'a Find, &'a Expr, &'a Display)> + use<'a> {
+        self.scene.mechanism.finds.iter().filter_map(move |find| match &find.kind {
+            FindKind::Value { expr, display, poseless } if *poseless == without_pose => {
+                Some((find, expr, display))
+            }
+            FindKind::Value { .. } | FindKind::Reactions => None,
+        })
+    }
+
+    /// Value of an expression at a pose, SI.
+    pub(super) fn value(&self, expr: &Expr, pose: &Pose) -> Option<Value> {
+        let solved = pose.outcome.as_ref().ok()?;
+        let value = self.solution.view(&self.scene, solved).value(expr);
+        Some(value).filter(Value::is_defined)
+    }
+
+    /// The unknown efforts; none where forces are not solved.
+    pub(super) fn efforts(&self) -> Vec<EffortEntry> {
+        let mechanism = self.scene.mechanism;
+        if self.scene.plan.forces.is_empty() {
+            return Vec::new();
+        }
+        let entry = |(slot, effort): (usize, &crate::structure::Effort)| {
+            let (name, of_drive) = match effort.source {
+                EffortSource::Balance(id) => (mechanism.balances[id.index()].name.clone(), false),
+                EffortSource::Drive(id) => (format!("effort({})", mechanism.drives[id.index()].name), true),
+            };
+            let dimension = match effort.kind {
+                EffortKind::Angle(_) | EffortKind::RelativeAngle { .. } => Dimension::TORQUE,
+                EffortKind::Coordinate(_) | EffortKind::Line(_) | EffortKind::Point(_) => Dimension::FORCE,
+            };
+            EffortEntry { name, of_drive, display: mechanism.display_of(dimension), slot }
+        };
+        self.scene.structure.efforts.iter().enumerate().map(entry).collect()
+    }
+}
+
+/// One column of numbers in the author's unit: a quantity, or a component of a vector.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    /// The quantity's name, with `.x` or `.y` for a component.
+    pub name: String,
+    /// One cell per pose.
+    pub cells: Vec<Cell>,
+}
+
+/// What a quantity is at one pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Cell {
+    /// A number in the author's unit.
+    Number(f64),
+    /// A truth.
+    Truth(bool),
+    /// It has no value here.
+    None,
+}
+
+impl Part {
+    /// The greatest magnitude of its numbers.
+    pub fn greatest(&self) -> f64 {
+        let number = |c: &Cell| if let Cell::Number(x) = c { x.abs() } else { 0.0 };
+        self.cells.iter().map(number).fold(0.0, f64::max)
+    }
+}
+
+impl Quantity {
+    /// Its columns: two for a vector.
+    pub fn parts(&self) -> Vec<Part> {
+        let component = |value: &Option<Value>, y: bool| match value {
+            Some(Value::Scalar(x)) if !y => Cell::Number(self.display.of_si(*x)),
+            Some(Value::Vector(v)) => Cell::Number(self.display.of_si(if y { v.y } else { v.x })),
+            Some(Value::Truth(truth)) => Cell::Truth(*truth),
+            _ => Cell::None,
+        };
+        let part = |name: String, y: bool| Part {
+            name,
+            cells: self.values.iter().map(|v| component(v, y)).collect(),
+        };
+        if self.values.iter().any(|v| matches!(v, Some(Value::Vector(_)))) {
+            ["x", "y"].map(|c| part(format!("{}.{c}", self.name), c == "y")).to_vec()
+        } else {
+            vec![part(self.name.clone(), false)]
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! Tables as comma-separated values, RFC 4180.
+
+use super::document::Table;
+
+/// The table with its header; lines end in CR LF.
+#[must_use]
+pub fn render(table: &Table) -> String {
+    let headers = table.columns.iter().map(|c| c.header.as_str());
+    let mut out = record(headers);
+    for row in &table.rows {
+        out += &record(row.iter().map(String::as_str));
+    }
+    out
+}
+
+fn record<'a>(fields: impl Iterator<Item = &'a str>) -> String {
+    fields.map(field).collect::<Vec<_>>().join(",") + "\r\n"
+}
+
+fn field(text: &str) -> String {
+    if text.contains([',', '"', '\r', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::document::{Column, Table};
+
+    #[test]
+    fn fields_with_commas_and_quotes_are_quoted() {
+        let mut table = Table::new(vec![Column::words("pose"), Column::numbers("reaction(B, rod).x [N]")], 1);
+        table.row(vec!["the \"first\"".into(), "1.5".into()]);
+        assert_eq!(super::render(&table), "pose,\"reaction(B, rod).x [N]\"\r\n\"the \"\"first\"\"\",1.5\r\n");
+    }
+}

@@ -1,0 +1,143 @@
+//! What a report is made of, whatever it is printed as.
+
+/// A report: one per file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Report {
+    /// The mechanism's title; the file's name where it has none.
+    pub title: String,
+    /// The problem's text.
+    pub notes: Vec<String>,
+    /// Its sections.
+    pub sections: Vec<Section>,
+}
+
+/// A section.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Section {
+    /// Its heading.
+    pub heading: String,
+    /// What it holds, in this order.
+    pub blocks: Vec<Block>,
+}
+
+/// A part of a section.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Block {
+    /// A line of text.
+    Text(String),
+    /// Items, one per line.
+    List(Vec<String>),
+    /// Names with what is said of them, one per line.
+    Facts(Vec<(String, String)>),
+    /// A table.
+    Table(Table),
+}
+
+/// A table of texts.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Table {
+    /// Its columns.
+    pub columns: Vec<Column>,
+    /// Its rows, each as long as `columns`.
+    pub rows: Vec<Vec<String>>,
+    /// How many columns on the left name the row: they are repeated where a wide table is broken.
+    pub keys: usize,
+}
+
+/// A column of a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// Header.
+    pub header: String,
+    /// How its cells stand below each other.
+    pub align: Align,
+}
+
+/// How cells stand below each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Align {
+    /// At their left ends.
+    Left,
+    /// At their right ends.
+    Right,
+    /// At their decimal points.
+    Decimal,
+}
+
+impl Section {
+    /// An empty section.
+    pub fn new(heading: impl Into<String>) -> Self {
+        Self { heading: heading.into(), blocks: Vec::new() }
+    }
+
+    /// Adds a line of text.
+    pub fn text(&mut self, text: impl Into<String>) {
+        self.blocks.push(Block::Text(text.into()));
+    }
+
+    /// Adds a table, unless it has no rows.
+    pub fn table(&mut self, table: Table) {
+        if !table.rows.is_empty() {
+            self.blocks.push(Block::Table(table));
+        }
+    }
+
+    /// Adds a list, unless it is empty.
+    pub fn list(&mut self, items: Vec<String>) {
+        if !items.is_empty() {
+            self.blocks.push(Block::List(items));
+        }
+    }
+}
+
+impl Report {
+    /// Adds a section, unless it is empty.
+    pub fn section(&mut self, section: Section) {
+        if !section.blocks.is_empty() {
+            self.sections.push(section);
+        }
+    }
+}
+
+impl Table {
+    /// A table without rows.
+    #[must_use]
+    pub fn new(columns: Vec<Column>, keys: usize) -> Self {
+        Self { columns, rows: Vec::new(), keys }
+    }
+
+    /// A table of words, by its headers: it is not broken.
+    #[must_use]
+    pub fn of_words(headers: &[&str]) -> Self {
+        Self::new(headers.iter().map(|h| Column::words(*h)).collect(), headers.len())
+    }
+
+    /// Adds a column of numbers: one cell per row.
+    pub fn column(&mut self, header: String, cells: impl Iterator<Item = String>) {
+        self.columns.push(Column::numbers(header));
+        self.rows.iter_mut().zip(cells).for_each(|(row, cell)| row.push(cell));
+    }
+
+    /// Adds a row; cells that are missing are empty.
+    pub fn row(&mut self, mut cells: Vec<String>) {
+        cells.resize(self.columns.len(), String::new());
+        self.rows.push(cells);
+    }
+}
+
+impl Column {
+    /// A column of words.
+    pub fn words(header: impl Into<String>) -> Self {
+        Self { header: header.into(), align: Align::Left }
+    }
+
+    /// A column of numbers.
+    pub fn numbers(header: impl Into<String>) -> Self {
+        Self { header: header.into(), align: Align::Decimal }
+    }
+
+    /// A column of counts and figures in brackets.
+    pub fn right(header: impl Into<String>) -> Self {
+        Self { header: header.into(), align: Align::Right }
+    }
+}

@@ -1,0 +1,91 @@
+//! A solved file as JSON: `docs/json-schema/solution-1.json`. SI and radians, fixed order of keys; what was not asked
+//! for, or does not exist, is left out.
+
+mod entries;
+mod pose;
+mod structure;
+
+use serde::Serialize;
+
+use super::answers::Answers;
+use crate::diagnostic::DiagnosticView;
+use crate::exercise::Outcome;
+use crate::solve::Scene;
+use entries::{Entries, Number, Reading};
+use pose::PoseView;
+use structure::StructureView;
+
+/// Name and version of the format.
+const SCHEMA: &str = "assur.solution/1";
+
+#[derive(Serialize)]
+struct SolutionView<'a> {
+    schema: &'static str,
+    file: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mechanism: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    structure: Option<StructureView<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    effects: Option<Vec<&'static str>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    poses: Option<Vec<PoseView<'a>>>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    cycle: Entries<Reading>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    expectations: Option<Vec<ExpectationView<'a>>>,
+    diagnostics: &'a [DiagnosticView],
+}
+
+#[derive(Serialize)]
+struct ExpectationView<'a> {
+    text: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pose: Option<&'a str>,
+    expected: Reading,
+    got: Reading,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    within: Option<Number>,
+    passed: bool,
+}
+
+/// One file as one line of JSON, without the line's end. What could not be reached is left out: the structure of a file
+/// that has none, the poses of one that is not solved.
+#[must_use]
+pub fn render(
+    file: &str,
+    scene: Option<&Scene<'_>>,
+    answers: Option<&Answers<'_>>,
+    diagnostics: &[DiagnosticView],
+) -> String {
+    let title = scene.map(|s| s.mechanism.title.as_str());
+    let view = SolutionView {
+        schema: SCHEMA,
+        file,
+        mechanism: title.filter(|t| !t.is_empty()),
+        structure: scene.map(StructureView::of),
+        effects: scene.map(|s| s.plan.effects.names()),
+        poses: answers.map(|a| a.poses().map(|p| PoseView::of(a, p)).collect()),
+        cycle: Entries(answers.map(cycle).unwrap_or_default()),
+        expectations: answers.map(|a| a.outcomes.iter().filter_map(expectation).collect()),
+        diagnostics,
+    };
+    // a view of texts, truths and finite numbers is always written
+    serde_json::to_string(&view).unwrap_or_default()
+}
+
+fn cycle(answers: &Answers<'_>) -> Vec<(String, Reading)> {
+    let all = answers.quantities_without_pose().into_iter();
+    all.filter_map(|q| Some((q.name, Reading::of(q.values.first().copied().flatten()?)?))).collect()
+}
+
+fn expectation(outcome: &Outcome) -> Option<ExpectationView<'_>> {
+    Some(ExpectationView {
+        text: &outcome.text,
+        pose: outcome.pose.as_deref(),
+        expected: Reading::of(outcome.expected)?,
+        got: Reading::of(outcome.got)?,
+        within: outcome.within.and_then(Number::of),
+        passed: outcome.passed,
+    })
+}

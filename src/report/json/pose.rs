@@ -1,0 +1,231 @@
+//! A pose in JSON.
+
+use miette::Diagnostic;
+use serde::Serialize;
+
+use super::super::answers::Answers;
+use super::super::reactions::{ReactionEntry, reactions};
+use super::entries::{Entries, Number, Pair, Reading};
+use crate::math::Vec2;
+use crate::model::{DriveTarget, Link, LinkId};
+use crate::plan::{Effects, Level};
+use crate::solve::{BodyState, DriveValue, Pose, SolveError, Solved};
+
+#[derive(Serialize)]
+pub(super) struct PoseView<'a> {
+    name: &'a str,
+    drives: Entries<Reading>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<ErrorView>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    links: Entries<LinkView>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    points: Entries<PointView>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    reactions: Entries<Vec<ReactionView<'a>>>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    balances: Entries<Number>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    quantities: Entries<Reading>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    residuals: Option<ResidualsView>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    condition: Option<Number>,
+}
+
+/// Why a pose has no solution.
+#[derive(Serialize)]
+struct ErrorView {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    code: Option<String>,
+    message: String,
+}
+
+#[derive(Serialize)]
+struct LinkView {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    angle: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    omega: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alpha: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inertia_force: Option<Pair>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    inertia_torque: Option<Number>,
+}
+
+#[derive(Serialize)]
+struct PointView {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    position: Option<Pair>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    velocity: Option<Pair>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    acceleration: Option<Pair>,
+}
+
+#[derive(Serialize)]
+struct ReactionView<'a> {
+    from: &'a str,
+    on: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force: Option<Pair>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    moment: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    at: Option<Pair>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    contacts: Vec<ContactView>,
+}
+
+#[derive(Serialize)]
+struct ContactView {
+    at: Pair,
+    normal: Number,
+}
+
+#[derive(Serialize)]
+struct ResidualsView {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    equilibrium: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    power: Option<Number>,
+}
+
+impl<'a> PoseView<'a> {
+    /// What was asked for at a pose; with `find reactions` all of it.
+    pub fn of(answers: &Answers<'a>, pose: &'a Pose) -> Self {
+        let drives = answers.scene.mechanism.drives.iter().zip(&pose.drives);
+        let value = |v: &DriveValue| v.value().and_then(Reading::of);
+        let mut view = Self {
+            name: &pose.name,
+            drives: Entries(drives.filter_map(|(d, v)| Some((d.name.clone(), value(v)?))).collect()),
+            error: None,
+            links: Entries(Vec::new()),
+            points: Entries(Vec::new()),
+            reactions: Entries(Vec::new()),
+            balances: Entries(Vec::new()),
+            quantities: Entries(Vec::new()),
+            residuals: None,
+            condition: None,
+        };
+        match &pose.outcome {
+            Err(error) => view.error = Some(ErrorView::of(error)),
+            Ok(solved) => view.fill(answers, pose, solved),
+        }
+        view
+    }
+
+    fn fill(&mut self, answers: &Answers<'a>, pose: &Pose, solved: &Solved) {
+        if answers.wants_reactions() {
+            self.links.0 = links(answers, solved);
+            self.points.0 = points(answers, solved);
+            self.reactions.0 = all_reactions(answers, solved);
+            let efforts = answers.efforts().into_iter();
+            self.balances.0 =
+                efforts.filter_map(|e| Some((e.name.clone(), Number::of(e.value(solved)?)?))).collect();
+        }
+        let quantity = |expr| answers.value(expr, pose).and_then(Reading::of);
+        self.quantities.0 =
+            answers.finds(false).filter_map(|(f, e, _)| Some((f.name.clone(), quantity(e)?))).collect();
+        let residuals = solved.residuals;
+        if residuals.equilibrium.is_some() || residuals.power.is_some() {
+            self.residuals = Some(ResidualsView {
+                equilibrium: residuals.equilibrium.and_then(Number::of),
+                power: residuals.power.and_then(Number::of),
+            });
+        }
+        self.condition = Number::of(solved.condition);
+    }
+}
+
+impl ErrorView {
+    fn of(error: &SolveError) -> Self {
+        Self { code: error.code().map(|c| c.to_string()), message: error.to_string() }
+    }
+}
+
+/// The moving links whose rotation is known: not those driven at a point only, and no free rollers.
+fn turning_links<'a>(answers: &Answers<'a>) -> impl Iterator<Item = (LinkId, &'a Link)> + use<'a> {
+    let scene = answers.scene;
+    let outer = move |id: LinkId| {
+        scene.mechanism.drives.iter().any(|d| matches!(d.target, DriveTarget::Point(link, _) if link == id))
+    };
+    let links = scene.mechanism.links.iter().enumerate().skip(1).map(|(i, l)| (LinkId::at(i), l));
+    links.filter(move |(id, _)| !outer(*id) && !scene.structure.passive.contains(id))
+}
+
+fn links(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, LinkView)> {
+    let effects = answers.scene.plan.effects;
+    let view = answers.solution.view(&answers.scene, solved);
+    let link = |(id, link): (LinkId, &Link)| {
+        let body = view.body(id);
+        let inertia = link.mass.filter(|_| effects.inertia);
+        let force = |centre: Vec2, mass: f64| body.acceleration(centre) * -mass;
+        let entry = LinkView {
+            angle: solved.angles.get(id.index()).copied().and_then(Number::of),
+            omega: from(effects, Level::Velocities).then_some(body.omega).and_then(Number::of),
+            alpha: from(effects, Level::Accelerations).then_some(body.alpha).and_then(Number::of),
+            inertia_force: inertia.and_then(|m| Pair::of(force(m.centre, m.mass))),
+            inertia_torque: inertia.and_then(|m| Number::of(-m.inertia * body.alpha)),
+        };
+        (link.name.clone(), entry)
+    };
+    turning_links(answers).map(link).collect()
+}
+
+fn from(effects: Effects, level: Level) -> bool {
+    effects.level >= level
+}
+
+fn points(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, PointView)> {
+    let effects = answers.scene.plan.effects;
+    let view = answers.solution.view(&answers.scene, solved);
+    let point = |body: &BodyState, at: Vec2| PointView {
+        position: Pair::of(body.position(at)),
+        velocity: from(effects, Level::Velocities).then(|| body.velocity(at)).and_then(Pair::of),
+        acceleration: from(effects, Level::Accelerations).then(|| body.acceleration(at)).and_then(Pair::of),
+    };
+    let mut all = Vec::new();
+    for (id, link) in turning_links(answers) {
+        for p in &link.points {
+            all.push((format!("{}.{}", link.name, p.name), point(view.body(id), p.at)));
+        }
+    }
+    for drive in &answers.scene.mechanism.drives {
+        if let DriveTarget::Point(id, at) = drive.target {
+            all.push((drive.name.clone(), point(view.body(id), at)));
+        }
+    }
+    all
+}
+
+fn all_reactions<'a>(answers: &Answers<'a>, solved: &Solved) -> Vec<(String, Vec<ReactionView<'a>>)> {
+    let mechanism = answers.scene.mechanism;
+    let mut all: Vec<(String, Vec<ReactionView<'_>>)> = Vec::new();
+    for entry in reactions(answers, solved) {
+        let name = &mechanism.pair(entry.pair).name;
+        let view = ReactionView::of(answers, &entry);
+        match all.last_mut() {
+            Some((last, entries)) if last == name => entries.push(view),
+            _ => all.push((name.clone(), vec![view])),
+        }
+    }
+    all
+}
+
+impl<'a> ReactionView<'a> {
+    fn of(answers: &Answers<'a>, entry: &ReactionEntry) -> Self {
+        let contacts = entry.contacts.iter();
+        let contact = |at, normal| Some(ContactView { at: Pair::of(at)?, normal: Number::of(normal)? });
+        Self {
+            from: &answers.scene.mechanism.link(entry.from).name,
+            on: &answers.scene.mechanism.link(entry.on).name,
+            force: Pair::of(entry.force),
+            moment: entry.moment.and_then(Number::of),
+            at: entry.at.and_then(Pair::of),
+            contacts: contacts.filter_map(|c| contact(c.at, c.normal)).collect(),
+        }
+    }
+}

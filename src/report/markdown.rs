@@ -1,0 +1,88 @@
+//! A report in Markdown (GitHub's tables).
+
+use super::document::{Align, Block, Report, Table};
+
+/// The report as Markdown.
+#[must_use]
+pub fn render(report: &Report) -> String {
+    let mut out = format!("# {}\n", escaped(&report.title));
+    if !report.notes.is_empty() {
+        out.push('\n');
+    }
+    for note in &report.notes {
+        out += &format!("{}\n", escaped(note));
+    }
+    for section in &report.sections {
+        out += &format!("\n## {}\n", escaped(&section.heading));
+        for block in &section.blocks {
+            out.push('\n');
+            match block {
+                Block::Text(text) => out += &format!("{}\n", escaped(text)),
+                Block::List(items) => items.iter().for_each(|i| out += &format!("- {}\n", escaped(i))),
+                Block::Facts(facts) => {
+                    facts.iter().for_each(|(n, f)| out += &format!("- **{}**: {}\n", escaped(n), escaped(f)));
+                }
+                Block::Table(table) => out += &render_table(table),
+            }
+        }
+    }
+    out
+}
+
+fn render_table(table: &Table) -> String {
+    let row = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
+    let rules = table.columns.iter().map(|c| match c.align {
+        Align::Left => ":---".to_owned(),
+        Align::Right | Align::Decimal => "---:".to_owned(),
+    });
+    let mut out = row(table.columns.iter().map(|c| escaped(&c.header)).collect());
+    out += &row(rules.collect());
+    for cells in &table.rows {
+        out += &row(cells.iter().map(|c| escaped(c)).collect());
+    }
+    out
+}
+
+/// Text with the signs escaped that mean something in Markdown within a line.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if matches!(c, '\\' | '|' | '*' | '_' | '`' | '[' | ']' | '<' | '>' | '#') {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::document::{Block, Column, Report, Section, Table};
+    use super::render;
+
+    #[test]
+    fn signs_of_markdown_are_escaped() {
+        let mut table = Table::new(vec![Column::words("pose"), Column::numbers("|F| [N*m]")], 1);
+        table.row(vec!["1".into(), "-0.5".into()]);
+        let mut section = Section::new("Answers");
+        section.list(vec!["v_B".into()]);
+        section.blocks.push(Block::Text("a*b".into()));
+        section.table(table);
+        let report = Report { title: "A".into(), notes: vec!["Find `x`.".into()], sections: vec![section] };
+        insta::assert_snapshot!(render(&report), @r"
+        # A
+
+        Find \`x\`.
+
+        ## Answers
+
+        - v\_B
+
+        a\*b
+
+        | pose | \|F\| \[N\*m\] |
+        | :--- | ---: |
+        | 1 | -0.5 |
+        ");
+    }
+}

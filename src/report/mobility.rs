@@ -1,0 +1,202 @@
+//! Mobility and structural groups.
+
+use super::document::{Block, Column, Report, Section, Table};
+use crate::model::BalanceKind;
+use crate::solve::Scene;
+use crate::structure::{BodyId, BodyOrigin, Effort, EffortSource, Group, GroupKind, Structure};
+
+/// The numbers of a group: links, lower pairs, higher pairs of the mechanism as declared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct GroupCount {
+    /// Links n.
+    pub n: usize,
+    /// Lower pairs.
+    pub lower: usize,
+    /// Higher pairs.
+    pub higher: usize,
+}
+
+impl GroupCount {
+    /// Counts a group: an imaginary body with its two joints is a higher pair.
+    pub fn of(structure: &Structure, group: &Group) -> Self {
+        let imaginary =
+            |body: &BodyId| matches!(structure.replaced.bodies[body.0].origin, BodyOrigin::Imaginary(_));
+        let higher = group.bodies.iter().filter(|b| imaginary(b)).count();
+        let lower = group.joints.iter().filter(|j| !imaginary(&j.body) && !imaginary(&j.base)).count();
+        Self { n: group.bodies.len() - higher, lower, higher }
+    }
+
+    /// The count in figures, as `3·2 − 2·3 = 0`; a body between two guides does not turn, so that 2n = P_L counts.
+    pub fn formula(self, kind: GroupKind) -> String {
+        let [n, lower, higher] =
+            [self.n, self.lower, self.higher].map(|x| i64::try_from(x).unwrap_or(i64::MAX));
+        if kind == GroupKind::Translation {
+            return format!("2·{n} − {lower} = {}", 2 * n - lower);
+        }
+        let rest = 3 * n - 2 * lower - higher;
+        let higher = if higher > 0 { format!(" − {higher}") } else { String::new() };
+        format!("3·{n} − 2·{lower}{higher} = {rest}")
+    }
+}
+
+/// Names of a group's links; imaginary ones are left out.
+pub(super) fn link_names(scene: &Scene<'_>, group: &Group) -> Vec<String> {
+    let links = group.bodies.iter().filter_map(|b| match scene.structure.replaced.bodies[b.0].origin {
+        BodyOrigin::Link(id) => Some(scene.mechanism.link(id).name.clone()),
+        BodyOrigin::Imaginary(_) => None,
+    });
+    links.collect()
+}
+
+/// The facts in short, as they stand above the answers.
+pub(super) fn summary(scene: &Scene<'_>, report: &mut Report) {
+    let mut section = Section::new("Structure");
+    let groups: Vec<String> = scene
+        .structure
+        .motion
+        .iter()
+        .map(|g| format!("{} ({}, {})", link_names(scene, g).join(", "), g.class_name(), g.kind_name()))
+        .collect();
+    let mut facts = vec![("mobility".to_owned(), format!("F = {}", scene.structure.count.formula()))];
+    if !groups.is_empty() {
+        facts.push(("groups".to_owned(), groups.join("; ")));
+    }
+    facts.push(("effects".to_owned(), effects(scene)));
+    section.blocks.push(Block::Facts(facts));
+    report.section(section);
+}
+
+fn effects(scene: &Scene<'_>) -> String {
+    let names = scene.plan.effects.names();
+    if names.is_empty() { "positions only".to_owned() } else { names.join(", ") }
+}
+
+/// Everything known before anything is solved.
+pub(super) fn sections(scene: &Scene<'_>, report: &mut Report) {
+    let count = &scene.structure.count;
+    let mut section = Section::new("Structure");
+    let mut facts = vec![
+        ("mobility".to_owned(), format!("F = {}", count.formula())),
+        ("moving links".to_owned(), count.n.to_string()),
+        ("lower pairs".to_owned(), count.lower.to_string()),
+        ("higher pairs".to_owned(), count.higher.to_string()),
+        ("drives".to_owned(), drive_names(scene)),
+        ("unknown efforts".to_owned(), effort_names(scene)),
+        ("effects".to_owned(), effects(scene)),
+    ];
+    facts.retain(|f| !f.1.is_empty());
+    section.blocks.push(Block::Facts(facts));
+    section.list(notes(scene));
+    report.section(section);
+    let mut motion = Section::new("Groups in the order in which motion is solved");
+    motion.table(groups(scene, &scene.structure.motion, &scene.structure.drives));
+    report.section(motion);
+    if scene.plan.effects.forces {
+        let mut forces = Section::new("Groups in the order in which forces are solved");
+        forces.table(groups(scene, &scene.structure.forces, &scene.structure.efforts));
+        if let Some(defect) = &scene.structure.force_defect {
+            forces.text(defect.to_string());
+        }
+        report.section(forces);
+    }
+}
+
+fn groups(scene: &Scene<'_>, groups: &[Group], efforts: &[Effort]) -> Table {
+    let mut columns = vec![Column::right("#")];
+    columns.extend(["links", "class", "kind", "order", "count", "pairs", "name"].map(Column::words));
+    columns[4] = Column::right("order");
+    let keys = columns.len();
+    let mut table = Table::new(columns, keys);
+    for (i, group) in groups.iter().enumerate() {
+        let count = GroupCount::of(scene.structure, group);
+        let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
+        let kind = match (group.kind, with.as_slice()) {
+            (_, []) => group.kind_name().to_owned(),
+            (GroupKind::Driven, _) => format!("with {}", with.join(", ")),
+            _ => format!("{} with {}", group.kind_name(), with.join(", ")),
+        };
+        table.row(vec![
+            (i + 1).to_string(),
+            link_names(scene, group).join(", "),
+            group.class_name().to_owned(),
+            kind,
+            group.order.to_string(),
+            count.formula(group.kind),
+            pair_names(scene, group).join(", "),
+            group.name.clone().unwrap_or_default(),
+        ]);
+    }
+    if table.rows.iter().all(|r| r[7].is_empty()) {
+        table.columns.pop();
+        table.rows.iter_mut().for_each(|r| drop(r.pop()));
+    }
+    table
+}
+
+fn pair_names(scene: &Scene<'_>, group: &Group) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for joint in &group.joints {
+        let pair = scene.structure.replaced.joint(joint.joint).pair;
+        let name = &scene.mechanism.pair(pair).name;
+        if !names.contains(name) {
+            names.push(name.clone());
+        }
+    }
+    names
+}
+
+/// Name of a drive, or of a balance.
+pub(super) fn source_name(scene: &Scene<'_>, effort: &Effort) -> String {
+    match effort.source {
+        EffortSource::Drive(id) => format!("drive {}", scene.mechanism.drives[id.index()].name),
+        EffortSource::Balance(id) => format!("balance {}", scene.mechanism.balances[id.index()].name),
+    }
+}
+
+fn drive_names(scene: &Scene<'_>) -> String {
+    let drives = scene.mechanism.drives.iter().map(|d| d.name.as_str());
+    drives.collect::<Vec<_>>().join(", ")
+}
+
+fn effort_names(scene: &Scene<'_>) -> String {
+    if !scene.plan.effects.forces {
+        return String::new();
+    }
+    if scene.mechanism.balances.is_empty() {
+        let own = scene.structure.efforts.iter().map(|e| match e.source {
+            EffortSource::Drive(id) => format!("effort({})", scene.mechanism.drives[id.index()].name),
+            EffortSource::Balance(_) => String::new(),
+        });
+        return own.collect::<Vec<_>>().join(", ");
+    }
+    let balances = scene.mechanism.balances.iter().map(|b| {
+        let kind = match b.kind {
+            BalanceKind::Torque(_) => "torque",
+            BalanceKind::Force { .. } => "force",
+            BalanceKind::InPair(_) => "in a pair",
+        };
+        format!("{} ({kind})", b.name)
+    });
+    balances.collect::<Vec<_>>().join(", ")
+}
+
+/// What is out of the ordinary.
+fn notes(scene: &Scene<'_>) -> Vec<String> {
+    let (mechanism, structure) = (scene.mechanism, scene.structure);
+    let mut notes = Vec::new();
+    for link in &structure.passive {
+        notes.push(format!(
+            "`{}` can turn without moving anything else: a passive freedom, set aside",
+            mechanism.link(*link).name
+        ));
+    }
+    let chained: Vec<String> =
+        structure.undetermined_couples.iter().map(|p| format!("`{}`", mechanism.pair(*p).name)).collect();
+    if !chained.is_empty() {
+        notes.push(format!(
+            "the couples in {} are not determined: the pairs close a chain of prismatic pairs, where 2n = P_L counts",
+            chained.join(", ")
+        ));
+    }
+    notes
+}

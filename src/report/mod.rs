@@ -1,0 +1,61 @@
+//! What a solved file says: one document of titles, facts and tables printed by several renderers, and JSON.
+//!
+//! No mechanics happens here.
+
+mod accuracy;
+mod answers;
+mod columns;
+pub mod csv;
+pub mod document;
+mod expectations;
+pub mod json;
+pub mod markdown;
+mod mobility;
+mod pair;
+mod plan;
+mod reactions;
+mod replacement;
+mod results;
+mod scale;
+pub mod text;
+
+pub use answers::{Answers, Precision};
+pub use reactions::{ContactEntry, ReactionEntry, reactions};
+
+use crate::solve::Scene;
+use crate::source::Source;
+use document::Report;
+
+/// What `check` prints: structure, order of solution, effects, steps. Nothing is solved for it.
+#[must_use]
+pub fn of_structure(source: &Source, scene: &Scene<'_>) -> Report {
+    let mut report = headed(&source.name, scene);
+    mobility::sections(scene, &mut report);
+    replacement::section(scene, &mut report);
+    plan::sections(source, scene, &mut report);
+    report
+}
+
+/// What `solve` prints: structure in short, answers, reactions, expectations, accuracy.
+#[must_use]
+pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
+    let mut report = headed(file, &answers.scene);
+    mobility::summary(&answers.scene, &mut report);
+    results::sections(answers, &mut report);
+    reactions::sections(answers, &mut report);
+    expectations::section(answers, &mut report);
+    accuracy::section(answers, &mut report);
+    report
+}
+
+/// The answers as one table, one row per pose: what CSV prints, with all digits.
+#[must_use]
+pub fn table_of_poses(answers: &Answers<'_>) -> document::Table {
+    results::full_table(answers)
+}
+
+fn headed(file: &str, scene: &Scene<'_>) -> Report {
+    let title = &scene.mechanism.title;
+    let title = if title.is_empty() { file.to_owned() } else { format!("{title} ({file})") };
+    Report { title, notes: scene.mechanism.notes.clone(), sections: Vec::new() }
+}

@@ -1,0 +1,125 @@
+//! The steps of the plan in words.
+
+use super::document::{Report, Section, Table};
+use super::mobility::{link_names, source_name};
+use crate::diagnostic::place;
+use crate::model::{LinkId, LoadKind};
+use crate::plan::{ForceStep, LoadStep, MotionStep};
+use crate::solve::Scene;
+use crate::source::Source;
+use crate::structure::{Effort, Group};
+
+/// What is done at every position, and what is understood but not solved yet.
+pub(super) fn sections(source: &Source, scene: &Scene<'_>, report: &mut Report) {
+    let mut table = Table::of_words(&["step", "what", "how"]);
+    let mut step = |what: String, how: String| {
+        let number = (table.rows.len() + 1).to_string();
+        table.row(vec![number, what, how]);
+    };
+    for (group, motion) in scene.structure.motion.iter().zip(&scene.plan.motion) {
+        let efforts = &scene.structure.drives;
+        step(format!("motion of {}", bodies(scene, group)), motion_in_words(scene, group, efforts, motion));
+    }
+    for load in &scene.plan.loads {
+        let (what, how) = load_in_words(scene, load);
+        step(what, how);
+    }
+    for (group, force) in scene.structure.forces.iter().zip(&scene.plan.forces) {
+        let what = format!("reactions on {}", bodies(scene, group));
+        step(what, force_in_words(scene, group, &scene.structure.efforts, force));
+    }
+    let mut section = Section::new("Plan");
+    section.table(table);
+    report.section(section);
+    let unsupported = scene.mechanism.unsupported.iter();
+    let mut later = Section::new("Understood, not solved yet");
+    later.list(
+        unsupported
+            .map(|u| format!("{} (line {})", u.what, place(&source.text, u.span.start).line))
+            .collect(),
+    );
+    report.section(later);
+}
+
+/// The links of a group; the imaginary ones of a higher pair by its name.
+fn bodies(scene: &Scene<'_>, group: &Group) -> String {
+    let names = link_names(scene, group);
+    if names.is_empty() {
+        let all = group.bodies.iter().map(|&b| scene.structure.replaced.body_name(scene.mechanism, b));
+        return all.collect::<Vec<_>>().join(", ");
+    }
+    names.join(", ")
+}
+
+fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &MotionStep) -> String {
+    let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
+    match step {
+        MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("as {} says", with.join(", ")),
+        MotionStep::General { .. } => {
+            format!("Newton's method, {} links at once", link_names(scene, group).len())
+        }
+        MotionStep::DrivenRrr { .. } | MotionStep::DrivenRrp { .. } => {
+            format!("closed form, dyad {} {}", group.kind_name(), with.join(", "))
+        }
+        MotionStep::Rrr { .. }
+        | MotionStep::Rrp { .. }
+        | MotionStep::Rpr { .. }
+        | MotionStep::Prp { .. }
+        | MotionStep::Rpp { .. } => format!("closed form, dyad {}", group.kind_name()),
+        MotionStep::Translation { .. } => "closed form, between two guides".to_owned(),
+    }
+}
+
+fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &ForceStep) -> String {
+    let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
+    match step {
+        ForceStep::Turn { .. } | ForceStep::Shift { .. } => format!("equilibrium, with {}", with.join(", ")),
+        ForceStep::General { .. } if with.is_empty() => "all equations of equilibrium at once".to_owned(),
+        ForceStep::General { .. } => {
+            format!("all equations of equilibrium at once, with {}", with.join(", "))
+        }
+        ForceStep::DrivenLegs { .. } => {
+            format!("closed form, dyad {} {}", group.kind_name(), with.join(", "))
+        }
+        ForceStep::Rrr { .. }
+        | ForceStep::Rrp { .. }
+        | ForceStep::Rpr { .. }
+        | ForceStep::Prp { .. }
+        | ForceStep::Rpp { .. } => format!("closed form, dyad {}", group.kind_name()),
+        ForceStep::Translation { .. } => "closed form, between two guides".to_owned(),
+    }
+}
+
+fn load_in_words(scene: &Scene<'_>, step: &LoadStep) -> (String, String) {
+    let mechanism = scene.mechanism;
+    match step {
+        LoadStep::Mass { body, gravity, inertia, .. } => {
+            let weight = gravity.norm() > 0.0;
+            let what = match (weight, inertia) {
+                (true, true) => "weight and inertia force",
+                (true, false) => "weight",
+                _ => "inertia force",
+            };
+            (format!("{what} of {}", mechanism.link(LinkId::at(*body)).name), "at its mass centre".to_owned())
+        }
+        LoadStep::Force { load, .. } => load_on(scene, load.index(), "does not change"),
+        LoadStep::Torque { load, .. } => load_on(scene, load.index(), "does not change"),
+        LoadStep::Evaluated(load) => load_on(scene, load.index(), "evaluated at every pose"),
+        LoadStep::Spring(id) => {
+            (format!("spring {}", mechanism.springs[id.index()].name), "from its length".to_owned())
+        }
+    }
+}
+
+fn load_on(scene: &Scene<'_>, index: usize, how: &str) -> (String, String) {
+    let load = &scene.mechanism.loads[index];
+    let name = load.name.as_ref().map(|n| format!(" {n}")).unwrap_or_default();
+    let what = match &load.kind {
+        LoadKind::Force { on, .. } | LoadKind::ForceAgainstMotion { on, .. } => {
+            format!("force{name} on {}", scene.mechanism.link(*on).name)
+        }
+        LoadKind::Torque { on, .. } => format!("torque{name} on {}", scene.mechanism.link(*on).name),
+        LoadKind::InPair { pair, .. } => format!("effort{name} in {}", scene.mechanism.pair(*pair).name),
+    };
+    (what, how.to_owned())
+}

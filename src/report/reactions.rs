@@ -1,0 +1,205 @@
+//! The reactions of a pose: one entry per pair of links.
+
+use super::answers::{Answers, NONE, with_unit};
+use super::document::{Column, Report, Section, Table};
+use crate::math::Vec2;
+use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Query, Value};
+use crate::solve::{Solved, View};
+use crate::units::Dimension;
+
+/// The reaction between two links of a pair, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReactionEntry {
+    /// The pair.
+    pub pair: PairId,
+    /// The link it comes from: the first as written.
+    pub from: LinkId,
+    /// The link it acts on.
+    pub on: LinkId,
+    /// The force on `on`, N.
+    pub force: Vec2,
+    /// The couple on `on` about the pair's reference point, N m; `None` where it is not determined, or has no meaning.
+    pub moment: Option<f64>,
+    /// The hinge's centre, the place of contact, or where the resultant crosses the guide, m.
+    pub at: Option<Vec2>,
+    /// Forces at the two contact points of a guide.
+    pub contacts: Vec<ContactEntry>,
+}
+
+/// The force at a contact point of a guide, on the sliding link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactEntry {
+    /// Where, m.
+    pub at: Vec2,
+    /// Along the guide's left normal, N.
+    pub normal: f64,
+}
+
+/// All reactions of a pose, pair by pair as declared. Empty where forces are not solved.
+#[must_use]
+pub fn reactions(answers: &Answers<'_>, solved: &Solved) -> Vec<ReactionEntry> {
+    if answers.scene.plan.reactions.is_empty() {
+        return Vec::new();
+    }
+    let view = answers.solution.view(&answers.scene, solved);
+    let forces = solved.state.reactions.iter().map(|r| r.force.norm());
+    let scale = forces.fold(0.0, f64::max);
+    let mut entries = Vec::new();
+    for (i, pair) in answers.scene.mechanism.pairs.iter().enumerate() {
+        let links = pair.kind.links();
+        let Some((&from, others)) = links.split_first() else { continue };
+        entries.extend(others.iter().map(|&on| entry(&view, PairId::at(i), from, on, scale)));
+    }
+    entries
+}
+
+fn entry(view: &View<'_>, pair: PairId, from: LinkId, on: LinkId, scale: f64) -> ReactionEntry {
+    let kind = &view.mechanism.pair(pair).kind;
+    let number = |query| match view.query(&query) {
+        Value::Scalar(x) if x.is_finite() => Some(x),
+        _ => None,
+    };
+    let mut entry = ReactionEntry {
+        pair,
+        from,
+        on,
+        force: view.reaction(pair, on),
+        moment: None,
+        at: None,
+        contacts: Vec::new(),
+    };
+    match kind {
+        PairKind::Revolute(pins) => {
+            entry.moment = number(Query::Moment(pair, on));
+            entry.at = pins.first().map(|p| view.body(p.link).position(p.at));
+        }
+        PairKind::Cylinder { to, .. } => entry.at = Some(view.body(to.link).position(to.at)),
+        PairKind::Slot(g) => entry.at = Some(view.body(g.slider).position(g.point)),
+        PairKind::Contact { .. } => entry.at = view.contact_normal(pair).map(|c| c.0),
+        PairKind::Prismatic(g) => {
+            entry.moment = number(Query::Moment(pair, on));
+            // a couple alone crosses the guide nowhere
+            let crosses = view.reaction(pair, on).norm() > 1e-12 * scale;
+            entry.at = number(Query::LineOffset(pair)).filter(|_| crosses).map(|s| on_line(view, g, s));
+            entry.contacts = contacts(view, pair, g);
+        }
+    }
+    entry
+}
+
+fn on_line(view: &View<'_>, guide: &Guide, coordinate: f64) -> Vec2 {
+    view.body(guide.guide).position(guide.through) + view.along(guide) * coordinate
+}
+
+fn contacts(view: &View<'_>, pair: PairId, guide: &Guide) -> Vec<ContactEntry> {
+    let (Some(places), Some(normals)) = (guide.contacts, view.contact_forces(pair)) else {
+        return Vec::new();
+    };
+    let point = view.body(guide.slider).position(guide.point);
+    let both = places.iter().zip(normals).filter(|(_, n)| n.is_finite());
+    both.map(|(s, normal)| ContactEntry { at: point + view.along(guide) * *s, normal }).collect()
+}
+
+/// The table of all reactions, and that of forces at the contact points of guides.
+pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
+    if !answers.wants_reactions() {
+        return;
+    }
+    let poses: Vec<_> = answers
+        .poses()
+        .filter_map(|p| Some((p.name.as_str(), reactions(answers, p.outcome.as_ref().ok()?))))
+        .filter(|(_, entries)| !entries.is_empty())
+        .collect();
+    let mut section = Section::new("Reactions");
+    section.table(forces(answers, &poses));
+    section.table(normals(answers, &poses));
+    section.list(remarks(answers.scene.mechanism, answers));
+    report.section(section);
+}
+
+type Poses<'a> = [(&'a str, Vec<ReactionEntry>)];
+
+fn heads(poses: &Poses<'_>) -> Vec<Column> {
+    let pose = (poses.len() > 1).then(|| Column::words("pose"));
+    pose.into_iter().chain([Column::words("pair"), Column::words("from → on")]).collect()
+}
+
+fn names(mechanism: &Mechanism, poses: &Poses<'_>, pose: &str, entry: &ReactionEntry) -> Vec<String> {
+    let links = format!("{} → {}", mechanism.link(entry.from).name, mechanism.link(entry.on).name);
+    let pose = (poses.len() > 1).then(|| pose.to_owned());
+    pose.into_iter().chain([mechanism.pair(entry.pair).name.clone(), links]).collect()
+}
+
+fn forces(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
+    let (mechanism, precision) = (answers.scene.mechanism, answers.precision);
+    let force = mechanism.display_of(Dimension::FORCE);
+    let moment = mechanism.display_of(Dimension::TORQUE);
+    let mut columns = heads(poses);
+    let keys = columns.len();
+    for name in ["Fx", "Fy", "|F|"] {
+        columns.push(Column::numbers(with_unit(name, &force.unit)));
+    }
+    columns.push(Column::numbers(with_unit("moment", &moment.unit)));
+    let mut table = Table::new(columns, keys);
+    let all = || poses.iter().flat_map(|p| &p.1);
+    let scale = force.of_si(all().map(|e| e.force.norm()).fold(0.0, f64::max));
+    let moments = moment.of_si(all().filter_map(|e| e.moment).map(f64::abs).fold(0.0, f64::max));
+    for (pose, entries) in poses {
+        for entry in entries {
+            let mut cells = names(mechanism, poses, pose, entry);
+            let in_unit = force.of_si_vector(entry.force);
+            for x in [in_unit.x, in_unit.y, libm::hypot(in_unit.x, in_unit.y)] {
+                cells.push(precision.figures(x, scale));
+            }
+            cells.push(match (&mechanism.pair(entry.pair).kind, entry.moment) {
+                (_, Some(m)) => precision.figures(moment.of_si(m), moments),
+                (PairKind::Prismatic(_), None) => "not determined".to_owned(),
+                _ => NONE.to_owned(),
+            });
+            table.row(cells);
+        }
+    }
+    table
+}
+
+fn normals(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
+    let (mechanism, precision) = (answers.scene.mechanism, answers.precision);
+    let force = mechanism.display_of(Dimension::FORCE);
+    let length = mechanism.display_of(Dimension::LENGTH);
+    let mut columns = heads(poses);
+    columns[usize::from(poses.len() > 1) + 1] = Column::words("contact point");
+    let keys = columns.len();
+    for (name, unit) in [("normal force", &force.unit), ("x", &length.unit), ("y", &length.unit)] {
+        columns.push(Column::numbers(with_unit(name, unit)));
+    }
+    let mut table = Table::new(columns, keys);
+    let all = || poses.iter().flat_map(|p| &p.1);
+    let contacts = || all().flat_map(|e| &e.contacts);
+    let scale = force.of_si(contacts().map(|c| c.normal.abs()).fold(0.0, f64::max));
+    let size = length.of_si(contacts().map(|c| c.at.norm()).fold(0.0, f64::max));
+    for (pose, entries) in poses {
+        for entry in entries {
+            for (i, contact) in entry.contacts.iter().enumerate() {
+                let mut cells = names(mechanism, poses, pose, entry);
+                cells[keys - 1] = (i + 1).to_string();
+                cells.push(precision.figures(force.of_si(contact.normal), scale));
+                let at = length.of_si_vector(contact.at);
+                cells.extend([at.x, at.y].map(|x| precision.figures(x, size)));
+                table.row(cells);
+            }
+        }
+    }
+    table
+}
+
+fn remarks(mechanism: &Mechanism, answers: &Answers<'_>) -> Vec<String> {
+    let undetermined = answers.scene.structure.undetermined_couples.iter();
+    let names: Vec<&str> = undetermined.map(|p| mechanism.pair(*p).name.as_str()).collect();
+    if names.is_empty() {
+        return Vec::new();
+    }
+    vec![format!(
+        "the couples in {} are not determined: the pairs close a chain of prismatic pairs",
+        names.join(", ")
+    )]
+}

@@ -1,0 +1,58 @@
+//! Lower pairs in place of higher ones, as `check` shows them.
+
+use super::document::{Report, Section, Table};
+use super::pair::{pair_text, profile_text};
+use crate::model::{LinkId, PairKind, Profile, ProfileShape};
+use crate::solve::Scene;
+use crate::units::Dimension;
+
+/// One row per higher pair.
+pub(super) fn section(scene: &Scene<'_>, report: &mut Report) {
+    let mut table = Table::of_words(&["pair", "joins", "replaced by"]);
+    for pair in &scene.mechanism.pairs {
+        let by = match &pair.kind {
+            PairKind::Slot(g) => format!(
+                "an imaginary block hinged on `{}` that slides along `{}`",
+                point(scene, g.slider, &g.point_name),
+                point(scene, g.guide, &g.line_name)
+            ),
+            PairKind::Contact { first, second, internal } => contact(scene, first, second, *internal),
+            PairKind::Revolute(_) | PairKind::Prismatic(_) | PairKind::Cylinder { .. } => continue,
+        };
+        table.row(vec![pair.name.clone(), pair_text(scene.mechanism, &pair.kind), by]);
+    }
+    let mut section = Section::new("Higher pairs and what replaces them");
+    section.table(table);
+    report.section(section);
+}
+
+fn point(scene: &Scene<'_>, link: LinkId, name: &str) -> String {
+    format!("{}.{name}", scene.mechanism.link(link).name)
+}
+
+fn contact(scene: &Scene<'_>, first: &Profile, second: &Profile, internal: bool) -> String {
+    let length = |x: f64| {
+        let display = scene.mechanism.display_of(Dimension::LENGTH);
+        display.text(crate::model::Value::Scalar(x), 6)
+    };
+    let radius = |p: &Profile| match p.shape {
+        ProfileShape::Point(_) => Some(0.0),
+        ProfileShape::Circle(_, r) => Some(r),
+        ProfileShape::Line(..) => None,
+    };
+    let block = |round: &Profile, line: &Profile, r: f64| {
+        let (round, line) = (profile_text(scene.mechanism, round), profile_text(scene.mechanism, line));
+        let away = if r > 0.0 { format!(" at a distance of {}", length(r)) } else { String::new() };
+        let centre = if r > 0.0 { "in the centre of" } else { "on" };
+        format!("an imaginary block hinged {centre} `{round}` that slides along `{line}`{away}")
+    };
+    match (radius(first), radius(second)) {
+        (Some(a), Some(b)) => {
+            let distance = if internal { (a - b).abs() } else { a + b };
+            format!("an imaginary rod of {} between the centres", length(distance))
+        }
+        (Some(r), None) => block(first, second, r),
+        (None, Some(r)) => block(second, first, r),
+        (None, None) => "nothing: two lines".to_owned(),
+    }
+}

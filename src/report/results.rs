@@ -1,0 +1,190 @@
+//! The answers: quantities asked for, at every pose.
+
+use super::answers::{Answers, NONE, with_unit};
+use super::columns::{Cell, Quantity};
+use super::document::{Align, Column, Report, Section, Table};
+use super::reactions::{ReactionEntry, reactions};
+use super::scale::Scale;
+use crate::model::{Display, Value};
+use crate::solve::{Pose, PoseOrigin};
+use crate::units::{Dimension, significant};
+
+/// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
+const FULL: usize = 15;
+
+/// Answers, and the poses that have none.
+pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
+    let mut section = Section::new("Answers");
+    let scale = Scale::of(answers);
+    let poses: Vec<&Pose> = answers.poses().collect();
+    let mut quantities = answers.quantities(&poses);
+    if let [pose] = poses.as_slice() {
+        quantities.extend(answers.quantities_without_pose());
+        let drives = drives_in_words(answers, pose);
+        let header = if drives.is_empty() { "quantity".to_owned() } else { format!("at {drives}") };
+        section.table(of_one_pose(answers, scale, header, &quantities));
+    } else {
+        section.table(of_a_sweep(answers, scale, &poses, &quantities));
+        let whole = answers.quantities_without_pose();
+        section.table(of_one_pose(answers, scale, "at no pose".to_owned(), &whole));
+    }
+    let own: Vec<String> = answers.efforts().into_iter().filter(|e| e.of_drive).map(|e| e.name).collect();
+    if !own.is_empty() {
+        section.text(format!("No balance is declared: {} is the drive's own effort.", own.join(", ")));
+    }
+    report.section(section);
+    let mut failed = Section::new("Poses without solution");
+    failed.list(failures(answers));
+    report.section(failed);
+}
+
+/// One row per quantity.
+fn of_one_pose(answers: &Answers<'_>, scale: Scale, header: String, quantities: &[Quantity]) -> Table {
+    let with_vectors = quantities.iter().any(|q| matches!(q.values[..], [Some(Value::Vector(_))]));
+    let mut columns = vec![Column::words(header), Column::numbers("value"), Column::words("unit")];
+    if with_vectors {
+        columns[1].align = Align::Right;
+        columns.push(Column::numbers("magnitude"));
+    }
+    let mut table = Table::new(columns, 1);
+    for quantity in quantities {
+        let value = quantity.values.first().copied().flatten();
+        let mut cells = vec![quantity.name.clone()];
+        if value.is_none() && quantity.undetermined {
+            cells.push("not determined".to_owned());
+        } else {
+            cells.push(figures(answers, scale, &quantity.display, value));
+            cells.push(quantity.display.unit.clone());
+        }
+        if let Some(Value::Vector(v)) = value {
+            let magnitude = Some(Value::Scalar(libm::hypot(v.x, v.y)));
+            cells.push(figures(answers, scale, &quantity.display, magnitude));
+        }
+        table.row(cells);
+    }
+    table
+}
+
+/// A value in figures, rounding errors as 0.
+fn figures(answers: &Answers<'_>, scale: Scale, display: &Display, value: Option<Value>) -> String {
+    let unit = scale.in_unit(display);
+    let number = |x: f64| answers.precision.figures(display.of_si(x), unit);
+    match value {
+        Some(Value::Scalar(x)) => number(x),
+        Some(Value::Vector(v)) => format!("({}, {})", number(v.x), number(v.y)),
+        Some(Value::Truth(truth)) => truth.to_string(),
+        None => NONE.to_owned(),
+    }
+}
+
+/// One row per pose, one column per number.
+fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: &[Quantity]) -> Table {
+    let mut table = Table::new(vec![Column::words("pose")], 1);
+    table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
+    for (i, drive) in answers.scene.mechanism.drives.iter().enumerate() {
+        let display = answers.scene.mechanism.drive_display(drive.target);
+        let cells = poses.iter().map(|p| answers.drive_figures(drive.target, p.drives.get(i)));
+        table.column(with_unit(&drive.name, &display.unit), cells);
+    }
+    table.keys = table.columns.len();
+    for quantity in quantities {
+        let unit = scale.in_unit(&quantity.display);
+        for part in quantity.parts() {
+            let greatest = unit.max(part.greatest());
+            let cells = part.cells.iter().map(|cell| match cell {
+                Cell::Number(x) => answers.precision.figures(*x, greatest),
+                Cell::Truth(truth) => truth.to_string(),
+                Cell::None if quantity.undetermined => "not determined".to_owned(),
+                Cell::None => NONE.to_owned(),
+            });
+            table.column(with_unit(&part.name, &quantity.display.unit), cells);
+        }
+    }
+    if table.columns.len() > table.keys { table } else { Table::default() }
+}
+
+/// All digits of every number, one row per pose: drives, quantities and, where they are asked for, reactions. What
+/// needs no pose stands in every row; a pose without solution has empty cells.
+pub(super) fn full_table(answers: &Answers<'_>) -> Table {
+    let poses: Vec<&Pose> = answers.poses().collect();
+    let mut table = Table::new(vec![Column::words("pose")], 1);
+    table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
+    for (i, drive) in answers.scene.mechanism.drives.iter().enumerate() {
+        let display = answers.scene.mechanism.drive_display(drive.target);
+        let values = poses.iter().map(|p| p.drives.get(i).and_then(|d| d.value())).collect();
+        add_full(&mut table, &Quantity { name: drive.name.clone(), display, values, undetermined: false });
+    }
+    for quantity in answers.quantities(&poses) {
+        add_full(&mut table, &quantity);
+    }
+    for mut quantity in answers.quantities_without_pose() {
+        let value = quantity.values.first().copied().flatten();
+        quantity.values = vec![value; poses.len()];
+        add_full(&mut table, &quantity);
+    }
+    if answers.wants_reactions() {
+        reaction_quantities(answers, &poses).iter().for_each(|q| add_full(&mut table, q));
+    }
+    table
+}
+
+fn add_full(table: &mut Table, quantity: &Quantity) {
+    for part in quantity.parts() {
+        let cells = part.cells.iter().map(|cell| match cell {
+            Cell::Number(x) => significant(*x, FULL),
+            Cell::Truth(truth) => truth.to_string(),
+            Cell::None => String::new(),
+        });
+        table.column(with_unit(&part.name, &quantity.display.unit), cells);
+    }
+}
+
+/// Reactions under the names by which a file asks for them.
+fn reaction_quantities(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<Quantity> {
+    let mechanism = answers.scene.mechanism;
+    let entries: Vec<Option<Vec<ReactionEntry>>> =
+        poses.iter().map(|p| Some(reactions(answers, p.outcome.as_ref().ok()?))).collect();
+    let Some(pattern) = entries.iter().flatten().next() else { return Vec::new() };
+    let mut quantities = Vec::new();
+    for (i, entry) in pattern.iter().enumerate() {
+        let (pair, on) = (&mechanism.pair(entry.pair).name, &mechanism.link(entry.on).name);
+        let each = |value: &dyn Fn(&ReactionEntry) -> Option<Value>| {
+            entries.iter().map(|e| e.as_ref().and_then(|e| value(&e[i]))).collect::<Vec<_>>()
+        };
+        quantities.push(Quantity {
+            name: format!("reaction({pair}, {on})"),
+            display: mechanism.display_of(Dimension::FORCE),
+            values: each(&|e| Some(Value::Vector(e.force))),
+            undetermined: false,
+        });
+        let moments = each(&|e| e.moment.map(Value::Scalar));
+        if moments.iter().any(Option::is_some) {
+            quantities.push(Quantity {
+                name: format!("moment({pair}, {on})"),
+                display: mechanism.display_of(Dimension::TORQUE),
+                values: moments,
+                undetermined: false,
+            });
+        }
+    }
+    quantities
+}
+
+/// `crank = 45 deg, c1 = 2.25 m`
+fn drives_in_words(answers: &Answers<'_>, pose: &Pose) -> String {
+    let mechanism = answers.scene.mechanism;
+    let drives = mechanism.drives.iter().zip(&pose.drives);
+    let words = drives.filter(|(_, value)| value.value().is_some()).map(|(drive, value)| {
+        let unit = mechanism.drive_display(drive.target).unit;
+        format!("{} = {} {unit}", drive.name, answers.drive_figures(drive.target, Some(value)))
+    });
+    words.collect::<Vec<_>>().join(", ")
+}
+
+fn failures(answers: &Answers<'_>) -> Vec<String> {
+    let own = answers.solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
+    let failed = own.filter_map(|pose| Some((pose, pose.outcome.as_ref().err()?)));
+    failed
+        .map(|(pose, error)| format!("pose {} ({}): {error}", pose.name, drives_in_words(answers, pose)))
+        .collect()
+}

@@ -1,0 +1,188 @@
+//! A report for a terminal.
+
+use super::document::{Align, Block, Report, Section, Table};
+use unicode_width::UnicodeWidthStr;
+
+/// How a report is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Look {
+    /// With colours.
+    pub colour: bool,
+    /// Columns to fill: wider tables are broken into several.
+    pub width: usize,
+}
+
+impl Look {
+    /// Without colours, 100 columns.
+    pub const PLAIN: Self = Self { colour: false, width: 100 };
+
+    fn strong(self, text: &str) -> String {
+        if self.colour { format!("\u{1b}[1m{text}\u{1b}[0m") } else { text.to_owned() }
+    }
+}
+
+const GAP: &str = "  ";
+
+/// The report as lines of text.
+#[must_use]
+pub fn render(report: &Report, look: Look) -> String {
+    let mut out = String::new();
+    line(&mut out, &look.strong(&report.title));
+    if !report.notes.is_empty() {
+        out.push('\n');
+    }
+    for note in &report.notes {
+        line(&mut out, note);
+    }
+    for section in &report.sections {
+        out.push('\n');
+        render_section(&mut out, section, look);
+    }
+    out
+}
+
+fn line(out: &mut String, text: &str) {
+    out.push_str(text.trim_end());
+    out.push('\n');
+}
+
+fn render_section(out: &mut String, section: &Section, look: Look) {
+    line(out, &look.strong(&section.heading));
+    for block in &section.blocks {
+        match block {
+            Block::Text(text) => line(out, &format!("{GAP}{text}")),
+            Block::List(items) => items.iter().for_each(|item| line(out, &format!("{GAP}- {item}"))),
+            Block::Facts(facts) => {
+                let width = facts.iter().map(|f| f.0.width()).max().unwrap_or(0);
+                for (name, fact) in facts {
+                    line(out, &format!("{GAP}{}{GAP}{fact}", padded(name, width, false)));
+                }
+            }
+            Block::Table(table) => render_table(out, table, look),
+        }
+    }
+}
+
+/// Cells padded to the width of their column, the header first.
+fn aligned(table: &Table) -> Vec<Vec<String>> {
+    (0..table.columns.len())
+        .map(|i| {
+            let column = &table.columns[i];
+            let cells: Vec<&str> = table.rows.iter().map(|row| row[i].as_str()).collect();
+            let cells: Vec<String> = match column.align {
+                Align::Decimal => at_decimal_points(&cells),
+                Align::Left | Align::Right => cells.iter().map(|&c| c.to_owned()).collect(),
+            };
+            let width = cells.iter().map(|c| c.width()).chain([column.header.width()]).max().unwrap_or(0);
+            let right = column.align != Align::Left;
+            let header = padded(&column.header, width, right);
+            [header].into_iter().chain(cells.iter().map(|c| padded(c, width, right))).collect()
+        })
+        .collect()
+}
+
+/// Numbers with blanks behind them so that their decimal points stand below each other.
+fn at_decimal_points(cells: &[&str]) -> Vec<String> {
+    let is_number = |c: &str| c.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '.');
+    let after = |c: &str| if is_number(c) { c.find('.').map_or(0, |at| c.len() - at) } else { 0 };
+    let most = cells.iter().map(|c| after(c)).max().unwrap_or(0);
+    cells.iter().map(|c| format!("{c}{}", " ".repeat(most - after(c)))).collect()
+}
+
+fn padded(text: &str, width: usize, right: bool) -> String {
+    let blanks = " ".repeat(width.saturating_sub(text.width()));
+    if right { blanks + text } else { text.to_owned() + &blanks }
+}
+
+fn render_table(out: &mut String, table: &Table, look: Look) {
+    let cells = aligned(table);
+    let widths: Vec<usize> = cells.iter().map(|c| c[0].width()).collect();
+    for (part, columns) in parts(&widths, table.keys, look.width).iter().enumerate() {
+        if part > 0 {
+            out.push('\n');
+        }
+        for row in 0..=table.rows.len() {
+            let joined: Vec<&str> = columns.iter().map(|&i| cells[i][row].as_str()).collect();
+            line(out, &format!("{GAP}{}", joined.join(GAP)));
+            if row == 0 {
+                let rules: Vec<String> = columns.iter().map(|&i| "─".repeat(widths[i])).collect();
+                line(out, &format!("{GAP}{}", rules.join(GAP)));
+            }
+        }
+    }
+}
+
+/// The columns of each part of a table that is broken to fit a width; the keys stand in every part.
+fn parts(widths: &[usize], keys: usize, width: usize) -> Vec<Vec<usize>> {
+    let keys: Vec<usize> = (0..keys.min(widths.len())).collect();
+    let used = |columns: &[usize]| columns.iter().map(|&i| widths[i] + GAP.len()).sum::<usize>();
+    let mut parts = vec![keys.clone()];
+    for i in keys.len()..widths.len() {
+        let last = parts.len() - 1;
+        let part = &mut parts[last];
+        if part.len() > keys.len() && used(part) + widths[i] + GAP.len() > width {
+            parts.push(keys.iter().copied().chain([i]).collect());
+        } else {
+            part.push(i);
+        }
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::document::{Block, Column, Report, Section, Table};
+    use super::{Look, render};
+
+    fn sweep() -> Report {
+        let mut table = Table::new(vec![Column::words("pose"), Column::numbers("phi [deg]")], 1);
+        for name in ["a", "b", "c"] {
+            table.columns.push(Column::numbers(format!("v_{name} [m/s]")));
+        }
+        table.row(["1", "0", "1.25", "-10.5", "曲"].map(String::from).to_vec());
+        table.row(["10", "22.5", "-0.125", "100", "—"].map(String::from).to_vec());
+        let mut section = Section::new("Answers");
+        section.blocks.push(Block::Facts(vec![("φ".into(), "one".into()), ("曲柄".into(), "two".into())]));
+        section.table(table);
+        Report { title: "A title".into(), notes: vec!["A note.".into()], sections: vec![section] }
+    }
+
+    #[test]
+    fn numbers_stand_at_their_decimal_points() {
+        insta::assert_snapshot!(render(&sweep(), Look::PLAIN), @r"
+        A title
+
+        A note.
+
+        Answers
+          φ     one
+          曲柄  two
+          pose  phi [deg]  v_a [m/s]  v_b [m/s]  v_c [m/s]
+          ────  ─────────  ─────────  ─────────  ─────────
+          1           0        1.25       -10.5         曲
+          10         22.5     -0.125      100           —
+        ");
+    }
+
+    #[test]
+    fn wide_tables_are_broken_and_repeat_their_keys() {
+        insta::assert_snapshot!(render(&sweep(), Look { colour: false, width: 32 }), @r"
+        A title
+
+        A note.
+
+        Answers
+          φ     one
+          曲柄  two
+          pose  phi [deg]  v_a [m/s]
+          ────  ─────────  ─────────
+          1           0        1.25
+          10         22.5     -0.125
+
+          pose  v_b [m/s]  v_c [m/s]
+          ────  ─────────  ─────────
+          1         -10.5         曲
+          10        100           —
+        ");
+    }
+}

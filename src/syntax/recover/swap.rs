@@ -1,0 +1,197 @@
+//! Pieces that read with one sign or word exchanged, left out, or put into brackets.
+
+use super::What;
+use super::case::Case;
+use crate::syntax::Rule;
+use crate::syntax::error::SyntaxError;
+use crate::syntax::words::{self, Expected, is_name_char, is_reserved};
+
+pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+    comma_between(case)
+        .or_else(|| foreign_operator(case))
+        .or_else(|| needless_sign(case))
+        .or_else(|| split_word(case))
+        .or_else(|| digit_first(case))
+        .or_else(|| other_word(case))
+        .or_else(|| without_brackets(case))
+        .or_else(|| other_word_before(case))
+}
+
+/// `A (0, 0), B (1 m, 0)`, `given r = 1 m, l = 2 m`
+fn comma_between(case: &Case<'_>) -> Option<SyntaxError> {
+    let complete = case.token(case.fail) == "," && case.expected.contains(&Rule::EOI);
+    let (first, second) = (case.slice.get(..case.fail)?, case.slice.get(case.fail + 1..)?);
+    if !complete || !case.reads(first) {
+        return None;
+    }
+    let again = matches!(case.token(0), "given" | "let") && second.contains('=');
+    let new = match case.token(0) {
+        _ if second.trim_start_matches(' ').starts_with(['\n', '\r']) => String::new(),
+        word if again => format!("; {word}"),
+        _ => ";".to_owned(),
+    };
+    Some(SyntaxError::CommaBetween {
+        at: case.span(case.fail, 1),
+        help: case.help(case.fail, case.fail + 1, &new),
+    })
+}
+
+/// `free length 77 mm`
+fn split_word(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let (second_at, second) = *words.iter().rev().find(|(at, _)| *at < case.fail)?;
+    let (first_at, first) = *words.iter().rev().find(|(at, _)| *at < second_at)?;
+    let (start, end) = (first_at, second_at + second.len());
+    let joined = format!("{first}_{second}");
+    let named = matches!(case.what, What::Property | What::CamMember) && start == 0;
+    (named && case.reads(&case.with(start, end, &joined))).then(|| SyntaxError::OtherWord {
+        found: format!("{first} {second}"),
+        wanted: joined.clone(),
+        at: case.span(start, end - start),
+        help: case.help(start, end, &joined),
+    })
+}
+
+/// What other languages write, and what this one does.
+const OPERATORS: &[(&str, &str)] = &[
+    ("**", "^"),
+    ("&&", "and"),
+    ("||", "or"),
+    ("&", "and"),
+    ("|", "or"),
+    ("!", "not "),
+    ("±", "within"),
+    ("=>", ">="),
+];
+
+fn foreign_operator(case: &Case<'_>) -> Option<SyntaxError> {
+    let fits = |start: usize, (found, wanted): &(&'static str, &'static str)| {
+        let here = case.slice.get(start..)?.starts_with(found);
+        let end = start + found.len();
+        (here && case.reads(&case.with(start, end, wanted))).then_some((start, *found, *wanted))
+    };
+    let starts = [Some(case.fail), case.fail.checked_sub(1)];
+    let (start, found, wanted) = starts
+        .into_iter()
+        .flatten()
+        .find_map(|start| OPERATORS.iter().find_map(|operator| fits(start, operator)))?;
+    Some(SyntaxError::OtherWord {
+        found: found.to_owned(),
+        wanted: wanted.trim().to_owned(),
+        at: case.span(start, found.len()),
+        help: case.help(start, start + found.len(), wanted),
+    })
+}
+
+/// `friction = 0.1` in braces
+fn needless_sign(case: &Case<'_>) -> Option<SyntaxError> {
+    let found = case.token(case.fail);
+    let end = case.fail + found.len();
+    let needless = matches!(found, "=" | ":" | "," | "-") && case.reads(&case.with(case.fail, end, " "));
+    let before = case.slice.get(..case.fail)?.trim_end().len();
+    let behind = end + case.slice.get(end..)?.len() - case.slice.get(end..)?.trim_start().len();
+    needless.then(|| SyntaxError::NeedlessSign {
+        found: found.to_owned(),
+        at: case.span(case.fail, found.len()),
+        help: case.help(before, behind, " "),
+    })
+}
+
+/// `sin 30 deg`, `position of C`
+fn without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let (name_at, name) = *words.iter().rev().find(|(at, _)| *at < case.fail)?;
+    let name_end = name_at + name.len();
+    let here = case.token(case.fail);
+    if !words::FUNCTIONS.contains(&name)
+        || !(here == "of" || here.starts_with(is_name_char) && !is_reserved(here))
+    {
+        return None;
+    }
+    let open = if here == "of" { case.fail + here.len() } else { case.fail };
+    // The argument ends with one of the next words, or where reading it stops.
+    for (at, word) in words.iter().filter(|(at, _)| *at >= open).take(3) {
+        let end = at + word.len();
+        let argument = case.slice.get(open..end)?.trim();
+        let call = format!("({argument})");
+        if case.reads(&case.with(name_end, end, &call)) {
+            return Some(SyntaxError::WithoutBrackets {
+                function: name.to_owned(),
+                at: case.span(open, end - open),
+                help: case.help(name_end, end, &call),
+            });
+        }
+    }
+    None
+}
+
+/// `given 2r = 5 mm`
+fn digit_first(case: &Case<'_>) -> Option<SyntaxError> {
+    let found = case.token(case.fail);
+    let letters = found.trim_start_matches(|c: char| c.is_ascii_digit());
+    let digits = &found[..found.len() - letters.len()];
+    let named = case.expected.iter().any(|r| words::expected(*r).contains(&Expected::Name));
+    if digits.is_empty() || letters.is_empty() || !named {
+        return None;
+    }
+    let end = case.fail + found.len();
+    let wanted = format!("{letters}{digits}");
+    case.reads(&case.with(case.fail, end, &wanted)).then(|| SyntaxError::DigitFirst {
+        found: found.to_owned(),
+        at: case.span(case.fail, found.len()),
+        help: case.help(case.fail, end, &wanted),
+    })
+}
+
+/// What people write for words of the language.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("clockwise", "cw"),
+    ("counterclockwise", "ccw"),
+    ("anticlockwise", "ccw"),
+    ("along", "@"),
+    ("by", "in"),
+];
+
+/// A sign or word where another one stands, if there is just one that fits.
+fn other_word(case: &Case<'_>) -> Option<SyntaxError> {
+    let found = case.token(case.fail);
+    let end = case.fail + found.len();
+    let synonym = SYNONYMS.iter().find(|(word, _)| *word == found);
+    let mut fitting = match synonym {
+        Some((_, wanted)) => vec![(*wanted).to_owned()],
+        None if is_reserved(found) || !found.starts_with(is_name_char) => case.literals(),
+        None => return None,
+    };
+    if case.expected.iter().any(|r| words::expected(*r).contains(&Expected::Operator)) {
+        fitting.push("@".to_owned());
+    }
+    fitting.retain(|w| w != "(" && w != "{" && case.reads(&case.with(case.fail, end, &format!(" {w} "))));
+    fitting.dedup();
+    let [wanted] = fitting.as_slice() else { return None };
+    let before = case.slice.get(..case.fail)?;
+    let close = matches!(wanted.as_str(), "," | ":") || before.ends_with(' ');
+    let blank = if close { "" } else { " " };
+    (!found.is_empty()).then(|| SyntaxError::OtherWord {
+        found: found.to_owned(),
+        wanted: wanted.clone(),
+        at: case.span(case.fail, found.len()),
+        help: case.help(case.fail, end, &format!("{blank}{wanted}")),
+    })
+}
+
+/// A connecting word further back that led astray: `find v in m/s`.
+fn other_word_before(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let (at, found) = *words.iter().rev().find(|(at, w)| *at < case.fail && is_reserved(w))?;
+    let end = at + found.len();
+    let mut fitting = words::CONNECTING.to_vec();
+    fitting
+        .retain(|w| !matches!(*w, "and" | "or" | "not") && *w != found && case.reads(&case.with(at, end, w)));
+    let [wanted] = fitting.as_slice() else { return None };
+    Some(SyntaxError::OtherWord {
+        found: found.to_owned(),
+        wanted: (*wanted).to_owned(),
+        at: case.span(at, found.len()),
+        help: case.help(at, end, wanted),
+    })
+}

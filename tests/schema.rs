@@ -1,0 +1,81 @@
+//! What `solve --format json` prints is held to `docs/json-schema/solution-1.json`, for every example and for wrong files.
+
+#[path = "schema/validate.rs"]
+mod validate;
+
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use validate::validate;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn schema() -> Value {
+    let text = std::fs::read_to_string(root().join("docs/json-schema/solution-1.json")).unwrap();
+    serde_json::from_str(&text).unwrap()
+}
+
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    entries.sort();
+    for path in entries {
+        if path.is_dir() {
+            files(&path, found);
+        } else if path.extension().is_some_and(|e| e == "mech") {
+            found.push(path);
+        }
+    }
+}
+
+fn json_of(folder: &str) -> String {
+    let out = std::process::Command::new(env!("CARGO_BIN_EXE_assur"))
+        .current_dir(root())
+        .args(["solve", folder, "--format", "json"])
+        .output()
+        .unwrap();
+    String::from_utf8(out.stdout).unwrap()
+}
+
+fn holds(folder: &str) -> usize {
+    let schema = schema();
+    let json = json_of(folder);
+    for line in json.lines() {
+        let value: Value = serde_json::from_str(line).unwrap();
+        let mut wrong = Vec::new();
+        validate(&schema, &schema, &value, "", &mut wrong);
+        assert!(wrong.is_empty(), "{}: {}", value["file"], wrong.join("\n"));
+        assert!(!line.contains("null"), "{}: null", value["file"]);
+    }
+    json.lines().count()
+}
+
+#[test]
+fn every_example_fits() {
+    let mut all = Vec::new();
+    files(&root().join("examples"), &mut all);
+    assert_eq!(holds("examples"), all.len(), "one line per file");
+}
+
+#[test]
+fn wrong_files_fit() {
+    let mut all = Vec::new();
+    files(&root().join("tests/errors"), &mut all);
+    assert_eq!(holds("tests/errors"), all.len(), "one line per file");
+}
+
+#[test]
+fn the_validator_finds_what_does_not_fit() {
+    let schema = schema();
+    let check = |text: &str| {
+        let mut wrong = Vec::new();
+        validate(&schema, &schema, &serde_json::from_str(text).unwrap(), "", &mut wrong);
+        wrong.join("; ")
+    };
+    assert_eq!(check(r#"{"schema": "assur.solution/1", "file": "a.mech", "diagnostics": []}"#), "");
+    let wrong =
+        check(r#"{"schema": "other", "file": 1, "poses": [{"name": "1", "drives": {"a": [1]}, "x": 0}]}"#);
+    for part in ["/schema", "/file", "/poses/0/drives/a", "/poses/0/x", "diagnostics is missing"] {
+        assert!(wrong.contains(part), "{part} in {wrong}");
+    }
+}
