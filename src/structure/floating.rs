@@ -77,7 +77,7 @@ pub(super) fn names(mechanism: &Mechanism, links: impl Iterator<Item = LinkId>) 
 
 /// A pair that would join the island: at a point of one name on both sides, else an example.
 fn help(mechanism: &Mechanism, links: &[LinkId]) -> String {
-    let remove = if links.len() == 1 { "remove it" } else { "remove them" };
+    let it = if links.len() == 1 { "it" } else { "them" };
     let outside = || (0..mechanism.links.len()).map(LinkId::at).filter(|l| !links.contains(l));
     for &link in links {
         for point in &mechanism.link(link).points {
@@ -94,6 +94,6 @@ fn help(mechanism: &Mechanism, links: &[LinkId]) -> String {
     let named = links.iter().find_map(|l| Some((mechanism.link(*l), mechanism.link(*l).points.last()?)));
     let (link, point) = named.map_or(("LINK", "P"), |(l, p)| (l.name.as_str(), p.name.as_str()));
     format!(
-        "give the ground a point `{point}` too and join it by `revolute {point}: ground - {link}`, or {remove}"
+        "give the ground a point `{point}` too and add `revolute {point}: ground - {link}`, or remove {it}"
     )
 }
