@@ -79,7 +79,6 @@ pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
 
 /// Solves what was compiled and holds it against its answer key. A failed expectation is an outcome, not a problem; one
 /// that cannot be evaluated is a problem.
-#[must_use]
 pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
     let mut problems = Problems::new();
     let scene = compiled.scene();
@@ -108,12 +107,19 @@ pub fn solve_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, 
     (solved.ok(), problems)
 }
 
+/// Text → [`Solved`], with all that was found on the way, failed expectations among it.
+#[must_use]
+pub fn test_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {
+    let (solved, mut problems) = solve_source(source, overrides);
+    problems.extend(solved.iter().flat_map(|s| &s.outcomes).filter_map(Outcome::mismatch));
+    (solved, problems)
+}
+
 /// What the author of a text is told about it, failed expectations included, without colour, 100 columns wide; empty
 /// where nothing is wrong.
 #[must_use]
 pub fn diagnose(source: &Source) -> String {
-    let (solved, mut problems) = solve_source(source, &Overrides::none());
-    problems.extend(solved.iter().flat_map(|s| &s.outcomes).filter_map(Outcome::mismatch));
+    let (_, problems) = test_source(source, &Overrides::none());
     diagnostic::render(&problems, source, diagnostic::Style::PLAIN)
 }
 

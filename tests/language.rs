@@ -50,6 +50,13 @@ fn reads(path: &Path) -> Result<(), Failed> {
                 return Err(format!("not read: {:?}", statement.span).into());
             }
         }
+        // Fragments do not stand alone; whole programs also check.
+        if path.parent().and_then(Path::file_name).is_some_and(|folder| folder == "language") {
+            let (mechanism, problems) = assur::check_source(&source, &assur::check::Overrides::none());
+            if mechanism.is_none() || !problems.is_empty() {
+                return Err(render(&problems, &source, Style::PLAIN).into());
+            }
+        }
     }
     Ok(())
 }

@@ -1,5 +1,7 @@
 //! What `solve --format json` prints is held to `docs/json-schema/solution-1.json`, for every example and for wrong files.
 
+#![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
+
 #[path = "schema/validate.rs"]
 mod validate;
 
@@ -45,7 +47,6 @@ fn holds(folder: &str) -> usize {
         let mut wrong = Vec::new();
         validate(&schema, &schema, &value, "", &mut wrong);
         assert!(wrong.is_empty(), "{}: {}", value["file"], wrong.join("\n"));
-        assert!(!line.contains("null"), "{}: null", value["file"]);
     }
     json.lines().count()
 }

@@ -116,18 +116,31 @@ fn values<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
     walk::children(expr, &mut |child| values(child, visit));
 }
 
+/// How many names of a way round are shown.
+const SHOWN: usize = 6;
+
+/// `a` → `b` → `a`, the middle left out where it is long.
+pub(super) fn way_round(names: &[String]) -> String {
+    let mut quoted = names.iter().take(SHOWN).map(|n| format!("`{n}`")).collect::<Vec<_>>();
+    if names.len() > SHOWN {
+        quoted.push(format!("{} more", names.len() - SHOWN));
+    }
+    quoted.extend(names.first().map(|n| format!("`{n}`")));
+    quoted.join(" → ")
+}
+
 fn cycle(cx: &mut Context<'_>, path: &[(String, usize)], again: &str) {
     let from = path.iter().position(|(name, _)| name == again).unwrap_or(0);
     let names = path[from..].iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
     let place = |name: &String| cx.names.quantities.get(name).map_or_else(Span::default, |d| d.span);
     let label = |name: &String| LabeledSpan::at(place(name).start..place(name).end, "hangs on the next");
-    let others = names.iter().skip(1).map(label).collect();
+    let others = names.iter().skip(1).take(SHOWN).map(label).collect();
     let span = names.first().map_or_else(Span::default, place);
-    let chain = names.iter().map(|n| format!("`{n}`")).chain([format!("`{again}`")]).collect::<Vec<_>>();
+    let chain = way_round(&names);
     for name in &names {
         cx.definitions.settled.insert(name.clone(), Settled::Failed);
     }
-    cx.error(NameError::Cycle { name: again.to_owned(), chain: chain.join(" → "), span, others });
+    cx.error(NameError::Cycle { name: again.to_owned(), chain, span, others });
 }
 
 impl Context<'_> {

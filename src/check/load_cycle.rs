@@ -1,6 +1,7 @@
 //! Loads that hang on one another.
 
 use super::context::Context;
+use super::definition::way_round;
 use super::error::NameError;
 use crate::model::{Expr, LoadId, LoadKind, Place, Query};
 use miette::LabeledSpan;
@@ -27,7 +28,7 @@ pub(super) fn load_cycles(cx: &mut Context<'_>) {
         free[next] = true;
     }
     let Some(start) = free.iter().position(|free| !free) else { return };
-    report(cx, &way_round(start, &uses, &free));
+    report(cx, &round_from(start, &uses, &free));
 }
 
 fn loads_in<'e>(cx: &Context<'_>, exprs: impl Iterator<Item = &'e Expr>) -> Vec<LoadId> {
@@ -43,7 +44,7 @@ fn loads_in<'e>(cx: &Context<'_>, exprs: impl Iterator<Item = &'e Expr>) -> Vec<
 }
 
 /// From a load that is not free along others that are not, until one comes again.
-fn way_round(start: usize, uses: &[Vec<LoadId>], free: &[bool]) -> Vec<usize> {
+fn round_from(start: usize, uses: &[Vec<LoadId>], free: &[bool]) -> Vec<usize> {
     let mut path = vec![start];
     loop {
         let last = path[path.len() - 1];
@@ -58,7 +59,7 @@ fn way_round(start: usize, uses: &[Vec<LoadId>], free: &[bool]) -> Vec<usize> {
 fn report(cx: &mut Context<'_>, loads: &[usize]) {
     let name = |i: &usize| cx.mech.loads[*i].name.clone().unwrap_or_default();
     let Some(first) = loads.first() else { return };
-    let chain = loads.iter().chain([first]).map(|i| format!("`{}`", name(i))).collect::<Vec<_>>().join(" → ");
+    let chain = way_round(&loads.iter().map(name).collect::<Vec<_>>());
     let place = |i: &usize| cx.mech.loads[*i].span;
     let label = |i: &usize| LabeledSpan::at(place(i).start..place(i).end, "hangs on the next");
     let others = loads[1..].iter().map(label).collect();

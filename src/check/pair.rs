@@ -25,7 +25,7 @@ pub(super) fn pairs(cx: &mut Context<'_>) {
             element::transmission(cx, joint, statement.span);
         } else if let Some(kind) = pair(cx, joint, &shared, &mut held) {
             let (name, span) = (joint.name.node.clone(), joint.name.span);
-            cx.mech.pairs.push(Pair { name, span, kind });
+            cx.mech.pairs.push(Pair { name, span, kind, friction: None });
         }
     }
 }

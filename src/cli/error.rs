@@ -3,19 +3,17 @@
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// An error that is not one of the text.
+/// An error that is not one of the text. Its message says all there is to say: it has no code to be explained.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum CliError {
     /// No such file.
     #[error("there is no file or folder `{name}`")]
-    #[diagnostic(code(mech::file::missing))]
     Missing {
         /// As given.
         name: String,
     },
     /// The file cannot be read.
     #[error("`{name}` cannot be read: {why}")]
-    #[diagnostic(code(mech::file::unreadable))]
     Unreadable {
         /// As given.
         name: String,
@@ -24,7 +22,7 @@ pub enum CliError {
     },
     /// No text.
     #[error("`{name}` is not a text in UTF-8: byte {at} cannot be read")]
-    #[diagnostic(code(mech::file::not_utf8), help("save the file in the encoding UTF-8"))]
+    #[diagnostic(help("save the file in the encoding UTF-8"))]
     NotUtf8 {
         /// As given.
         name: String,
@@ -33,24 +31,21 @@ pub enum CliError {
     },
     /// An empty folder.
     #[error("there is no .mech file in the folder `{name}`")]
-    #[diagnostic(
-        code(mech::file::no_mech_files),
-        help("files that .gitignore names are left out; name a file itself to read it all the same")
-    )]
+    #[diagnostic(help(
+        "files that .gitignore names are left out; name a file itself to read it all the same"
+    ))]
     NoMechFiles {
         /// As given.
         name: String,
     },
     /// A glob that matches nothing.
     #[error("no file matches `{pattern}`")]
-    #[diagnostic(code(mech::file::no_match))]
     NoMatch {
         /// As given.
         pattern: String,
     },
     /// No glob.
     #[error("`{pattern}` is not a pattern of file names: {why}")]
-    #[diagnostic(code(mech::file::bad_pattern))]
     BadPattern {
         /// As given.
         pattern: String,
@@ -59,7 +54,6 @@ pub enum CliError {
     },
     /// A subcommand that exists in name.
     #[error("`assur {command}` is not supported yet")]
-    #[diagnostic(code(mech::command::not_supported_yet))]
     NotSupportedYet {
         /// The subcommand.
         command: &'static str,
@@ -69,7 +63,6 @@ pub enum CliError {
     },
     /// No such code.
     #[error("there is no diagnostic `{code}`")]
-    #[diagnostic(code(mech::command::unknown_code))]
     UnknownCode {
         /// As given.
         code: String,
@@ -79,12 +72,9 @@ pub enum CliError {
     },
     /// Our own mistake.
     #[error("internal error of assur {version} in `{file}`: {what}")]
-    #[diagnostic(
-        code(mech::internal::panic),
-        help(
-            "this is a mistake of the program, not of your file: please report it with the file and this message"
-        )
-    )]
+    #[diagnostic(help(
+        "this is a mistake of the program, not of your file: please report it with the file and this message"
+    ))]
     Internal {
         /// The file.
         file: String,

@@ -100,3 +100,22 @@ fn quiet_panics() {
         std::panic::set_hook(Box::new(|_| {}));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::args::Color;
+    use super::super::screen::Screen;
+    use super::{Status, guarded};
+    use crate::source::Source;
+
+    #[test]
+    fn an_error_of_our_own_is_reported() {
+        let source = Source::new("a.mech", "");
+        let reply = guarded(&source, &Screen::new(Color::Never), |_| panic!("out of luck"));
+        assert_eq!(reply.status, Status::Unusable);
+        let (said, version) = (reply.diagnostics, env!("CARGO_PKG_VERSION"));
+        for part in ["internal error", "a.mech", "out of luck", version] {
+            assert!(said.contains(part), "{part}: {said}");
+        }
+    }
+}

@@ -11,7 +11,11 @@ use crate::{Compiled, Solved};
 /// Prints the answers.
 pub fn run(args: &Solve, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
-    let apart = if args.format == Format::Json { "" } else { "\n" };
+    let apart = match args.format {
+        Format::Json => "",
+        Format::Csv => "\r\n",
+        Format::Table | Format::Markdown => "\n",
+    };
     for_each_file(&args.problem.files, screen, apart, |source| {
         let (compiled, mut problems) = crate::compile(source, &overrides);
         let solved = match compiled {

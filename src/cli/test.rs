@@ -9,10 +9,9 @@ use crate::exercise::Outcome;
 pub fn run(args: &Problem, screen: &Screen) -> Status {
     let overrides = args.overrides();
     for_each_file(&args.files, screen, "", |source| {
-        let (solved, mut problems) = crate::solve_source(source, &overrides);
+        let (solved, problems) = crate::test_source(source, &overrides);
         let outcomes = solved.as_ref().map_or(&[][..], |s| &s.outcomes);
-        let errors = problems.errors();
-        problems.extend(outcomes.iter().filter_map(Outcome::mismatch));
+        let errors = problems.errors() - outcomes.iter().filter(|o| !o.passed).count();
         let line = format!("{}: {}\n", source.name, summary(solved.is_some(), errors, outcomes));
         Reply::new(line, &problems, source, screen)
     })

@@ -169,7 +169,9 @@ pub const CODES: &[Code] = codes! {
     // element
 
     // exercise
-
+    "expect" / "mismatch",
+    "expect" / "pose_failed",
+    "expect" / "undefined",
 };
 
 /// The page of a code; the leading `mech::` may be left out.

@@ -70,7 +70,7 @@ pub enum ExpectError {
         help: String,
     },
     /// The pose has no solution.
-    #[error("`{text}` cannot be compared{pose}: {reason}")]
+    #[error("`{text}` cannot be compared: {reason}")]
     #[diagnostic(
         code(mech::expect::pose_failed),
         help("an expectation can only hold at a pose that is solved")
@@ -78,9 +78,7 @@ pub enum ExpectError {
     PoseFailed {
         /// What is expected of.
         text: String,
-        /// ` at pose 3`, or empty.
-        pose: String,
-        /// Why the pose has no solution.
+        /// Why the pose has no solution, and which it is.
         reason: String,
         /// Where.
         #[label("expected here")]
@@ -103,15 +101,6 @@ pub enum ExpectError {
         #[help]
         help: Option<&'static str>,
     },
-}
-
-/// ` at pose 3`, ` at crank = 90 deg`, or nothing.
-pub(super) fn at_pose(pose: Option<&str>) -> String {
-    match pose {
-        None => String::new(),
-        Some(name) if name.contains('=') => format!(" at {name}"),
-        Some(name) => format!(" at pose {name}"),
-    }
 }
 
 impl ExpectError {
@@ -138,13 +127,8 @@ impl ExpectError {
         Self::UnknownPose { name: name.to_owned(), span, help }
     }
 
-    pub(super) fn pose_failed(expect: &Expect, pose: &str, error: &SolveError) -> Self {
-        Self::PoseFailed {
-            text: expect.text.clone(),
-            pose: at_pose(Some(pose)),
-            reason: error.to_string(),
-            span: expect.span,
-        }
+    pub(super) fn pose_failed(expect: &Expect, error: &SolveError) -> Self {
+        Self::PoseFailed { text: expect.text.clone(), reason: error.to_string(), span: expect.span }
     }
 
     pub(super) fn no_solution(expect: &Expect) -> Self {
@@ -161,8 +145,7 @@ impl ExpectError {
     }
 
     pub(super) fn mismatch(outcome: &Outcome) -> Self {
-        let Outcome { text, display, got, .. } = outcome;
-        let at = at_pose(outcome.pose.as_deref());
+        let Outcome { text, display, got, place: at, .. } = outcome;
         let span = outcome.span;
         if *got == Value::Truth(false) {
             let message = format!("expected {text}{at}, and it does not hold");

@@ -1,7 +1,7 @@
 //! Every `expect` of a file against its solution.
 
 use super::compare::{bound, equal, is_within};
-use super::error::{ExpectError, at_pose};
+use super::error::ExpectError;
 use super::undefined::why_undefined;
 use crate::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
 use crate::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution, State, View, compare};
@@ -14,6 +14,8 @@ pub struct Outcome {
     pub text: String,
     /// The pose's name; `None` where no pose is needed.
     pub pose: Option<String>,
+    /// The pose in words, as ` at pose 3`; empty where there is no other.
+    pub place: String,
     /// The comparison that should hold; `None` for an equality and for a truth.
     pub comparison: Option<Comparison>,
     /// The expected value, the bound of a comparison, or `true` for a truth; SI.
@@ -65,12 +67,11 @@ impl<'a> Key<'a> {
             match &pose.outcome {
                 Ok(solved) => {
                     let view = self.solution.view(self.scene, solved);
-                    let outcome = self.outcome(expect, case, Some(&self.name(pose)), &view)?;
+                    let outcome = self.outcome(expect, case, Some(pose), &view)?;
                     self.outcomes.push(outcome);
                 }
                 Err(error) => {
-                    failed =
-                        failed.or_else(|| Some(ExpectError::pose_failed(expect, &self.name(pose), error)));
+                    failed = failed.or_else(|| Some(ExpectError::pose_failed(expect, error)));
                 }
             }
         }
@@ -79,11 +80,10 @@ impl<'a> Key<'a> {
 
     /// Values that hang on no pose are asked of a mechanism at rest.
     fn without_pose(&mut self, expect: &Expect) -> Result<(), ExpectError> {
-        let Scene { mechanism, structure, plan } = *self.scene;
+        let plan = self.scene.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
-        let statics = &self.solution.statics;
-        let view = View { mechanism, structure, plan, state: &state, angles: &angles, statics };
+        let view = View::new(self.scene, &state, &angles, &self.solution.statics);
         let outcome = self.outcome(expect, 0, None, &view)?;
         self.outcomes.push(outcome);
         Ok(())
@@ -128,25 +128,36 @@ impl<'a> Key<'a> {
         texts.collect::<Vec<_>>().join(", ")
     }
 
+    /// Where a pose is, behind a sentence.
+    fn place(&self, pose: &Pose) -> String {
+        match pose.origin {
+            PoseOrigin::Expected(_) => format!(" at {}", self.name(pose)),
+            _ if self.solution.poses.len() == 1 => String::new(),
+            _ => format!(" at pose {}", pose.name),
+        }
+    }
+
     fn outcome(
         &self,
         expect: &Expect,
         case: usize,
-        pose: Option<&str>,
+        pose: Option<&Pose>,
         view: &View<'_>,
     ) -> Result<Outcome, ExpectError> {
+        let place = pose.map_or_else(String::new, |p| self.place(p));
         let value = |expr: &Expr| -> Result<Value, ExpectError> {
             let value = view.value(expr);
             if value.is_defined() {
                 return Ok(value);
             }
             let why = why_undefined(self.scene, expr);
-            Err(ExpectError::no_value(expect, at_pose(pose), why))
+            Err(ExpectError::no_value(expect, place.clone(), why))
         };
         let got = value(&expect.expr)?;
         let mut outcome = Outcome {
             text: expect.text.clone(),
-            pose: pose.map(str::to_owned),
+            pose: pose.map(|p| self.name(p)),
+            place: place.clone(),
             comparison: None,
             expected: Value::Truth(true),
             got,

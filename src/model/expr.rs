@@ -46,6 +46,8 @@ pub enum Expr {
     Quantity(QuantityId),
     /// A result.
     Query(Query),
+    /// The same without friction.
+    Frictionless(Box<Expr>),
 }
 
 /// Operations on two operands.
@@ -160,6 +162,16 @@ pub enum Query {
     Moment(PairId, LinkId),
     /// Part of the force on the link along the line's left normal (contacts: along the common normal into the link).
     Normal(PairId, LinkId),
+    /// Friction force on the link in a pair along the line (contacts: across the common normal).
+    Friction(PairId, LinkId),
+    /// Power lost in a pair by friction, W, ≥ 0.
+    FrictionPower(PairId),
+    /// Ideal over actual effort where the balance drives, actual over ideal where it resists.
+    Efficiency,
+    /// Whether the efficiency is not positive, as a truth.
+    Locked,
+    /// Value of a given at which locking begins: index into [`super::Mechanism::criticals`].
+    Critical(usize),
     /// Force at one of two contact points of a prismatic pair (1 or 2) along the left normal, on the sliding link.
     ContactForce(PairId, u8),
     /// Where the resultant crosses the guide, in the pair's coordinate.
@@ -255,7 +267,7 @@ impl Expr {
         visit(self);
         match self {
             Self::Constant(_) | Self::Quantity(_) | Self::Query(_) => {}
-            Self::Component(a, _) | Self::Negate(a) | Self::Not(a) => a.parts(visit),
+            Self::Component(a, _) | Self::Negate(a) | Self::Not(a) | Self::Frictionless(a) => a.parts(visit),
             Self::Vector(a, b)
             | Self::Polar(a, b)
             | Self::Binary(_, a, b)
@@ -279,6 +291,7 @@ impl Expr {
             Self::Component(a, axis) => Self::Component(boxed(a), *axis),
             Self::Negate(a) => Self::Negate(boxed(a)),
             Self::Not(a) => Self::Not(boxed(a)),
+            Self::Frictionless(a) => Self::Frictionless(boxed(a)),
             Self::Vector(a, b) => Self::Vector(boxed(a), boxed(b)),
             Self::Polar(a, b) => Self::Polar(boxed(a), boxed(b)),
             Self::Binary(op, a, b) => Self::Binary(*op, boxed(a), boxed(b)),

@@ -17,7 +17,7 @@ pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
-pub use pair::{Guide, Pair, PairKind, Pin, Profile, ProfileShape};
+pub use pair::{Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Display, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
 
 use crate::source::Span;
@@ -59,6 +59,8 @@ pub struct Mechanism {
     pub expects: Vec<Expect>,
     /// Constructs that are understood but cannot be solved yet.
     pub unsupported: Vec<Unsupported>,
+    /// Givens whose critical value is asked for.
+    pub criticals: Vec<String>,
     /// The unit the file uses most for a dimension: what results without a unit of their own are printed in.
     pub displays: Vec<Display>,
     /// Given and derived values that need no pose, in the order of the file: name, SI value, display.

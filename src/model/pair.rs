@@ -13,6 +13,20 @@ pub struct Pair {
     pub span: Span,
     /// What it joins, and how.
     pub kind: PairKind,
+    /// Friction in it, where declared.
+    pub friction: Option<Friction>,
+}
+
+/// The law of friction of a pair. It opposes the relative velocity; where that is nothing there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Friction {
+    /// Journal: the reaction touches the friction circle of this radius ρ, m, so that its moment about the hinge is ρ R.
+    /// In a pin of many links every link but the first turns against the first.
+    Circle(f64),
+    /// Guide, slot or contact: a force of this equivalent coefficient times the normal force against the sliding.
+    Coefficient(f64),
+    /// Guide with two contact points: both ends rub, f (|N_1| + |N_2|).
+    BothEnds(f64),
 }
 
 /// The kinds of pair.

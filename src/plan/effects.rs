@@ -31,6 +31,8 @@ pub struct Effects {
     pub gravity: bool,
     /// Springs.
     pub springs: bool,
+    /// Friction in the pairs.
+    pub friction: bool,
 }
 
 impl Effects {
@@ -42,6 +44,8 @@ impl Effects {
         wanted.requests(mechanism);
         let forces = wanted.forces;
         let inertia = forces && timed && has_mass && !mechanism.ignore_inertia;
+        let rubs = mechanism.pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some()));
+        let friction = forces && moving && rubs;
         let damped = mechanism.springs.iter().any(|s| s.damping > 0.0);
         if forces {
             wanted.loads(mechanism);
@@ -49,7 +53,7 @@ impl Effects {
         let mut level = wanted.level;
         if inertia {
             level = Level::Accelerations;
-        } else if forces && moving && damped {
+        } else if forces && moving && (damped || friction) {
             level = level.max(Level::Velocities);
         }
         if !timed {
@@ -66,6 +70,7 @@ impl Effects {
             inertia,
             gravity: forces && mechanism.gravity.is_some() && has_mass,
             springs: forces && !mechanism.springs.is_empty(),
+            friction,
         }
     }
 
@@ -79,6 +84,7 @@ impl Effects {
             (self.inertia, "inertia"),
             (self.gravity, "gravity"),
             (self.springs, "springs"),
+            (self.friction, "friction"),
             (self.forces, "reactions"),
         ] {
             if on {
@@ -157,6 +163,9 @@ pub fn level_of(query: &Query) -> Level {
         | Query::PressureAngle(_)
         | Query::BalancePower(_)
         | Query::LoadPower(_)
+        | Query::FrictionPower(_)
+        | Query::Efficiency
+        | Query::Locked
         | Query::EffortPower(_) => Level::Velocities,
         Query::Acceleration(_)
         | Query::Alpha(_)
@@ -186,5 +195,10 @@ pub fn needs_forces(query: &Query) -> bool {
             | Query::Effort(_)
             | Query::BalancePower(_)
             | Query::EffortPower(_)
+            | Query::Friction(..)
+            | Query::FrictionPower(_)
+            | Query::Efficiency
+            | Query::Locked
+            | Query::Critical(_)
     )
 }

@@ -2,6 +2,7 @@
 
 mod effects;
 mod forces;
+mod friction;
 mod general;
 mod geometry;
 mod loads;
@@ -9,6 +10,7 @@ mod motion;
 pub mod step;
 
 pub use effects::{Effects, Level, level_of, needs_forces};
+pub use friction::{FrictionElement, Rub, RubbingGroup};
 pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
 pub use loads::LoadStep;
 pub use step::{
@@ -41,6 +43,8 @@ pub struct Plan {
     pub balance_systems: Vec<BalanceSystem>,
     /// The joint of every reaction slot.
     pub reactions: Vec<GroupJoint>,
+    /// What rubs, group by group.
+    pub friction: Vec<FrictionElement>,
     /// Number of unknown efforts.
     pub efforts: usize,
     /// What is computed.
@@ -69,6 +73,9 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
     if plan.effects.forces && structure.force_defect.is_none() {
         plan.loads = loads::plan(mechanism, &plan.effects);
         forces::plan(structure, &mut plan);
+        if plan.effects.friction {
+            friction::plan(mechanism, structure, &mut plan);
+        }
     }
     plan
 }

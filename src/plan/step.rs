@@ -1,5 +1,6 @@
 //! The steps of a plan: plain numbers and slots, nothing to look up.
 
+use super::friction::RubbingGroup;
 use crate::math::Vec2;
 
 /// A point of a body.
@@ -350,6 +351,13 @@ pub enum ForceStep {
     General {
         /// Index into [`super::Plan::balance_systems`].
         system: usize,
+    },
+    /// A group with friction.
+    Rubbing {
+        /// The step without friction.
+        plain: Box<ForceStep>,
+        /// What rubs in it.
+        group: Box<RubbingGroup>,
     },
 }
 

@@ -73,14 +73,7 @@ impl<'a> Answers<'a> {
         let plan = self.scene.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
-        let view = View {
-            mechanism: self.scene.mechanism,
-            structure: self.scene.structure,
-            plan,
-            state: &state,
-            angles: &angles,
-            statics: &self.solution.statics,
-        };
+        let view = View::new(&self.scene, &state, &angles, &self.solution.statics);
         let quantity = |(find, expr, display): (&'a Find, &'a Expr, &'a Display)| Quantity {
             name: find.name.clone(),
             display: display.clone(),

@@ -113,7 +113,7 @@ fn groups(scene: &Scene<'_>, groups: &[Group], efforts: &[Effort]) -> Table {
         let kind = match (group.kind, with.as_slice()) {
             (_, []) => group.kind_name().to_owned(),
             (GroupKind::Driven, _) => format!("with {}", with.join(", ")),
-            _ => format!("{} with {}", group.kind_name(), with.join(", ")),
+            _ => format!("{} ({})", group.kind_name(), with.join(", ")),
         };
         table.row(vec![
             (i + 1).to_string(),

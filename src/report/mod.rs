@@ -30,7 +30,9 @@ use document::Report;
 #[must_use]
 pub fn of_structure(source: &Source, scene: &Scene<'_>) -> Report {
     let mut report = headed(&source.name, scene);
-    mobility::sections(scene, &mut report);
+    if has_mechanism(scene) {
+        mobility::sections(scene, &mut report);
+    }
     replacement::section(scene, &mut report);
     plan::sections(source, scene, &mut report);
     report
@@ -40,7 +42,9 @@ pub fn of_structure(source: &Source, scene: &Scene<'_>) -> Report {
 #[must_use]
 pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     let mut report = headed(file, &answers.scene);
-    mobility::summary(&answers.scene, &mut report);
+    if has_mechanism(&answers.scene) {
+        mobility::summary(&answers.scene, &mut report);
+    }
     results::sections(answers, &mut report);
     reactions::sections(answers, &mut report);
     expectations::section(answers, &mut report);
@@ -58,4 +62,9 @@ fn headed(file: &str, scene: &Scene<'_>) -> Report {
     let title = &scene.mechanism.title;
     let title = if title.is_empty() { file.to_owned() } else { format!("{title} ({file})") };
     Report { title, notes: scene.mechanism.notes.clone(), sections: Vec::new() }
+}
+
+/// There are links beside the ground: not given values alone.
+fn has_mechanism(scene: &Scene<'_>) -> bool {
+    scene.mechanism.links.len() > 1
 }

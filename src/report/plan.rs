@@ -3,11 +3,11 @@
 use super::document::{Report, Section, Table};
 use super::mobility::{link_names, source_name};
 use crate::diagnostic::place;
-use crate::model::{LinkId, LoadKind};
+use crate::model::{LinkId, LoadKind, Unsupported};
 use crate::plan::{ForceStep, LoadStep, MotionStep};
 use crate::solve::Scene;
 use crate::source::Source;
-use crate::structure::{Effort, Group};
+use crate::structure::{Effort, Group, GroupKind};
 
 /// What is done at every position, and what is understood but not solved yet.
 pub(super) fn sections(source: &Source, scene: &Scene<'_>, report: &mut Report) {
@@ -31,13 +31,11 @@ pub(super) fn sections(source: &Source, scene: &Scene<'_>, report: &mut Report) 
     let mut section = Section::new("Plan");
     section.table(table);
     report.section(section);
-    let unsupported = scene.mechanism.unsupported.iter();
+    let mut unsupported: Vec<&Unsupported> = scene.mechanism.unsupported.iter().collect();
+    unsupported.sort_by_key(|u| u.span);
+    let line = |u: &&Unsupported| format!("{} (line {})", u.what, place(&source.text, u.span.start).line);
     let mut later = Section::new("Understood, not solved yet");
-    later.list(
-        unsupported
-            .map(|u| format!("{} (line {})", u.what, place(&source.text, u.span.start).line))
-            .collect(),
-    );
+    later.list(unsupported.iter().map(line).collect());
     report.section(later);
 }
 
@@ -58,15 +56,7 @@ fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &
         MotionStep::General { .. } => {
             format!("Newton's method, {} links at once", link_names(scene, group).len())
         }
-        MotionStep::DrivenRrr { .. } | MotionStep::DrivenRrp { .. } => {
-            format!("closed form, dyad {} {}", group.kind_name(), with.join(", "))
-        }
-        MotionStep::Rrr { .. }
-        | MotionStep::Rrp { .. }
-        | MotionStep::Rpr { .. }
-        | MotionStep::Prp { .. }
-        | MotionStep::Rpp { .. } => format!("closed form, dyad {}", group.kind_name()),
-        MotionStep::Translation { .. } => "closed form, between two guides".to_owned(),
+        _ => closed_form(group, &with),
     }
 }
 
@@ -78,15 +68,19 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
         ForceStep::General { .. } => {
             format!("all equations of equilibrium at once, with {}", with.join(", "))
         }
-        ForceStep::DrivenLegs { .. } => {
-            format!("closed form, dyad {} {}", group.kind_name(), with.join(", "))
+        ForceStep::Rubbing { plain, .. } => {
+            format!("{}, friction by Newton's method", force_in_words(scene, group, efforts, plain))
         }
-        ForceStep::Rrr { .. }
-        | ForceStep::Rrp { .. }
-        | ForceStep::Rpr { .. }
-        | ForceStep::Prp { .. }
-        | ForceStep::Rpp { .. } => format!("closed form, dyad {}", group.kind_name()),
-        ForceStep::Translation { .. } => "closed form, between two guides".to_owned(),
+        _ => closed_form(group, &with),
+    }
+}
+
+/// `closed form, dyad RRR (drive c1)`: with a driven joint inside a link.
+fn closed_form(group: &Group, with: &[String]) -> String {
+    let inside = if with.is_empty() { String::new() } else { format!(" ({})", with.join(", ")) };
+    match group.kind {
+        GroupKind::Translation => "closed form, between two guides".to_owned(),
+        _ => format!("closed form, dyad {}{inside}", group.kind_name()),
     }
 }
 

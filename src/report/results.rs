@@ -6,7 +6,7 @@ use super::document::{Align, Column, Report, Section, Table};
 use super::reactions::{ReactionEntry, reactions};
 use super::scale::Scale;
 use crate::model::{Display, Value};
-use crate::solve::{Pose, PoseOrigin};
+use crate::solve::Pose;
 use crate::units::{Dimension, significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
@@ -117,9 +117,14 @@ pub(super) fn full_table(answers: &Answers<'_>) -> Table {
     for quantity in answers.quantities(&poses) {
         add_full(&mut table, &quantity);
     }
-    for mut quantity in answers.quantities_without_pose() {
+    let whole = answers.quantities_without_pose();
+    if poses.is_empty() && !whole.is_empty() {
+        // the one row of a file without poses
+        table.rows.push(vec![String::new(); table.columns.len()]);
+    }
+    for mut quantity in whole {
         let value = quantity.values.first().copied().flatten();
-        quantity.values = vec![value; poses.len()];
+        quantity.values = vec![value; table.rows.len()];
         add_full(&mut table, &quantity);
     }
     if answers.wants_reactions() {
@@ -181,10 +186,7 @@ fn drives_in_words(answers: &Answers<'_>, pose: &Pose) -> String {
     words.collect::<Vec<_>>().join(", ")
 }
 
+/// Each names its pose itself.
 fn failures(answers: &Answers<'_>) -> Vec<String> {
-    let own = answers.solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
-    let failed = own.filter_map(|pose| Some((pose, pose.outcome.as_ref().err()?)));
-    failed
-        .map(|(pose, error)| format!("pose {} ({}): {error}", pose.name, drives_in_words(answers, pose)))
-        .collect()
+    answers.poses().filter_map(|pose| pose.outcome.as_ref().err()).map(ToString::to_string).collect()
 }

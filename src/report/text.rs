@@ -101,14 +101,14 @@ fn render_table(out: &mut String, table: &Table, look: Look) {
         if part > 0 {
             out.push('\n');
         }
-        for row in 0..=table.rows.len() {
+        let row = |row: usize| {
             let joined: Vec<&str> = columns.iter().map(|&i| cells[i][row].as_str()).collect();
-            line(out, &format!("{GAP}{}", joined.join(GAP)));
-            if row == 0 {
-                let rules: Vec<String> = columns.iter().map(|&i| "─".repeat(widths[i])).collect();
-                line(out, &format!("{GAP}{}", rules.join(GAP)));
-            }
-        }
+            format!("{GAP}{}", joined.join(GAP))
+        };
+        let rules: Vec<String> = columns.iter().map(|&i| "─".repeat(widths[i])).collect();
+        line(out, &row(0));
+        line(out, &format!("{GAP}{}", rules.join(GAP)));
+        (1..=table.rows.len()).for_each(|i| line(out, &row(i)));
     }
 }
 
@@ -117,10 +117,10 @@ fn parts(widths: &[usize], keys: usize, width: usize) -> Vec<Vec<usize>> {
     let keys: Vec<usize> = (0..keys.min(widths.len())).collect();
     let used = |columns: &[usize]| columns.iter().map(|&i| widths[i] + GAP.len()).sum::<usize>();
     let mut parts = vec![keys.clone()];
-    for i in keys.len()..widths.len() {
+    for (i, column) in widths.iter().enumerate().skip(keys.len()) {
         let last = parts.len() - 1;
         let part = &mut parts[last];
-        if part.len() > keys.len() && used(part) + widths[i] + GAP.len() > width {
+        if part.len() > keys.len() && used(part) + column + GAP.len() > width {
             parts.push(keys.iter().copied().chain([i]).collect());
         } else {
             part.push(i);
@@ -160,7 +160,7 @@ mod tests {
           pose  phi [deg]  v_a [m/s]  v_b [m/s]  v_c [m/s]
           ────  ─────────  ─────────  ─────────  ─────────
           1           0        1.25       -10.5         曲
-          10         22.5     -0.125      100           —
+          10         22.5     -0.125      100            —
         ");
     }
 
@@ -182,7 +182,7 @@ mod tests {
           pose  v_b [m/s]  v_c [m/s]
           ────  ─────────  ─────────
           1         -10.5         曲
-          10        100           —
+          10        100            —
         ");
     }
 }

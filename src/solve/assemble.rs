@@ -188,14 +188,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
 
 fn bare_view<'a>(scene: &Scene<'a>, state: &'a State) -> View<'a> {
     static NO_STATICS: super::extremes::Statics = super::extremes::Statics::EMPTY;
-    View {
-        mechanism: scene.mechanism,
-        structure: scene.structure,
-        plan: scene.plan,
-        state,
-        angles: &[],
-        statics: &NO_STATICS,
-    }
+    View::new(scene, state, &[], &NO_STATICS)
 }
 
 /// The one candidate, or that with the least sum of squared distances.

@@ -36,6 +36,9 @@ impl View<'_> {
             Expr::Not(a) => Value::Truth(!self.truth(a)),
             Expr::Quantity(id) => self.quantity(*id),
             Expr::Query(query) => self.query(query),
+            Expr::Frictionless(a) => {
+                self.frictionless.map_or_else(|| self.value(a), |state| View { state, ..*self }.value(a))
+            }
         }
     }
 

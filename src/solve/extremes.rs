@@ -12,7 +12,11 @@ use std::f64::consts::TAU;
 
 /// Extremes of the pairs asked for.
 #[derive(Clone, Debug, Default)]
-pub struct Statics(Vec<(PairId, Extremes)>);
+pub struct Statics {
+    extremes: Vec<(PairId, Extremes)>,
+    /// Values at which locking begins, by index into [`Mechanism::criticals`].
+    pub criticals: Vec<f64>,
+}
 
 /// Extremes of one coordinate over a turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,10 +33,10 @@ pub struct Extremes {
 
 impl Statics {
     /// Nothing asked for.
-    pub const EMPTY: Self = Self(Vec::new());
+    pub const EMPTY: Self = Self { extremes: Vec::new(), criticals: Vec::new() };
 
     fn of(&self, pair: PairId) -> Option<&Extremes> {
-        self.0.iter().find(|(p, _)| *p == pair).map(|(_, e)| e)
+        self.extremes.iter().find(|(p, _)| *p == pair).map(|(_, e)| e)
     }
 
     /// The least coordinate of a pair.
@@ -51,6 +55,12 @@ impl Statics {
     #[must_use]
     pub fn dead(&self, pair: PairId, which: u8) -> f64 {
         self.of(pair).map_or(f64::NAN, |e| if which == 1 { e.at_least } else { e.at_greatest })
+    }
+
+    /// Value of a given at which locking begins; NaN where it does not.
+    #[must_use]
+    pub fn critical(&self, which: usize) -> f64 {
+        self.criticals.get(which).copied().unwrap_or(f64::NAN)
     }
 
     /// The longer way between the extremes over the shorter.
@@ -96,7 +106,7 @@ pub(super) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
             .ok_or_else(|| none(scene, pair, "the coordinate does not go to and fro"))?;
         out.push((pair, extremes));
     }
-    Ok(Statics(out))
+    Ok(Statics { extremes: out, criticals: Vec::new() })
 }
 
 fn none(scene: &Scene<'_>, pair: PairId, why: &str) -> SolveError {
@@ -214,14 +224,8 @@ impl Turn {
 
     /// Coordinate and its derivative with respect to the drive.
     fn seen(scene: &Scene<'_>, state: &State, angles: &[f64], pair: PairId) -> (f64, f64) {
-        let view = View {
-            mechanism: scene.mechanism,
-            structure: scene.structure,
-            plan: scene.plan,
-            state,
-            angles,
-            statics: &Statics::EMPTY,
-        };
+        let statics = Statics::EMPTY;
+        let view = View::new(scene, state, angles, &statics);
         (view.displacement(pair), view.relative_velocity(pair))
     }
 

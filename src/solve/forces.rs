@@ -10,19 +10,40 @@ impl State {
     pub fn run_forces(&mut self, plan: &Plan) {
         for (index, step) in plan.forces.iter().enumerate() {
             self.force_sines[index] = match step {
-                ForceStep::Turn { hinge, effort, value } => self.force_turn(hinge, effort, *value),
-                ForceStep::Shift { way, effort, value } => self.force_shift(way, effort, *value),
-                ForceStep::Rrr { outer, inner, scale } => self.force_rrr(outer, inner, *scale),
-                ForceStep::Rrp { outer, inner, way, scale } => self.force_rrp(outer, inner, way, *scale),
-                ForceStep::DrivenLegs { outer, inner, ends, driven } => {
-                    self.force_driven_legs(outer, inner, *ends, driven)
-                }
-                ForceStep::Rpr { outer, way } => self.force_rpr(outer, way),
-                ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
-                ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
-                ForceStep::Translation { ways } => self.force_translation(ways),
-                ForceStep::General { system } => self.force_general(*system, &plan.balance_systems[*system]),
+                ForceStep::Rubbing { plain, group } => self.force_rubbing(plan, index, plain, group),
+                plain => self.force_step(plan, plain),
             };
+        }
+    }
+
+    /// The same without friction.
+    pub fn run_forces_without_friction(&mut self, plan: &Plan) {
+        for (index, step) in plan.forces.iter().enumerate() {
+            self.force_sines[index] = match step {
+                ForceStep::Rubbing { plain, .. } => self.force_step(plan, plain),
+                plain => self.force_step(plan, plain),
+            };
+        }
+    }
+
+    /// One step without friction. Linear in the loads.
+    #[inline(always)]
+    pub(super) fn force_step(&mut self, plan: &Plan, step: &ForceStep) -> f64 {
+        match step {
+            ForceStep::Turn { hinge, effort, value } => self.force_turn(hinge, effort, *value),
+            ForceStep::Shift { way, effort, value } => self.force_shift(way, effort, *value),
+            ForceStep::Rrr { outer, inner, scale } => self.force_rrr(outer, inner, *scale),
+            ForceStep::Rrp { outer, inner, way, scale } => self.force_rrp(outer, inner, way, *scale),
+            ForceStep::DrivenLegs { outer, inner, ends, driven } => {
+                self.force_driven_legs(outer, inner, *ends, driven)
+            }
+            ForceStep::Rpr { outer, way } => self.force_rpr(outer, way),
+            ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
+            ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
+            ForceStep::Translation { ways } => self.force_translation(ways),
+            ForceStep::General { system } => self.force_general(*system, &plan.balance_systems[*system]),
+            // a step with friction holds a plain one
+            ForceStep::Rubbing { .. } => 0.0,
         }
     }
 

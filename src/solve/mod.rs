@@ -8,6 +8,8 @@ mod error;
 mod evaluate;
 mod extremes;
 mod forces;
+mod friction;
+mod friction_answers;
 mod gap;
 mod general;
 mod inputs;

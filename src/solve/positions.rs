@@ -18,14 +18,7 @@ pub(super) struct Wanted {
 /// Evaluates expressions that need no position.
 pub(super) fn constant(scene: &Scene<'_>, statics: &Statics, expr: &Expr) -> Value {
     let state = State::new(scene.plan);
-    let view = View {
-        mechanism: scene.mechanism,
-        structure: scene.structure,
-        plan: scene.plan,
-        state: &state,
-        angles: &[],
-        statics,
-    };
+    let view = View::new(scene, &state, &[], statics);
     view.value(expr)
 }
 

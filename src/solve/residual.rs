@@ -71,6 +71,18 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
         add(joint.body.0, p, reaction.force, reaction.couple);
         add(joint.base.0, p, -reaction.force, -reaction.couple);
     }
+    for (element, &value) in scene.plan.friction.iter().zip(&state.frictions) {
+        match state.rubbing_line(element) {
+            None => {
+                add(element.body, state.bodies[element.body].p, Vec2::zero(), value);
+                add(element.base, state.bodies[element.base].p, Vec2::zero(), -value);
+            }
+            Some((p, d)) => {
+                add(element.body, p, d * value, 0.0);
+                add(element.base, p, d * -value, 0.0);
+            }
+        }
+    }
     for (slot, effort) in scene.structure.efforts.iter().enumerate() {
         let value = state.efforts[slot];
         match effort.kind {
@@ -143,6 +155,9 @@ fn power(scene: &Scene<'_>, state: &State) -> f64 {
             let at = members.iter().find(|m| m.0 == joint.base).map_or(Vec2::zero(), |m| m.1);
             add(state.reactions[slot].force.dot(state.bodies[joint.base.0].velocity(at)));
         }
+    }
+    for (element, &value) in scene.plan.friction.iter().zip(&state.frictions) {
+        add(value * state.rubbing_speed(element));
     }
     sum.abs() / most_power(scene, state)
 }

@@ -83,6 +83,8 @@ impl DriveValue {
 pub struct Solved {
     /// Bodies, reactions, efforts.
     pub state: State,
+    /// The same without friction, where the file declares any.
+    pub frictionless: Option<Box<State>>,
     /// Angles of the bodies by slot, continuous over the sweep, rad.
     pub angles: Vec<f64>,
     /// How well independent equations hold.
@@ -120,13 +122,7 @@ impl Solution {
     /// One of its positions, seen from the language.
     #[must_use]
     pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> View<'a> {
-        View {
-            mechanism: scene.mechanism,
-            structure: scene.structure,
-            plan: scene.plan,
-            state: &solved.state,
-            angles: &solved.angles,
-            statics: &self.statics,
-        }
+        let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
+        View { frictionless: solved.frictionless.as_deref(), ..view }
     }
 }

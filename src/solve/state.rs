@@ -1,8 +1,9 @@
 //! Everything that changes from position to position, laid out once before the loop.
 
+use super::friction::RubbingWork;
 use super::general::Workspace;
 use crate::math::Vec2;
-use crate::plan::Plan;
+use crate::plan::{ForceStep, Plan};
 
 /// Motion of a body: its origin and direction with their derivatives, in ground axes.
 #[derive(Clone, Copy, Debug)]
@@ -131,6 +132,14 @@ pub struct State {
     pub lines: Vec<(Vec2, Vec2)>,
     /// Condition figures of the groups of forces.
     pub force_sines: Vec<f64>,
+    /// Efforts of friction, by element: torque or force on the element's body.
+    pub frictions: Vec<f64>,
+    /// Senses of the relative motions, by element: ±1, or 0 where there is none.
+    pub senses: Vec<f64>,
+    /// Friction admits no motion: reactions and efforts do not exist.
+    pub locked: bool,
+    /// Memory of the groups with friction, by step of forces.
+    pub rubbing_work: Vec<Option<RubbingWork>>,
     /// Memory of the general groups of motion.
     pub motion_work: Vec<Option<Workspace>>,
     /// Memory of the general groups of forces.
@@ -153,6 +162,17 @@ impl State {
             efforts: vec![0.0; plan.efforts],
             lines: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.efforts],
             force_sines: vec![1.0; plan.forces.len()],
+            frictions: vec![0.0; plan.friction.len()],
+            senses: vec![0.0; plan.friction.len()],
+            locked: false,
+            rubbing_work: plan
+                .forces
+                .iter()
+                .map(|step| match step {
+                    ForceStep::Rubbing { group, .. } => Some(RubbingWork::new(group)),
+                    _ => None,
+                })
+                .collect(),
             motion_work: plan
                 .general
                 .iter()

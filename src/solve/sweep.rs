@@ -231,11 +231,22 @@ impl Run<'_, '_> {
         if scene.plan.effects.forces {
             condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
         }
-        let residuals = residuals(scene, &state);
-        if !is_finite(&state) {
+        let frictionless = scene.plan.effects.friction.then(|| {
+            let mut state = state.clone();
+            state.wrenches.clone_from(&state.applied);
+            state.frictions.fill(0.0);
+            state.locked = false;
+            state.run_forces_without_friction(scene.plan);
+            Box::new(state)
+        });
+        if state.locked {
+            state.forget_forces();
+        } else if !is_finite(&state) {
             return Err(self.not_finite(pose));
         }
-        let solved = Solved { state, angles: tracker.angles.clone(), residuals, condition };
+        let residuals = residuals(scene, &state);
+        let angles = tracker.angles.clone();
+        let solved = Solved { state, frictionless, angles, residuals, condition };
         self.warn_contacts(&solved, pose);
         Ok(solved)
     }
@@ -269,18 +280,15 @@ impl Run<'_, '_> {
 
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
         let scene = self.scene;
-        let view = View {
-            mechanism: scene.mechanism,
-            structure: scene.structure,
-            plan: scene.plan,
-            state,
-            angles,
-            statics: &self.statics,
-        };
+        let view = View::new(scene, state, angles, &self.statics);
         view.evaluated_loads(&mut self.evaluated);
         state.run_loads(scene, &self.evaluated);
         state.applied.clone_from(&state.wrenches);
         state.set_lines(scene);
+        state.locked = false;
+        if scene.plan.effects.friction {
+            state.set_senses(scene.plan);
+        }
         state.run_forces(scene.plan);
         let mut least = 1.0_f64;
         for (index, sine) in state.force_sines.iter().enumerate() {
@@ -305,14 +313,7 @@ impl Run<'_, '_> {
         let place = self.place(pose);
         for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
             let PairKind::Contact { first, .. } = &pair.kind else { continue };
-            let view = View {
-                mechanism: self.scene.mechanism,
-                structure: self.scene.structure,
-                plan: self.scene.plan,
-                state: &solved.state,
-                angles: &solved.angles,
-                statics: &self.statics,
-            };
+            let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
             let Value::Scalar(normal) = view.query(&Query::Normal(PairId::at(i), first.link)) else {
                 continue;
             };

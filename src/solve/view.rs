@@ -1,6 +1,7 @@
 //! Answers questions about one position: from the state of the bodies to the results of the language.
 
 use super::extremes::Statics;
+use super::solution::Scene;
 use super::state::State;
 use crate::math::Vec2;
 use crate::model::{
@@ -25,9 +26,27 @@ pub struct View<'a> {
     pub angles: &'a [f64],
     /// What needs no position: dead positions, strokes.
     pub statics: &'a Statics,
+    /// The same position without friction, where the file declares any.
+    pub frictionless: Option<&'a State>,
 }
 
 const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
+
+impl<'a> View<'a> {
+    /// A state seen from the language.
+    #[must_use]
+    pub fn new(scene: &Scene<'a>, state: &'a State, angles: &'a [f64], statics: &'a Statics) -> Self {
+        Self {
+            mechanism: scene.mechanism,
+            structure: scene.structure,
+            plan: scene.plan,
+            state,
+            angles,
+            statics,
+            frictionless: None,
+        }
+    }
+}
 
 impl View<'_> {
     /// The value of a quantity of the file at this position.
@@ -54,6 +73,11 @@ impl View<'_> {
             Query::Reaction(pair, link) => Value::Vector(self.reaction(*pair, *link)),
             Query::Moment(pair, link) => Value::Scalar(self.moment(*pair, *link)),
             Query::Normal(pair, link) => Value::Scalar(self.normal(*pair, *link)),
+            Query::Friction(pair, link) => Value::Scalar(self.friction(*pair, *link)),
+            Query::FrictionPower(pair) => Value::Scalar(self.friction_power(*pair)),
+            Query::Efficiency => Value::Scalar(self.efficiency()),
+            Query::Locked => Value::Truth(self.efficiency() <= 0.0),
+            Query::Critical(which) => Value::Scalar(self.statics.critical(*which)),
             Query::ContactForce(pair, which) => {
                 Value::Scalar(self.contact_forces(*pair).map_or(f64::NAN, |r| r[usize::from(*which == 2)]))
             }
@@ -244,8 +268,9 @@ impl View<'_> {
     /// The reaction's force on a link in a pair: all joints that stand for the pair.
     #[must_use]
     pub fn reaction(&self, pair: PairId, link: LinkId) -> Vec2 {
+        let rubbing = self.friction_force(pair, link);
         self.slots(pair, link)
-            .fold(Vec2::zero(), |sum, (slot, sign)| sum + self.state.reactions[slot].force * sign)
+            .fold(rubbing, |sum, (slot, sign)| sum + self.state.reactions[slot].force * sign)
     }
 
     /// The couple on a link in a pair about the pair's reference point; NaN where it is not determined.
@@ -254,7 +279,8 @@ impl View<'_> {
         if self.structure.undetermined_couples.contains(&pair) {
             return f64::NAN;
         }
-        self.slots(pair, link).map(|(slot, sign)| self.state.reactions[slot].couple * sign).sum()
+        let couples = self.slots(pair, link).map(|(slot, sign)| self.state.reactions[slot].couple * sign);
+        couples.sum::<f64>() + self.friction_couple(pair, link)
     }
 
     /// Slots of reactions that act on a link in a pair, with their signs.

@@ -1,0 +1,191 @@
+//! Which joints rub, and how: one element per sliding or turning contact, each in the group that finds its reaction.
+
+use super::Plan;
+use super::step::{ForceStep, Way};
+use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
+use crate::structure::{BodyId, Group, JointKind, Structure};
+
+/// Friction in one joint: an effort that opposes the relative motion, in proportion to the reaction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrictionElement {
+    /// The pair.
+    pub pair: PairId,
+    /// Slot of the body the effort is counted on.
+    pub body: usize,
+    /// Slot of the other body.
+    pub base: usize,
+    /// Slot of the reaction.
+    pub slot: usize,
+    /// The law.
+    pub kind: Rub,
+}
+
+/// Laws of friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Rub {
+    /// A torque ρ |f| about a hinge.
+    Circle {
+        /// Radius of the friction circle, m.
+        radius: f64,
+    },
+    /// A force f |N| along a guide.
+    Guide {
+        /// Equivalent coefficient.
+        coefficient: f64,
+        /// The guide.
+        way: Way,
+    },
+    /// A force f (|N_1| + |N_2|) along a guide with two contact points.
+    BothEnds {
+        /// Coefficient.
+        coefficient: f64,
+        /// The guide.
+        way: Way,
+        /// Coordinates of the contact points relative to the pair's point, m.
+        contacts: [f64; 2],
+    },
+    /// A force f |N| along the tangent of a contact, or along a slot. `slot` holds the normal force.
+    Contact {
+        /// Coefficient.
+        coefficient: f64,
+        /// The profile on `body`.
+        first: ProfileShape,
+        /// The profile on `base`.
+        second: ProfileShape,
+        /// One circle lies inside the other.
+        internal: bool,
+    },
+}
+
+/// The bodies whose loads a group's step reads or changes, and the elements inside it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RubbingGroup {
+    /// Slots of the group's bodies.
+    pub bodies: Vec<usize>,
+    /// Slots of the bodies that carry it.
+    pub bases: Vec<usize>,
+    /// Its elements: indices into [`Plan::friction`].
+    pub elements: Vec<usize>,
+    /// Slots of its reactions.
+    pub slots: Vec<usize>,
+}
+
+/// Turns the steps of groups with friction into steps that solve it.
+pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
+    let mut first_slot = 0;
+    for (index, group) in structure.forces.iter().enumerate() {
+        let slots: Vec<usize> = (first_slot..first_slot + group.joints.len()).collect();
+        first_slot += group.joints.len();
+        let from = plan.friction.len();
+        for (joint, &slot) in group.joints.iter().zip(&slots) {
+            let element = element(mechanism, structure, joint, slot);
+            // a replaced contact has two joints and rubs once
+            let fresh = |e: &FrictionElement| {
+                !matches!(e.kind, Rub::Contact { .. }) || !plan.friction.iter().any(|o| o.pair == e.pair)
+            };
+            if let Some(element) = element.filter(fresh) {
+                plan.friction.push(element);
+            }
+        }
+        if plan.friction.len() == from {
+            continue;
+        }
+        let rubbing = RubbingGroup {
+            bodies: group.bodies.iter().map(|b| b.0).collect(),
+            bases: bases(group),
+            elements: (from..plan.friction.len()).collect(),
+            slots,
+        };
+        let plain = std::mem::replace(&mut plan.forces[index], ForceStep::General { system: 0 });
+        plan.forces[index] = ForceStep::Rubbing { plain: Box::new(plain), group: Box::new(rubbing) };
+    }
+}
+
+fn bases(group: &Group) -> Vec<usize> {
+    let mut bases: Vec<usize> = Vec::new();
+    for joint in &group.joints {
+        if !group.bodies.contains(&joint.base) && !bases.contains(&joint.base.0) {
+            bases.push(joint.base.0);
+        }
+    }
+    if !bases.contains(&0) {
+        bases.push(0);
+    }
+    bases
+}
+
+fn element(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    joint: &crate::structure::GroupJoint,
+    slot: usize,
+) -> Option<FrictionElement> {
+    let id = structure.replaced.joint(joint.joint).pair;
+    let pair = mechanism.pair(id);
+    let at = |body: BodyId, base: BodyId, kind| FrictionElement {
+        pair: id,
+        body: body.0,
+        base: base.0,
+        slot,
+        kind,
+    };
+    match (&pair.kind, pair.friction?) {
+        (PairKind::Revolute(_), Friction::Circle(radius)) => {
+            (radius > 0.0).then(|| at(joint.body, joint.base, Rub::Circle { radius }))
+        }
+        (PairKind::Prismatic(guide), friction) => {
+            let way = super::forces::way(structure, *joint, slot);
+            let kind = match friction {
+                Friction::Coefficient(coefficient) => Rub::Guide { coefficient, way },
+                Friction::BothEnds(coefficient) => {
+                    Rub::BothEnds { coefficient, way, contacts: guide.contacts? }
+                }
+                Friction::Circle(_) => return None,
+            };
+            (friction.coefficient() > 0.0).then(|| at(joint.body, joint.base, kind))
+        }
+        (PairKind::Slot(guide), friction) => {
+            let prismatic = matches!(structure.replaced.joint(joint.joint).kind, JointKind::Prismatic { .. });
+            let kind = Rub::Contact {
+                coefficient: friction.coefficient(),
+                first: ProfileShape::Point(guide.point),
+                second: ProfileShape::Line(guide.through, guide.along),
+                internal: false,
+            };
+            let body = |l: crate::model::LinkId| BodyId(l.index());
+            (prismatic && friction.coefficient() > 0.0)
+                .then(|| at(body(guide.slider), body(guide.guide), kind))
+        }
+        (PairKind::Contact { first, second, internal }, friction) => {
+            let kind = Rub::Contact {
+                coefficient: friction.coefficient(),
+                first: first.shape,
+                second: second.shape,
+                internal: *internal,
+            };
+            let body = |l: crate::model::LinkId| BodyId(l.index());
+            (friction.coefficient() > 0.0).then(|| at(body(first.link), body(second.link), kind))
+        }
+        _ => None,
+    }
+}
+
+impl Friction {
+    /// Whether it is more than nothing.
+    #[must_use]
+    pub fn is_some(&self) -> bool {
+        match self {
+            Self::Circle(rho) => *rho > 0.0,
+            Self::Coefficient(f) | Self::BothEnds(f) => *f > 0.0,
+        }
+    }
+
+    /// Coefficient of a guide or contact; zero for a friction circle.
+    #[must_use]
+    pub const fn coefficient(&self) -> f64 {
+        match self {
+            Self::Circle(_) => 0.0,
+            Self::Coefficient(f) | Self::BothEnds(f) => *f,
+        }
+    }
+}

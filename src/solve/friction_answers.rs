@@ -1,0 +1,85 @@
+//! What friction makes of a position: forces along the sliding, powers lost, efficiency.
+
+use super::view::View;
+use crate::model::{LinkId, PairId, PairKind};
+use crate::plan::{FrictionElement, Rub};
+use crate::structure::EffortSource;
+
+impl View<'_> {
+    /// The elements of friction of a pair with their values: torque or force on the element's body.
+    fn elements(&self, pair: PairId) -> impl Iterator<Item = (&FrictionElement, f64)> + '_ {
+        let all = self.plan.friction.iter().zip(&self.state.frictions);
+        all.filter(move |(e, _)| e.pair == pair).map(|(e, x)| (e, *x))
+    }
+
+    /// Friction force on a link along the line of a pair; for a contact along the tangent, which is the common normal
+    /// into the link turned by −90°.
+    pub(super) fn friction(&self, pair: PairId, link: LinkId) -> f64 {
+        let force = self.friction_force(pair, link);
+        match &self.mechanism.pair(pair).kind {
+            PairKind::Prismatic(g) | PairKind::Slot(g) => force.dot(self.along(g)),
+            PairKind::Contact { first, .. } => {
+                let Some((_, into_first)) = self.contact_normal(pair) else { return f64::NAN };
+                let n = if first.link == link { into_first } else { -into_first };
+                -force.dot(n.perp())
+            }
+            PairKind::Revolute(_) | PairKind::Cylinder { .. } => f64::NAN,
+        }
+    }
+
+    /// Friction force on a link in a pair, N, in ground axes; null in a revolute, whose friction is a couple.
+    pub(super) fn friction_force(&self, pair: PairId, link: LinkId) -> crate::math::Vec2 {
+        let mut sum = crate::math::Vec2::zero();
+        for (element, value) in self.elements(pair) {
+            let Some(line) = self.state.rubbing_line(element) else { continue };
+            if element.body == link.index() {
+                sum += line.1 * value;
+            } else if element.base == link.index() {
+                sum -= line.1 * value;
+            }
+        }
+        sum
+    }
+
+    /// Friction couple on a link in a revolute, N m.
+    pub(super) fn friction_couple(&self, pair: PairId, link: LinkId) -> f64 {
+        let couples = self.elements(pair).filter(|(e, _)| matches!(e.kind, Rub::Circle { .. }));
+        couples
+            .map(|(e, x)| {
+                if e.body == link.index() {
+                    x
+                } else if e.base == link.index() {
+                    -x
+                } else {
+                    0.0
+                }
+            })
+            .sum()
+    }
+
+    /// Power lost in a pair, W, ≥ 0.
+    pub(super) fn friction_power(&self, pair: PairId) -> f64 {
+        self.elements(pair).map(|(e, x)| -x * self.state.rubbing_speed(e)).sum()
+    }
+
+    /// Ideal over actual power of the efforts where they drive without friction, actual over ideal where they resist. Zero
+    /// where no finite effort moves the mechanism.
+    pub(super) fn efficiency(&self) -> f64 {
+        let Some(ideal_state) = self.frictionless else { return 1.0 };
+        if self.state.locked {
+            return 0.0;
+        }
+        let power = |view: &View<'_>| -> f64 {
+            view.structure.efforts.iter().map(|e| view.effort_power(e.source)).sum()
+        };
+        let ideal = power(&View { state: ideal_state, ..*self });
+        let actual = power(self);
+        if ideal > 0.0 { ideal / actual } else { actual / ideal }
+    }
+
+    /// Whether an effort exists at this position.
+    #[must_use]
+    pub fn has_effort(&self, source: EffortSource) -> bool {
+        !self.state.locked && self.effort(source).is_finite()
+    }
+}

@@ -1,0 +1,115 @@
+//! Runs the program in a folder of its own.
+
+#![allow(clippy::unwrap_used)] // a test that cannot write its files has failed
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+/// A folder for one test; it is removed at the end.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    /// An empty folder.
+    pub fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("assur-cli-{}-{name}", std::process::id()));
+        // left over from a test that was stopped
+        let _ = std::fs::remove_dir_all(&path);
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    /// With a file in it.
+    pub fn with(self, name: &str, text: &str) -> Self {
+        self.write_bytes(name, text.as_bytes());
+        self
+    }
+
+    /// Writes a file.
+    pub fn write_bytes(&self, name: &str, bytes: &[u8]) {
+        let path = self.0.join(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, bytes).unwrap();
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// What came out.
+pub struct Said {
+    pub status: i32,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+fn command(folder: &Folder, args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_assur"));
+    command.current_dir(&folder.0).args(args);
+    for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "RUST_BACKTRACE", "COLUMNS"] {
+        command.env_remove(name);
+    }
+    command
+}
+
+fn said(out: Output) -> Said {
+    Said {
+        status: out.status.code().unwrap_or(-1),
+        stdout: String::from_utf8(out.stdout).unwrap(),
+        stderr: String::from_utf8(out.stderr).unwrap(),
+    }
+}
+
+/// Runs the program.
+pub fn assur(folder: &Folder, args: &[&str]) -> Said {
+    said(command(folder, args).stdin(Stdio::null()).output().unwrap())
+}
+
+/// Runs the program with a text on standard input.
+pub fn with_input(folder: &Folder, args: &[&str], text: &str) -> Said {
+    let mut child = command(folder, args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
+    said(child.wait_with_output().unwrap())
+}
+
+/// What the program says on standard error when nobody reads its standard output.
+pub fn with_closed_output(folder: &Folder, args: &[&str]) -> String {
+    let mut child = command(folder, args)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    said(child.wait_with_output().unwrap()).stderr
+}
+
+/// The text with its numbers to six decimals: the last digits are the arithmetic's, not the program's.
+pub fn rounded(text: &str) -> String {
+    let is_figure = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | '-');
+    let mut out = String::new();
+    let mut number = String::new();
+    for c in text.chars().chain(['\0']) {
+        if is_figure(c) {
+            number.push(c);
+            continue;
+        }
+        match number.parse::<f64>() {
+            Ok(x) if number.contains('.') || number.contains("e-") => {
+                out += &format!("{:?}", (x * 1e6).round() / 1e6 + 0.0);
+            }
+            _ => out += &number,
+        }
+        number.clear();
+        out.extend((c != '\0').then_some(c));
+    }
+    out
+}

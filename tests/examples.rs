@@ -1,0 +1,122 @@
+//! Every program below `examples/`: its answer key holds, and one snapshot beside it shows all stages.
+//!
+//! A snapshot that turns from solved to failed, or back, is refused until it is deleted by hand.
+
+use assur::check::Overrides;
+use assur::diagnostic::Problems;
+use assur::exercise::Outcome;
+use assur::report::document::Report;
+use assur::report::text::Look;
+use assur::report::{self, Precision};
+use assur::source::Source;
+use assur::{Compiled, Solved};
+use libtest_mimic::{Arguments, Failed, Trial};
+use std::path::{Path, PathBuf};
+
+/// Tables are not broken in snapshots.
+const WIDE: Look = Look { colour: false, width: usize::MAX };
+
+fn main() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let mut files = Vec::new();
+    collect(&root, &mut files);
+    files.sort();
+    let trial = |path: PathBuf| {
+        let name = path.strip_prefix(&root).unwrap_or(&path).display().to_string();
+        Trial::test(name.clone(), move || holds(&path, &name))
+    };
+    let trials = files.into_iter().map(trial).collect();
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            collect(&path, files);
+        } else if path.extension().is_some_and(|e| e == "mech") {
+            files.push(path);
+        }
+    }
+}
+
+fn holds(path: &Path, name: &str) -> Result<(), Failed> {
+    let source = Source::new(name.replace('\\', "/"), std::fs::read_to_string(path)?);
+    let (compiled, mut problems) = assur::compile(&source, &Overrides::none());
+    let mut stages = compiled.as_ref().map(|c| structure(&source, c)).unwrap_or_default();
+    let (solved, found) = match compiled.filter(|_| !problems.has_errors()) {
+        Some(compiled) => assur::solve(compiled),
+        None => return stands(path, &shown(FAILED, &stages, &problems, &source)),
+    };
+    problems.append(found);
+    match solved {
+        Ok(solved) if !problems.has_errors() => {
+            answer_key(&solved, &source)?;
+            let answers = report::of_answers(&source.name, &solved.answers(Precision::STABLE));
+            // the structure stands in full already
+            stages.sections.extend(answers.sections.into_iter().filter(|s| s.heading != "Structure"));
+            stands(path, &shown(SOLVED, &stages, &problems, &source))
+        }
+        _ => stands(path, &shown(FAILED, &stages, &problems, &source)),
+    }
+}
+
+const SOLVED: &str = "outcome: solved";
+const FAILED: &str = "outcome: failed";
+
+fn structure(source: &Source, compiled: &Compiled) -> Report {
+    let report = report::of_structure(source, &compiled.scene());
+    Report { notes: Vec::new(), ..report }
+}
+
+fn shown(outcome: &str, stages: &Report, problems: &Problems, source: &Source) -> String {
+    format!("{outcome}\n{}{}", report::text::render(stages, WIDE), list(problems, source))
+}
+
+/// Diagnostics by code and line: their words have tests of their own.
+fn list(problems: &Problems, source: &Source) -> String {
+    let views = problems.views(source);
+    let line = |v: &assur::diagnostic::DiagnosticView| {
+        let at = v.spans.first().map(|s| format!(", line {}", s.start.line)).unwrap_or_default();
+        format!("  {} {}{at}\n", v.severity, v.code.as_deref().unwrap_or("without code"))
+    };
+    let lines: String = views.iter().map(line).collect();
+    if lines.is_empty() { lines } else { format!("\nDiagnostics\n{lines}") }
+}
+
+fn answer_key(solved: &Solved, source: &Source) -> Result<(), Failed> {
+    let mut mismatches = Problems::new();
+    mismatches.extend(solved.outcomes.iter().filter_map(Outcome::mismatch));
+    if mismatches.is_empty() {
+        return Ok(());
+    }
+    Err(assur::diagnostic::render(&mismatches, source, assur::diagnostic::Style::PLAIN).into())
+}
+
+/// Compares with the snapshot beside the file.
+fn stands(path: &Path, text: &str) -> Result<(), Failed> {
+    let snapshot = path.with_extension("snap");
+    let before = std::fs::read_to_string(&snapshot).unwrap_or_default();
+    let now = text.lines().next().unwrap_or_default();
+    for other in [SOLVED, FAILED] {
+        if other != now && before.lines().any(|line| line == other) {
+            let shown = snapshot.display();
+            return Err(format!(
+                "{shown} says `{other}`, now it is `{now}`: delete it by hand to accept\n{text}"
+            )
+            .into());
+        }
+    }
+    let folder = path.parent().ok_or("a folder")?;
+    let name = path.file_stem().and_then(|n| n.to_str()).ok_or("a name")?;
+    let same = std::panic::catch_unwind(|| {
+        insta::with_settings!({
+            snapshot_path => folder,
+            prepend_module_to_snapshot => false,
+            omit_expression => true,
+        }, {
+            insta::assert_snapshot!(name, text);
+        });
+    });
+    same.map_err(|_| "the snapshot beside the file differs".into())
+}
