@@ -6,7 +6,7 @@ use super::state::State;
 use crate::math::Vec2;
 use crate::model::{LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
 use crate::plan::Plan;
-use crate::structure::{BodyId, EffortSource, GroupKind, Structure};
+use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
 
 /// One position, seen from the language. Angles of bodies are those followed over the sweep, by body slot.
 #[derive(Clone, Copy)]
@@ -225,8 +225,8 @@ impl View<'_> {
     /// Slots of reactions that act on a link in a pair, with their signs.
     fn slots(&self, pair: PairId, link: LinkId) -> impl Iterator<Item = (usize, f64)> + '_ {
         // of a pin in a slot: what the block that stands for it exchanges with the slot, without an effort along it
-        let in_slot = match (&self.mechanism.pair(pair).kind, self.prismatic_joint(pair)) {
-            (PairKind::Slot(g), Some(JointKind::Prismatic { slider, .. })) => Some((g.slider, *slider)),
+        let in_slot = match &self.mechanism.pair(pair).kind {
+            PairKind::Slot(g) => self.block(pair).map(|block| (g.slider, block)),
             _ => None,
         };
         let body = match in_slot {
@@ -246,6 +246,15 @@ impl View<'_> {
             } else {
                 None
             }
+        })
+    }
+
+    /// The imaginary block of a pin in a slot.
+    fn block(&self, pair: PairId) -> Option<BodyId> {
+        let replaced = &self.structure.replaced;
+        replaced.joints_of(pair).find_map(|j| match replaced.joint(j).kind {
+            JointKind::Prismatic { slider, .. } => Some(slider),
+            JointKind::Revolute(_) => None,
         })
     }
 

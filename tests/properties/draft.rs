@@ -106,7 +106,12 @@ impl Draft {
 
     pub fn pair(&mut self, kind: PairKind) -> PairId {
         let id = PairId::at(self.mechanism.pairs.len());
-        self.mechanism.pairs.push(Pair { name: format!("pair{}", id.0), span: Span::default(), kind });
+        self.mechanism.pairs.push(Pair {
+            name: format!("pair{}", id.0),
+            span: Span::default(),
+            kind,
+            friction: None,
+        });
         id
     }
 
