@@ -1,20 +1,21 @@
 //! Solves all positions of a file.
 
-use super::assemble::{assemble, does_not_close, group_labels, group_name};
-use super::error::{SolveError, label};
-use super::extremes::{Statics, every_expression, statics};
+use super::assemble::{assemble, does_not_close};
+use super::error::SolveError;
+use super::extremes::{Statics, statics};
 use super::inputs::Rates;
-use super::positions::{Wanted, beside, sweep, turns};
+use super::notes::{self, Notes};
+use super::positions::{Wanted, beside, sweep};
+use super::refused;
 use super::residual::residuals;
-use super::solution::{DriveValue, Pose, PoseOrigin, Scene, Solution, Solved};
+use super::solution::{DriveValue, Pose, Scene, Solution, Solved};
 use super::state::State;
-use super::track::Tracker;
+use super::track::{Switch, Tracker};
 use super::view::View;
-use crate::model::{LoadId, Mechanism, PairId, PairKind, Query, Value};
-use crate::plan::{Level, level_of};
+use super::words::place;
+use crate::model::{LoadId, PairId, PairKind, Query, Value};
+use crate::plan::Level;
 
-/// Below this condition a warning tells how many digits are left.
-const WARN: f64 = 1e-3;
 /// At and below this condition velocities and forces do not exist.
 const DEAD: f64 = 1e-12;
 
@@ -24,8 +25,8 @@ const DEAD: f64 = 1e-12;
 /// Constructs not supported yet, requests without the speeds they need, no assembly or several at the first position,
 /// forces that are not determined.
 pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
-    let mut errors = not_supported(scene.mechanism);
-    errors.extend(missing_speeds(scene));
+    let mut errors = refused::not_supported(scene.mechanism);
+    errors.extend(refused::missing_speeds(scene));
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -34,56 +35,19 @@ pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
         return Ok(Solution::default());
     }
     let statics = statics(scene).map_err(|e| vec![e])?;
-    let wanted = sweep(scene, &statics).map_err(|e| vec![e])?;
+    let wanted = sweep(scene, &statics);
     let mut run = Run {
         scene,
         rates: Rates::of(scene, &statics),
         statics,
         evaluated: Vec::new(),
         poses: Vec::new(),
-        warnings: Vec::new(),
-        worst: None,
+        notes: Notes::default(),
     };
     let trackers = run.follow(&wanted).map_err(|e| vec![e])?;
     run.beside(&wanted, &trackers);
-    run.partial_sweep(wanted.len());
-    if let Some(warning) = run.worst.take() {
-        run.warnings.push(warning.1);
-    }
-    Ok(Solution { poses: run.poses, statics: run.statics, warnings: run.warnings })
-}
-
-fn not_supported(mechanism: &Mechanism) -> Vec<SolveError> {
-    mechanism
-        .unsupported
-        .iter()
-        .map(|u| SolveError::NotSupportedYet { what: u.what.clone(), span: u.span.into() })
-        .collect()
-}
-
-fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
-    let effects = scene.plan.effects;
-    let allowed = match (effects.moving, effects.timed) {
-        (_, true) => Level::Accelerations,
-        (true, false) => Level::Velocities,
-        (false, false) => Level::Positions,
-    };
-    let mut missing = None;
-    every_expression(scene.mechanism, &mut |expr| {
-        expr.queries(&mut |query| {
-            if level_of(query) > allowed {
-                missing = Some(level_of(query));
-            }
-        });
-    });
-    let (needed, drive) = (missing?, scene.mechanism.drives.first()?);
-    let what = if needed == Level::Velocities { "a velocity" } else { "an acceleration" };
-    Some(SolveError::NeedsSpeed {
-        what: what.to_owned(),
-        needs: if needed == Level::Velocities { "a speed" } else { "a speed in time" },
-        help: format!("give the drive a speed, as in `drive {} = 0 deg at 60 rpm`", drive.name),
-        labels: vec![label("no speed", drive.span)],
-    })
+    let warnings = run.notes.into_warnings(scene, &run.poses);
+    Ok(Solution { poses: run.poses, statics: run.statics, warnings })
 }
 
 /// Why a position was not reached, and the tracker where it was before.
@@ -92,15 +56,21 @@ struct Stuck {
     back: Option<Tracker>,
 }
 
+/// How a position was reached.
+enum Way {
+    /// From the one before, with the changes of assembly on the way.
+    Followed(Vec<Switch>),
+    /// The way does not close beyond these values, the position itself does.
+    Blocked(Vec<DriveValue>),
+}
+
 struct Run<'a, 's> {
     scene: &'s Scene<'a>,
     rates: Rates,
     statics: Statics,
     evaluated: Vec<(LoadId, Value)>,
     poses: Vec<Pose>,
-    warnings: Vec<SolveError>,
-    /// The worst condition so far and its warning.
-    worst: Option<(f64, SolveError)>,
+    notes: Notes,
 }
 
 impl Run<'_, '_> {
@@ -111,14 +81,15 @@ impl Run<'_, '_> {
         let mut first_error = None;
         let keep_all = !beside(self.scene, &self.statics, &wanted[0]).is_empty();
         for (i, pose) in wanted.iter().enumerate() {
+            let before = i.checked_sub(1).map(|i| &wanted[i]);
             let came = match current.take() {
-                None => self.assembled(pose).map(|t| (t, Vec::new())),
-                Some(mut tracker) => self.moved(&mut tracker, pose).map(|s| (tracker, s)),
+                None => self.assembled(pose).map(|t| (t, Way::Followed(Vec::new()))),
+                Some(mut tracker) => self.moved(&mut tracker, pose).map(|way| (tracker, way)),
             };
             match came {
-                Ok((tracker, switched)) => {
-                    for group in switched {
-                        self.warn_switch(group, &wanted[i - 1].name, &pose.name);
+                Ok((tracker, way)) => {
+                    if let Some(before) = before {
+                        self.note_way(way, &tracker, before, pose);
                     }
                     let outcome = self.solved(&tracker, pose);
                     self.push(pose, outcome);
@@ -132,6 +103,10 @@ impl Run<'_, '_> {
                         return Err(error);
                     }
                     first_error.get_or_insert(error.clone());
+                    if !self.notes.in_gap() {
+                        let limit = back.clone().map(|t| t.limit(self.scene, &self.rates, &pose.drives));
+                        self.notes.gap_begins(limit);
+                    }
                     self.push(pose, Err(error));
                     trackers.push(None);
                     current = back;
@@ -150,19 +125,41 @@ impl Run<'_, '_> {
         let mut state = State::new(self.scene.plan);
         self.rates.at(&pose.drives, &mut state.inputs);
         let state = assemble(self.scene, state)
-            .map_err(|e| Box::new(Stuck { error: with_pose(e, &self.place(pose)), back: None }))?;
+            .map_err(|e| Box::new(Stuck { error: with_pose(e, &place(self.scene, pose)), back: None }))?;
         Ok(Tracker::new(self.scene, state, &pose.drives))
     }
 
-    fn moved(&self, tracker: &mut Tracker, pose: &Wanted) -> Result<Vec<usize>, Box<Stuck>> {
+    /// What is to be said of the way from the position before.
+    fn note_way(&mut self, way: Way, tracker: &Tracker, before: &Wanted, pose: &Wanted) {
+        let back = || tracker.clone().limit(self.scene, &self.rates, &before.drives);
+        if self.notes.in_gap() {
+            let end = back();
+            self.notes.gap_ends(end);
+            return;
+        }
+        match way {
+            Way::Followed(switched) => {
+                for switch in switched {
+                    self.notes.switched(self.scene, &switch, &before.name, &pose.name);
+                }
+            }
+            Way::Blocked(limit) => {
+                let end = back();
+                self.notes.gap_begins(Some(limit));
+                self.notes.gap_ends(end);
+            }
+        }
+    }
+
+    fn moved(&self, tracker: &mut Tracker, pose: &Wanted) -> Result<Way, Box<Stuck>> {
         let before = tracker.clone();
         if let Ok(switched) = tracker.go(self.scene, &self.rates, &pose.drives) {
-            return Ok(switched);
+            return Ok(Way::Followed(switched));
         }
         // the way is closed somewhere; the position itself may not be
         *tracker = before.clone();
         match tracker.jump(self.scene, &self.rates, &pose.drives) {
-            Ok(()) => Ok(Vec::new()),
+            Ok(()) => Ok(Way::Blocked(before.limit(self.scene, &self.rates, &pose.drives))),
             Err(group) => {
                 let mut state = before.state.clone();
                 self.rates.at(&pose.drives, &mut state.inputs);
@@ -170,7 +167,7 @@ impl Run<'_, '_> {
                 for step in &self.scene.plan.motion[..group] {
                     state.step::<0>(self.scene.plan, step);
                 }
-                let error = does_not_close(self.scene, state, group, &self.place(pose));
+                let error = does_not_close(self.scene, state, group, &place(self.scene, pose));
                 Err(Box::new(Stuck { error, back: Some(before) }))
             }
         }
@@ -226,8 +223,7 @@ impl Run<'_, '_> {
             Level::Velocities => state.run_motion::<1>(scene.plan),
             Level::Accelerations => state.run_motion::<2>(scene.plan),
         }
-        let moves = scene.plan.effects.level > Level::Positions;
-        let mut condition = self.motion_condition(&state, pose, moves)?;
+        let mut condition = self.motion_condition(&state, pose)?;
         if scene.plan.effects.forces {
             condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
         }
@@ -241,39 +237,32 @@ impl Run<'_, '_> {
         });
         if state.locked {
             state.forget_forces();
-        } else if !is_finite(&state) {
-            return Err(self.not_finite(pose));
+        } else if let Some(error) = notes::not_finite(scene, &state, pose) {
+            return Err(error);
         }
         let residuals = residuals(scene, &state);
         let angles = tracker.angles.clone();
         let solved = Solved { state, frictionless, angles, residuals, condition };
-        self.warn_contacts(&solved, pose);
+        self.note_contacts(&solved, pose);
         Ok(solved)
     }
 
-    fn motion_condition(&mut self, state: &State, pose: &Wanted, moves: bool) -> Result<f64, SolveError> {
+    fn motion_condition(&mut self, state: &State, pose: &Wanted) -> Result<f64, SolveError> {
+        let scene = self.scene;
+        let level = scene.plan.effects.level;
         let mut least = 1.0_f64;
-        for (group, sine) in state.sines.iter().enumerate() {
+        for (group, sine) in scene.structure.motion.iter().zip(&state.sines) {
             let condition = sine.abs();
             least = least.min(condition);
-            if moves && is_dead(condition) {
-                return Err(SolveError::DeadPosition {
-                    pose: self.place(pose),
-                    group: group_name(self.scene, group),
-                    condition,
-                    labels: group_labels(self.scene, group),
-                });
+            if level > Level::Positions && condition <= DEAD {
+                return Err(notes::dead(scene, group, condition, pose));
             }
-            if condition < WARN && self.worst.as_ref().is_none_or(|w| condition < w.0) {
-                let warning = SolveError::IllConditioned {
-                    pose: self.place(pose),
-                    group: group_name(self.scene, group),
-                    condition,
-                    digits: digits_left(condition),
-                    labels: group_labels(self.scene, group),
-                };
-                self.worst = Some((condition, warning));
-            }
+            let (what, power) = match level {
+                Level::Positions => ("positions", 1),
+                Level::Velocities => ("velocities", 2),
+                Level::Accelerations => ("accelerations", 3),
+            };
+            self.notes.condition(scene, group, (condition, what, power), pose);
         }
         Ok(least)
     }
@@ -291,26 +280,21 @@ impl Run<'_, '_> {
         }
         state.run_forces(scene.plan);
         let mut least = 1.0_f64;
-        for (index, sine) in state.force_sines.iter().enumerate() {
-            least = least.min(sine.abs());
-            if is_dead(sine.abs()) {
-                let pairs = scene.structure.forces[index].joints.iter();
-                let labels = pairs
-                    .map(|j| scene.mechanism.pair(scene.structure.replaced.joint(j.joint).pair))
-                    .map(|p| label("in this group", p.span))
-                    .collect();
-                let (pose, condition) = (self.place(pose), sine.abs());
-                return Err(SolveError::EffortCannotHold { pose, condition, labels });
+        for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
+            let condition = sine.abs();
+            least = least.min(condition);
+            if condition <= DEAD {
+                return Err(notes::cannot_hold(scene, group, condition, pose));
             }
+            self.notes.condition(scene, group, (condition, "forces", 2), pose);
         }
         Ok(least)
     }
 
-    fn warn_contacts(&mut self, solved: &Solved, pose: &Wanted) {
+    fn note_contacts(&mut self, solved: &Solved, pose: &Wanted) {
         if !self.scene.plan.effects.forces {
             return;
         }
-        let place = self.place(pose);
         for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
             let PairKind::Contact { first, .. } = &pair.kind else { continue };
             let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
@@ -319,131 +303,23 @@ impl Run<'_, '_> {
             };
             let force = view.reaction(PairId::at(i), first.link).norm();
             if normal < -1e-9 * force.max(f64::MIN_POSITIVE) && normal < -1e-9 {
-                self.warnings.push(SolveError::ContactPulls {
-                    name: pair.name.clone(),
-                    pose: place.clone(),
-                    normal,
-                    span: pair.span.into(),
-                });
+                self.notes.pulls(self.scene, PairId::at(i), normal, pose);
             }
         }
     }
-
-    fn warn_switch(&mut self, group: usize, from: &str, to: &str) {
-        self.warnings.push(SolveError::BranchSwitch {
-            group: group_name(self.scene, group),
-            from: from.to_owned(),
-            to: to.to_owned(),
-            labels: group_labels(self.scene, group),
-        });
-    }
-
-    /// A warning that tells over which ranges a sweep does not close.
-    fn partial_sweep(&mut self, total: usize) {
-        let sweep = || self.poses.iter().filter(|p| matches!(p.origin, PoseOrigin::Sweep(_)));
-        let closed = sweep().filter(|p| !p.outcome.as_ref().is_err_and(is_open)).count();
-        if closed == total {
-            return;
-        }
-        let mut ranges: Vec<(String, String)> = Vec::new();
-        let mut open_before = false;
-        for pose in sweep() {
-            let open = pose.outcome.as_ref().is_err_and(is_open);
-            if open {
-                let here = self.drive_text(&pose.drives);
-                match ranges.last_mut() {
-                    Some(range) if open_before => range.1 = here,
-                    _ => ranges.push((here.clone(), here)),
-                }
-            }
-            open_before = open;
-        }
-        let text: Vec<String> = ranges
-            .iter()
-            .map(|(a, b)| if a == b { format!("open at {a}") } else { format!("open from {a} to {b}") })
-            .collect();
-        let span = self.scene.mechanism.drives.first().map_or_else(Default::default, |d| d.span);
-        self.warnings.push(SolveError::PartialSweep {
-            closed,
-            total,
-            ranges: text.join(", "),
-            span: span.into(),
-        });
-    }
-
-    fn not_finite(&self, pose: &Wanted) -> SolveError {
-        let drives = self.scene.mechanism.drives.iter();
-        SolveError::NotFinite {
-            pose: self.place(pose),
-            labels: drives.map(|d| label("at this position", d.span)).collect(),
-        }
-    }
-
-    fn place(&self, pose: &Wanted) -> String {
-        let drives = self.drive_text(&pose.drives);
-        match pose.origin {
-            _ if drives.is_empty() => String::new(),
-            PoseOrigin::Expected(_) => format!(" at {drives}"),
-            _ => format!(" at pose {} ({drives})", pose.name),
-        }
-    }
-
-    fn drive_text(&self, values: &[DriveValue]) -> String {
-        let drives = self.scene.mechanism.drives.iter().zip(values);
-        let texts = drives.filter_map(|(drive, value)| match value {
-            DriveValue::Scalar(x) if turns(self.scene, drive) => {
-                Some(format!("{} = {} deg", drive.name, short(x.to_degrees())))
-            }
-            DriveValue::Scalar(x) => Some(format!("{} = {}", drive.name, super::gap::mm(*x))),
-            DriveValue::Point(_) | DriveValue::None => None,
-        });
-        texts.collect::<Vec<_>>().join(", ")
-    }
-}
-
-fn is_dead(condition: f64) -> bool {
-    condition <= DEAD || condition.is_nan()
-}
-
-/// Up to six decimals, without trailing zeros.
-fn short(x: f64) -> String {
-    let text = format!("{x:.6}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 fn is_open(error: &SolveError) -> bool {
     matches!(error, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. })
 }
 
-fn with_pose(error: SolveError, place: &str) -> SolveError {
-    match error {
-        SolveError::DoesNotClose { gap, help, labels, .. } => {
-            SolveError::DoesNotClose { pose: place.to_owned(), gap, help, labels }
-        }
-        SolveError::NotFound { group, labels, .. } => {
-            SolveError::NotFound { pose: place.to_owned(), group, labels }
-        }
-        other => other,
+fn with_pose(mut error: SolveError, place: &str) -> SolveError {
+    match &mut error {
+        SolveError::DoesNotClose { pose, .. }
+        | SolveError::NotFound { pose, .. }
+        | SolveError::Ambiguous { pose, .. }
+        | SolveError::HintNotMet { pose, .. } => place.clone_into(pose),
+        _ => {}
     }
-}
-
-/// Digits left in accelerations and forces: the error grows as ε/σ³.
-fn digits_left(condition: f64) -> u32 {
-    let digits = -(f64::EPSILON.log10()) + 3.0 * condition.max(f64::MIN_POSITIVE).log10();
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
-    {
-        digits.clamp(0.0, 16.0) as u32
-    }
-}
-
-fn is_finite(state: &State) -> bool {
-    let body = |b: &super::state::BodyState| {
-        [b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha]
-            .iter()
-            .all(|x| x.is_finite())
-    };
-    state.bodies.iter().all(body)
-        && state.reactions.iter().all(|r| (r.force.x + r.force.y + r.couple).is_finite())
-        && state.efforts.iter().all(|e| e.is_finite())
+    error
 }

@@ -86,7 +86,7 @@ fn help(mechanism: &Mechanism, links: &[LinkId]) -> String {
                 let (name, other, link) =
                     (&point.name, &mechanism.link(other).name, &mechanism.link(link).name);
                 return format!(
-                    "join them by a pair, as in `revolute {name}: {other} - {link}`, or {remove}"
+                    "join {it} by a pair, as in `revolute {name}: {other} - {link}`, or remove {it}"
                 );
             }
         }
