@@ -148,6 +148,7 @@ pub const CODES: &[Code] = codes! {
     "expect" / "count",
     "expect" / "list_at_pose",
     "expect" / "unknown_pose",
+    "friction" / "no_motion",
 
     // structure
     "determinacy" / "floating_link",

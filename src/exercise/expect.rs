@@ -84,6 +84,8 @@ impl<'a> Key<'a> {
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
         let view = View::new(self.scene, &state, &angles, &self.solution.statics);
+        let quantities = view.all_quantities();
+        let view = View { quantities: &quantities, ..view };
         let outcome = self.outcome(expect, 0, None, &view)?;
         self.outcomes.push(outcome);
         Ok(())

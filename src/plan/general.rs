@@ -32,6 +32,8 @@ pub struct BalanceSystem {
     pub unknowns: Vec<UnknownForce>,
     /// Constraints along the lines of unknown forces: index, slot of the effort.
     pub lines: Vec<(usize, usize)>,
+    /// Angles in which unknown torques act: any position satisfies them.
+    pub torques: Vec<usize>,
 }
 
 /// What the force in a constraint is.
@@ -170,6 +172,7 @@ pub(super) fn problem(structure: &Structure, group: &Group) -> GeneralMotion {
 pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: usize) -> BalanceSystem {
     let mut places = Places::new(group);
     let (mut constraints, mut unknowns, mut lines) = (Vec::new(), Vec::new(), Vec::new());
+    let mut torques = Vec::new();
     for (i, &joint) in group.joints.iter().enumerate() {
         let slot = first_slot + i;
         if !joint.prismatic {
@@ -219,9 +222,12 @@ pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: u
             }
             EffortKind::Point(_) => continue,
         };
+        if matches!(unknown, UnknownForce::Torque { .. }) {
+            torques.push(constraints.len());
+        }
         constraints.push(constraint);
         unknowns.push(unknown);
     }
     let equations = General::new(places.moving, places.slots.len(), constraints).ok();
-    BalanceSystem { bodies: places.slots, moving: places.moving, equations, unknowns, lines }
+    BalanceSystem { bodies: places.slots, moving: places.moving, equations, unknowns, lines, torques }
 }

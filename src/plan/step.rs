@@ -268,6 +268,7 @@ pub enum EffortLine {
 
 /// One step of forces.
 #[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant, reason = "a plan has few steps, and the loop reads them in a row")]
 pub enum ForceStep {
     /// One body on a revolute with one unknown effort.
     Turn {

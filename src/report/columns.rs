@@ -74,6 +74,8 @@ impl<'a> Answers<'a> {
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
         let view = View::new(&self.scene, &state, &angles, &self.solution.statics);
+        let quantities = view.all_quantities();
+        let view = View { quantities: &quantities, ..view };
         let quantity = |(find, expr, display): (&'a Find, &'a Expr, &'a Display)| Quantity {
             name: find.name.clone(),
             display: display.clone(),

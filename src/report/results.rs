@@ -32,6 +32,9 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     if !own.is_empty() {
         section.text(format!("No balance is declared: {} is the drive's own effort.", own.join(", ")));
     }
+    if answers.scene.mechanism.finds.is_empty() && answers.outcomes.is_empty() {
+        section.text("The file asks for nothing: add what to find, as in `find reactions`.");
+    }
     report.section(section);
     let mut failed = Section::new("Poses without solution");
     failed.list(failures(answers));

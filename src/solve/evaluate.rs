@@ -36,9 +36,7 @@ impl View<'_> {
             Expr::Not(a) => Value::Truth(!self.truth(a)),
             Expr::Quantity(id) => self.quantity(*id),
             Expr::Query(query) => self.query(query),
-            Expr::Frictionless(a) => {
-                self.frictionless.map_or_else(|| self.value(a), |state| View { state, ..*self }.value(a))
-            }
+            Expr::Frictionless(a) => self.without_friction().value(a),
         }
     }
 

@@ -65,16 +65,24 @@ impl View<'_> {
     /// Ideal over actual power of the efforts where they drive without friction, actual over ideal where they resist. Zero
     /// where no finite effort moves the mechanism.
     pub(super) fn efficiency(&self) -> f64 {
-        let Some(ideal_state) = self.frictionless else { return 1.0 };
+        if self.frictionless.is_none() {
+            return 1.0;
+        }
         if self.state.locked {
             return 0.0;
         }
         let power = |view: &View<'_>| -> f64 {
             view.structure.efforts.iter().map(|e| view.effort_power(e.source)).sum()
         };
-        let ideal = power(&View { state: ideal_state, ..*self });
+        let ideal = power(&self.without_friction());
         let actual = power(self);
         if ideal > 0.0 { ideal / actual } else { actual / ideal }
+    }
+
+    /// The same position without friction.
+    #[must_use]
+    pub fn without_friction(&self) -> Self {
+        self.frictionless.map_or(*self, |(state, quantities)| Self { state, quantities, ..*self })
     }
 
     /// Whether an effort exists at this position.

@@ -138,6 +138,14 @@ impl State {
                 }
             });
         }
+        for &constraint in &system.torques {
+            let poses = &work.poses;
+            work.equations.change(constraint, |c| {
+                if let Constraint::Angle { a, b, angle, .. } = c {
+                    *angle = poses[*b].u.turned_back(poses[*a].u);
+                }
+            });
+        }
         for (&slot, load) in system.bodies.iter().zip(&mut work.loads) {
             *load = Load { F: self.wrenches[slot].force, M: self.wrenches[slot].moment };
         }

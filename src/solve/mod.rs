@@ -4,7 +4,9 @@
 mod assemble;
 mod choices;
 mod contact;
+mod coordinate;
 mod driven_legs;
+mod effort;
 mod error;
 mod evaluate;
 mod extremes;
@@ -17,6 +19,7 @@ mod inputs;
 mod loads;
 mod motion;
 mod notes;
+mod pose;
 mod positions;
 mod refused;
 mod residual;

@@ -170,7 +170,9 @@ fn most_power(scene: &Scene<'_>, state: &State) -> f64 {
     for joint in &scene.structure.replaced.joints {
         let points = match &joint.kind {
             JointKind::Revolute(members) => members.clone(),
-            JointKind::Prismatic { slider, point, .. } => vec![(*slider, *point)],
+            JointKind::Prismatic { slider, point, guide, through, .. } => {
+                vec![(*slider, *point), (*guide, *through)]
+            }
         };
         for (body, at) in points {
             speed = speed.max(state.bodies[body.0].velocity(at).norm());

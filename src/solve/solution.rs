@@ -84,7 +84,9 @@ pub struct Solved {
     /// Bodies, reactions, efforts.
     pub state: State,
     /// The same without friction, where the file declares any.
-    pub frictionless: Option<Box<State>>,
+    pub frictionless: Option<Box<(State, Vec<Value>)>>,
+    /// Values of the file's quantities.
+    pub quantities: Vec<Value>,
     /// Angles of the bodies by slot, continuous over the sweep, rad.
     pub angles: Vec<f64>,
     /// How well independent equations hold.
@@ -123,6 +125,7 @@ impl Solution {
     #[must_use]
     pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> View<'a> {
         let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
-        View { frictionless: solved.frictionless.as_deref(), ..view }
+        let frictionless = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
+        View { quantities: &solved.quantities, frictionless, ..view }
     }
 }

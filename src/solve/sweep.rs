@@ -4,20 +4,14 @@ use super::assemble::{assemble, does_not_close};
 use super::error::SolveError;
 use super::extremes::{Statics, statics};
 use super::inputs::Rates;
-use super::notes::{self, Notes};
+use super::notes::Notes;
 use super::positions::{Wanted, beside, sweep};
 use super::refused;
-use super::residual::residuals;
 use super::solution::{DriveValue, Pose, Scene, Solution, Solved};
 use super::state::State;
 use super::track::{Switch, Tracker};
-use super::view::View;
 use super::words::place;
-use crate::model::{LoadId, PairId, PairKind, Query, Value};
-use crate::plan::Level;
-
-/// At and below this condition velocities and forces do not exist.
-const DEAD: f64 = 1e-12;
+use crate::model::{LoadId, Value};
 
 /// Solves all positions. What fails at one position stands in its pose; what makes all of them meaningless is an error.
 ///
@@ -64,13 +58,13 @@ enum Way {
     Blocked(Vec<DriveValue>),
 }
 
-struct Run<'a, 's> {
-    scene: &'s Scene<'a>,
-    rates: Rates,
-    statics: Statics,
-    evaluated: Vec<(LoadId, Value)>,
+pub(super) struct Run<'a, 's> {
+    pub scene: &'s Scene<'a>,
+    pub rates: Rates,
+    pub statics: Statics,
+    pub evaluated: Vec<(LoadId, Value)>,
     poses: Vec<Pose>,
-    notes: Notes,
+    pub notes: Notes,
 }
 
 impl Run<'_, '_> {
@@ -211,101 +205,6 @@ impl Run<'_, '_> {
             drives: pose.drives.clone(),
             outcome,
         });
-    }
-
-    /// Motion, loads, forces and residuals at an assembled position.
-    fn solved(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, SolveError> {
-        let scene = self.scene;
-        let mut state = tracker.state.clone();
-        self.rates.at(&pose.drives, &mut state.inputs);
-        match scene.plan.effects.level {
-            Level::Positions => state.run_motion::<0>(scene.plan),
-            Level::Velocities => state.run_motion::<1>(scene.plan),
-            Level::Accelerations => state.run_motion::<2>(scene.plan),
-        }
-        let mut condition = self.motion_condition(&state, pose)?;
-        if scene.plan.effects.forces {
-            condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
-        }
-        let frictionless = scene.plan.effects.friction.then(|| {
-            let mut state = state.clone();
-            state.wrenches.clone_from(&state.applied);
-            state.frictions.fill(0.0);
-            state.locked = false;
-            state.run_forces_without_friction(scene.plan);
-            Box::new(state)
-        });
-        if state.locked {
-            state.forget_forces();
-        } else if let Some(error) = notes::not_finite(scene, &state, pose) {
-            return Err(error);
-        }
-        let residuals = residuals(scene, &state);
-        let angles = tracker.angles.clone();
-        let solved = Solved { state, frictionless, angles, residuals, condition };
-        self.note_contacts(&solved, pose);
-        Ok(solved)
-    }
-
-    fn motion_condition(&mut self, state: &State, pose: &Wanted) -> Result<f64, SolveError> {
-        let scene = self.scene;
-        let level = scene.plan.effects.level;
-        let mut least = 1.0_f64;
-        for (group, sine) in scene.structure.motion.iter().zip(&state.sines) {
-            let condition = sine.abs();
-            least = least.min(condition);
-            if level > Level::Positions && condition <= DEAD {
-                return Err(notes::dead(scene, group, condition, pose));
-            }
-            let (what, power) = match level {
-                Level::Positions => ("positions", 1),
-                Level::Velocities => ("velocities", 2),
-                Level::Accelerations => ("accelerations", 3),
-            };
-            self.notes.condition(scene, group, (condition, what, power), pose);
-        }
-        Ok(least)
-    }
-
-    fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
-        let scene = self.scene;
-        let view = View::new(scene, state, angles, &self.statics);
-        view.evaluated_loads(&mut self.evaluated);
-        state.run_loads(scene, &self.evaluated);
-        state.applied.clone_from(&state.wrenches);
-        state.set_lines(scene);
-        state.locked = false;
-        if scene.plan.effects.friction {
-            state.set_senses(scene.plan);
-        }
-        state.run_forces(scene.plan);
-        let mut least = 1.0_f64;
-        for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
-            let condition = sine.abs();
-            least = least.min(condition);
-            if condition <= DEAD {
-                return Err(notes::cannot_hold(scene, group, condition, pose));
-            }
-            self.notes.condition(scene, group, (condition, "forces", 2), pose);
-        }
-        Ok(least)
-    }
-
-    fn note_contacts(&mut self, solved: &Solved, pose: &Wanted) {
-        if !self.scene.plan.effects.forces {
-            return;
-        }
-        for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
-            let PairKind::Contact { first, .. } = &pair.kind else { continue };
-            let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
-            let Value::Scalar(normal) = view.query(&Query::Normal(PairId::at(i), first.link)) else {
-                continue;
-            };
-            let force = view.reaction(PairId::at(i), first.link).norm();
-            if normal < -1e-9 * force.max(f64::MIN_POSITIVE) && normal < -1e-9 {
-                self.notes.pulls(self.scene, PairId::at(i), normal, pose);
-            }
-        }
     }
 }
 

@@ -4,10 +4,7 @@ use super::extremes::Statics;
 use super::solution::Scene;
 use super::state::State;
 use crate::math::Vec2;
-use crate::model::{
-    BalanceKind, Guide, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, PointRef, QuantityId, Query,
-    Value,
-};
+use crate::model::{LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
 use crate::plan::Plan;
 use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
 
@@ -26,11 +23,13 @@ pub struct View<'a> {
     pub angles: &'a [f64],
     /// What needs no position: dead positions, strokes.
     pub statics: &'a Statics,
-    /// The same position without friction, where the file declares any.
-    pub frictionless: Option<&'a State>,
+    /// Values of the file's quantities as far as they are known, in the order of the mechanism's.
+    pub quantities: &'a [Value],
+    /// The same position without friction and its quantities, where the file declares any.
+    pub frictionless: Option<(&'a State, &'a [Value])>,
 }
 
-const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
+pub(super) const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
 
 impl<'a> View<'a> {
     /// A state seen from the language.
@@ -43,16 +42,29 @@ impl<'a> View<'a> {
             state,
             angles,
             statics,
+            quantities: &[],
             frictionless: None,
         }
+    }
+
+    /// Values of all quantities of the file at this position. They stand in the order in which one hangs on another, so
+    /// that none is evaluated twice, however long the chain.
+    #[must_use]
+    pub fn all_quantities(&self) -> Vec<Value> {
+        let mut done = Vec::with_capacity(self.mechanism.quantities.len());
+        for quantity in &self.mechanism.quantities {
+            let value = View { quantities: &done, ..*self }.value(&quantity.expr);
+            done.push(value);
+        }
+        done
     }
 }
 
 impl View<'_> {
-    /// The value of a quantity of the file at this position.
+    /// The value of a quantity of the file at this position; NaN where it is not known yet.
     #[must_use]
     pub fn quantity(&self, id: QuantityId) -> Value {
-        self.mechanism.quantities.get(id.index()).map_or(Value::Scalar(f64::NAN), |q| self.value(&q.expr))
+        self.quantities.get(id.index()).copied().unwrap_or(Value::Scalar(f64::NAN))
     }
 
     /// The answer to a question. NaN where there is none.
@@ -131,87 +143,14 @@ impl View<'_> {
         self.body(link).position(at)
     }
 
-    fn velocity(&self, point: &PointRef) -> Vec2 {
+    pub(super) fn velocity(&self, point: &PointRef) -> Vec2 {
         let (link, at) = self.local(point);
         self.body(link).velocity(at)
     }
 
-    fn acceleration(&self, point: &PointRef) -> Vec2 {
+    pub(super) fn acceleration(&self, point: &PointRef) -> Vec2 {
         let (link, at) = self.local(point);
         self.body(link).acceleration(at)
-    }
-
-    /// The guide of a pair with a coordinate along a line; barrel and rod of a cylinder.
-    #[must_use]
-    pub fn guide(&self, pair: PairId) -> Option<Guide> {
-        match &self.mechanism.pair(pair).kind {
-            PairKind::Prismatic(g) | PairKind::Slot(g) => Some(g.clone()),
-            PairKind::Cylinder { barrel, rod, .. } => Some(Guide {
-                slider: *rod,
-                point_name: String::new(),
-                point: Vec2::zero(),
-                direction: Vec2::new(1.0, 0.0),
-                guide: *barrel,
-                line_name: String::new(),
-                through: Vec2::zero(),
-                along: Vec2::new(1.0, 0.0),
-                contacts: None,
-                guide_first: true,
-            }),
-            PairKind::Revolute(_) | PairKind::Contact { .. } => None,
-        }
-    }
-
-    /// Direction of a guide's line in ground axes.
-    #[must_use]
-    pub fn along(&self, guide: &Guide) -> Vec2 {
-        guide.along.turned(self.body(guide.guide).u)
-    }
-
-    /// First and second link of a revolute of two links.
-    fn hinge(&self, pair: PairId) -> Option<(LinkId, LinkId)> {
-        match &self.mechanism.pair(pair).kind {
-            PairKind::Revolute(pins) => Some((pins.first()?.link, pins.get(1)?.link)),
-            _ => None,
-        }
-    }
-
-    /// Coordinate of a pair: m, or rad for a revolute.
-    #[must_use]
-    pub fn displacement(&self, pair: PairId) -> f64 {
-        if let Some((first, second)) = self.hinge(pair) {
-            return self.angles[second.index()] - self.angles[first.index()];
-        }
-        let Some(g) = self.guide(pair) else { return f64::NAN };
-        let from = self.body(g.guide).position(g.through);
-        (self.body(g.slider).position(g.point) - from).dot(self.along(&g))
-    }
-
-    /// First derivative of the coordinate.
-    #[must_use]
-    pub fn relative_velocity(&self, pair: PairId) -> f64 {
-        if let Some((first, second)) = self.hinge(pair) {
-            return self.body(second).omega - self.body(first).omega;
-        }
-        let Some(g) = self.guide(pair) else { return f64::NAN };
-        let point = PointRef::Fixed(g.slider, g.point);
-        let under = PointRef::Under(g.guide, (g.slider, g.point));
-        (self.velocity(&point) - self.velocity(&under)).dot(self.along(&g))
-    }
-
-    fn relative_acceleration(&self, pair: PairId) -> f64 {
-        if let Some((first, second)) = self.hinge(pair) {
-            return self.body(second).alpha - self.body(first).alpha;
-        }
-        let Some(g) = self.guide(pair) else { return f64::NAN };
-        let point = PointRef::Fixed(g.slider, g.point);
-        let under = PointRef::Under(g.guide, (g.slider, g.point));
-        (self.acceleration(&point) - self.acceleration(&under)).dot(self.along(&g))
-    }
-
-    fn coriolis(&self, pair: PairId) -> Vec2 {
-        let Some(g) = self.guide(pair) else { return NAN_VECTOR };
-        self.along(&g).perp() * (2.0 * self.body(g.guide).omega * self.relative_velocity(pair))
     }
 
     fn inertia_force(&self, link: LinkId) -> Vec2 {
@@ -285,9 +224,19 @@ impl View<'_> {
 
     /// Slots of reactions that act on a link in a pair, with their signs.
     fn slots(&self, pair: PairId, link: LinkId) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let body = BodyId(link.index());
+        // of a pin in a slot: what the block that stands for it exchanges with the slot, without an effort along it
+        let in_slot = match &self.mechanism.pair(pair).kind {
+            PairKind::Slot(g) => self.block(pair).map(|block| (g.slider, block)),
+            _ => None,
+        };
+        let body = match in_slot {
+            Some((pin, block)) if pin == link => block,
+            _ => BodyId(link.index()),
+        };
         self.plan.reactions.iter().enumerate().filter_map(move |(slot, joint)| {
-            if self.structure.replaced.joint(joint.joint).pair != pair {
+            if self.structure.replaced.joint(joint.joint).pair != pair
+                || in_slot.is_some() && !joint.prismatic
+            {
                 return None;
             }
             if joint.body == body {
@@ -297,6 +246,15 @@ impl View<'_> {
             } else {
                 None
             }
+        })
+    }
+
+    /// The imaginary block of a pin in a slot.
+    fn block(&self, pair: PairId) -> Option<BodyId> {
+        let replaced = &self.structure.replaced;
+        replaced.joints_of(pair).find_map(|j| match replaced.joint(j).kind {
+            JointKind::Prismatic { slider, .. } => Some(slider),
+            JointKind::Revolute(_) => None,
         })
     }
 
@@ -333,111 +291,5 @@ impl View<'_> {
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let normal = self.reaction(pair, g.slider).dot(self.along(&g).perp());
         self.displacement(pair) + self.moment(pair, g.slider) / normal
-    }
-
-    fn effort_slot(&self, source: EffortSource) -> Option<usize> {
-        self.structure.efforts.iter().position(|e| e.source == source)
-    }
-
-    /// Value of an unknown effort.
-    #[must_use]
-    pub fn effort(&self, source: EffortSource) -> f64 {
-        self.effort_slot(source).map_or(f64::NAN, |slot| self.state.efforts[slot])
-    }
-
-    /// Power of an unknown effort, W.
-    #[must_use]
-    pub fn effort_power(&self, source: EffortSource) -> f64 {
-        use crate::structure::EffortKind;
-        let Some(slot) = self.effort_slot(source) else { return f64::NAN };
-        let value = self.state.efforts[slot];
-        match self.structure.efforts[slot].kind {
-            EffortKind::Angle(body) => value * self.state.bodies[body.0].omega,
-            EffortKind::RelativeAngle { first, second, .. } => {
-                value * (self.state.bodies[second.0].omega - self.state.bodies[first.0].omega)
-            }
-            EffortKind::Coordinate(joint) => {
-                value * self.relative_velocity(self.structure.replaced.joint(joint).pair)
-            }
-            EffortKind::Line(body) => {
-                let (at, n) = self.state.lines[slot];
-                let b = &self.state.bodies[body.0];
-                value * (b.v + (at - b.p).perp() * b.omega).dot(n)
-            }
-            EffortKind::Point(_) => f64::NAN,
-        }
-    }
-
-    /// Line of a balance force: a point and its unit direction in ground axes.
-    #[must_use]
-    pub fn balance_line(&self, kind: &BalanceKind) -> Option<(Vec2, Vec2)> {
-        let BalanceKind::Force { on, at, along, frame } = kind else { return None };
-        let direction = frame.map_or(*along, |f| along.turned(self.body(f).u));
-        Some((self.place(*on, at), direction))
-    }
-
-    /// A place on a link in ground axes, m.
-    #[must_use]
-    pub fn place(&self, link: LinkId, place: &Place) -> Vec2 {
-        match place {
-            Place::Local(at) => self.body(link).position(*at),
-            Place::Ground(expr) => self.vector(expr),
-        }
-    }
-
-    /// An applied load as it acts now: null where its condition does not hold.
-    fn load(&self, index: usize) -> Value {
-        let load = &self.mechanism.loads[index];
-        let scalar = matches!(load.kind, LoadKind::Torque { .. } | LoadKind::InPair { .. });
-        if load.when.as_ref().is_some_and(|w| !self.truth(w)) {
-            return if scalar { Value::Scalar(0.0) } else { Value::Vector(Vec2::zero()) };
-        }
-        match &load.kind {
-            LoadKind::Force { value, frame, .. } => {
-                let force = self.vector(value);
-                Value::Vector(frame.map_or(force, |f| force.turned(self.body(f).u)))
-            }
-            LoadKind::ForceAgainstMotion { on, at, value } => {
-                let p = self.place(*on, at);
-                let body = self.body(*on);
-                let v = body.v + (p - body.p).perp() * body.omega;
-                Value::Vector(v.unit().map_or(Vec2::zero(), |d| d * -self.scalar(value)))
-            }
-            LoadKind::Torque { on, value, against_motion } => {
-                let omega = self.body(*on).omega;
-                let sign = match (*against_motion, omega) {
-                    (false, _) => 1.0,
-                    (true, 0.0) => 0.0,
-                    (true, w) => -w.signum(),
-                };
-                Value::Scalar(sign * self.scalar(value))
-            }
-            LoadKind::InPair { value, .. } => Value::Scalar(self.scalar(value)),
-        }
-    }
-
-    fn load_power(&self, index: usize) -> f64 {
-        match (&self.mechanism.loads[index].kind, self.load(index)) {
-            (
-                LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
-                Value::Vector(force),
-            ) => {
-                let p = self.place(*on, at);
-                let body = self.body(*on);
-                force.dot(body.v + (p - body.p).perp() * body.omega)
-            }
-            (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => torque * self.body(*on).omega,
-            (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => effort * self.relative_velocity(*pair),
-            _ => f64::NAN,
-        }
-    }
-
-    /// The joint's prismatic guide that stands for a pair, if any.
-    #[must_use]
-    pub fn prismatic_joint(&self, pair: PairId) -> Option<&JointKind> {
-        let mut joints = self.structure.replaced.joints_of(pair);
-        joints
-            .find(|&j| matches!(self.structure.replaced.joint(j).kind, JointKind::Prismatic { .. }))
-            .map(|j| &self.structure.replaced.joint(j).kind)
     }
 }

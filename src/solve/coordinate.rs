@@ -1,0 +1,80 @@
+//! The coordinate of a pair and its derivatives.
+
+use super::view::{NAN_VECTOR, View};
+use crate::math::Vec2;
+use crate::model::{Guide, LinkId, PairId, PairKind, PointRef};
+
+impl View<'_> {
+    /// The guide of a pair with a coordinate along a line; barrel and rod of a cylinder.
+    #[must_use]
+    pub fn guide(&self, pair: PairId) -> Option<Guide> {
+        match &self.mechanism.pair(pair).kind {
+            PairKind::Prismatic(g) | PairKind::Slot(g) => Some(g.clone()),
+            PairKind::Cylinder { barrel, rod, .. } => Some(Guide {
+                slider: *rod,
+                point_name: String::new(),
+                point: Vec2::zero(),
+                direction: Vec2::new(1.0, 0.0),
+                guide: *barrel,
+                line_name: String::new(),
+                through: Vec2::zero(),
+                along: Vec2::new(1.0, 0.0),
+                contacts: None,
+                guide_first: true,
+            }),
+            PairKind::Revolute(_) | PairKind::Contact { .. } => None,
+        }
+    }
+
+    /// Direction of a guide's line in ground axes.
+    #[must_use]
+    pub fn along(&self, guide: &Guide) -> Vec2 {
+        guide.along.turned(self.body(guide.guide).u)
+    }
+
+    /// First and second link of a revolute of two links.
+    fn hinge(&self, pair: PairId) -> Option<(LinkId, LinkId)> {
+        match &self.mechanism.pair(pair).kind {
+            PairKind::Revolute(pins) => Some((pins.first()?.link, pins.get(1)?.link)),
+            _ => None,
+        }
+    }
+
+    /// Coordinate of a pair: m, or rad for a revolute.
+    #[must_use]
+    pub fn displacement(&self, pair: PairId) -> f64 {
+        if let Some((first, second)) = self.hinge(pair) {
+            return self.angles[second.index()] - self.angles[first.index()];
+        }
+        let Some(g) = self.guide(pair) else { return f64::NAN };
+        let from = self.body(g.guide).position(g.through);
+        (self.body(g.slider).position(g.point) - from).dot(self.along(&g))
+    }
+
+    /// First derivative of the coordinate.
+    #[must_use]
+    pub fn relative_velocity(&self, pair: PairId) -> f64 {
+        if let Some((first, second)) = self.hinge(pair) {
+            return self.body(second).omega - self.body(first).omega;
+        }
+        let Some(g) = self.guide(pair) else { return f64::NAN };
+        let point = PointRef::Fixed(g.slider, g.point);
+        let under = PointRef::Under(g.guide, (g.slider, g.point));
+        (self.velocity(&point) - self.velocity(&under)).dot(self.along(&g))
+    }
+
+    pub(super) fn relative_acceleration(&self, pair: PairId) -> f64 {
+        if let Some((first, second)) = self.hinge(pair) {
+            return self.body(second).alpha - self.body(first).alpha;
+        }
+        let Some(g) = self.guide(pair) else { return f64::NAN };
+        let point = PointRef::Fixed(g.slider, g.point);
+        let under = PointRef::Under(g.guide, (g.slider, g.point));
+        (self.acceleration(&point) - self.acceleration(&under)).dot(self.along(&g))
+    }
+
+    pub(super) fn coriolis(&self, pair: PairId) -> Vec2 {
+        let Some(g) = self.guide(pair) else { return NAN_VECTOR };
+        self.along(&g).perp() * (2.0 * self.body(g.guide).omega * self.relative_velocity(pair))
+    }
+}

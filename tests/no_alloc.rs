@@ -1,0 +1,57 @@
+//! The loop over positions takes no memory: motion, loads and forces of machines with closed forms and without.
+
+#[path = "properties/machines.rs"]
+mod machines;
+
+use assur::math::Vec2;
+use assur::model::Mechanism;
+use assur::solve::{DriveInput, Scene, solve};
+
+/// Allocations of this thread over a revolution of a machine, after it was assembled.
+fn allocations(mechanism: &Mechanism) -> u64 {
+    let (structure, _) = assur::structure::structure(mechanism).expect("the machine is sound");
+    let plan = assur::plan::plan(mechanism, &structure);
+    let scene = Scene { mechanism, structure: &structure, plan: &plan };
+    let solution = solve(&scene).expect("the machine closes");
+    let first = solution.poses[0].outcome.as_ref().expect("the first position is regular");
+    let mut state = first.state.clone();
+    let mut sum = 0.0;
+    let counted = allocation_counter::measure(|| {
+        for i in 0..360 {
+            let value = f64::from(i).to_radians();
+            let place = Vec2::direction(value);
+            state.inputs[0] = DriveInput { value, place, rate: machines::SPEED, ..DriveInput::default() };
+            state.run_motion::<2>(&plan);
+            state.run_loads(&scene, &[]);
+            state.set_lines(&scene);
+            state.run_forces(&plan);
+            sum += state.efforts[0];
+        }
+    });
+    assert!(sum.is_finite() && state.open.is_none());
+    counted.count_total
+}
+
+#[test]
+fn the_loop_over_positions_allocates_nothing() {
+    let start = || machines::list(&[0.0]);
+    assert_eq!(allocations(&machines::crank_slider(0.1, 0.35, 0.02, start())), 0);
+    assert_eq!(allocations(&machines::four_bar([0.1, 0.35, 0.3, 0.4], true, start())), 0);
+    assert_eq!(allocations(&machines::six_bar(start())), 0);
+    assert_eq!(allocations(&machines::triad(start())), 0);
+}
+
+#[test]
+fn a_balance_far_from_the_drive_allocates_nothing() {
+    let mut m = machines::six_bar(machines::list(&[0.0]));
+    m.balances.clear();
+    machines::balance(&mut m, assur::model::LinkId::at(5));
+    // the six-bar's last link is a rocker: over a whole turn its torque cannot always hold the crank, but it is counted
+    assert_eq!(allocations(&m), 0);
+}
+
+#[test]
+fn the_count_counts() {
+    let counted = allocation_counter::measure(|| drop(std::hint::black_box(vec![1_u8])));
+    assert_eq!(counted.count_total, 1);
+}

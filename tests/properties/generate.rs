@@ -1,0 +1,63 @@
+//! Random mechanisms: a driven link, then a chain of structural groups on random earlier bodies.
+
+use crate::draft::Draft;
+use crate::random::Random;
+use crate::reference::Reference;
+use assur::model::{Find, FindKind};
+use assur::source::Span;
+
+/// The mechanism of this number.
+pub fn mechanism(seed: u64) -> Draft {
+    let mut draft = kinematics(seed);
+    draft.add_masses();
+    draft.add_loads();
+    draft.hints();
+    draft.mechanism.finds.push(Find {
+        name: "reactions".into(),
+        span: Span::default(),
+        kind: FindKind::Reactions,
+    });
+    if draft.random.chance(0.6) {
+        for _ in 0..6 {
+            draft.add_balances();
+            if Reference::new(&draft.mechanism, &draft.frames).is_some_and(|r| r.holds_well()) {
+                return draft;
+            }
+        }
+        draft.mechanism.balances.clear();
+    }
+    draft
+}
+
+fn kinematics(seed: u64) -> Draft {
+    let mut draft = Draft::new(Random::new(seed));
+    match draft.random.below(8) {
+        0..=4 => draft.add_crank(),
+        5 => draft.add_driven_slider(),
+        6 => draft.add_elbow(),
+        _ => draft.add_driven_legs(),
+    };
+    for _ in 0..1 + draft.random.below(5) {
+        let several = draft.mechanism.drives.len() > 2;
+        match draft.random.below(40) {
+            0..=5 => draft.add_rrr(),
+            6..=9 => draft.add_rrp(),
+            10..=13 => draft.add_rpr(),
+            14..=16 => draft.add_prp(),
+            17..=19 => draft.add_rpp(),
+            20..=22 => draft.add_slot(),
+            23..=26 => draft.add_contact(),
+            27..=29 => draft.add_sliding_follower(),
+            30 | 31 => draft.add_cylinder(),
+            32 => draft.add_roller(),
+            33 | 34 => draft.add_wedge(),
+            35 => draft.add_triad(),
+            36 if !several => draft.add_crank(),
+            37 if !several => draft.add_elbow(),
+            38 if !several => draft.add_driven_slider(),
+            39 if !several => draft.add_driven_legs(),
+            _ => draft.add_rrr(),
+        };
+    }
+    draft
+}

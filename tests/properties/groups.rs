@@ -1,0 +1,430 @@
+//! Puts structural groups of all kinds on a mechanism under construction. Every place is drawn until the group is far
+//! from its dead positions.
+
+use crate::draft::{Anchor, Draft, Frame, Made};
+use assur::math::Vec2;
+use assur::model::{DriveTarget, LinkId, PairId, PairKind};
+
+/// The least condition figure a group is drawn with.
+const MARGIN: f64 = 0.35;
+const TRIES: usize = 400;
+
+fn sine(a: Vec2, b: Vec2) -> f64 {
+    (a.cross(b) / (a.norm() * b.norm())).abs()
+}
+
+fn cosine(a: Vec2, b: Vec2) -> f64 {
+    (a.dot(b) / (a.norm() * b.norm())).abs()
+}
+
+impl Draft {
+    /// A link to hang something on: late ones are preferred, so that chains get long.
+    fn host(&mut self) -> LinkId {
+        let n = self.frames.len();
+        loop {
+            let from = if self.random.chance(0.6) { n.saturating_sub(4) } else { 0 };
+            let host = LinkId::at(from + self.random.below(n - from));
+            if !self.rollers.contains(&host) {
+                return host;
+            }
+        }
+    }
+
+    fn anchor(&mut self) -> Anchor {
+        if self.random.chance(0.15) {
+            let pairs: Vec<usize> = (0..self.mechanism.pairs.len())
+                .filter(|&i| {
+                    matches!(self.mechanism.pairs[i].kind, PairKind::Revolute(_))
+                        && !self.driven.contains(&PairId::at(i))
+                })
+                .collect();
+            if !pairs.is_empty() {
+                let id = pairs[self.random.below(pairs.len())];
+                if let PairKind::Revolute(pins) = &self.mechanism.pairs[id].kind {
+                    let pin = pins.iter().find(|p| !self.rollers.contains(&p.link)).unwrap_or(&pins[0]);
+                    let at = self.frame(pin.link).place(pin.at);
+                    return Anchor { host: pin.link, at, pin: Some(PairId::at(id)) };
+                }
+            }
+        }
+        Anchor { host: self.host(), at: self.spot(), pin: None }
+    }
+
+    /// Draws until what is drawn passes.
+    fn draw<T>(&mut self, mut make: impl FnMut(&mut Self) -> Option<T>) -> Option<T> {
+        (0..TRIES).find_map(|_| make(self))
+    }
+
+    fn made(&mut self, links: Vec<LinkId>, kind: &'static str) {
+        self.made.push(Made { links, kind });
+    }
+
+    pub fn add_crank(&mut self) -> Option<()> {
+        let a = self.anchor();
+        let link = self.link(a.at);
+        self.hang(a, link);
+        let u = self.frame(link).u;
+        self.drive(DriveTarget::Link(link), u.angle());
+        self.made(vec![link], "driven");
+        Some(())
+    }
+
+    /// A link driven against its base, at a pin of its own.
+    pub fn add_elbow(&mut self) -> Option<()> {
+        let (host, at) = (self.host(), self.spot());
+        let link = self.link(at);
+        let pair = self.revolute(host, link, at);
+        let value = self.coordinate(pair);
+        self.drive(DriveTarget::Pair(pair), value);
+        self.made(vec![link], "driven");
+        Some(())
+    }
+
+    pub fn add_driven_slider(&mut self) -> Option<()> {
+        let (host, at, d) = (self.host(), self.spot(), self.random.direction());
+        let link = self.link(at);
+        let pair = self.prismatic(link, host, at, d);
+        let value = self.coordinate(pair);
+        self.drive(DriveTarget::Pair(pair), value);
+        self.made(vec![link], "driven");
+        Some(())
+    }
+
+    /// Coordinate of a pair as it stands: the difference of angles, or the place along the line.
+    pub fn coordinate(&self, pair: PairId) -> f64 {
+        match &self.mechanism.pair(pair).kind {
+            PairKind::Revolute(pins) => {
+                let (a, b) = (self.frame(pins[0].link).u, self.frame(pins[1].link).u);
+                b.turned_back(a).angle()
+            }
+            PairKind::Prismatic(g) | PairKind::Slot(g) => {
+                let (s, c) = (self.frame(g.slider), self.frame(g.guide));
+                (s.place(g.point) - c.place(g.through)).dot(g.along.turned(c.u))
+            }
+            PairKind::Cylinder { from, to, .. } => {
+                (self.frame(to.link).place(to.at) - self.frame(from.link).place(from.at)).norm()
+            }
+            PairKind::Contact { .. } => f64::NAN,
+        }
+    }
+
+    fn triangle(&mut self) -> Option<(Anchor, Anchor, Vec2)> {
+        self.draw(|d| {
+            let (a, b, c) = (d.anchor(), d.anchor(), d.spot());
+            let far = (c - a.at).norm() > 0.3 && (c - b.at).norm() > 0.3 && (a.at - b.at).norm() > 0.2;
+            (far && sine(c - a.at, c - b.at) > MARGIN).then_some((a, b, c))
+        })
+    }
+
+    pub fn add_rrr(&mut self) -> Option<()> {
+        let (a, b, c) = self.triangle()?;
+        let links = [self.link(a.at), self.link(b.at)];
+        self.hang(a, links[0]);
+        self.hang(b, links[1]);
+        self.revolute(links[0], links[1], c);
+        self.made(links.to_vec(), "RRR");
+        Some(())
+    }
+
+    pub fn add_rrp(&mut self) -> Option<()> {
+        let (a, c, d) = self.leg_and_line()?;
+        let host = self.host();
+        let links = [self.link(a.at), self.link(c)];
+        self.hang(a, links[0]);
+        self.revolute(links[0], links[1], c);
+        self.prismatic(links[1], host, c, d);
+        self.made(links.to_vec(), "RRP");
+        Some(())
+    }
+
+    fn leg_and_line(&mut self) -> Option<(Anchor, Vec2, Vec2)> {
+        self.draw(|x| {
+            let (a, c, d) = (x.anchor(), x.spot(), x.random.direction());
+            ((c - a.at).norm() > 0.3 && cosine(c - a.at, d) > MARGIN).then_some((a, c, d))
+        })
+    }
+
+    fn two_pins_and_line(&mut self) -> Option<(Anchor, Anchor, Vec2)> {
+        self.draw(|x| {
+            let (a, b, d) = (x.anchor(), x.anchor(), x.random.direction());
+            ((b.at - a.at).norm() > 0.3 && cosine(b.at - a.at, d) > MARGIN).then_some((a, b, d))
+        })
+    }
+
+    pub fn add_rpr(&mut self) -> Option<()> {
+        let (a, b, d) = self.two_pins_and_line()?;
+        let links = [self.link(a.at), self.link(b.at)];
+        self.hang(a, links[0]);
+        self.hang(b, links[1]);
+        self.prismatic(links[0], links[1], b.at, d);
+        self.made(links.to_vec(), "RPR");
+        Some(())
+    }
+
+    /// A cylinder that nothing drives.
+    pub fn add_cylinder(&mut self) -> Option<()> {
+        let (a, b) = self.draw(|x| {
+            let (a, b) = ((x.host(), x.spot()), (x.host(), x.spot()));
+            (a.0 != b.0 && (a.1 - b.1).norm() > 0.3).then_some((a, b))
+        })?;
+        let (barrel, rod, _) = self.cylinder(a, b);
+        self.made(vec![barrel, rod], "RPR");
+        Some(())
+    }
+
+    fn cylinder(&mut self, from: (LinkId, Vec2), to: (LinkId, Vec2)) -> (LinkId, LinkId, PairId) {
+        let along = (to.1 - from.1) / (to.1 - from.1).norm();
+        let barrel = self.link_at(Frame { p: from.1, u: along });
+        let rod = self.link_at(Frame { p: to.1, u: along });
+        let (from, to) = (self.pin(from.0, from.1), self.pin(to.0, to.1));
+        let turning = self.turning[barrel.index()];
+        self.turning[rod.index()] = turning;
+        let pair = self.pair(PairKind::Cylinder { barrel, rod, from, to });
+        (barrel, rod, pair)
+    }
+
+    /// Two lines that cross well.
+    fn two_lines(&mut self) -> Option<(Vec2, Vec2)> {
+        self.draw(|x| {
+            let (d, e) = (x.random.direction(), x.random.direction());
+            (sine(d, e) > MARGIN).then_some((d, e))
+        })
+    }
+
+    pub fn add_prp(&mut self) -> Option<()> {
+        let ((d, e), c) = (self.two_lines()?, self.spot());
+        let hosts = [self.host(), self.host()];
+        let links = [self.link(c), self.link(c)];
+        self.prismatic(links[0], hosts[0], c, d);
+        self.prismatic(links[1], hosts[1], c, e);
+        self.revolute(links[0], links[1], c);
+        self.made(links.to_vec(), "PRP");
+        Some(())
+    }
+
+    pub fn add_rpp(&mut self) -> Option<()> {
+        let ((d, e), a, c) = (self.two_lines()?, self.anchor(), self.spot());
+        let host = self.host();
+        let links = [self.link(a.at), self.link(c)];
+        self.hang(a, links[0]);
+        self.prismatic(links[0], links[1], c, d);
+        self.prismatic(links[1], host, c, e);
+        self.made(links.to_vec(), "RPP");
+        Some(())
+    }
+
+    /// A link between two guides whose links turn alike.
+    pub fn add_wedge(&mut self) -> Option<()> {
+        let (d, e) = self.two_lines()?;
+        let hosts = self.draw(|x| {
+            let hosts = [x.host(), x.host()];
+            let alike = x.turning[hosts[0].index()] == x.turning[hosts[1].index()];
+            (alike && hosts[0] != hosts[1]).then_some(hosts)
+        })?;
+        let c = self.spot();
+        let link = self.link(c);
+        self.prismatic(link, hosts[0], c, d);
+        self.prismatic(link, hosts[1], c, e);
+        self.made(vec![link], "PP");
+        Some(())
+    }
+
+    /// A link on a revolute with a pin in a slot, the slot on either.
+    pub fn add_slot(&mut self) -> Option<()> {
+        if self.random.chance(0.5) {
+            let (a, c, d) = self.leg_and_line()?;
+            let host = self.host();
+            let link = self.link(a.at);
+            self.hang(a, link);
+            self.slot(link, host, c, d);
+            self.made(vec![link], "RRP");
+        } else {
+            let (a, b, d) = self.two_pins_and_line()?;
+            let link = self.link(a.at);
+            self.hang(a, link);
+            self.slot(b.host, link, b.at, d);
+            self.made(vec![link], "RPR");
+        }
+        Some(())
+    }
+
+    fn radius(&mut self) -> f64 {
+        if self.random.chance(0.25) { 0.0 } else { self.random.within(0.05, 0.3) }
+    }
+
+    /// A link on a revolute that touches another with a round or straight profile.
+    pub fn add_contact(&mut self) -> Option<()> {
+        match self.random.below(3) {
+            0 => {
+                let (a, b, c) = self.triangle()?;
+                let link = self.link(a.at);
+                self.hang(a, link);
+                self.round_on_round(link, b.host, c, b.at);
+                self.made(vec![link], "RRR");
+            }
+            1 => {
+                let (a, c, d) = self.leg_and_line()?;
+                let host = self.host();
+                let link = self.link(a.at);
+                self.hang(a, link);
+                self.round_on_straight(link, host, c, d);
+                self.made(vec![link], "RRP");
+            }
+            _ => {
+                let (a, b, d) = self.two_pins_and_line()?;
+                let link = self.link(a.at);
+                self.hang(a, link);
+                self.round_on_straight(b.host, link, b.at, d);
+                self.made(vec![link], "RPR");
+            }
+        }
+        Some(())
+    }
+
+    /// A link on a guide with a pin in a slot or a contact.
+    pub fn add_sliding_follower(&mut self) -> Option<()> {
+        let (host, other) = (self.host(), self.host());
+        match self.random.below(5) {
+            0 | 1 => {
+                let ((d, e), c) = (self.two_lines()?, self.spot());
+                let link = self.link(c);
+                self.prismatic(link, host, c, d);
+                if self.random.chance(0.5) {
+                    self.slot(link, other, c, e);
+                } else {
+                    self.round_on_straight(link, other, c, e);
+                }
+                self.made(vec![link], "PRP");
+            }
+            2 | 3 => {
+                let ((d, e), c) = (self.two_lines()?, self.spot());
+                let link = self.link(c);
+                self.prismatic(link, host, c, d);
+                if self.random.chance(0.5) {
+                    self.slot(other, link, c, e);
+                } else {
+                    self.round_on_straight(other, link, c, e);
+                }
+                self.made(vec![link], "RPP");
+            }
+            _ => {
+                let (a, c, d) = self.leg_and_line()?;
+                let link = self.link(c);
+                self.prismatic(link, host, c, d);
+                self.round_on_round(link, a.host, c, a.at);
+                self.made(vec![link], "RRP");
+            }
+        }
+        Some(())
+    }
+
+    fn round_on_round(&mut self, a: LinkId, b: LinkId, centre_a: Vec2, centre_b: Vec2) {
+        let distance = (centre_a - centre_b).norm();
+        let internal = self.random.chance(0.3);
+        let (small, great) = if internal {
+            let small = self.radius();
+            (small, small + distance)
+        } else {
+            let small = if self.random.chance(0.25) { 0.0 } else { distance * self.random.within(0.1, 0.9) };
+            (small, distance - small)
+        };
+        let (one, two) = if self.random.chance(0.5) { (small, great) } else { (great, small) };
+        let (one, two) = (self.round(a, centre_a, one), self.round(b, centre_b, two));
+        self.contact(one, two, internal);
+    }
+
+    fn round_on_straight(&mut self, round: LinkId, straight: LinkId, centre: Vec2, direction: Vec2) {
+        let radius = self.radius();
+        let through = centre + direction.perp() * (radius * self.random.sign());
+        let (one, two) = (self.round(round, centre, radius), self.straight(straight, through, direction));
+        self.contact(one, two, false);
+    }
+
+    /// A follower with a roller that turns freely on it.
+    pub fn add_roller(&mut self) -> Option<()> {
+        let (a, b, c) = self.triangle()?;
+        // the rotation of a passive link is set to zero
+        let still = Frame { p: c + self.random.vector(0.3), u: Vec2::new(1.0, 0.0) };
+        let (follower, roller) = (self.link(a.at), self.link_at(still));
+        self.hang(a, follower);
+        self.revolute(follower, roller, c);
+        self.rollers.push(roller);
+        if self.random.chance(0.5) {
+            let r = (c - b.at).norm() * self.random.within(0.1, 0.9);
+            let profiles = (self.round(roller, c, r), self.round(b.host, b.at, (c - b.at).norm() - r));
+            self.contact(profiles.0, profiles.1, false);
+        } else {
+            let direction = (c - b.at).perp() / (c - b.at).norm();
+            let r = self.random.within(0.05, 0.3);
+            let through = c + direction.perp() * (r * self.random.sign());
+            let profiles = (self.round(roller, c, r), self.straight(b.host, through, direction));
+            self.contact(profiles.0, profiles.1, false);
+        }
+        self.made(vec![follower, roller], "general");
+        Some(())
+    }
+
+    /// A link with three legs: class III.
+    pub fn add_triad(&mut self) -> Option<()> {
+        let (anchors, pins) = self.draw(|x| {
+            let anchors = [x.anchor(), x.anchor(), x.anchor()];
+            let pins = [x.spot(), x.spot(), x.spot()];
+            let legs = [0, 1, 2].map(|i| pins[i] - anchors[i].at);
+            let far = legs.iter().all(|l| l.norm() > 0.4)
+                && (0..3).all(|i| (pins[i] - pins[(i + 1) % 3]).norm() > 0.4);
+            let crossing = sine(legs[0], legs[1]) > 0.3;
+            let share = (pins[1] - pins[0]).cross(legs[1]) / legs[0].cross(legs[1]);
+            let pole = pins[0] + legs[0] * share;
+            let arm = (pins[2] - pole).cross(legs[2]).abs() / legs[2].norm();
+            (far && crossing && arm > 0.4 && (pins[2] - pole).norm() < 3.0).then_some((anchors, pins))
+        })?;
+        let plate = self.link(pins[0]);
+        let mut links = vec![plate];
+        for (anchor, pin) in anchors.into_iter().zip(pins) {
+            let leg = self.link(anchor.at);
+            links.push(leg);
+            if self.random.chance(0.75) {
+                self.hang(anchor, leg);
+            } else {
+                // a slider that moves across the leg it stands for
+                let d = (pin - anchor.at).perp() / (pin - anchor.at).norm();
+                self.prismatic(leg, anchor.host, pin, d);
+            }
+            self.revolute(plate, leg, pin);
+        }
+        self.made(links, "general");
+        Some(())
+    }
+
+    /// A dyad one link of which is a cylinder, or holds a driven elbow.
+    pub fn add_driven_legs(&mut self) -> Option<()> {
+        let cylinder = self.random.chance(0.6);
+        let sliding = self.random.chance(0.3);
+        let (a, b, c) = self.triangle()?;
+        let far = self.link(b.at);
+        let mut links = vec![far];
+        if sliding {
+            let d = (c - b.at).perp() / (c - b.at).norm();
+            self.prismatic(far, b.host, c, d);
+        } else {
+            self.hang(b, far);
+        }
+        let target = if cylinder {
+            let (barrel, rod, pair) = self.cylinder((a.host, a.at), (far, c));
+            links.extend([barrel, rod]);
+            pair
+        } else {
+            let bend = self.spot();
+            let (near, middle) = (self.link(a.at), self.link(bend));
+            self.hang(a, near);
+            let elbow = self.revolute(near, middle, bend);
+            self.revolute(middle, far, c);
+            links.extend([near, middle]);
+            elbow
+        };
+        let value = self.coordinate(target);
+        self.drive(DriveTarget::Pair(target), value);
+        self.made(links, "driven legs");
+        Some(())
+    }
+}

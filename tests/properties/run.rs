@@ -1,0 +1,60 @@
+//! Runs a mechanism through structure, plan and solve.
+
+use assur::math::Vec2;
+use assur::model::{Mechanism, Query, Value};
+use assur::plan::Plan;
+use assur::solve::{Scene, Solution, SolveError, Solved, View, solve};
+use assur::structure::Structure;
+
+/// A mechanism with everything that comes of it.
+pub struct Run {
+    pub mechanism: Mechanism,
+    pub structure: Structure,
+    pub plan: Plan,
+    pub solution: Result<Solution, Vec<SolveError>>,
+}
+
+impl Run {
+    /// Errors of structure are returned in words.
+    pub fn new(mechanism: &Mechanism) -> Result<Self, String> {
+        let mechanism = mechanism.clone();
+        let (structure, _) = assur::structure::structure(&mechanism).map_err(|e| format!("{e:?}"))?;
+        let plan = assur::plan::plan(&mechanism, &structure);
+        let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
+        let solution = solve(&scene);
+        Ok(Self { mechanism, structure, plan, solution })
+    }
+
+    pub fn scene(&self) -> Scene<'_> {
+        Scene { mechanism: &self.mechanism, structure: &self.structure, plan: &self.plan }
+    }
+
+    /// The state at a position, counted from 0; why there is none in words.
+    pub fn solved(&self, pose: usize) -> Result<&Solved, String> {
+        let solution = self.solution.as_ref().map_err(|e| format!("{e:?}"))?;
+        let pose = solution.poses.get(pose).ok_or("no such pose")?;
+        pose.outcome.as_ref().map_err(|e| format!("{e:?}"))
+    }
+
+    pub fn view(&self, pose: usize) -> Result<View<'_>, String> {
+        let solved = self.solved(pose)?;
+        let solution = self.solution.as_ref().map_err(|e| format!("{e:?}"))?;
+        Ok(solution.view(&self.scene(), solved))
+    }
+}
+
+/// A number asked of a position.
+pub fn scalar(view: &View<'_>, query: &Query) -> f64 {
+    match view.query(query) {
+        Value::Scalar(x) => x,
+        _ => f64::NAN,
+    }
+}
+
+/// A vector asked of a position.
+pub fn vector(view: &View<'_>, query: &Query) -> Vec2 {
+    match view.query(query) {
+        Value::Vector(v) => v,
+        _ => Vec2::new(f64::NAN, f64::NAN),
+    }
+}
