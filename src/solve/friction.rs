@@ -36,13 +36,17 @@ pub struct RubbingWork {
     jacobian: Dense,
     values: Vec<f64>,
     right: Vec<f64>,
+    slopes: Vec<f64>,
+    /// Place of each element's reaction among the group's slots.
+    places: Vec<usize>,
 }
 
 impl RubbingWork {
     /// Memory for a group.
     #[must_use]
-    pub fn new(group: &RubbingGroup) -> Self {
+    pub fn new(plan: &Plan, group: &RubbingGroup) -> Self {
         let count = group.elements.len();
+        let place = |&e: &usize| group.slots.iter().position(|s| *s == plan.friction[e].slot).unwrap_or(0);
         Self {
             saved: vec![Wrench::default(); group.bodies.len() + group.bases.len()],
             responses: vec![vec![Reaction::default(); group.slots.len()]; count + 1],
@@ -50,6 +54,8 @@ impl RubbingWork {
             jacobian: Dense::new(count),
             values: vec![0.0; count],
             right: vec![0.0; count],
+            slopes: vec![0.0; count],
+            places: group.elements.iter().map(place).collect(),
         }
     }
 }
@@ -265,17 +271,30 @@ impl State {
         work: &mut RubbingWork,
         signs: Option<&[Option<f64>]>,
     ) -> bool {
-        let count = group.elements.len();
         work.values.fill(0.0);
-        let mut slopes = vec![0.0; count];
+        let mut slopes = std::mem::take(&mut work.slopes);
+        let settled = self.steps(plan, group, work, signs, &mut slopes);
+        work.slopes = slopes;
+        settled
+    }
+
+    fn steps(
+        &self,
+        plan: &Plan,
+        group: &RubbingGroup,
+        work: &mut RubbingWork,
+        signs: Option<&[Option<f64>]>,
+        slopes: &mut [f64],
+    ) -> bool {
+        let count = group.elements.len();
         for _ in 0..STEPS {
             let (mut worst, mut scale, mut confirmed) = (0.0_f64, f64::MIN_POSITIVE, true);
             for i in 0..count {
                 let element = &plan.friction[group.elements[i]];
-                let Some(place) = group.slots.iter().position(|s| *s == element.slot) else { return false };
+                let place = work.places[i];
                 slopes.fill(0.0);
                 let sign = signs.and_then(|s| s[i]);
-                let measure = self.measure(element, place, work, sign, &mut slopes);
+                let measure = self.measure(element, place, work, sign, slopes);
                 confirmed &= measure >= 0.0;
                 let weight = work.senses[i] * element.kind.factor();
                 work.right[i] = -(work.values[i] + weight * measure);
