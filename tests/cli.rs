@@ -175,7 +175,7 @@ fn json_is_one_line_in_si() {
     let folder = Folder::new("json").with("a.mech", GOOD);
     let out = assur(&folder, &["solve", "a.mech", "--format", "json"]);
     assert_eq!(out.stdout.lines().count(), 1);
-    insta::assert_snapshot!(run::rounded(&out.stdout), @r#"{"schema":"assur.solution/1","file":"a.mech","mechanism":"Crank-slider","structure":{"mobility":1,"links":3,"lower_pairs":4,"higher_pairs":0,"groups":[{"links":["rod","piston"],"class":"II","kind":"RRP","n":2,"pl":3,"ph":0}]},"effects":["velocities"],"poses":[{"name":"1","drives":{"crank":0.0},"quantities":{"x_C":0.45,"v_C":[0.0,0.0]},"condition":1.0},{"name":"2","drives":{"crank":1.570796},"quantities":{"x_C":0.33541,"v_C":[-10.0,0.0]},"condition":0.958315}],"expectations":[{"text":"x_C","pose":"1","expected":0.45,"got":0.45,"within":0.0,"passed":true}],"diagnostics":[]}"#);
+    insta::assert_snapshot!(run::rounded(&out.stdout), @r#"{"schema":"assur.solution/1","file":"a.mech","mechanism":"Crank-slider","structure":{"mobility":1,"links":3,"lower_pairs":4,"higher_pairs":0,"groups":[{"links":["rod","piston"],"class":"II","kind":"RRP","n":2,"pl":3,"ph":0}]},"effects":[],"poses":[{"name":"1","drives":{"crank":0.0},"quantities":{"x_C":0.45,"v_C":[0.0,0.0]},"condition":1.0},{"name":"2","drives":{"crank":1.570796},"quantities":{"x_C":0.33541,"v_C":[-10.0,0.0]},"condition":0.958315}],"expectations":[{"text":"x_C","pose":"1","expected":0.45,"got":0.45,"within":0.0,"passed":true}],"diagnostics":[]}"#);
 }
 
 #[test]

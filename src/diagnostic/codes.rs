@@ -150,6 +150,17 @@ pub const CODES: &[Code] = codes! {
     "expect" / "unknown_pose",
 
     // structure
+    "determinacy" / "floating_link",
+    "determinacy" / "not_grounded",
+    "determinacy" / "outer_link",
+    "determinacy" / "underconstrained",
+    "determinacy" / "overconstrained",
+    "determinacy" / "repeated",
+    "determinacy" / "unbalanced",
+    "determinacy" / "efforts",
+    "determinacy" / "not_a_group",
+    "determinacy" / "part_of_larger",
+    "determinacy" / "contains_smaller",
 
     // plan
 

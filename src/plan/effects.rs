@@ -74,22 +74,31 @@ impl Effects {
         }
     }
 
-    /// The effects in words, as `check` and the JSON list them.
+    /// The physical effects that the file calls for.
     #[must_use]
     pub fn names(&self) -> Vec<&'static str> {
-        let mut names = Vec::new();
-        for (on, name) in [
-            (self.level >= Level::Velocities, "velocities"),
-            (self.level >= Level::Accelerations, "accelerations"),
+        let all = [
             (self.inertia, "inertia"),
             (self.gravity, "gravity"),
             (self.springs, "springs"),
             (self.friction, "friction"),
-            (self.forces, "reactions"),
-        ] {
-            if on {
-                names.push(name);
-            }
+        ];
+        all.into_iter().filter(|(on, _)| *on).map(|(_, name)| name).collect()
+    }
+
+    /// What is computed at every position beside positions: how far motion is followed, the effects, reactions.
+    #[must_use]
+    pub fn computed(&self) -> Vec<&'static str> {
+        let mut names = Vec::new();
+        if self.level >= Level::Velocities {
+            names.push("velocities");
+        }
+        if self.level >= Level::Accelerations {
+            names.push("accelerations");
+        }
+        names.extend(self.names());
+        if self.forces {
+            names.push("reactions");
         }
         names
     }

@@ -67,7 +67,7 @@ pub(super) fn summary(scene: &Scene<'_>, report: &mut Report) {
 }
 
 fn effects(scene: &Scene<'_>) -> String {
-    let names = scene.plan.effects.names();
+    let names = scene.plan.effects.computed();
     if names.is_empty() { "positions only".to_owned() } else { names.join(", ") }
 }
 

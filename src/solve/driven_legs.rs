@@ -3,7 +3,9 @@
 //! At one instant such a link is a stiff one from its outer revolute A to the inner one C, with the arm w(t) in the frame
 //! of its first body. C moves in that frame by ẇ and ẅ, so that with r = w turned into ground axes
 //!
-//!     v_C = v_A + ω × r + ẇ,    a_C = a_A + α × r − ω² r + 2 ω × ẇ + ẅ:
+//! ```text
+//! v_C = v_A + ω × r + ẇ,    a_C = a_A + α × r − ω² r + 2 ω × ẇ + ẅ:
+//! ```
 //!
 //! the equations of the dyad, with v_A + ẇ in place of v_A and a_A + 2 ω × ẇ + ẅ in place of a_A.
 

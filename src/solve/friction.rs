@@ -4,7 +4,9 @@
 //! which is linear in the loads: λ(φ) = λ_0 + Σ φ_j λ_j, with λ_0 from the loads as they are and λ_j from a unit of φ_j
 //! alone. The laws then read
 //!
-//!     g_i(φ) = φ_i + s_i ρ_i |λ_i(φ)| = 0,
+//! ```text
+//! g_i(φ) = φ_i + s_i ρ_i |λ_i(φ)| = 0,
+//! ```
 //!
 //! s_i the sense of the relative motion, ρ_i the radius of the friction circle or the coefficient, |λ_i| the force in
 //! the hinge, the normal force of the guide, or |N_1| + |N_2| of its two ends. Newton starts without friction, φ = 0,

@@ -1,8 +1,8 @@
 //! `group NAME: links` — asserted groups against those found.
 
-use super::error::StructureError;
-use super::{BodyId, BodyOrigin, Structure};
-use crate::model::{GroupAssertion, Mechanism, PairKind};
+use super::error::{StructureError, label, whole, with_lines};
+use super::{BodyId, BodyOrigin, Group, GroupKind, Structure};
+use crate::model::{GroupAssertion, LinkId, Mechanism, PairId, PairKind};
 
 /// Errors and warnings; groups that are asserted get their names.
 pub(super) fn check(
@@ -11,68 +11,177 @@ pub(super) fn check(
 ) -> (Vec<StructureError>, Vec<StructureError>) {
     let (mut errors, mut warnings) = (Vec::new(), Vec::new());
     for assertion in &mechanism.groups {
-        let (lower, higher) = pairs_of(mechanism, structure, assertion);
-        let n = assertion.links.len();
-        if 3 * n != 2 * lower.len() + higher.len() {
-            errors.push(StructureError::not_a_group(mechanism, assertion, &lower, &higher));
+        let pairs = Pairs::of(mechanism, structure, assertion);
+        let (name, span) = (assertion.name.clone(), assertion.span.into());
+        if pairs.rest(assertion.links.len()) != 0 {
+            errors.push(not_a_group(mechanism, structure, assertion, &pairs));
             continue;
         }
-        let inside: Vec<usize> = structure
-            .motion
-            .iter()
-            .enumerate()
-            .filter(|(_, g)| {
-                let mut links = g.bodies.iter().filter_map(|b| link_of(structure, *b)).peekable();
-                links.peek().is_some() && links.all(|l| assertion.links.contains(&l))
+        let inside: Vec<usize> = found(mechanism, structure, assertion)
+            .filter(|&i| {
+                links(mechanism, structure, &structure.motion[i]).all(|l| assertion.links.contains(&l))
             })
-            .map(|(i, _)| i)
             .collect();
+        let covered = inside.iter().flat_map(|&i| links(mechanism, structure, &structure.motion[i])).count();
         match inside.as_slice() {
-            [one] => structure.motion[*one].name = Some(assertion.name.clone()),
-            [] => errors.push(StructureError::part_of_larger(mechanism, assertion, structure)),
-            many => warnings.push(StructureError::contains_smaller(mechanism, assertion, structure, many)),
+            [one] if covered == assertion.links.len() => {
+                structure.motion[*one].name = Some(assertion.name.clone());
+            }
+            [_, ..] if covered == assertion.links.len() => {
+                let sentence = "a structural group is one that cannot be split; name each of them by itself";
+                let help = with_lines(sentence, &lines(mechanism, structure, assertion));
+                warnings.push(StructureError::ContainsSmaller { name, help, span });
+            }
+            _ => {
+                let help = instead(mechanism, structure, assertion);
+                errors.push(StructureError::PartOfLarger { name, help, span });
+            }
         }
     }
     (errors, warnings)
 }
 
-fn link_of(structure: &Structure, body: BodyId) -> Option<crate::model::LinkId> {
-    match structure.replaced.bodies[body.0].origin {
+/// The links of a group that have a name of their own: barrel and rod of a cylinder have none.
+fn links<'a>(
+    mechanism: &'a Mechanism,
+    structure: &'a Structure,
+    group: &'a Group,
+) -> impl Iterator<Item = LinkId> + 'a {
+    let bodies = group.bodies.iter().filter_map(|b| match structure.replaced.bodies[b.0].origin {
         BodyOrigin::Link(id) => Some(id),
         BodyOrigin::Imaginary(_) => None,
+    });
+    bodies.filter(|&link| {
+        !mechanism.pairs.iter().any(
+            |p| matches!(&p.kind, PairKind::Cylinder { barrel, rod, .. } if *barrel == link || *rod == link),
+        )
+    })
+}
+
+/// Groups found that hold a link of the assertion.
+fn found<'a>(
+    mechanism: &'a Mechanism,
+    structure: &'a Structure,
+    assertion: &'a GroupAssertion,
+) -> impl Iterator<Item = usize> + 'a {
+    let groups = structure.motion.iter().enumerate();
+    groups
+        .filter(|(_, g)| links(mechanism, structure, g).any(|l| assertion.links.contains(&l)))
+        .map(|(i, _)| i)
+}
+
+/// The groups found that hold links of the assertion, as lines to paste. A driven link is no group.
+fn lines(mechanism: &Mechanism, structure: &Structure, assertion: &GroupAssertion) -> Vec<String> {
+    let groups = found(mechanism, structure, assertion).map(|i| &structure.motion[i]);
+    let groups: Vec<&Group> = groups.filter(|g| g.kind != GroupKind::Driven).collect();
+    let line = |(i, group): (usize, &&Group)| {
+        let names: Vec<&str> =
+            links(mechanism, structure, group).map(|l| mechanism.link(l).name.as_str()).collect();
+        let number = if groups.len() > 1 { format!("_{}", i + 1) } else { String::new() };
+        format!("group {}{number}: {}", assertion.name, names.join(", "))
+    };
+    groups.iter().enumerate().map(line).collect()
+}
+
+fn not_a_group(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    assertion: &GroupAssertion,
+    pairs: &Pairs,
+) -> StructureError {
+    let mut labels = vec![label("asserted here", assertion.span)];
+    let mut listed = pairs.lower.clone();
+    listed.dedup();
+    labels.extend(listed.iter().map(|p| label("lower pair of these links", mechanism.pair(*p).span)));
+    labels.extend(pairs.higher.iter().map(|p| label("higher pair of these links", mechanism.pair(*p).span)));
+    StructureError::NotAGroup {
+        name: assertion.name.clone(),
+        formula: pairs.formula(assertion.links.len()),
+        help: instead(mechanism, structure, assertion),
+        labels,
     }
+}
+
+/// What was found with the links of the assertion.
+fn instead(mechanism: &Mechanism, structure: &Structure, assertion: &GroupAssertion) -> String {
+    let driven: Vec<String> = found(mechanism, structure, assertion)
+        .filter(|&i| structure.motion[i].kind == GroupKind::Driven)
+        .flat_map(|i| links(mechanism, structure, &structure.motion[i]))
+        .map(|l| format!("`{}`", mechanism.link(l).name))
+        .collect();
+    let is = if driven.len() == 1 { "is driven and belongs" } else { "are driven and belong" };
+    let lines = lines(mechanism, structure, assertion);
+    let sentence = match (driven.is_empty(), lines.is_empty()) {
+        (true, true) => "leave the statement out: groups are found without it".to_owned(),
+        (true, false) => "the groups found that hold these links are".to_owned(),
+        (false, true) => format!("{} {is} to no group; leave the statement out", driven.join(", ")),
+        (false, false) => format!("{} {is} to no group; found with the rest", driven.join(", ")),
+    };
+    with_lines(&sentence, &lines)
 }
 
 /// Lower pairs (one entry per pair they count for) and higher pairs of the named links, without those that join them to
 /// links solved later: such a pair belongs to the later group.
-fn pairs_of(
-    mechanism: &Mechanism,
-    structure: &Structure,
-    assertion: &GroupAssertion,
-) -> (Vec<usize>, Vec<usize>) {
-    let rank = |link: crate::model::LinkId| {
-        let body = BodyId(link.index());
-        structure.motion.iter().position(|g| g.bodies.contains(&body))
-    };
-    let last = assertion.links.iter().map(|&l| rank(l)).max().flatten();
-    let (mut lower, mut higher) = (Vec::new(), Vec::new());
-    for (i, pair) in mechanism.pairs.iter().enumerate() {
-        let mut links = pair.kind.links();
-        links.retain(|&l| rank(l) <= last);
-        let inside = links.iter().filter(|l| assertion.links.contains(l)).count();
-        if inside == 0 || links.len() < 2 {
-            continue;
-        }
-        let outside = links.len() - inside;
-        match &pair.kind {
-            // of a pin, the links of the group turn on one carrier: outside where there is one
-            PairKind::Revolute(_) => {
-                lower.extend(std::iter::repeat_n(i, if outside > 0 { inside } else { inside - 1 }));
+struct Pairs {
+    lower: Vec<PairId>,
+    higher: Vec<PairId>,
+    /// All of them are prismatic: no link turns, and 2n = P_L counts.
+    prismatic: bool,
+}
+
+impl Pairs {
+    fn of(mechanism: &Mechanism, structure: &Structure, assertion: &GroupAssertion) -> Self {
+        let rank = |link: LinkId| {
+            let body = BodyId(link.index());
+            structure.motion.iter().position(|g| g.bodies.contains(&body))
+        };
+        let last = assertion.links.iter().map(|&l| rank(l)).max().flatten();
+        let mut this = Self { lower: Vec::new(), higher: Vec::new(), prismatic: true };
+        for (i, pair) in mechanism.pairs.iter().enumerate() {
+            let mut links = pair.kind.links();
+            if !links.iter().any(|l| assertion.links.contains(l)) {
+                continue;
             }
-            PairKind::Cylinder { .. } => {}
-            PairKind::Prismatic(_) => lower.push(i),
-            PairKind::Slot(_) | PairKind::Contact { .. } => higher.push(i),
+            links.retain(|&l| rank(l) <= last);
+            let inside = links.iter().filter(|l| assertion.links.contains(l)).count();
+            if inside == 0 || links.len() < 2 {
+                continue;
+            }
+            let outside = links.len() - inside;
+            let id = PairId::at(i);
+            match &pair.kind {
+                // of a pin, the links of the group turn on one carrier: outside where there is one
+                PairKind::Revolute(_) => {
+                    let count = if outside > 0 { inside } else { inside - 1 };
+                    this.lower.extend(std::iter::repeat_n(id, count));
+                }
+                // two links with three lower pairs: they count for nothing
+                PairKind::Cylinder { .. } => {}
+                PairKind::Prismatic(_) => this.lower.push(id),
+                PairKind::Slot(_) | PairKind::Contact { .. } => this.higher.push(id),
+            }
+            this.prismatic &= matches!(pair.kind, PairKind::Prismatic(_));
         }
+        this
     }
-    (lower, higher)
+
+    /// What is left of the freedoms of n links.
+    fn rest(&self, n: usize) -> i64 {
+        let signed = |x: usize| i64::try_from(x).unwrap_or(i64::MAX);
+        if self.prismatic {
+            return 2 * signed(n) - signed(self.lower.len());
+        }
+        3 * signed(n) - 2 * signed(self.lower.len()) - signed(self.higher.len())
+    }
+
+    fn formula(&self, n: usize) -> String {
+        let (lower, higher, rest) = (self.lower.len(), self.higher.len(), whole(self.rest(n)));
+        if self.prismatic {
+            return format!("with prismatic pairs alone 2n − P_L = 2·{n} − {lower} = {rest}");
+        }
+        if higher == 0 {
+            return format!("3n − 2P_L = 3·{n} − 2·{lower} = {rest}");
+        }
+        format!("3n − 2P_L − P_H = 3·{n} − 2·{lower} − {higher} = {rest}")
+    }
 }

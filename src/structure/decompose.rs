@@ -4,10 +4,11 @@
 //! scalar unknown to an equation of equilibrium). Bodies that hang together in a circle through the matching form one
 //! group; this is the fine decomposition of Dulmage and Mendelsohn, so that the groups are the smallest possible.
 
-use super::effort::{Effort, EffortKind};
+use super::effort::Effort;
 use super::group::{Group, GroupJoint};
-use super::joint::{BodyId, Joint, JointId, JointKind, Replaced};
-use super::matching::{Condition, Matching, components, match_all};
+use super::incidence::{Defect, Incidence, Owner};
+use super::joint::{BodyId, JointId, JointKind, Replaced};
+use super::matching::{Matching, components, match_all};
 
 /// Which of the two dual problems is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,136 +19,6 @@ pub(super) enum Side {
     Forces,
 }
 
-/// What does not match.
-#[derive(Clone, Debug)]
-pub(super) struct Defect {
-    /// Bodies and joints (efforts by index) with too many conditions.
-    pub over: Part,
-    /// Bodies and joints with too few.
-    pub under: Part,
-}
-
-/// Part of a mechanism.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Part {
-    pub bodies: Vec<BodyId>,
-    pub joints: Vec<JointId>,
-    pub efforts: Vec<usize>,
-}
-
-#[derive(Clone, Copy)]
-enum Owner {
-    Joint(JointId),
-    Effort(usize),
-    Passive,
-}
-
-/// Conditions with their owners, over nodes: two per body (place with two freedoms, angle with one), one per pin of more
-/// than two links (two freedoms).
-struct Incidence {
-    conditions: Vec<Condition>,
-    owners: Vec<Owner>,
-    capacity: Vec<usize>,
-    bodies: usize,
-}
-
-impl Incidence {
-    fn new(replaced: &Replaced, efforts: &[Effort]) -> Self {
-        let mut capacity: Vec<usize> =
-            replaced.bodies.iter().flat_map(|b| if b.known { [0, 0] } else { [2, 1] }).collect();
-        let mut this = Self {
-            conditions: Vec::new(),
-            owners: Vec::new(),
-            capacity: Vec::new(),
-            bodies: replaced.bodies.len(),
-        };
-        for (i, joint) in replaced.joints.iter().enumerate() {
-            this.add_joint(replaced, JointId(i), joint, &mut capacity);
-        }
-        for link in &replaced.passive {
-            this.add(Owner::Passive, vec![2 * link.index() + 1]);
-        }
-        for (i, effort) in efforts.iter().enumerate() {
-            this.add_effort(replaced, i, effort);
-        }
-        this.capacity = capacity;
-        this
-    }
-
-    fn add(&mut self, owner: Owner, nodes: Vec<usize>) {
-        self.conditions.push(Condition { nodes });
-        self.owners.push(owner);
-    }
-
-    fn place_and_angle(replaced: &Replaced, bodies: &[BodyId]) -> Vec<usize> {
-        let unknown = bodies.iter().filter(|b| !replaced.bodies[b.0].known);
-        unknown.flat_map(|b| [2 * b.0, 2 * b.0 + 1]).collect()
-    }
-
-    fn angles(replaced: &Replaced, bodies: &[BodyId]) -> Vec<usize> {
-        bodies.iter().filter(|b| !replaced.bodies[b.0].known).map(|b| 2 * b.0 + 1).collect()
-    }
-
-    fn add_joint(&mut self, replaced: &Replaced, id: JointId, joint: &Joint, capacity: &mut Vec<usize>) {
-        match &joint.kind {
-            JointKind::Revolute(members) if members.len() > 2 => {
-                let pin = capacity.len();
-                capacity.push(2);
-                for member in members {
-                    let mut nodes = Self::place_and_angle(replaced, &[member.0]);
-                    nodes.push(pin);
-                    self.add(Owner::Joint(id), nodes.clone());
-                    self.add(Owner::Joint(id), nodes);
-                }
-            }
-            JointKind::Revolute(_) => {
-                let nodes = Self::place_and_angle(replaced, &joint.bodies());
-                self.add(Owner::Joint(id), nodes.clone());
-                self.add(Owner::Joint(id), nodes);
-            }
-            JointKind::Prismatic { angle_redundant, .. } => {
-                if !angle_redundant {
-                    self.add(Owner::Joint(id), Self::angles(replaced, &joint.bodies()));
-                }
-                self.add(Owner::Joint(id), Self::place_and_angle(replaced, &joint.bodies()));
-            }
-        }
-    }
-
-    fn add_effort(&mut self, replaced: &Replaced, index: usize, effort: &Effort) {
-        let bodies = effort.bodies(replaced);
-        let nodes = match effort.kind {
-            EffortKind::Point(_) => return,
-            EffortKind::Angle(_) | EffortKind::RelativeAngle { .. } => Self::angles(replaced, &bodies),
-            EffortKind::Coordinate(_) | EffortKind::Line(_) => Self::place_and_angle(replaced, &bodies),
-        };
-        self.add(Owner::Effort(index), nodes);
-    }
-
-    /// The body of a node, or the number of bodies plus that of the pin.
-    fn vertex(&self, node: usize) -> usize {
-        if node < 2 * self.bodies { node / 2 } else { node - self.bodies }
-    }
-
-    fn part(&self, (conditions, nodes): (Vec<usize>, Vec<usize>)) -> Part {
-        let mut part = Part::default();
-        for node in nodes {
-            let vertex = self.vertex(node);
-            if vertex < self.bodies && !part.bodies.contains(&BodyId(vertex)) {
-                part.bodies.push(BodyId(vertex));
-            }
-        }
-        for condition in conditions {
-            match self.owners[condition] {
-                Owner::Joint(j) if !part.joints.contains(&j) => part.joints.push(j),
-                Owner::Effort(e) => part.efforts.push(e),
-                _ => {}
-            }
-        }
-        part
-    }
-}
-
 /// Groups in the order of solution.
 pub(super) fn decompose(
     replaced: &Replaced,
@@ -156,10 +27,8 @@ pub(super) fn decompose(
 ) -> Result<Vec<Group>, Box<Defect>> {
     let incidence = Incidence::new(replaced, efforts);
     let matching = match_all(&incidence.conditions, &incidence.capacity);
-    let over = matching.overdetermined(&incidence.conditions);
-    let under = matching.underdetermined(&incidence.conditions, &incidence.capacity);
-    if !(over.0.is_empty() && under.1.is_empty()) {
-        return Err(Box::new(Defect { over: incidence.part(over), under: incidence.part(under) }));
+    if let Some(defect) = incidence.defect(replaced, &matching) {
+        return Err(Box::new(defect));
     }
     let order = order(&incidence, &matching, side);
     let members = Members::new(replaced, &order, side);

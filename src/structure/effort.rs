@@ -1,6 +1,6 @@
 //! What is known of the motion (drives) and what is unknown of the forces (balances): one place in the mechanism each.
 
-use super::error::StructureError;
+use super::error::{StructureError, label};
 use super::joint::{BodyId, JointId, JointKind, Replaced};
 use crate::math::Vec2;
 use crate::model::{BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, Mechanism, PairId, PairKind};
@@ -62,7 +62,7 @@ fn body(link: LinkId) -> BodyId {
 }
 
 /// The effort inside a pair, positive along its coordinate. `None` where the pair has none (a contact, a pin of many links).
-fn in_pair(mechanism: &Mechanism, replaced: &Replaced, pair: PairId) -> Option<EffortKind> {
+pub(super) fn in_pair(mechanism: &Mechanism, replaced: &Replaced, pair: PairId) -> Option<EffortKind> {
     let mut joints = replaced.joints_of(pair);
     match &mechanism.pair(pair).kind {
         PairKind::Revolute(pins) => match pins.as_slice() {
@@ -138,7 +138,15 @@ pub(super) fn outer_link_defects(
                 JointKind::Prismatic { slider, guide, .. } => *slider != outer && *guide != outer,
             };
             if !at_point {
-                errors.push(StructureError::outer_link(mechanism, drive, joint.pair));
+                let pair = mechanism.pair(joint.pair);
+                errors.push(StructureError::OuterLink {
+                    drive: format!("drive {}", drive.name),
+                    pair: pair.name.clone(),
+                    labels: vec![
+                        label("moves one point only", drive.span),
+                        label("joins the link elsewhere", pair.span),
+                    ],
+                });
             }
         }
     }

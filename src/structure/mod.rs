@@ -5,12 +5,18 @@ mod assertion;
 mod class;
 mod count;
 mod decompose;
+mod diagnose;
 mod effort;
 mod error;
+mod floating;
 mod group;
+mod incidence;
 mod joint;
 mod matching;
+mod remedy;
+mod repeated;
 mod replace;
+mod trial;
 
 pub use count::Count;
 pub use effort::{Effort, EffortKind, EffortSource};
@@ -49,7 +55,7 @@ pub struct Structure {
 /// # Errors
 /// All defects found: loose and floating links, over- and underconstrained parts, assertions that do not hold.
 pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError>), Vec<StructureError>> {
-    let mut errors = error::floating_links(mechanism);
+    let mut errors = floating::floating(mechanism);
     let replaced = replace::replace(mechanism);
     let drives = effort::of_drives(mechanism, &replaced);
     errors.extend(effort::outer_link_defects(mechanism, &replaced, &drives));
@@ -57,15 +63,20 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
         return Err(errors);
     }
     let count = count::count(mechanism, &replaced, &drives);
-    let motion = decompose::decompose(&replaced, &drives, decompose::Side::Motion);
-    let motion = match motion {
+    let motion = match decompose::decompose(&replaced, &drives, decompose::Side::Motion) {
         Ok(groups) => groups,
-        Err(defect) => return Err(vec![error::of_motion(mechanism, &replaced, &count, &drives, &defect)]),
+        Err(defect) => {
+            let trial = trial::Trial { mechanism, replaced: &replaced, efforts: &drives };
+            return Err(vec![diagnose::of_motion(trial, &count, &defect)]);
+        }
     };
     let efforts = effort::of_balances(mechanism, &replaced);
     let (forces, force_defect) = match decompose::decompose(&replaced, &efforts, decompose::Side::Forces) {
         Ok(groups) => (groups, None),
-        Err(defect) => (Vec::new(), Some(error::of_forces(mechanism, &replaced, &count, &efforts, &defect))),
+        Err(defect) => {
+            let trial = trial::Trial { mechanism, replaced: &replaced, efforts: &efforts };
+            (Vec::new(), Some(diagnose::of_forces(trial, &count, &defect)))
+        }
     };
     let mut structure = Structure {
         passive: replaced.passive.clone(),

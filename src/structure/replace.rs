@@ -37,7 +37,7 @@ fn body(link: LinkId) -> BodyId {
 }
 
 impl Replaced {
-    fn add_pair(&mut self, pair: PairId, kind: &PairKind) {
+    pub(super) fn add_pair(&mut self, pair: PairId, kind: &PairKind) {
         match kind {
             PairKind::Revolute(pins) => {
                 self.revolute(pair, pins.iter().map(|p| (body(p.link), p.at)).collect());
@@ -193,7 +193,7 @@ fn is_free_roller(mechanism: &Mechanism, link: LinkId) -> bool {
 
 /// Marks prismatic joints whose condition on the angle follows from others (a spanning forest from the ground keeps
 /// those nearest to it), and all that lie on a closed chain of prismatic joints.
-fn mark_chains(replaced: &mut Replaced) {
+pub(super) fn mark_chains(replaced: &mut Replaced) {
     let edges: Vec<(usize, usize, usize)> = replaced
         .joints
         .iter()

@@ -1,0 +1,99 @@
+//! Links that hang on nothing, and islands of links that no pair joins to the ground.
+
+use super::error::{StructureError, label, listed};
+use crate::model::{DriveTarget, LinkId, Mechanism, PairKind};
+use crate::source::Span;
+
+/// More labels than this tell nothing.
+pub(super) const MOST_LABELS: usize = 12;
+/// More names than this are counted.
+const MOST_NAMES: usize = 6;
+
+/// Every island. The ground and links driven at a point are firm.
+pub(super) fn floating(mechanism: &Mechanism) -> Vec<StructureError> {
+    let island = islands(mechanism);
+    let mut firm = vec![false; mechanism.links.len()];
+    let roots = mechanism.drives.iter().filter_map(|d| match d.target {
+        DriveTarget::Point(link, _) => Some(link.index()),
+        _ => None,
+    });
+    for root in roots.chain([0]) {
+        firm[island[root]] = true;
+    }
+    let mut members: Vec<Vec<LinkId>> = vec![Vec::new(); mechanism.links.len()];
+    for (i, &island) in island.iter().enumerate().filter(|(_, island)| !firm[**island]) {
+        members[island].push(LinkId::at(i));
+    }
+    members.into_iter().filter(|links| !links.is_empty()).map(|links| describe(mechanism, &links)).collect()
+}
+
+/// The island of every link, named by one of its links.
+fn islands(mechanism: &Mechanism) -> Vec<usize> {
+    let mut parent: Vec<usize> = (0..mechanism.links.len()).collect();
+    let mut join = |a: LinkId, b: LinkId| {
+        let (a, b) = (root(&mut parent, a.index()), root(&mut parent, b.index()));
+        parent[a.max(b)] = a.min(b);
+    };
+    for pair in &mechanism.pairs {
+        let links = pair.kind.links();
+        links.windows(2).for_each(|two| join(two[0], two[1]));
+        if let PairKind::Cylinder { barrel, rod, from, to } = &pair.kind {
+            join(*barrel, from.link);
+            join(*rod, to.link);
+        }
+    }
+    (0..parent.len()).map(|i| root(&mut parent, i)).collect()
+}
+
+fn root(parent: &mut [usize], mut at: usize) -> usize {
+    while parent[at] != at {
+        parent[at] = parent[parent[at]];
+        at = parent[at];
+    }
+    at
+}
+
+fn describe(mechanism: &Mechanism, links: &[LinkId]) -> StructureError {
+    let help = help(mechanism, links);
+    if let [one] = links {
+        let link = mechanism.link(*one);
+        return StructureError::FloatingLink { name: link.name.clone(), help, span: link.span.into() };
+    }
+    let places = links.iter().map(|l| mechanism.link(*l).span).filter(|s| *s != Span::default());
+    let labels = places.take(MOST_LABELS).map(|s| label("not joined to the ground", s)).collect();
+    StructureError::NotGrounded { names: names(mechanism, links.iter().copied()), help, labels }
+}
+
+/// `` `a`, `b` and `c` ``, the last ones counted where there are many.
+pub(super) fn names(mechanism: &Mechanism, links: impl Iterator<Item = LinkId>) -> String {
+    let mut names: Vec<String> = links.map(|l| format!("`{}`", mechanism.link(l).name)).collect();
+    let more = names.len().saturating_sub(MOST_NAMES);
+    if more > 1 {
+        names.truncate(MOST_NAMES);
+        names.push(format!("{more} more"));
+    }
+    listed(&names, "and")
+}
+
+/// A pair that would join the island: at a point of one name on both sides, else an example.
+fn help(mechanism: &Mechanism, links: &[LinkId]) -> String {
+    let it = if links.len() == 1 { "it" } else { "them" };
+    let outside = || (0..mechanism.links.len()).map(LinkId::at).filter(|l| !links.contains(l));
+    for &link in links {
+        for point in &mechanism.link(link).points {
+            let has = |l: &LinkId| mechanism.link(*l).points.iter().any(|p| p.name == point.name);
+            if let Some(other) = outside().find(has) {
+                let (name, other, link) =
+                    (&point.name, &mechanism.link(other).name, &mechanism.link(link).name);
+                return format!(
+                    "join {it} by a pair, as in `revolute {name}: {other} - {link}`, or remove {it}"
+                );
+            }
+        }
+    }
+    let named = links.iter().find_map(|l| Some((mechanism.link(*l), mechanism.link(*l).points.last()?)));
+    let (link, point) = named.map_or(("LINK", "P"), |(l, p)| (l.name.as_str(), p.name.as_str()));
+    format!(
+        "give the ground a point `{point}` too and add `revolute {point}: ground - {link}`, or remove {it}"
+    )
+}
