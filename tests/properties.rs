@@ -23,12 +23,16 @@ mod invariance;
 mod jet;
 #[path = "properties/loads.rs"]
 mod loads;
+#[path = "properties/machines.rs"]
+mod machines;
 #[path = "properties/random.rs"]
 mod random;
 #[path = "properties/reference.rs"]
 mod reference;
 #[path = "properties/run.rs"]
 mod run;
+#[path = "properties/sweeps.rs"]
+mod sweeps;
 
 use compare::{Worst, compare};
 use draft::Draft;
@@ -95,4 +99,23 @@ fn answers_do_not_hang_on_frames_scales_names_and_order() {
 #[test]
 fn rates_are_the_differences_of_what_they_are_rates_of() {
     for_all(4000..4300, |draft, _, run| derivatives::derivatives(draft, run));
+}
+
+#[test]
+fn every_kind_of_group_is_made_often() {
+    let mut made = std::collections::BTreeMap::new();
+    let (mut compared, mut far) = (0, 0);
+    for seed in 0..2500 {
+        let draft = generate::mechanism(seed);
+        let reference = Reference::new(&draft.mechanism, &draft.frames);
+        let forces = reference.as_ref().and_then(|r| r.forces.as_ref());
+        let whole = forces.is_some_and(|f| !f.doubtful && f.condition > 0.0);
+        compared += usize::from(whole);
+        far += usize::from(whole && !draft.mechanism.balances.is_empty());
+        for group in &draft.made {
+            *made.entry(group.kind).or_insert(0) += 1;
+        }
+    }
+    assert!(compared > 2000 && far > 1000, "{compared} compared, {far} with balances");
+    assert!(made.len() == 9 && made.values().all(|&n| n > 150), "{made:?}");
 }
