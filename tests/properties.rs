@@ -5,6 +5,8 @@
 mod change;
 #[path = "properties/compare.rs"]
 mod compare;
+#[path = "properties/degenerate.rs"]
+mod degenerate;
 #[path = "properties/derivatives.rs"]
 mod derivatives;
 #[path = "properties/draft.rs"]

@@ -253,7 +253,12 @@ const fn force_result(query: &Query) -> Option<&'static str> {
         Query::LineOffset(_) => Some("the place of a reaction"),
         Query::Balance(_) => Some("an unknown load"),
         Query::Effort(_) => Some("the effort of a drive"),
-        Query::BalancePower(_) | Query::LoadPower(_) | Query::EffortPower(_) => Some("a power"),
+        Query::BalancePower(_) | Query::LoadPower(_) | Query::EffortPower(_) | Query::FrictionPower(_) => {
+            Some("a power")
+        }
+        Query::Friction(..) => Some("a friction force"),
+        Query::Efficiency | Query::Locked => Some("the efficiency"),
+        Query::Critical(_) => Some("a critical value"),
         _ => None,
     }
 }

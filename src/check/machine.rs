@@ -2,7 +2,8 @@
 
 use super::context::Context;
 use super::{
-    assemble, balance, cam, drive, element, gravity, link, load, mass, pair, pose, simulation, spring, value,
+    assemble, balance, cam, drive, element, friction, gravity, link, load, mass, pair, pose, simulation,
+    spring, value,
 };
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
@@ -22,4 +23,5 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     element::elements(cx);
     cam::cams_and_flywheels(cx);
     simulation::simulation(cx);
+    friction::no_motion(cx);
 }

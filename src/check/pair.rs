@@ -5,9 +5,9 @@ use super::error::{NameError, PairError};
 use super::lookup::is_linkage_pair;
 use super::pair_property::{Shared, phrase, properties, shared};
 use super::prismatic::{Held, guide};
-use super::{contact, element};
+use super::{contact, element, friction};
 use crate::math::Vec2;
-use crate::model::{GroupAssertion, Link, LinkId, Pair, PairKind, Pin};
+use crate::model::{Friction, GroupAssertion, Link, LinkId, Pair, PairKind, Pin};
 use crate::source::{Span, Spanned};
 use crate::syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
 
@@ -23,14 +23,19 @@ pub(super) fn pairs(cx: &mut Context<'_>) {
         }
         if !is_linkage_pair(joint.kind.node) {
             element::transmission(cx, joint, statement.span);
-        } else if let Some(kind) = pair(cx, joint, &shared, &mut held) {
+        } else if let Some((kind, friction)) = pair(cx, joint, &shared, &mut held) {
             let (name, span) = (joint.name.node.clone(), joint.name.span);
-            cx.mech.pairs.push(Pair { name, span, kind, friction: None });
+            cx.mech.pairs.push(Pair { name, span, kind, friction });
         }
     }
 }
 
-fn pair(cx: &mut Context<'_>, joint: &Joint, shared: &Shared, held: &mut Held) -> Option<PairKind> {
+fn pair(
+    cx: &mut Context<'_>,
+    joint: &Joint,
+    shared: &Shared,
+    held: &mut Held,
+) -> Option<(PairKind, Option<Friction>)> {
     let properties = properties(cx, joint, shared);
     let ends = ends(cx, joint)?;
     let kind = match joint.kind.node {
@@ -39,7 +44,8 @@ fn pair(cx: &mut Context<'_>, joint: &Joint, shared: &Shared, held: &mut Held) -
         JointKind::Contact => contact::contact(cx, joint, &ends, properties.as_deref()),
         _ => cylinder(cx, joint, &ends),
     };
-    properties.and(kind)
+    let friction = properties.map(|p| friction::law(cx, joint, &p));
+    Some((kind?, friction?))
 }
 
 impl Context<'_> {

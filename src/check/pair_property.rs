@@ -1,4 +1,4 @@
-//! Properties of pairs. Friction is read here, and noted as what cannot be solved yet.
+//! Properties of pairs.
 
 use super::context::Context;
 use super::element;
@@ -9,8 +9,11 @@ use crate::units::Dimension;
 
 const FRICTION: Spec =
     Spec { name: "friction", takes: Takes::NotNegative(Dimension::NUMBER), example: "friction 0.1" };
-const FIT: Spec =
-    Spec { name: "fit", takes: Takes::Word(&["even", "worn"], Dimension::NUMBER), example: "fit even" };
+const FIT: Spec = Spec {
+    name: "fit",
+    takes: Takes::Word(&["line", "even", "worn"], Dimension::NUMBER),
+    example: "fit even",
+};
 
 const REVOLUTE: &[Spec] = &[
     Spec { name: "radius", takes: Takes::Positive(Dimension::LENGTH), example: "radius 20 mm" },
@@ -39,7 +42,7 @@ const PRISMATIC: &[Spec] = &[
 const CONTACT: &[Spec] = &[FRICTION, Spec { name: "internal", takes: Takes::Flag, example: "internal" }];
 
 /// The three ways to say how much friction there is.
-const AMOUNTS: [&str; 3] = ["friction", "friction_circle", "equivalent_friction"];
+pub(super) const AMOUNTS: [&str; 3] = ["friction", "friction_circle", "equivalent_friction"];
 
 /// The properties a joint may have.
 pub(super) const fn specs(kind: JointKind) -> &'static [Spec] {
@@ -53,12 +56,12 @@ pub(super) const fn specs(kind: JointKind) -> &'static [Spec] {
     }
 }
 
-/// The properties of a pair of the linkage, those from `all` included. `None` where one is wrong. Friction is noted as unsupported.
+/// The properties of a pair of the linkage, those from `all` included. `None` where one is wrong.
 pub(super) fn properties(cx: &mut Context<'_>, joint: &Joint, shared: &Shared) -> Option<Vec<Read>> {
     let kind = joint.kind.node;
     let what = phrase(kind);
-    let own = read(cx, &what, &joint.properties, specs(kind));
-    let mut all = own?;
+    let mut all = read(cx, &what, &joint.properties, specs(kind))?;
+    let own = all.len();
     let says_friction = all.iter().any(|p| AMOUNTS.contains(&p.name));
     for shared in shared.iter().filter(|s| s.0 == kind).flat_map(|s| &s.1) {
         let overruled = says_friction && AMOUNTS.contains(&shared.name);
@@ -66,11 +69,13 @@ pub(super) fn properties(cx: &mut Context<'_>, joint: &Joint, shared: &Shared) -
             all.push(shared.clone());
         }
     }
-    complete(cx, kind, joint, &all)?;
-    let rubs = |p: &&Read| AMOUNTS.contains(&p.name) && p.number() > 0.0;
-    if let Some(span) = all.iter().find(rubs).map(|p| p.span) {
-        cx.unsupported(format!("friction in {what}"), span);
+    // what `all` says beside a coefficient means nothing to a pair that has none
+    if find(&all, "friction").is_none() {
+        let beside = |p: &Read| matches!(p.name, "fit" | "groove");
+        let kept = all.drain(..).enumerate().filter(|(i, p)| *i < own || !beside(p));
+        all = kept.map(|(_, p)| p).collect();
     }
+    complete(cx, kind, joint, &all)?;
     Some(all)
 }
 

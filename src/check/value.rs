@@ -230,7 +230,13 @@ impl Context<'_> {
             poseless &= match part {
                 model::Expr::Quantity(id) => self.needs_no_pose(*id),
                 model::Expr::Query(q) => {
-                    matches!(q, model::Query::Stroke(_) | model::Query::TimeRatio(_) | model::Query::Dead(..))
+                    matches!(
+                        q,
+                        model::Query::Stroke(_)
+                            | model::Query::TimeRatio(_)
+                            | model::Query::Dead(..)
+                            | model::Query::Critical(_)
+                    )
                 }
                 _ => true,
             };

@@ -148,6 +148,7 @@ pub const CODES: &[Code] = codes! {
     "expect" / "count",
     "expect" / "list_at_pose",
     "expect" / "unknown_pose",
+    "friction" / "no_motion",
 
     // structure
     "determinacy" / "floating_link",
@@ -165,6 +166,20 @@ pub const CODES: &[Code] = codes! {
     // plan
 
     // solve
+    "assembly" / "does_not_close",
+    "assembly" / "ambiguous",
+    "assembly" / "hint_not_met",
+    "assembly" / "not_found",
+    "assembly" / "partial_sweep",
+    "assembly" / "branch_switch",
+    "solve" / "dead_position",
+    "solve" / "ill_conditioned",
+    "solve" / "contact_pulls",
+    "solve" / "no_extreme",
+    "solve" / "effort_cannot_hold",
+    "solve" / "not_finite",
+    "request" / "not_supported_yet",
+    "request" / "needs_speed",
 
     // element
 

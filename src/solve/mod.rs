@@ -2,6 +2,7 @@
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
 mod assemble;
+mod choices;
 mod contact;
 mod coordinate;
 mod driven_legs;
@@ -17,8 +18,10 @@ mod general;
 mod inputs;
 mod loads;
 mod motion;
+mod notes;
 mod pose;
 mod positions;
+mod refused;
 mod residual;
 mod solution;
 mod state;
@@ -26,6 +29,7 @@ mod substitution;
 mod sweep;
 mod track;
 mod view;
+mod words;
 
 pub use error::SolveError;
 pub use evaluate::compare;

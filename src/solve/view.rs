@@ -225,13 +225,8 @@ impl View<'_> {
     /// Slots of reactions that act on a link in a pair, with their signs.
     fn slots(&self, pair: PairId, link: LinkId) -> impl Iterator<Item = (usize, f64)> + '_ {
         // of a pin in a slot: what the block that stands for it exchanges with the slot, without an effort along it
-        let blocks = self.structure.replaced.joints_of(pair);
-        let mut blocks = blocks.filter_map(|j| match self.structure.replaced.joint(j).kind {
-            JointKind::Prismatic { slider, .. } => Some(slider),
-            JointKind::Revolute(_) => None,
-        });
         let in_slot = match &self.mechanism.pair(pair).kind {
-            PairKind::Slot(g) => blocks.next().map(|block| (g.slider, block)),
+            PairKind::Slot(g) => self.block(pair).map(|block| (g.slider, block)),
             _ => None,
         };
         let body = match in_slot {
@@ -251,6 +246,15 @@ impl View<'_> {
             } else {
                 None
             }
+        })
+    }
+
+    /// The imaginary block of a pin in a slot.
+    fn block(&self, pair: PairId) -> Option<BodyId> {
+        let replaced = &self.structure.replaced;
+        replaced.joints_of(pair).find_map(|j| match replaced.joint(j).kind {
+            JointKind::Prismatic { slider, .. } => Some(slider),
+            JointKind::Revolute(_) => None,
         })
     }
 

@@ -40,8 +40,10 @@ fn a_parallelogram_stays_one_through_both_change_points() {
         ([0.3, 0.5, 0.3, 0.5], 2.0 * TAU, 720),
         ([0.2, 0.7, 0.2, 0.7], -2.0 * TAU, 100),
         ([0.13, 0.37, 0.13, 0.37], TAU + 0.1, 37),
+        // poses in the change points themselves
+        ([0.3, 0.5, 0.3, 0.5], 2.0 * TAU, 48),
     ] {
-        let start = 1.0;
+        let start = if steps == 48 { PI / 6.0 } else { 1.0 };
         let m = positions_only(four_bar(lengths, true, range(start, start + to, steps)));
         let run = run(&m);
         let poses = run.solution.as_ref().expect("it closes").poses.len();
@@ -71,8 +73,15 @@ fn an_antiparallelogram_stays_one() {
 
 #[test]
 fn equal_crank_and_rod_go_through_90_degrees() {
-    for (steps, to) in [(36, PI), (7, PI), (360, TAU + 0.2), (360, -TAU)] {
-        let m = positions_only(crank_slider(0.25, 0.25, 0.0, range(0.2, 0.2 + to, steps)));
+    for (from, to, steps) in [
+        (0.2, PI, 36),
+        (0.2, PI, 7),
+        (0.2, TAU + 0.2, 360),
+        (0.2, -TAU, 360),
+        (0.0, PI, 36),
+        (PI / 6.0, TAU, 24),
+    ] {
+        let m = positions_only(crank_slider(0.25, 0.25, 0.0, range(from, from + to, steps)));
         let run = run(&m);
         let poses = run.solution.as_ref().expect("it closes").poses.len();
         for pose in 0..poses {

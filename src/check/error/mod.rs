@@ -1,12 +1,14 @@
 //! What can be wrong with the meaning of a document: one enum per topic.
 
 mod expect;
+mod friction;
 mod geometry;
 mod name;
 mod request;
 mod unit;
 
 pub use expect::ExpectError;
+pub use friction::FrictionError;
 pub use geometry::{LinkError, LoadError, MotionError, PairError};
 pub use name::NameError;
 pub use request::RequestError;

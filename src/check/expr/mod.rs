@@ -74,7 +74,10 @@ impl Context<'_> {
 
     fn without_pose(&mut self, found: model::Expr, expr: &Expr, what: &str) -> Option<model::Expr> {
         let found = self.inline(&found, expr.span)?;
-        if !self.is_poseless(&found) {
+        // a critical value is found from the solved mechanism
+        let mut of_solution = false;
+        found.queries(&mut |q| of_solution |= matches!(q, model::Query::Critical(_)));
+        if of_solution || !self.is_poseless(&found) {
             self.error(RequestError::NeedsPose { what: what.to_owned(), span: expr.span });
             return None;
         }

@@ -314,7 +314,7 @@ impl Context<'_> {
     }
 
     /// Reports a constant that is no number.
-    pub(super) fn finite(&mut self, t: Typed, why: &'static str, span: Span) -> Option<Typed> {
+    pub(in crate::check) fn finite(&mut self, t: Typed, why: &'static str, span: Span) -> Option<Typed> {
         let fine = match t.value() {
             Some(Value::Scalar(x)) => x.is_finite(),
             Some(Value::Vector(v)) => v.x.is_finite() && v.y.is_finite(),

@@ -51,10 +51,7 @@ impl Context<'_> {
             }
             "moment" => number(Query::Moment(pair, link), Dimension::TORQUE),
             "normal" => number(Query::Normal(pair, link), Dimension::FORCE),
-            _ => {
-                self.unsupported("friction", call.span);
-                Typed::pending(Type::number(Dimension::FORCE))
-            }
+            _ => number(Query::Friction(pair, link), Dimension::FORCE),
         };
         Some(typed)
     }

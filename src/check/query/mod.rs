@@ -1,7 +1,9 @@
 //! Functions of results: `velocity(C)`, `reaction(B, rod)`, `stroke(G)`.
 
 mod args;
+mod bearing;
 mod force;
+mod friction;
 mod motion;
 mod pending;
 mod substitution;
@@ -68,6 +70,10 @@ impl Context<'_> {
             "static_substitution" | "dynamic_substitution" => self.substitution_alone(call),
             "effort" => self.effort(call),
             "power" => self.power(call),
+            "efficiency" | "locked" => self.verdict(call),
+            "critical" => self.critical(call),
+            "frictionless" => self.frictionless(call),
+            "journal_torque" | "thrust_torque" => self.bearing(call),
             name if FUNCTIONS.iter().any(|f| f.name == name) => self.not_yet(call),
             _ => {
                 self.no_function(call);

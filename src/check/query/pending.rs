@@ -7,7 +7,7 @@ use crate::check::expr::typed::{Dim, Type, Typed};
 use crate::check::lookup::suggestion;
 use crate::check::names::{QuantityKind, ThingKind};
 use crate::source::Spanned;
-use crate::syntax::document::{Arg, Expr, ExprKind, JointKind, Name};
+use crate::syntax::document::{ExprKind, JointKind, Name};
 use crate::units::Dimension;
 
 const ANY: Type = Type::Number(Dim::Any);
@@ -16,16 +16,11 @@ impl Context<'_> {
     /// A function that cannot be solved yet.
     pub(super) fn not_yet(&mut self, call: Call<'_>) -> Option<Typed> {
         let (what, ty) = match call.name.node.as_str() {
-            "efficiency" => ("efficiency", self.without_arguments(call, Type::number(Dimension::NUMBER))?),
-            "locked" => ("locking", self.without_arguments(call, Type::Truth)?),
-            "critical" => ("critical values", self.critical(call)?),
-            "frictionless" => ("answers without friction", self.one_value(call)?.ty),
             "max" | "min" | "mean" => ("functions over a sweep", self.one_value(call)?.ty),
             "integral" | "argmax" => {
                 self.one_value(call)?;
                 ("functions over a sweep", ANY)
             }
-            "journal_torque" | "thrust_torque" => ("bearing friction", self.bearing(call)?),
             "speed" => {
                 self.element(call, "a slider", |k| matches!(k, ThingKind::Slider))?;
                 ("sliders on ropes", Type::number(Dimension::VELOCITY))
@@ -54,30 +49,9 @@ impl Context<'_> {
         Some(Typed::pending(ty))
     }
 
-    fn without_arguments(&mut self, call: Call<'_>, ty: Type) -> Option<Type> {
-        self.arguments(call, 0, 0).map(|_| ty)
-    }
-
     fn one_value(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         self.read(args[0])
-    }
-
-    /// `critical(al)`: a `given`.
-    fn critical(&mut self, call: Call<'_>) -> Option<Type> {
-        let args = self.arguments(call, 1, 1)?;
-        let ExprKind::Name(name) = &args[0].kind else {
-            self.wrong_argument(call, "the name of a `given`", args[0].span);
-            return None;
-        };
-        let declared = self.names.quantities.get(name).map(|d| d.what);
-        match declared {
-            Some(QuantityKind::Given(_)) | None => self.read(args[0]).map(|t| t.ty),
-            Some(_) => {
-                self.wrong_argument(call, "the name of a `given`", args[0].span);
-                None
-            }
-        }
     }
 
     /// An argument that names a machine element.
@@ -131,35 +105,4 @@ impl Context<'_> {
         let (name, span) = (name.node.clone(), name.span);
         self.error(NameError::Unknown { kind: "flywheel", name, place: String::new(), span, help });
     }
-
-    /// `journal_torque(load = …, radius = …, friction = …, fit = even)` and its like
-    fn bearing(&mut self, call: Call<'_>) -> Option<Type> {
-        for arg in call.args {
-            let Some(name) = &arg.name else {
-                self.wrong_argument(call, "an argument with a name", arg.value.span);
-                return None;
-            };
-            self.bearing_argument(call, arg, name)?;
-        }
-        Some(Type::number(Dimension::TORQUE))
-    }
-
-    fn bearing_argument(&mut self, call: Call<'_>, arg: &Arg, name: &Name) -> Option<()> {
-        let dimension = match (call.name.node.as_str(), name.node.as_str()) {
-            (_, "fit") if is_fit(&arg.value) => return Some(()),
-            (_, "friction" | "fit") => Dimension::NUMBER,
-            (_, "load") => Dimension::FORCE,
-            ("journal_torque", "radius") | ("thrust_torque", "outer" | "inner") => Dimension::LENGTH,
-            _ => {
-                self.wrong_argument(call, "another argument", name.span);
-                return None;
-            }
-        };
-        let t = self.read(&arg.value)?;
-        self.fit(t, dimension, &format!("`{}`", name.node), &arg.value).map(|_| ())
-    }
-}
-
-fn is_fit(expr: &Expr) -> bool {
-    matches!(&expr.kind, ExprKind::Name(word) if matches!(word.as_str(), "even" | "worn" | "loose"))
 }

@@ -89,8 +89,8 @@ pub const FUNCTIONS: &[FunctionRow] = &[
     of_values("mean", "mean(Mb)"),
     of_values("integral", "integral(Mb)"),
     of_values("argmax", "argmax(Mb)"),
-    of_values("journal_torque", "journal_torque(load = 5 kN, radius = 40 mm, friction = 0.1)"),
-    of_values("thrust_torque", "thrust_torque(load = 5 kN, outer = 40 mm, inner = 0, friction = 0.1)"),
+    math("journal_torque", "journal_torque(load = 5 kN, radius = 40 mm, friction = 0.1)"),
+    math("thrust_torque", "thrust_torque(load = 5 kN, outer = 40 mm, inner = 0, friction = 0.1)"),
 ];
 
 /// Whether a function's arguments are values; those of an unknown one are taken for values.
