@@ -22,8 +22,8 @@ use crate::plan::{ForceStep, FrictionElement, Plan, Rub, RubbingGroup};
 const SETTLED: f64 = 1e-9;
 /// Newton's steps are at most this many; with a solution four suffice.
 const STEPS: usize = 25;
-/// Relative velocities below this part of the greatest are none.
-const STILL: f64 = 1e-11;
+/// Velocities below this part of the greatest are none.
+pub(super) const STILL: f64 = 1e-11;
 
 /// Memory of a group with friction.
 #[derive(Clone, Debug)]
