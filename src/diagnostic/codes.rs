@@ -166,6 +166,9 @@ pub const CODES: &[Code] = codes! {
     // plan
 
     // solve
+    "friction" / "locked",
+    "friction" / "no_effort",
+    "friction" / "no_sliding",
 
     // element
 

@@ -3,6 +3,7 @@
 use super::assemble::{assemble, does_not_close, group_labels, group_name};
 use super::error::{SolveError, label};
 use super::extremes::{Statics, every_expression, statics};
+use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
 use super::positions::{Wanted, beside, sweep, turns};
 use super::solution::{DriveValue, Pose, PoseOrigin, Scene, Solution, Solved};
@@ -45,14 +46,16 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
         poses: Vec::new(),
         warnings: Vec::new(),
         worst: None,
+        friction: FrictionNotes::default(),
     };
     let trackers = run.follow(&wanted).map_err(|e| vec![e])?;
     run.beside(&wanted, &trackers);
     run.partial_sweep(wanted.len());
+    let friction = run.friction_problems();
     if let Some(warning) = run.worst.take() {
         run.warnings.push(warning.1);
     }
-    Ok(Solution { poses: run.poses, statics: run.statics, warnings: run.warnings })
+    Ok(Solution { poses: run.poses, statics: run.statics, warnings: run.warnings, friction })
 }
 
 fn not_supported(mechanism: &Mechanism) -> Vec<SolveError> {
@@ -103,6 +106,8 @@ pub(super) struct Run<'a, 's> {
     pub warnings: Vec<SolveError>,
     /// The worst condition so far and its warning.
     pub worst: Option<(f64, SolveError)>,
+    /// What is said of friction.
+    pub friction: FrictionNotes,
 }
 
 impl Run<'_, '_> {
