@@ -33,6 +33,7 @@ mod view;
 pub use error::SolveError;
 pub use evaluate::compare;
 pub use extremes::Statics;
+pub use friction_answers::Rubbing;
 pub use friction_error::FrictionError;
 pub use solution::{DriveValue, Pose, PoseOrigin, Residuals, Scene, Solution, Solved};
 pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};

@@ -4,7 +4,7 @@ use super::assemble::{group_labels, group_name};
 use super::error::{SolveError, label};
 use super::positions::Wanted;
 use super::residual::residuals;
-use super::solution::Solved;
+use super::solution::{Residuals, Solved};
 use super::state::State;
 use super::sweep::Run;
 use super::track::Tracker;
@@ -48,7 +48,10 @@ impl Run<'_, '_> {
         } else if !is_finite(&state) {
             return Err(self.not_finite(pose));
         }
-        let residuals = residuals(scene, &state);
+        let mut residuals = residuals(scene, &state);
+        if state.locked {
+            residuals = Residuals { equilibrium: None, power: None, ..residuals };
+        }
         let angles = tracker.angles.clone();
         let mut solved = Solved { state, frictionless, quantities: Vec::new(), angles, residuals, condition };
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
