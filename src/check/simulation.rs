@@ -4,6 +4,8 @@ use super::context::Context;
 use super::drive::{target, value};
 use super::element::constant;
 use super::expr::typed::Type;
+use crate::model::{Drive, Positions};
+use crate::source::Span;
 use crate::syntax::document::{Start, Statement, Until};
 use crate::units::Dimension;
 
@@ -13,7 +15,9 @@ pub(super) fn simulation(cx: &mut Context<'_>) {
     for statement in &doc.statements {
         match &statement.node {
             Statement::Start(s) => {
-                start(cx, s);
+                if let Some(drive) = start(cx, s, statement.span) {
+                    cx.mech.drives.push(drive);
+                }
                 cx.unsupported("motion under loads", statement.span);
             }
             Statement::Simulate(s) => {
@@ -43,11 +47,21 @@ fn until(cx: &mut Context<'_>, until: &Until) {
     }
 }
 
-fn start(cx: &mut Context<'_>, start: &Start) {
-    let Some((_, moves)) = target(cx, &start.target, "a start") else { return };
+/// For the structure a start is a drive: one freedom whose position is known.
+fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
+    let (target, moves) = target(cx, &start.target, "a start")?;
     let name = super::drive::text(&start.target);
-    value(cx, &start.value, moves, 0, &name);
-    if let Some(rate) = &start.rate {
-        value(cx, rate, moves, 1, &name);
-    }
+    let position = value(cx, &start.value, moves, 0, &name);
+    let speed = start.rate.as_ref().map(|rate| value(cx, rate, moves, 1, &name));
+    let (target, position) = (target?, position?);
+    let driven = cx.mech.drives.iter().any(|d| d.target == target);
+    (!driven).then(|| Drive {
+        name,
+        span,
+        target,
+        positions: Positions::List(vec![position]),
+        speed: speed.flatten(),
+        acceleration: None,
+        sense: None,
+    })
 }

@@ -169,6 +169,20 @@ pub const CODES: &[Code] = codes! {
     "friction" / "locked",
     "friction" / "no_effort",
     "friction" / "no_sliding",
+    "assembly" / "does_not_close",
+    "assembly" / "ambiguous",
+    "assembly" / "hint_not_met",
+    "assembly" / "not_found",
+    "assembly" / "partial_sweep",
+    "assembly" / "branch_switch",
+    "solve" / "dead_position",
+    "solve" / "ill_conditioned",
+    "solve" / "contact_pulls",
+    "solve" / "no_extreme",
+    "solve" / "effort_cannot_hold",
+    "solve" / "not_finite",
+    "request" / "not_supported_yet",
+    "request" / "needs_speed",
 
     // element
 

@@ -1,19 +1,21 @@
 //! Finds the assembly of the first position: all of them are tried, group by group, and `assemble` chooses.
 
-use super::error::{SolveError, label};
+use super::choices::{ambiguous, not_met, point_of};
+use super::error::SolveError;
 use super::gap::gap_text;
 use super::solution::Scene;
 use super::state::{Branch, State};
 use super::view::View;
+use super::words::{labels, links};
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, LinkId};
 use crate::plan::MotionStep;
-use crate::structure::{BodyId, BodyOrigin, Dyad, Group, GroupKind, JointKind};
+use crate::structure::BodyId;
 
 /// More assemblies than this are not followed: without a word on the first groups their number doubles with each.
 const MOST: usize = 256;
 /// Assemblies nearer than this, relative to the mechanism's extent, are one.
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 
 /// An assembly as far as it is built, with the sum of squared distances that `near` asks for.
 #[derive(Clone)]
@@ -42,7 +44,7 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
         }
         candidates = choose(scene, next, index)?;
         if candidates.len() > MOST {
-            return Err(ambiguous(scene, &candidates));
+            return Err(ambiguous(scene, &states(&candidates)));
         }
     }
     nearest(scene, candidates)
@@ -155,7 +157,7 @@ fn choose(
         let (fit, other): (Vec<_>, Vec<_>) =
             candidates.into_iter().partition(|c| fits(scene, &c.state, &hint.kind));
         if fit.is_empty() {
-            return Err(not_met(scene, hint, &other, index));
+            return Err(not_met(scene, hint, &states(&other), index));
         }
         candidates = fit;
     }
@@ -186,7 +188,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
     }
 }
 
-fn bare_view<'a>(scene: &Scene<'a>, state: &'a State) -> View<'a> {
+pub(super) fn bare_view<'a>(scene: &Scene<'a>, state: &'a State) -> View<'a> {
     static NO_STATICS: super::extremes::Statics = super::extremes::Statics::EMPTY;
     View::new(scene, state, &[], &NO_STATICS)
 }
@@ -197,190 +199,29 @@ fn nearest(scene: &Scene<'_>, candidates: Vec<Candidate>) -> Result<State, Solve
     let close = super::track::extent(scene) * SAME;
     let mut best: Vec<Candidate> =
         candidates.into_iter().filter(|c| c.far.sqrt() <= least.sqrt() + close || c.far.is_nan()).collect();
-    if best.len() == 1 { Ok(best.swap_remove(0).state) } else { Err(ambiguous(scene, &best)) }
+    if best.len() == 1 { Ok(best.swap_remove(0).state) } else { Err(ambiguous(scene, &states(&best))) }
 }
 
-/// The first group in which the first two candidates differ.
-fn ambiguous(scene: &Scene<'_>, candidates: &[Candidate]) -> SolveError {
-    let Some(first) = candidates.first() else {
-        return SolveError::Ambiguous { count: 0, help: String::new(), labels: Vec::new() };
-    };
-    let extent = super::track::extent(scene);
-    let differs = |group: &Group, other: &State| {
-        group.bodies.iter().any(|b| {
-            let (x, y) = (&first.state.bodies[b.0], &other.bodies[b.0]);
-            (x.p - y.p).norm() > SAME * extent || (x.u - y.u).norm() > SAME
-        })
-    };
-    let index = scene
-        .structure
-        .motion
-        .iter()
-        .position(|g| candidates.iter().any(|c| differs(g, &c.state)))
-        .unwrap_or(0);
-    let mut lines: Vec<String> = Vec::new();
-    for c in candidates {
-        let line = line_to_paste(scene, &c.state, index);
-        if !lines.contains(&line) {
-            lines.push(line);
-        }
-    }
-    SolveError::Ambiguous {
-        count: lines.len(),
-        help: format!(
-            "write one of\n{}",
-            lines.iter().map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n")
-        ),
-        labels: group_labels(scene, index),
-    }
-}
-
-fn not_met(scene: &Scene<'_>, hint: &Hint, others: &[Candidate], index: usize) -> SolveError {
-    let mut lines: Vec<String> = Vec::new();
-    for c in others {
-        let line = line_to_paste(scene, &c.state, index);
-        if !lines.contains(&line) {
-            lines.push(line);
-        }
-    }
-    let mut labels = vec![label("no assembly fits this", hint.span)];
-    labels.extend(group_labels(scene, index));
-    SolveError::HintNotMet {
-        help: format!(
-            "these exist:\n{}",
-            lines.iter().map(|l| format!("  {l}")).collect::<Vec<_>>().join("\n")
-        ),
-        labels,
-    }
-}
-
-/// Labels at the pairs of a group.
-pub(super) fn group_labels(scene: &Scene<'_>, index: usize) -> Vec<miette::LabeledSpan> {
-    let mut seen = Vec::new();
-    for joint in &scene.structure.motion[index].joints {
-        let pair = scene.structure.replaced.joint(joint.joint).pair;
-        if !seen.contains(&pair) {
-            seen.push(pair);
-        }
-    }
-    seen.into_iter().map(|p| label("in this group", scene.mechanism.pair(p).span)).collect()
-}
-
-/// The links of a group in words.
-pub(super) fn group_name(scene: &Scene<'_>, index: usize) -> String {
-    let names: Vec<String> = scene.structure.motion[index]
-        .bodies
-        .iter()
-        .filter(|b| matches!(scene.structure.replaced.bodies[b.0].origin, BodyOrigin::Link(_)))
-        .map(|&b| scene.structure.replaced.body_name(scene.mechanism, b))
-        .collect();
-    names.join(", ")
-}
-
-/// An `assemble` line that chooses this state of a group.
-fn line_to_paste(scene: &Scene<'_>, state: &State, index: usize) -> String {
-    let group = &scene.structure.motion[index];
-    by_kind(scene, state, group).unwrap_or_else(|| near_line(scene, state, group))
-}
-
-fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
-    let GroupKind::Dyad(dyad) = group.kind else { return None };
-    let replaced = &scene.structure.replaced;
-    let real = |i: usize| {
-        let pair = scene.mechanism.pair(replaced.joint(group.joints[i].joint).pair);
-        let simple =
-            matches!(pair.kind, crate::model::PairKind::Revolute(_) | crate::model::PairKind::Prismatic(_));
-        simple.then_some(pair)
-    };
-    let pin = |i: usize| {
-        let joint = group.joints[i];
-        match &replaced.joint(joint.joint).kind {
-            JointKind::Revolute(members) => {
-                members.iter().find(|m| m.0 == joint.body).map(|m| state.bodies[joint.body.0].position(m.1))
-            }
-            JointKind::Prismatic { .. } => None,
-        }
-    };
-    match dyad {
-        Dyad::Rrr => {
-            let (a, c, b) = (pin(0)?, pin(1)?, pin(2)?);
-            let side = if (b - a).cross(c - a) >= 0.0 { "left" } else { "right" };
-            Some(format!("assemble {} {side} of {}-{}", real(1)?.name, real(0)?.name, real(2)?.name))
-        }
-        Dyad::Rrp => {
-            let (a, c) = (pin(0)?, pin(1)?);
-            let guide = real(2)?;
-            let JointKind::Prismatic { guide: base, along, .. } = replaced.joint(group.joints[2].joint).kind
-            else {
-                return None;
-            };
-            if !matches!(guide.kind, crate::model::PairKind::Prismatic(_)) {
-                return None;
-            }
-            let ahead = (c - a).dot(along.turned(state.bodies[base.0].u)) >= 0.0;
-            let word = if ahead { "ahead of" } else { "behind" };
-            Some(format!("assemble {} {word} {}", real(1)?.name, real(0)?.name))
-        }
-        Dyad::Rpr => {
-            let pair = replaced.joint(group.joints[1].joint).pair;
-            let radius = matches!(
-                replaced.joint(group.joints[1].joint).kind,
-                JointKind::Prismatic { offset, .. } if offset > 0.0
-            );
-            let value = bare_view(scene, state).displacement(pair);
-            if radius || !value.is_finite() || value == 0.0 {
-                return None;
-            }
-            let sign = if value > 0.0 { ">" } else { "<" };
-            Some(format!("assemble {} {sign} 0", scene.mechanism.pair(pair).name))
-        }
-        Dyad::Prp | Dyad::Rpp => None,
-    }
-}
-
-/// `assemble L.P near (x, y)` with the point of the group that is farthest from the links' joints to known bodies.
-fn near_line(scene: &Scene<'_>, state: &State, group: &Group) -> String {
-    let points = group.bodies.iter().filter_map(|b| match scene.structure.replaced.bodies[b.0].origin {
-        BodyOrigin::Link(id) => Some((*b, scene.mechanism.link(id))),
-        BodyOrigin::Imaginary(_) => None,
-    });
-    let outer: Vec<Vec2> = group
-        .joints
-        .iter()
-        .filter(|j| !j.inner)
-        .filter_map(|j| match &scene.structure.replaced.joint(j.joint).kind {
-            JointKind::Revolute(members) => {
-                members.iter().find(|m| m.0 == j.body).map(|m| state.bodies[j.body.0].position(m.1))
-            }
-            JointKind::Prismatic { .. } => None,
-        })
-        .collect();
-    let mut best: Option<(f64, String)> = None;
-    for (body, link) in points {
-        for point in &link.points {
-            let p = state.bodies[body.0].position(point.at);
-            let away = outer.iter().map(|o| (*o - p).norm()).fold(f64::MAX, f64::min);
-            if best.as_ref().is_none_or(|b| away > b.0) {
-                let text = format!("assemble {}.{} near ({:.4} m, {:.4} m)", link.name, point.name, p.x, p.y);
-                best = Some((away, text));
-            }
-        }
-    }
-    best.map_or_else(|| "assemble LINK.POINT near (x, y)".to_owned(), |b| b.1)
+fn states(candidates: &[Candidate]) -> Vec<&State> {
+    candidates.iter().map(|c| &c.state).collect()
 }
 
 /// What to say of a group that does not close.
 pub(super) fn does_not_close(scene: &Scene<'_>, state: State, index: usize, pose: &str) -> SolveError {
     let mut state = state;
     let step = &scene.plan.motion[index];
+    let group = &scene.structure.motion[index];
+    let labels = labels(scene, group, "does not close");
     if matches!(step, MotionStep::General { .. }) {
-        return SolveError::NotFound {
-            pose: pose.to_owned(),
-            group: group_name(scene, index),
-            labels: group_labels(scene, index),
+        let help = match point_of(scene, group) {
+            Some(point) => format!(
+                "say where its points are about, as in `assemble {point} near (200 mm, 100 mm)`, or check the lengths"
+            ),
+            None => "check the lengths".to_owned(),
         };
+        return SolveError::NotFound { pose: pose.to_owned(), links: links(scene, group), help, labels };
     }
     state.step::<0>(scene.plan, step);
     let (gap, help) = gap_text(scene, &state, index);
-    SolveError::DoesNotClose { pose: pose.to_owned(), gap, help, labels: group_labels(scene, index) }
+    SolveError::DoesNotClose { pose: pose.to_owned(), gap, help, labels }
 }

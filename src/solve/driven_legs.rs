@@ -58,6 +58,11 @@ impl State {
         }
     }
 
+    /// The length of a leg, m.
+    pub(super) fn leg_length(&self, leg: &DrivenLeg) -> f64 {
+        self.arm(leg).w.norm()
+    }
+
     /// Places the body behind a driven joint.
     fn follow<const LEVEL: u8>(&mut self, branch: usize, leg: &DrivenLeg) {
         match &leg.joint {

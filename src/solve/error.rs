@@ -12,14 +12,14 @@ pub enum SolveError {
     #[error("{what} cannot be solved yet")]
     #[diagnostic(
         code(mech::request::not_supported_yet),
-        help("it is read and checked; remove it to solve the rest of the file")
+        help("it is read and checked: `assur check` shows the rest; without it the file can be solved")
     )]
     NotSupportedYet {
         /// What it is.
         what: String,
-        /// Its place.
-        #[label("not supported yet")]
-        span: miette::SourceSpan,
+        /// Its places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
     },
     /// No assembly.
     #[error("the mechanism does not close{pose}: {gap}")]
@@ -36,12 +36,14 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// Two assemblies and no choice.
-    #[error("the mechanism can be assembled in {count} ways, and nothing says which")]
+    /// Several assemblies and no choice.
+    #[error("the mechanism can be assembled in {count} ways{pose}, and nothing says which")]
     #[diagnostic(code(mech::assembly::ambiguous))]
     Ambiguous {
         /// How many.
         count: usize,
+        /// ` at pose 3 (crank = 60 deg)`, or empty.
+        pose: String,
         /// The lines to paste.
         #[help]
         help: String,
@@ -50,9 +52,11 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// Hints that contradict.
-    #[error("no assembly fits what `assemble` says")]
+    #[error("no assembly{pose} is as `assemble` says")]
     #[diagnostic(code(mech::assembly::hint_not_met))]
     HintNotMet {
+        /// ` at pose 3 (crank = 60 deg)`, or empty.
+        pose: String,
         /// The assemblies there are.
         #[help]
         help: String,
@@ -61,122 +65,125 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// Dead position.
-    #[error(
-        "dead position{pose}: the group {group} is in line and cannot be solved (condition {condition:.1e})"
-    )]
-    #[diagnostic(
-        code(mech::solve::dead_position),
-        help("velocities and forces do not exist here; move the drive a little, or drive another link")
-    )]
+    #[error("dead position{pose}: {stands}")]
+    #[diagnostic(code(mech::solve::dead_position))]
     DeadPosition {
         /// ` at pose 3 (crank = 60 deg)`, or empty.
         pose: String,
-        /// The links of the group.
-        group: String,
-        /// Its condition figure.
-        condition: f64,
+        /// How its links stand, with the condition figure.
+        stands: String,
+        /// What to do.
+        #[help]
+        help: String,
         /// The pairs of the group.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
     /// Near a dead position.
-    #[error(
-        "near a dead position{pose}: condition {condition:.1e} of the group {group}, about {digits} digits are left in the accelerations and forces"
+    #[error("near a dead position{pose}: about {digits} digits are left in the {what} of {links}")]
+    #[diagnostic(
+        code(mech::solve::ill_conditioned),
+        severity(warning),
+        help(
+            "condition figure σ = {condition:.1e}; the error of positions grows as ε/σ, that of velocities and forces as ε/σ², that of accelerations as ε/σ³, with ε = 2.2e-16"
+        )
     )]
-    #[diagnostic(code(mech::solve::ill_conditioned), severity(warning))]
     IllConditioned {
         /// Where.
         pose: String,
         /// The links of the group.
-        group: String,
+        links: String,
         /// Its condition figure.
         condition: f64,
         /// Digits left.
         digits: u32,
+        /// `velocities`, `accelerations`, `forces`
+        what: &'static str,
         /// The pairs of the group.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
     /// Newton's method did not converge.
-    #[error("no assembly of the group {group} was found{pose}")]
-    #[diagnostic(
-        code(mech::assembly::not_found),
-        help("say where its points are about, as in `assemble C near (0.2 m, 0.1 m)`, or check the lengths")
-    )]
+    #[error("no way to assemble {links} was found{pose}")]
+    #[diagnostic(code(mech::assembly::not_found))]
     NotFound {
         /// Where.
         pose: String,
         /// The links of the group.
-        group: String,
+        links: String,
+        /// What to do.
+        #[help]
+        help: String,
         /// The pairs of the group.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
     /// A sweep that closes over a part only.
-    #[error("the sweep closes over a part only: {closed} of {total} positions; {ranges}")]
-    #[diagnostic(
-        code(mech::assembly::partial_sweep),
-        severity(warning),
-        help("positions that do not close are listed and left out")
-    )]
+    #[error("{positions}: the mechanism does not close {ranges}")]
+    #[diagnostic(code(mech::assembly::partial_sweep), severity(warning))]
     PartialSweep {
-        /// Positions that close.
-        closed: usize,
-        /// All positions.
-        total: usize,
+        /// `5 of 12 positions close`
+        positions: String,
         /// The ranges that do not, in words.
         ranges: String,
+        /// What to write.
+        #[help]
+        help: String,
         /// The drive.
         #[label("this sweep")]
         span: miette::SourceSpan,
     },
     /// A change of assembly between two positions.
-    #[error(
-        "the assembly of the group {group} changes between {from} and {to}: it passes a dead position on the way"
-    )]
+    #[error("{links} change to their other assembly between poses {from} and {to}, at {near}")]
     #[diagnostic(
         code(mech::assembly::branch_switch),
         severity(warning),
         help(
-            "the motion was followed through the dead position by its velocity and acceleration; make the steps smaller to see it"
+            "they pass a change point there, where both assemblies meet, and were followed as their motion carries them on; a machine may go either way"
         )
     )]
     BranchSwitch {
         /// The links of the group.
-        group: String,
+        links: String,
         /// Pose before.
         from: String,
         /// Pose after.
         to: String,
+        /// Drive values of the change.
+        near: String,
         /// The pairs of the group.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
     /// A contact that pulls.
-    #[error("contact `{name}` would have to pull{pose}: normal force {normal:.6} N")]
+    #[error("contact `{name}` would have to pull{pose}: normal force {normal} N{more}")]
     #[diagnostic(
         code(mech::solve::contact_pulls),
         severity(warning),
-        help("the profiles part here: press them together by a spring or a load, or use a slot")
+        help(
+            "the profiles part here: press them together by a spring or a load, or guide a pin in a `slot`"
+        )
     )]
     ContactPulls {
         /// Its name.
         name: String,
-        /// Where.
+        /// Where it pulls most.
         pose: String,
-        /// Normal force, N, negative.
-        normal: f64,
+        /// The normal force there, N, negative.
+        normal: String,
+        /// At how many other poses it pulls too.
+        more: String,
         /// Its place.
         #[label("parts here")]
         span: miette::SourceSpan,
     },
     /// Asked for velocities of a drive without speed.
-    #[error("`{what}` needs {needs}, and no drive has one")]
+    #[error("{what} is needed, but no drive has {needs}")]
     #[diagnostic(code(mech::request::needs_speed))]
     NeedsSpeed {
-        /// What was asked.
-        what: String,
-        /// `a speed` or `a speed in time`.
+        /// `a velocity`, `an acceleration`
+        what: &'static str,
+        /// `a speed`, `a speed or a sense`
         needs: &'static str,
         /// What to write.
         #[help]
@@ -185,84 +192,48 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// A drive without positions where a pose is needed.
-    #[error("drive `{drive}` gives no position")]
-    #[diagnostic(
-        code(mech::request::needs_position),
-        help("write where it stands, as in `drive {drive} = 0 deg`")
-    )]
-    NeedsPosition {
-        /// The drive.
-        drive: String,
-        /// Its place.
-        #[label("rates only")]
-        span: miette::SourceSpan,
-    },
-    /// Sweeps of different length.
-    #[error("drives `{first}` and `{second}` sweep over {count_first} and {count_second} positions")]
-    #[diagnostic(
-        code(mech::request::sweep_lengths),
-        help("give both the same number of positions, or one of them a single one")
-    )]
-    SweepLengths {
-        /// One drive.
-        first: String,
-        /// The other.
-        second: String,
-        /// Its positions.
-        count_first: usize,
-        /// Its positions.
-        count_second: usize,
+    /// A dead position that does not exist.
+    #[error("`{what}` does not exist: {why}")]
+    #[diagnostic(code(mech::solve::no_extreme))]
+    NoExtreme {
+        /// `dead(G, 1)`, `stroke(G)`, …
+        what: String,
+        /// Why.
+        why: String,
+        /// What to do.
+        #[help]
+        help: String,
         /// Places.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// A dead position that does not exist.
-    #[error("`{what}` of pair `{pair}` cannot be found: {why}")]
-    #[diagnostic(
-        code(mech::solve::no_extreme),
-        help("dead positions need one drive that turns and a coordinate that it moves to and fro")
-    )]
-    NoExtreme {
-        /// `dead`, `stroke`, …
-        what: &'static str,
-        /// The pair.
-        pair: String,
-        /// Why.
-        why: String,
-        /// Its place.
-        #[label("this pair")]
-        span: miette::SourceSpan,
-    },
-    /// Forces do not determine.
-    #[error(
-        "forces cannot be solved{pose}: the unknown effort cannot hold the mechanism here (condition {condition:.1e})"
-    )]
-    #[diagnostic(
-        code(mech::solve::effort_cannot_hold),
-        help(
-            "the effort passes through the hinge or stands across the guide: change its place or direction"
-        )
-    )]
+    /// An unknown effort that holds nothing.
+    #[error("the forces cannot be found{pose}: {why}")]
+    #[diagnostic(code(mech::solve::effort_cannot_hold))]
     EffortCannotHold {
         /// Where.
         pose: String,
-        /// The condition figure.
-        condition: f64,
-        /// The pairs of the group.
+        /// What holds nothing.
+        why: String,
+        /// What to do.
+        #[help]
+        help: String,
+        /// The effort and the pairs of the group.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
     /// A number that is not finite.
-    #[error("a result{pose} is too large or not defined")]
+    #[error("{what}{pose} cannot be computed: the numbers grow too large")]
     #[diagnostic(
         code(mech::solve::not_finite),
-        help("check the magnitudes of lengths, masses and loads for a slip in a unit")
+        help("look for a slip in a unit or a power of ten of lengths, speeds, masses and loads")
     )]
     NotFinite {
         /// Where.
         pose: String,
-        /// The drive.
+        /// What it is.
+        what: String,
+        /// Its place, and the drives.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },

@@ -1,13 +1,15 @@
 //! Dead positions, strokes and time ratios: the extremes of a pair's coordinate over one turn of the drive.
 
 use super::assemble::assemble;
-use super::error::SolveError;
+use super::error::{SolveError, label};
 use super::inputs::Rates;
 use super::solution::{DriveValue, Scene};
 use super::state::State;
 use super::track::Tracker;
 use super::view::View;
+use super::words::four;
 use crate::model::{Expr, Mechanism, PairId, Positions, Query};
+use crate::source::Span;
 use std::f64::consts::TAU;
 
 /// Extremes of the pairs asked for.
@@ -77,110 +79,139 @@ impl Statics {
 /// Finds the extremes of every pair whose `dead`, `stroke`, `travel` or `time_ratio` the file names.
 pub(super) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
     let wanted = wanted(scene.mechanism);
-    if wanted.is_empty() {
-        return Ok(Statics::EMPTY);
-    }
-    let drive = match (scene.mechanism.drives.as_slice(), wanted.as_slice()) {
-        ([drive], _) if super::positions::turns(scene, drive) => drive,
-        (_, [pair, ..]) => return Err(none(scene, *pair, "the mechanism has no single drive that turns")),
-        _ => return Ok(Statics::EMPTY),
+    let Some(first) = wanted.first() else { return Ok(Statics::EMPTY) };
+    let drive = match scene.mechanism.drives.as_slice() {
+        [drive] if super::positions::turns(scene, drive) => drive,
+        [drive] => {
+            let why = format!("it takes a drive that turns, and `{}` slides", drive.name);
+            let help =
+                "drive the crank; the extremes of what moves to and fro are found over its turn".to_owned();
+            return Err(none(scene, first, why, help, vec![label("slides", drive.span)]));
+        }
+        drives => {
+            let why = format!("it takes one drive that turns, and there are {}", drives.len());
+            let labels = drives.iter().map(|d| label("one of the drives", d.span)).collect();
+            let help =
+                "the extremes of a coordinate over one turn are not defined where several drives move it";
+            return Err(none(scene, first, why, help.to_owned(), labels));
+        }
     };
     let turn = Turn::new(scene).map_err(|why| match why {
         Failure::Error(e) => *e,
-        Failure::Open(at) => {
-            let degrees = at.to_degrees();
+        Failure::Open(limit) => {
+            let at = limit
+                .map_or_else(|| "at 0 deg".to_owned(), |x| format!("beyond {} deg", four(x.to_degrees())));
             none(
                 scene,
-                wanted[0],
-                &format!(
-                    "`{}` does not turn fully: the mechanism does not close at {degrees:.2} deg",
-                    drive.name
-                ),
+                first,
+                format!("`{}` cannot turn fully, the mechanism does not close {at}", drive.name),
+                "give the positions as numbers, or lengths with which the shortest link turns fully"
+                    .to_owned(),
+                vec![label("does not turn fully", drive.span)],
             )
         }
     })?;
     let mut out = Vec::new();
-    for pair in wanted {
-        let extremes = turn
-            .extremes(scene, pair)
-            .ok_or_else(|| none(scene, pair, "the coordinate does not go to and fro"))?;
-        out.push((pair, extremes));
+    for ask in wanted {
+        let extremes = turn.extremes(scene, ask.pair).ok_or_else(|| {
+            let why =
+                format!("the coordinate of `{}` does not go to and fro", scene.mechanism.pair(ask.pair).name);
+            let help = "name the pair of a link that swings or slides between two ends".to_owned();
+            none(scene, &ask, why, help, Vec::new())
+        })?;
+        out.push((ask.pair, extremes));
     }
     Ok(Statics { extremes: out, criticals: Vec::new() })
 }
 
-fn none(scene: &Scene<'_>, pair: PairId, why: &str) -> SolveError {
-    let pair = scene.mechanism.pair(pair);
-    SolveError::NoExtreme {
-        what: "dead",
-        pair: pair.name.clone(),
-        why: why.to_owned(),
-        span: pair.span.into(),
-    }
+fn none(
+    scene: &Scene<'_>,
+    ask: &Asked,
+    why: String,
+    help: String,
+    mut labels: Vec<miette::LabeledSpan>,
+) -> SolveError {
+    let pair = scene.mechanism.pair(ask.pair);
+    let (before, behind) = ask.query;
+    labels.insert(0, label("this pair", pair.span));
+    SolveError::NoExtreme { what: format!("{before}({}{behind})", pair.name), why, help, labels }
+}
+
+/// A pair whose extremes are asked for, with the query that does.
+struct Asked {
+    pair: PairId,
+    query: (&'static str, &'static str),
 }
 
 /// Pairs whose extremes are asked for anywhere in the file.
-fn wanted(mechanism: &Mechanism) -> Vec<PairId> {
-    let mut pairs = Vec::new();
-    let mut look = |expr: &Expr| {
-        expr.queries(&mut |query| {
-            if let Query::Travel(p) | Query::Stroke(p) | Query::TimeRatio(p) | Query::Dead(p, _) = query
-                && !pairs.contains(p)
-            {
-                pairs.push(*p);
-            }
-        });
-    };
-    every_expression(mechanism, &mut look);
-    pairs
+fn wanted(mechanism: &Mechanism) -> Vec<Asked> {
+    let mut asked: Vec<Asked> = Vec::new();
+    every_query(mechanism, &mut |query, _| {
+        let (pair, query) = match query {
+            Query::Travel(p) => (*p, ("travel", "")),
+            Query::Stroke(p) => (*p, ("stroke", "")),
+            Query::TimeRatio(p) => (*p, ("time_ratio", "")),
+            Query::Dead(p, 1) => (*p, ("dead", ", 1")),
+            Query::Dead(p, _) => (*p, ("dead", ", 2")),
+            _ => return,
+        };
+        if !asked.iter().any(|a| a.pair == pair) {
+            asked.push(Asked { pair, query });
+        }
+    });
+    asked
 }
 
-/// Calls `look` on every expression of the file.
-pub(super) fn every_expression(mechanism: &Mechanism, look: &mut impl FnMut(&Expr)) {
+/// Calls `look` on every result that the file asks for, with the place of its statement.
+pub(super) fn every_query(mechanism: &Mechanism, look: &mut impl FnMut(&Query, Span)) {
     use crate::model::{At, FindKind, LoadKind, Relation};
+    let mut ask = |expr: &Expr, span: Span| expr.queries(&mut |query| look(query, span));
     for drive in &mechanism.drives {
         match &drive.positions {
             Positions::None => {}
-            Positions::List(list) => list.iter().for_each(&mut *look),
+            Positions::List(list) => list.iter().for_each(|e| ask(e, drive.span)),
             Positions::Range { from, to, .. } => {
-                look(from);
-                look(to);
+                ask(from, drive.span);
+                ask(to, drive.span);
             }
         }
-        drive.speed.iter().chain(&drive.acceleration).for_each(&mut *look);
+        drive.speed.iter().chain(&drive.acceleration).for_each(|e| ask(e, drive.span));
     }
-    mechanism.poses.iter().flat_map(|p| &p.at).for_each(|(_, e)| look(e));
-    mechanism.quantities.iter().for_each(|q| look(&q.expr));
+    for pose in &mechanism.poses {
+        pose.at.iter().for_each(|(_, e)| ask(e, pose.span));
+    }
+    mechanism.quantities.iter().for_each(|q| ask(&q.expr, q.span));
     for load in &mechanism.loads {
-        load.when.iter().for_each(&mut *look);
+        load.when.iter().for_each(|e| ask(e, load.span));
         match &load.kind {
             LoadKind::Force { value, .. }
             | LoadKind::ForceAgainstMotion { value, .. }
             | LoadKind::Torque { value, .. }
-            | LoadKind::InPair { value, .. } => look(value),
+            | LoadKind::InPair { value, .. } => ask(value, load.span),
         }
     }
     for find in &mechanism.finds {
         if let FindKind::Value { expr, .. } = &find.kind {
-            look(expr);
+            ask(expr, find.span);
         }
     }
     for expect in &mechanism.expects {
-        look(&expect.expr);
+        ask(&expect.expr, expect.span);
         match &expect.relation {
-            Relation::Equal(values) => values.iter().for_each(&mut *look),
-            Relation::Compare(_, bound) => look(bound),
+            Relation::Equal(values) => values.iter().for_each(|e| ask(e, expect.span)),
+            Relation::Compare(_, bound) => ask(bound, expect.span),
             Relation::Truth => {}
         }
         if let Some(At::Drives(list)) = &expect.at {
-            list.iter().for_each(|(_, e)| look(e));
+            list.iter().for_each(|(_, e)| ask(e, expect.span));
         }
     }
 }
 
 enum Failure {
     Error(Box<SolveError>),
-    Open(f64),
+    /// Over the turn; the last drive value that closes, where one does.
+    Open(Option<f64>),
 }
 
 /// One turn of the drive, sampled with unit speed.
@@ -204,7 +235,7 @@ impl Turn {
         let values = [DriveValue::Scalar(0.0)];
         rates.at(&values, &mut start.inputs);
         let state = assemble(scene, start).map_err(|e| match e {
-            SolveError::DoesNotClose { .. } | SolveError::NotFound { .. } => Failure::Open(0.0),
+            SolveError::DoesNotClose { .. } | SolveError::NotFound { .. } => Failure::Open(None),
             e => Failure::Error(Box::new(e)),
         })?;
         let mut tracker = Tracker::new(scene, state, &values);
@@ -213,7 +244,14 @@ impl Turn {
             #[allow(clippy::cast_precision_loss)]
             let at = TAU * i as f64 / SAMPLES as f64;
             if i > 0 {
-                tracker.go(scene, &rates, &[DriveValue::Scalar(at)]).map_err(|_| Failure::Open(at))?;
+                let (before, target) = (tracker.clone(), [DriveValue::Scalar(at)]);
+                tracker.go(scene, &rates, &target).map_err(|_| {
+                    let limit = before.limit(scene, &rates, &target);
+                    Failure::Open(limit.first().and_then(|v| match v {
+                        DriveValue::Scalar(x) => Some(*x),
+                        _ => None,
+                    }))
+                })?;
             }
             let mut state = tracker.state.clone();
             state.run_motion::<1>(scene.plan);

@@ -2,7 +2,9 @@
 
 use super::solution::Scene;
 use super::state::State;
+use super::words::{body, mm};
 use crate::group::{Gap, rpr, rrp, rrr};
+use crate::math::Vec2;
 use crate::plan::{Anchor, MotionStep};
 use crate::structure::GroupJoint;
 
@@ -10,46 +12,17 @@ use crate::structure::GroupJoint;
 pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (String, String) {
     let group = &scene.structure.motion[index];
     let name = |i: usize| pair_name(scene, group.joints[i]);
+    let link = |i: usize| body(scene, group.bodies[i]);
     let at = |a: &Anchor| state.bodies[a.body].position(a.at);
     match &scene.plan.motion[index] {
         MotionStep::Rrr { legs, .. } => {
-            let (p_A, p_B) = (at(&legs[0].base), at(&legs[1].base));
-            let (l_1, l_2) = (legs[0].length, legs[1].length);
-            let distance = (p_B - p_A).norm();
-            match rrr::gap(p_A, p_B, l_1, l_2) {
-                Some(Gap::TooFar(far)) => (
-                    format!(
-                        "{} and {} are {} apart, but the links reach {} + {} = {}: {} short",
-                        name(0),
-                        name(2),
-                        mm(distance),
-                        mm(l_1),
-                        mm(l_2),
-                        mm(l_1 + l_2),
-                        mm(far)
-                    ),
-                    format!("make a link longer by {}, or bring {} and {} nearer", mm(far), name(0), name(2)),
-                ),
-                Some(Gap::TooNear(near)) => (
-                    format!(
-                        "{} and {} are {} apart, but the links fold to |{} − {}| = {} at the least: {} too near",
-                        name(0),
-                        name(2),
-                        mm(distance),
-                        mm(l_1),
-                        mm(l_2),
-                        mm((l_1 - l_2).abs()),
-                        mm(near)
-                    ),
-                    format!(
-                        "make the links more alike by {}, or bring {} and {} apart",
-                        mm(near),
-                        name(0),
-                        name(2)
-                    ),
-                ),
-                None => unknown(&name(1)),
-            }
+            let ends = [at(&legs[0].base), at(&legs[1].base)];
+            reach(ends, [legs[0].length, legs[1].length], [link(0), link(1)], [name(0), name(1), name(2)])
+        }
+        MotionStep::DrivenRrr { legs, .. } => {
+            let ends = [at(&legs[0].base), at(&legs[1].base)];
+            let lengths = [0, 1].map(|i| state.leg_length(&legs[i]));
+            reach(ends, lengths, [link(0), link(1)], [name(0), name(1), name(2)])
         }
         MotionStep::Rrp { branch, leg, slide, from_point, .. } => {
             let base = &state.bodies[slide.base];
@@ -59,14 +32,22 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
             match rrp::gap(p_A, leg.length, q, d, h) {
                 Some(Gap::TooFar(far) | Gap::TooNear(far)) => (
                     format!(
-                        "{} is {} from the path of {}, but the link is {} long: {} short",
+                        "{} is {} from the path of {}, but {} is {} long: {} short",
                         name(0),
                         mm(leg.length + far),
                         name(1),
+                        link(0),
                         mm(leg.length),
                         mm(far)
                     ),
-                    format!("make the link longer by {}, or bring {} nearer to the guide", mm(far), name(0)),
+                    format!(
+                        "make {} longer by {}, or bring {} nearer to the guide of {}{}",
+                        link(0),
+                        mm(far),
+                        name(0),
+                        name(2),
+                        slip(leg.length + far, leg.length)
+                    ),
                 ),
                 None => unknown(&name(1)),
             }
@@ -77,7 +58,7 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
             match rpr::gap(p_A, p_B, h) {
                 Some(Gap::TooFar(gap) | Gap::TooNear(gap)) => (
                     format!(
-                        "{} and {} are {} apart, but the guide passes {} beside: {} too near",
+                        "{} and {} are {} apart, but the guide passes {} beside one of them: {} too near",
                         name(0),
                         name(2),
                         mm((p_B - p_A).norm()),
@@ -94,11 +75,74 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
                 None => unknown(&name(1)),
             }
         }
-        MotionStep::DrivenRrr { .. } | MotionStep::DrivenRrp { .. } => (
+        MotionStep::DrivenRrp { .. } => (
             format!("the links about {} do not meet at these values of the drives", name(1)),
             "check the values of the drives inside the links".to_owned(),
         ),
-        _ => ("the guides are parallel".to_owned(), "turn one of the guides".to_owned()),
+        _ => (
+            "the guides are parallel".to_owned(),
+            format!("turn the guide of {} or {}: they must cross", name(0), name(group.joints.len() - 1)),
+        ),
+    }
+}
+
+/// Two links of these lengths from hinge to hinge that do not meet.
+fn reach(
+    [p_A, p_B]: [Vec2; 2],
+    [l_1, l_2]: [f64; 2],
+    links: [String; 2],
+    names: [String; 3],
+) -> (String, String) {
+    let (link, name) = (|i: usize| &links[i], |i: usize| &names[i]);
+    let distance = (p_B - p_A).norm();
+    match rrr::gap(p_A, p_B, l_1, l_2) {
+        Some(Gap::TooFar(far)) => (
+            format!(
+                "{} and {} are {} apart, but {} and {} reach {} + {} = {}: {} short",
+                name(0),
+                name(2),
+                mm(distance),
+                link(0),
+                link(1),
+                mm(l_1),
+                mm(l_2),
+                mm(l_1 + l_2),
+                mm(far)
+            ),
+            format!(
+                "make {} or {} longer by {}, or bring {} and {} nearer{}",
+                link(0),
+                link(1),
+                mm(far),
+                name(0),
+                name(2),
+                slip(distance, l_1 + l_2)
+            ),
+        ),
+        Some(Gap::TooNear(near)) => (
+            format!(
+                "{} and {} are {} apart, but {} and {} fold to |{} − {}| = {} at the least: {} too near",
+                name(0),
+                name(2),
+                mm(distance),
+                link(0),
+                link(1),
+                mm(l_1),
+                mm(l_2),
+                mm((l_1 - l_2).abs()),
+                mm(near)
+            ),
+            format!(
+                "make {} shorter or {} longer by {}, or bring {} and {} apart{}",
+                link(if l_1 > l_2 { 0 } else { 1 }),
+                link(if l_1 > l_2 { 1 } else { 0 }),
+                mm(near),
+                name(0),
+                name(2),
+                slip((l_1 - l_2).abs(), distance)
+            ),
+        ),
+        None => unknown(name(1)),
     }
 }
 
@@ -107,18 +151,10 @@ fn unknown(pair: &str) -> (String, String) {
 }
 
 fn pair_name(scene: &Scene<'_>, joint: GroupJoint) -> String {
-    scene.mechanism.pair(scene.structure.replaced.joint(joint.joint).pair).name.clone()
+    format!("`{}`", scene.mechanism.pair(scene.structure.replaced.joint(joint.joint).pair).name)
 }
 
-/// A length in millimetres, to four significant digits.
-pub(super) fn mm(length: f64) -> String {
-    let value = length * 1e3;
-    if value == 0.0 || !value.is_finite() {
-        return format!("{value} mm");
-    }
-    #[allow(clippy::cast_possible_truncation)] // a power of ten of an f64 fits
-    let digits = (3 - value.abs().log10().floor() as i32).clamp(0, 12);
-    let text = format!("{value:.*}", usize::try_from(digits).unwrap_or(0));
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    format!("{text} mm")
+/// Lengths of different orders are most often a slip in a unit.
+fn slip(long: f64, short: f64) -> &'static str {
+    if long > 30.0 * short { "; is there a slip in a unit?" } else { "" }
 }

@@ -39,7 +39,7 @@ impl Rates {
                     input.place = Vec2::direction(*x);
                 }
                 DriveValue::Point(p) => input.place = *p,
-                DriveValue::None => {}
+                DriveValue::None => input.place = Vec2::new(f64::NAN, f64::NAN),
             }
         }
     }

@@ -2,6 +2,7 @@
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
 mod assemble;
+mod choices;
 mod contact;
 mod coordinate;
 mod driven_legs;
@@ -20,8 +21,10 @@ mod inputs;
 mod loads;
 mod locking;
 mod motion;
+mod notes;
 mod pose;
 mod positions;
+mod refused;
 mod residual;
 mod solution;
 mod state;
@@ -29,6 +32,7 @@ mod substitution;
 mod sweep;
 mod track;
 mod view;
+mod words;
 
 pub use error::SolveError;
 pub use evaluate::compare;

@@ -1,7 +1,7 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
-use super::assemble::{group_labels, group_name};
-use super::error::{SolveError, label};
+use super::error::SolveError;
+use super::notes;
 use super::positions::Wanted;
 use super::residual::residuals;
 use super::solution::{Residuals, Solved};
@@ -11,9 +11,6 @@ use super::track::Tracker;
 use super::view::View;
 use crate::model::{PairId, PairKind, Query, Value};
 use crate::plan::Level;
-
-/// Below this condition a warning tells how many digits are left.
-const WARN: f64 = 1e-3;
 
 /// At and below this condition velocities and forces do not exist.
 const DEAD: f64 = 1e-12;
@@ -29,8 +26,7 @@ impl Run<'_, '_> {
             Level::Velocities => state.run_motion::<1>(scene.plan),
             Level::Accelerations => state.run_motion::<2>(scene.plan),
         }
-        let moves = scene.plan.effects.level > Level::Positions;
-        let mut condition = self.motion_condition(&state, pose, moves)?;
+        let mut condition = self.motion_condition(&state, pose)?;
         if scene.plan.effects.forces {
             condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
         }
@@ -45,46 +41,42 @@ impl Run<'_, '_> {
         });
         if state.locked {
             state.forget_forces();
-        } else if !is_finite(&state) {
-            return Err(self.not_finite(pose));
+        } else if let Some(error) = notes::not_finite(scene, &state, pose) {
+            return Err(error);
         }
         let mut residuals = residuals(scene, &state);
         if state.locked {
             residuals = Residuals { equilibrium: None, power: None, ..residuals };
+        }
+        if let Some(error) = notes::out_of_scale(scene, &residuals, pose) {
+            return Err(error);
         }
         let angles = tracker.angles.clone();
         let mut solved = Solved { state, frictionless, quantities: Vec::new(), angles, residuals, condition };
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
         let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
         solved.quantities = View { frictionless: ideal, ..view }.all_quantities();
-        self.warn_contacts(&solved, pose);
+        self.note_contacts(&solved, pose);
         self.note_friction(&solved, pose);
         Ok(solved)
     }
 
-    fn motion_condition(&mut self, state: &State, pose: &Wanted, moves: bool) -> Result<f64, SolveError> {
+    fn motion_condition(&mut self, state: &State, pose: &Wanted) -> Result<f64, SolveError> {
+        let scene = self.scene;
+        let level = scene.plan.effects.level;
         let mut least = 1.0_f64;
-        for (group, sine) in state.sines.iter().enumerate() {
+        for (group, sine) in scene.structure.motion.iter().zip(&state.sines) {
             let condition = sine.abs();
             least = least.min(condition);
-            if moves && is_dead(condition) {
-                return Err(SolveError::DeadPosition {
-                    pose: self.place(pose),
-                    group: group_name(self.scene, group),
-                    condition,
-                    labels: group_labels(self.scene, group),
-                });
+            if level > Level::Positions && condition <= DEAD {
+                return Err(notes::dead(scene, group, condition, pose));
             }
-            if condition < WARN && self.worst.as_ref().is_none_or(|w| condition < w.0) {
-                let warning = SolveError::IllConditioned {
-                    pose: self.place(pose),
-                    group: group_name(self.scene, group),
-                    condition,
-                    digits: digits_left(condition),
-                    labels: group_labels(self.scene, group),
-                };
-                self.worst = Some((condition, warning));
-            }
+            let (what, power) = match level {
+                Level::Positions => ("positions", 1),
+                Level::Velocities => ("velocities", 2),
+                Level::Accelerations => ("accelerations", 3),
+            };
+            self.notes.condition(scene, group, (condition, what, power), pose);
         }
         Ok(least)
     }
@@ -103,26 +95,21 @@ impl Run<'_, '_> {
         }
         state.run_forces(scene.plan);
         let mut least = 1.0_f64;
-        for (index, sine) in state.force_sines.iter().enumerate() {
-            least = least.min(sine.abs());
-            if is_dead(sine.abs()) {
-                let pairs = scene.structure.forces[index].joints.iter();
-                let labels = pairs
-                    .map(|j| scene.mechanism.pair(scene.structure.replaced.joint(j.joint).pair))
-                    .map(|p| label("in this group", p.span))
-                    .collect();
-                let (pose, condition) = (self.place(pose), sine.abs());
-                return Err(SolveError::EffortCannotHold { pose, condition, labels });
+        for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
+            let condition = sine.abs();
+            least = least.min(condition);
+            if condition <= DEAD {
+                return Err(notes::cannot_hold(scene, group, condition, pose));
             }
+            self.notes.condition(scene, group, (condition, "forces", 2), pose);
         }
         Ok(least)
     }
 
-    fn warn_contacts(&mut self, solved: &Solved, pose: &Wanted) {
+    fn note_contacts(&mut self, solved: &Solved, pose: &Wanted) {
         if !self.scene.plan.effects.forces {
             return;
         }
-        let place = self.place(pose);
         for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
             let PairKind::Contact { first, .. } = &pair.kind else { continue };
             let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
@@ -131,37 +118,8 @@ impl Run<'_, '_> {
             };
             let force = view.reaction(PairId::at(i), first.link).norm();
             if normal < -1e-9 * force.max(f64::MIN_POSITIVE) && normal < -1e-9 {
-                self.warnings.push(SolveError::ContactPulls {
-                    name: pair.name.clone(),
-                    pose: place.clone(),
-                    normal,
-                    span: pair.span.into(),
-                });
+                self.notes.pulls(self.scene, PairId::at(i), normal, pose);
             }
         }
     }
-}
-
-fn is_dead(condition: f64) -> bool {
-    condition <= DEAD || condition.is_nan()
-}
-
-/// Digits left in accelerations and forces: the error grows as ε/σ³.
-fn digits_left(condition: f64) -> u32 {
-    let digits = -(f64::EPSILON.log10()) + 3.0 * condition.max(f64::MIN_POSITIVE).log10();
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // clamped
-    {
-        digits.clamp(0.0, 16.0) as u32
-    }
-}
-
-fn is_finite(state: &State) -> bool {
-    let body = |b: &super::state::BodyState| {
-        [b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha]
-            .iter()
-            .all(|x| x.is_finite())
-    };
-    state.bodies.iter().all(body)
-        && state.reactions.iter().all(|r| (r.force.x + r.force.y + r.couple).is_finite())
-        && state.efforts.iter().all(|e| e.is_finite())
 }

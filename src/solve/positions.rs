@@ -1,6 +1,5 @@
 //! Which positions are asked for: sweeps, named poses, and those an `expect … at` adds.
 
-use super::error::{SolveError, label};
 use super::extremes::Statics;
 use super::solution::{DriveValue, PoseOrigin, Scene};
 use super::state::State;
@@ -67,39 +66,18 @@ pub(super) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
 }
 
 /// All positions of the sweep, in order.
-pub(super) fn sweep(scene: &Scene<'_>, statics: &Statics) -> Result<Vec<Wanted>, SolveError> {
+pub(super) fn sweep(scene: &Scene<'_>, statics: &Statics) -> Vec<Wanted> {
     let drives = &scene.mechanism.drives;
     let all: Vec<Vec<DriveValue>> = drives.iter().map(|d| values(scene, statics, d)).collect();
-    for (drive, values) in drives.iter().zip(&all) {
-        if values.first() == Some(&DriveValue::None) {
-            return Err(SolveError::NeedsPosition { drive: drive.name.clone(), span: drive.span.into() });
-        }
-    }
     let length = all.iter().map(Vec::len).max().unwrap_or(1);
-    for (drive, values) in drives.iter().zip(&all) {
-        if values.len() != 1
-            && values.len() != length
-            && let Some(longest) = all.iter().position(|v| v.len() == length)
-        {
-            return Err(SolveError::SweepLengths {
-                first: drives[longest].name.clone(),
-                second: drive.name.clone(),
-                count_first: length,
-                count_second: values.len(),
-                labels: vec![
-                    label(format!("{length} positions"), drives[longest].span),
-                    label(format!("{} positions", values.len()), drive.span),
-                ],
-            });
-        }
-    }
-    Ok((0..length)
+    // `check` has seen to it that all are of one length, or single
+    (0..length)
         .map(|i| Wanted {
             name: (i + 1).to_string(),
             origin: PoseOrigin::Sweep(i),
-            drives: all.iter().map(|v| if v.len() == 1 { v[0] } else { v[i] }).collect(),
+            drives: all.iter().map(|v| v.get(i).or(v.last()).copied().unwrap_or(DriveValue::None)).collect(),
         })
-        .collect())
+        .collect()
 }
 
 /// Positions beside the sweep: drives that are not named keep the value of the sweep's first position.

@@ -1,16 +1,18 @@
 //! Solves all positions of a file.
 
-use super::assemble::{assemble, does_not_close, group_labels, group_name};
-use super::error::{SolveError, label};
-use super::extremes::{Statics, every_expression, statics};
+use super::assemble::{assemble, does_not_close};
+use super::error::SolveError;
+use super::extremes::{Statics, statics};
 use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
-use super::positions::{Wanted, beside, sweep, turns};
-use super::solution::{DriveValue, Pose, PoseOrigin, Scene, Solution, Solved};
+use super::notes::Notes;
+use super::positions::{Wanted, beside, sweep};
+use super::refused;
+use super::solution::{DriveValue, Pose, Scene, Solution, Solved};
 use super::state::State;
-use super::track::Tracker;
-use crate::model::{LoadId, Mechanism, Value};
-use crate::plan::{Level, level_of};
+use super::track::{Switch, Tracker};
+use super::words::place;
+use crate::model::{LoadId, Value};
 
 /// Solves all positions. What fails at one position stands in its pose; what makes all of them meaningless is an error.
 ///
@@ -21,13 +23,13 @@ pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
     solve_with(scene, Vec::new())
 }
 
-/// As [`solve`], with the values of [`Mechanism::criticals`].
+/// As [`solve`], with the values of [`crate::model::Mechanism::criticals`].
 ///
 /// # Errors
 /// As [`solve`].
 pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
-    let mut errors = not_supported(scene.mechanism);
-    errors.extend(missing_speeds(scene));
+    let mut errors = refused::not_supported(scene.mechanism);
+    errors.extend(refused::missing_speeds(scene));
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -37,58 +39,21 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
     }
     let mut statics = statics(scene).map_err(|e| vec![e])?;
     statics.criticals = criticals;
-    let wanted = sweep(scene, &statics).map_err(|e| vec![e])?;
+    let wanted = sweep(scene, &statics);
     let mut run = Run {
         scene,
         rates: Rates::of(scene, &statics),
         statics,
         evaluated: Vec::new(),
         poses: Vec::new(),
-        warnings: Vec::new(),
-        worst: None,
+        notes: Notes::default(),
         friction: FrictionNotes::default(),
     };
     let trackers = run.follow(&wanted).map_err(|e| vec![e])?;
     run.beside(&wanted, &trackers);
-    run.partial_sweep(wanted.len());
     let friction = run.friction_problems();
-    if let Some(warning) = run.worst.take() {
-        run.warnings.push(warning.1);
-    }
-    Ok(Solution { poses: run.poses, statics: run.statics, warnings: run.warnings, friction })
-}
-
-fn not_supported(mechanism: &Mechanism) -> Vec<SolveError> {
-    mechanism
-        .unsupported
-        .iter()
-        .map(|u| SolveError::NotSupportedYet { what: u.what.clone(), span: u.span.into() })
-        .collect()
-}
-
-fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
-    let effects = scene.plan.effects;
-    let allowed = match (effects.moving, effects.timed) {
-        (_, true) => Level::Accelerations,
-        (true, false) => Level::Velocities,
-        (false, false) => Level::Positions,
-    };
-    let mut missing = None;
-    every_expression(scene.mechanism, &mut |expr| {
-        expr.queries(&mut |query| {
-            if level_of(query) > allowed {
-                missing = Some(level_of(query));
-            }
-        });
-    });
-    let (needed, drive) = (missing?, scene.mechanism.drives.first()?);
-    let what = if needed == Level::Velocities { "a velocity" } else { "an acceleration" };
-    Some(SolveError::NeedsSpeed {
-        what: what.to_owned(),
-        needs: if needed == Level::Velocities { "a speed" } else { "a speed in time" },
-        help: format!("give the drive a speed, as in `drive {} = 0 deg at 60 rpm`", drive.name),
-        labels: vec![label("no speed", drive.span)],
-    })
+    let warnings = run.notes.into_warnings(scene, &run.poses);
+    Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction })
 }
 
 /// Why a position was not reached, and the tracker where it was before.
@@ -97,15 +62,21 @@ struct Stuck {
     back: Option<Tracker>,
 }
 
+/// How a position was reached.
+enum Way {
+    /// From the one before, with the changes of assembly on the way.
+    Followed(Vec<Switch>),
+    /// The way does not close beyond these values, the position itself does.
+    Blocked(Vec<DriveValue>),
+}
+
 pub(super) struct Run<'a, 's> {
     pub scene: &'s Scene<'a>,
     pub rates: Rates,
     pub statics: Statics,
     pub evaluated: Vec<(LoadId, Value)>,
     poses: Vec<Pose>,
-    pub warnings: Vec<SolveError>,
-    /// The worst condition so far and its warning.
-    pub worst: Option<(f64, SolveError)>,
+    pub notes: Notes,
     /// What is said of friction.
     pub friction: FrictionNotes,
 }
@@ -118,14 +89,15 @@ impl Run<'_, '_> {
         let mut first_error = None;
         let keep_all = !beside(self.scene, &self.statics, &wanted[0]).is_empty();
         for (i, pose) in wanted.iter().enumerate() {
+            let before = i.checked_sub(1).map(|i| &wanted[i]);
             let came = match current.take() {
-                None => self.assembled(pose).map(|t| (t, Vec::new())),
-                Some(mut tracker) => self.moved(&mut tracker, pose).map(|s| (tracker, s)),
+                None => self.assembled(pose).map(|t| (t, Way::Followed(Vec::new()))),
+                Some(mut tracker) => self.moved(&mut tracker, pose).map(|way| (tracker, way)),
             };
             match came {
-                Ok((tracker, switched)) => {
-                    for group in switched {
-                        self.warn_switch(group, &wanted[i - 1].name, &pose.name);
+                Ok((tracker, way)) => {
+                    if let Some(before) = before {
+                        self.note_way(way, &tracker, before, pose);
                     }
                     let outcome = self.solved(&tracker, pose);
                     self.push(pose, outcome);
@@ -139,6 +111,10 @@ impl Run<'_, '_> {
                         return Err(error);
                     }
                     first_error.get_or_insert(error.clone());
+                    if !self.notes.in_gap() {
+                        let limit = back.clone().map(|t| t.limit(self.scene, &self.rates, &pose.drives));
+                        self.notes.gap_begins(limit);
+                    }
                     self.push(pose, Err(error));
                     trackers.push(None);
                     current = back;
@@ -157,19 +133,41 @@ impl Run<'_, '_> {
         let mut state = State::new(self.scene.plan);
         self.rates.at(&pose.drives, &mut state.inputs);
         let state = assemble(self.scene, state)
-            .map_err(|e| Box::new(Stuck { error: with_pose(e, &self.place(pose)), back: None }))?;
+            .map_err(|e| Box::new(Stuck { error: with_pose(e, &place(self.scene, pose)), back: None }))?;
         Ok(Tracker::new(self.scene, state, &pose.drives))
     }
 
-    fn moved(&self, tracker: &mut Tracker, pose: &Wanted) -> Result<Vec<usize>, Box<Stuck>> {
+    /// What is to be said of the way from the position before.
+    fn note_way(&mut self, way: Way, tracker: &Tracker, before: &Wanted, pose: &Wanted) {
+        let back = || tracker.clone().limit(self.scene, &self.rates, &before.drives);
+        if self.notes.in_gap() {
+            let end = back();
+            self.notes.gap_ends(end);
+            return;
+        }
+        match way {
+            Way::Followed(switched) => {
+                for switch in switched {
+                    self.notes.switched(self.scene, &switch, &before.name, &pose.name);
+                }
+            }
+            Way::Blocked(limit) => {
+                let end = back();
+                self.notes.gap_begins(Some(limit));
+                self.notes.gap_ends(end);
+            }
+        }
+    }
+
+    fn moved(&self, tracker: &mut Tracker, pose: &Wanted) -> Result<Way, Box<Stuck>> {
         let before = tracker.clone();
         if let Ok(switched) = tracker.go(self.scene, &self.rates, &pose.drives) {
-            return Ok(switched);
+            return Ok(Way::Followed(switched));
         }
         // the way is closed somewhere; the position itself may not be
         *tracker = before.clone();
         match tracker.jump(self.scene, &self.rates, &pose.drives) {
-            Ok(()) => Ok(Vec::new()),
+            Ok(()) => Ok(Way::Blocked(before.limit(self.scene, &self.rates, &pose.drives))),
             Err(group) => {
                 let mut state = before.state.clone();
                 self.rates.at(&pose.drives, &mut state.inputs);
@@ -177,7 +175,7 @@ impl Run<'_, '_> {
                 for step in &self.scene.plan.motion[..group] {
                     state.step::<0>(self.scene.plan, step);
                 }
-                let error = does_not_close(self.scene, state, group, &self.place(pose));
+                let error = does_not_close(self.scene, state, group, &place(self.scene, pose));
                 Err(Box::new(Stuck { error, back: Some(before) }))
             }
         }
@@ -222,98 +220,19 @@ impl Run<'_, '_> {
             outcome,
         });
     }
-
-    fn warn_switch(&mut self, group: usize, from: &str, to: &str) {
-        self.warnings.push(SolveError::BranchSwitch {
-            group: group_name(self.scene, group),
-            from: from.to_owned(),
-            to: to.to_owned(),
-            labels: group_labels(self.scene, group),
-        });
-    }
-
-    /// A warning that tells over which ranges a sweep does not close.
-    fn partial_sweep(&mut self, total: usize) {
-        let sweep = || self.poses.iter().filter(|p| matches!(p.origin, PoseOrigin::Sweep(_)));
-        let closed = sweep().filter(|p| !p.outcome.as_ref().is_err_and(is_open)).count();
-        if closed == total {
-            return;
-        }
-        let mut ranges: Vec<(String, String)> = Vec::new();
-        let mut open_before = false;
-        for pose in sweep() {
-            let open = pose.outcome.as_ref().is_err_and(is_open);
-            if open {
-                let here = self.drive_text(&pose.drives);
-                match ranges.last_mut() {
-                    Some(range) if open_before => range.1 = here,
-                    _ => ranges.push((here.clone(), here)),
-                }
-            }
-            open_before = open;
-        }
-        let text: Vec<String> = ranges
-            .iter()
-            .map(|(a, b)| if a == b { format!("open at {a}") } else { format!("open from {a} to {b}") })
-            .collect();
-        let span = self.scene.mechanism.drives.first().map_or_else(Default::default, |d| d.span);
-        self.warnings.push(SolveError::PartialSweep {
-            closed,
-            total,
-            ranges: text.join(", "),
-            span: span.into(),
-        });
-    }
-
-    pub(super) fn not_finite(&self, pose: &Wanted) -> SolveError {
-        let drives = self.scene.mechanism.drives.iter();
-        SolveError::NotFinite {
-            pose: self.place(pose),
-            labels: drives.map(|d| label("at this position", d.span)).collect(),
-        }
-    }
-
-    pub(super) fn place(&self, pose: &Wanted) -> String {
-        let drives = self.drive_text(&pose.drives);
-        match pose.origin {
-            _ if drives.is_empty() => String::new(),
-            PoseOrigin::Expected(_) => format!(" at {drives}"),
-            _ => format!(" at pose {} ({drives})", pose.name),
-        }
-    }
-
-    fn drive_text(&self, values: &[DriveValue]) -> String {
-        let drives = self.scene.mechanism.drives.iter().zip(values);
-        let texts = drives.filter_map(|(drive, value)| match value {
-            DriveValue::Scalar(x) if turns(self.scene, drive) => {
-                Some(format!("{} = {} deg", drive.name, short(x.to_degrees())))
-            }
-            DriveValue::Scalar(x) => Some(format!("{} = {}", drive.name, super::gap::mm(*x))),
-            DriveValue::Point(_) | DriveValue::None => None,
-        });
-        texts.collect::<Vec<_>>().join(", ")
-    }
-}
-
-/// Up to six decimals, without trailing zeros.
-fn short(x: f64) -> String {
-    let text = format!("{x:.6}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 fn is_open(error: &SolveError) -> bool {
     matches!(error, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. })
 }
 
-fn with_pose(error: SolveError, place: &str) -> SolveError {
-    match error {
-        SolveError::DoesNotClose { gap, help, labels, .. } => {
-            SolveError::DoesNotClose { pose: place.to_owned(), gap, help, labels }
-        }
-        SolveError::NotFound { group, labels, .. } => {
-            SolveError::NotFound { pose: place.to_owned(), group, labels }
-        }
-        other => other,
+fn with_pose(mut error: SolveError, place: &str) -> SolveError {
+    match &mut error {
+        SolveError::DoesNotClose { pose, .. }
+        | SolveError::NotFound { pose, .. }
+        | SolveError::Ambiguous { pose, .. }
+        | SolveError::HintNotMet { pose, .. } => place.clone_into(pose),
+        _ => {}
     }
+    error
 }

@@ -21,6 +21,15 @@ const MOST_STEPS: f64 = 20_000.0;
 /// Pose of a body: origin and direction.
 type Pose = (Vec2, Vec2);
 
+/// A change to the other assembly.
+#[derive(Clone, Debug)]
+pub(super) struct Switch {
+    /// The group.
+    pub group: usize,
+    /// Drive values just behind it.
+    pub at: Vec<DriveValue>,
+}
+
 /// A state that is moved from position to position, with the angles of its bodies followed.
 #[derive(Clone, Debug)]
 pub(super) struct Tracker {
@@ -57,15 +66,16 @@ impl Tracker {
         }
     }
 
-    /// Moves to other drive values. Returns the groups whose assembly changed sign on the way; on failure the group that
-    /// does not close, with the state left at the last place that closed.
+    /// Moves to other drive values. Returns the groups whose assembly changed on the way, with the values where; on failure
+    /// the group that does not close, with the state left at the last place that closed.
     pub(super) fn go(
         &mut self,
         scene: &Scene<'_>,
         rates: &Rates,
         target: &[DriveValue],
-    ) -> Result<Vec<usize>, usize> {
-        let before: Vec<Branch> = self.state.branches.clone();
+    ) -> Result<Vec<Switch>, usize> {
+        let first: Vec<Branch> = self.state.branches.clone();
+        let mut switched: Vec<Switch> = Vec::new();
         let steps = steps(scene, self.extent, &self.values, target);
         let start = self.values.clone();
         if (self.spacing - 1.0 / steps).abs() > 1e-9 || start.is_empty() {
@@ -80,10 +90,42 @@ impl Tracker {
             } else {
                 target.to_vec()
             };
+            let before: Vec<f64> = self.state.branches.iter().map(|b| b.root).collect();
             self.step(scene, rates, values)?;
+            for (group, (before, after)) in before.iter().zip(&self.state.branches).enumerate() {
+                if before * after.root < 0.0 {
+                    switched.push(Switch { group, at: self.values.clone() });
+                }
+            }
         }
-        let after = &self.state.branches;
-        Ok((0..before.len()).filter(|&g| before[g].root * after[g].root < 0.0).collect())
+        // what changed back is as it was
+        switched.retain(|s| first[s.group].root * self.state.branches[s.group].root < 0.0);
+        Ok(switched)
+    }
+
+    /// How far the way to other drive values closes: the last values that do.
+    pub(super) fn limit(
+        mut self,
+        scene: &Scene<'_>,
+        rates: &Rates,
+        target: &[DriveValue],
+    ) -> Vec<DriveValue> {
+        if self.go(scene, rates, target).is_ok() {
+            return target.to_vec();
+        }
+        let last = self.values.clone();
+        let at = |part: f64| last.iter().zip(target).map(|(a, b)| between(*a, *b, part)).collect::<Vec<_>>();
+        let (mut closed, mut open) = (0.0, 1.0 / steps(scene, self.extent, &last, target));
+        for _ in 0..50 {
+            let middle = 0.5 * (closed + open);
+            let mut trial = self.clone();
+            if trial.jump(scene, rates, &at(middle)).is_ok() {
+                closed = middle;
+            } else {
+                open = middle;
+            }
+        }
+        at(closed)
     }
 
     fn step(&mut self, scene: &Scene<'_>, rates: &Rates, values: Vec<DriveValue>) -> Result<(), usize> {

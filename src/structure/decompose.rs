@@ -32,10 +32,11 @@ pub(super) fn decompose(
     }
     let order = order(&incidence, &matching, side);
     let members = Members::new(replaced, &order, side);
+    let mut joints = members.joints(replaced);
+    let mut inside = efforts_inside(&incidence, &matching, &order);
     let groups = (0..order.len()).filter_map(|rank| {
         let bodies = members.bodies(rank)?;
-        let joints = members.joints(replaced, rank);
-        let inside = efforts_inside(&incidence, &matching, &order[rank]);
+        let (joints, inside) = (std::mem::take(&mut joints[rank]), std::mem::take(&mut inside[rank]));
         Some(Group::new(bodies, joints, inside, efforts, replaced))
     });
     Ok(groups.collect())
@@ -61,12 +62,19 @@ fn order(incidence: &Incidence, matching: &Matching, side: Side) -> Vec<Vec<usiz
     components(&successors)
 }
 
-fn efforts_inside(incidence: &Incidence, matching: &Matching, vertices: &[usize]) -> Vec<usize> {
-    let inside = incidence.owners.iter().zip(&matching.node_of).filter_map(|(owner, node)| match owner {
-        Owner::Effort(e) if node.is_some_and(|n| vertices.contains(&incidence.vertex(n))) => Some(*e),
-        _ => None,
-    });
-    inside.collect()
+/// The efforts of every group, by rank.
+fn efforts_inside(incidence: &Incidence, matching: &Matching, order: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let mut rank_of = vec![0; incidence.vertex(incidence.capacity.len())];
+    for (rank, vertices) in order.iter().enumerate() {
+        vertices.iter().for_each(|&v| rank_of[v] = rank);
+    }
+    let mut inside = vec![Vec::new(); order.len()];
+    for (owner, node) in incidence.owners.iter().zip(&matching.node_of) {
+        if let (Owner::Effort(effort), Some(node)) = (owner, node) {
+            inside[rank_of[incidence.vertex(*node)]].push(*effort);
+        }
+    }
+    inside
 }
 
 /// Which body is solved when.
@@ -109,19 +117,17 @@ impl<'a> Members<'a> {
         }
     }
 
-    /// The joints of the group of this rank. A pin of many links is taken apart into joints with the member that
-    /// carries it: the one known first (motion) or solved last (forces).
-    fn joints(&self, replaced: &Replaced, rank: usize) -> Vec<GroupJoint> {
-        let mut out = Vec::new();
+    /// The joints of every group, by rank. A pin of many links is taken apart into joints with the member that carries
+    /// it: the one known first (motion) or solved last (forces).
+    fn joints(&self, replaced: &Replaced) -> Vec<Vec<GroupJoint>> {
+        let mut out = vec![Vec::new(); self.order.len()];
         for (i, joint) in replaced.joints.iter().enumerate() {
             let bodies = joint.bodies();
             let Some(hub) = (0..bodies.len()).min_by_key(|&m| self.depth(bodies[m])) else { continue };
             let base = bodies[hub];
             for (m, &body) in bodies.iter().enumerate() {
-                if m == hub || self.rank[body.0] != Some(rank) {
-                    continue;
-                }
-                out.push(GroupJoint {
+                let Some(rank) = self.rank[body.0].filter(|_| m != hub) else { continue };
+                out[rank].push(GroupJoint {
                     joint: JointId(i),
                     body,
                     base,

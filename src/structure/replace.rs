@@ -158,10 +158,18 @@ fn line_of(profile: &Profile) -> Guide {
 /// Links whose rotation changes nothing: one hinge, and otherwise only contacts of circles about that hinge.
 fn passive_links(mechanism: &Mechanism) -> Vec<LinkId> {
     let driven = |link: LinkId| mechanism.drives.iter().any(|d| d.target == DriveTarget::Link(link));
-    (1..mechanism.links.len())
-        .map(LinkId::at)
+    let round = mechanism.pairs.iter().flat_map(|pair| match &pair.kind {
+        PairKind::Contact { first, second, .. } => vec![first, second],
+        _ => Vec::new(),
+    });
+    let mut rollers: Vec<LinkId> = round
+        .filter(|profile| matches!(profile.shape, ProfileShape::Circle(..)) && profile.link != LinkId::GROUND)
+        .map(|profile| profile.link)
         .filter(|&link| !driven(link) && is_free_roller(mechanism, link))
-        .collect()
+        .collect();
+    rollers.sort_unstable();
+    rollers.dedup();
+    rollers
 }
 
 fn is_free_roller(mechanism: &Mechanism, link: LinkId) -> bool {

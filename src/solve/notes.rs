@@ -1,0 +1,310 @@
+//! What deserves a warning, collected over all positions and said once.
+
+use super::error::{SolveError, label};
+use super::positions::{Wanted, turns};
+use super::solution::{DriveValue, Pose, PoseOrigin, Residuals, Scene};
+use super::state::State;
+use super::track::Switch;
+use super::words::{drive_text, four, labels, links, place, short, stands};
+use crate::model::{Expr, PairId, Positions, Value};
+use crate::structure::{EffortKind, EffortSource, Group};
+
+/// With fewer digits left a warning tells how many: σ = 1e-3 for accelerations, 5e-5 for velocities and forces.
+const FEW_DIGITS: f64 = 7.0;
+
+/// Drive values between which a sweep does not close; absent at its ends.
+#[derive(Debug, Default)]
+struct Gap {
+    from: Option<Vec<DriveValue>>,
+    to: Option<Vec<DriveValue>>,
+}
+
+/// A contact that pulls: where it pulls most, and how often.
+#[derive(Debug)]
+struct Pull {
+    pair: PairId,
+    normal: f64,
+    place: String,
+    poses: usize,
+}
+
+/// Warnings of a run.
+#[derive(Debug, Default)]
+pub(super) struct Notes {
+    switches: Vec<SolveError>,
+    gaps: Vec<Gap>,
+    in_gap: bool,
+    /// The fewest digits left, with their warning.
+    fewest: Option<(f64, SolveError)>,
+    pulls: Vec<Pull>,
+}
+
+impl Notes {
+    pub(super) const fn in_gap(&self) -> bool {
+        self.in_gap
+    }
+
+    pub(super) fn gap_begins(&mut self, from: Option<Vec<DriveValue>>) {
+        self.in_gap = true;
+        self.gaps.push(Gap { from, to: None });
+    }
+
+    pub(super) fn gap_ends(&mut self, to: Vec<DriveValue>) {
+        self.in_gap = false;
+        if let Some(gap) = self.gaps.last_mut() {
+            gap.to = Some(to);
+        }
+    }
+
+    pub(super) fn switched(&mut self, scene: &Scene<'_>, switch: &Switch, from: &str, to: &str) {
+        let group = &scene.structure.motion[switch.group];
+        self.switches.push(SolveError::BranchSwitch {
+            links: links(scene, group),
+            from: from.to_owned(),
+            to: to.to_owned(),
+            near: drive_text(scene, &rounded(scene, &switch.at, 1.0)),
+            labels: labels(scene, group, "this group"),
+        });
+    }
+
+    /// The condition figure σ of a group; the error of what is asked of it grows as ε over this power of σ.
+    pub(super) fn condition(
+        &mut self,
+        scene: &Scene<'_>,
+        group: &Group,
+        (condition, what, power): (f64, &'static str, u8),
+        pose: &Wanted,
+    ) {
+        let digits = f64::from(power) * condition.max(f64::MIN_POSITIVE).log10() - f64::EPSILON.log10();
+        // what is no number is reported by itself
+        if condition.is_nan()
+            || digits >= FEW_DIGITS
+            || power == 1
+            || self.fewest.as_ref().is_some_and(|f| f.0 <= digits)
+        {
+            return;
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 0 and 7
+        let warning = SolveError::IllConditioned {
+            pose: place(scene, pose),
+            links: links(scene, group),
+            condition,
+            digits: digits.clamp(0.0, FEW_DIGITS) as u32,
+            what,
+            labels: labels(scene, group, "near a dead position"),
+        };
+        self.fewest = Some((digits, warning));
+    }
+
+    pub(super) fn pulls(&mut self, scene: &Scene<'_>, pair: PairId, normal: f64, pose: &Wanted) {
+        let here = || place(scene, pose);
+        match self.pulls.iter_mut().find(|p| p.pair == pair) {
+            Some(pull) => {
+                pull.poses += 1;
+                if normal < pull.normal {
+                    (pull.normal, pull.place) = (normal, here());
+                }
+            }
+            None => self.pulls.push(Pull { pair, normal, place: here(), poses: 1 }),
+        }
+    }
+
+    pub(super) fn into_warnings(self, scene: &Scene<'_>, poses: &[Pose]) -> Vec<SolveError> {
+        let mut warnings = self.switches;
+        for pull in self.pulls {
+            let pair = scene.mechanism.pair(pull.pair);
+            let more = match pull.poses - 1 {
+                0 => String::new(),
+                1 => ", and at 1 other pose".to_owned(),
+                n => format!(", and at {n} other poses"),
+            };
+            let (normal, pose) = (four(pull.normal), pull.place);
+            let name = pair.name.clone();
+            warnings.push(SolveError::ContactPulls { name, pose, normal, more, span: pair.span.into() });
+        }
+        warnings.extend(partial_sweep(scene, poses, &self.gaps));
+        warnings.extend(self.fewest.map(|f| f.1));
+        warnings
+    }
+}
+
+/// Angles rounded to a part of a degree.
+fn rounded(scene: &Scene<'_>, values: &[DriveValue], per_degree: f64) -> Vec<DriveValue> {
+    let drives = scene.mechanism.drives.iter().zip(values);
+    drives
+        .map(|(drive, value)| match value {
+            DriveValue::Scalar(x) if turns(scene, drive) => {
+                DriveValue::Scalar(((x.to_degrees() * per_degree).round() / per_degree).to_radians())
+            }
+            other => *other,
+        })
+        .collect()
+}
+
+/// A warning that tells over which ranges a sweep does not close.
+fn partial_sweep(scene: &Scene<'_>, poses: &[Pose], gaps: &[Gap]) -> Option<SolveError> {
+    if gaps.is_empty() {
+        return None;
+    }
+    let open =
+        |p: &&Pose| matches!(&p.outcome, Err(SolveError::DoesNotClose { .. } | SolveError::NotFound { .. }));
+    let sweep = || poses.iter().filter(|p| matches!(p.origin, PoseOrigin::Sweep(_)));
+    let total = sweep().count();
+    let closed = total - sweep().filter(open).count();
+    let text = |values: &[DriveValue]| drive_text(scene, &rounded(scene, values, 100.0));
+    let ranges = gaps.iter().map(|gap| match (&gap.from, &gap.to) {
+        (Some(from), Some(to)) => format!("from {} to {}", text(from), text(to)),
+        (Some(from), None) => format!("beyond {}", text(from)),
+        (None, Some(to)) => format!("before {}", text(to)),
+        (None, None) => "anywhere".to_owned(),
+    });
+    let drive = scene.mechanism.drives.first()?;
+    let (positions, listed) = if closed == total {
+        let positions = "the positions close, but not the way between them".to_owned();
+        (positions, "the side of every group is kept across the gap")
+    } else {
+        (
+            format!("{closed} of {total} positions close"),
+            "positions that do not close are left out of the answers",
+        )
+    };
+    let help = match closing_range(scene, gaps) {
+        Some(line) => format!("{listed}; to sweep over the part that closes write\n  {line}"),
+        None => listed.to_owned(),
+    };
+    let ranges = ranges.collect::<Vec<_>>().join(", nor ");
+    Some(SolveError::PartialSweep { positions, ranges, help, span: drive.span.into() })
+}
+
+/// The sweep of a single drive that turns, cut to what closes.
+fn closing_range(scene: &Scene<'_>, gaps: &[Gap]) -> Option<String> {
+    let ([drive], [gap]) = (scene.mechanism.drives.as_slice(), gaps) else { return None };
+    let Positions::Range { from, to, steps } = &drive.positions else { return None };
+    let (Expr::Constant(Value::Scalar(first)), Expr::Constant(Value::Scalar(last))) = (from, to) else {
+        return None;
+    };
+    if !turns(scene, drive) {
+        return None;
+    }
+    let degrees = |values: &Option<Vec<DriveValue>>| match values.as_deref() {
+        Some([DriveValue::Scalar(x)]) => Some(x.to_degrees()),
+        _ => None,
+    };
+    let (first, last) = (first.to_degrees(), last.to_degrees());
+    let way = (last - first).signum();
+    // rounded to the side that closes
+    let inwards = |x: f64, sense: f64| (x * 100.0 * sense * way).floor() / 100.0 * sense * way;
+    let (begin, end) = match (degrees(&gap.from), degrees(&gap.to)) {
+        (Some(a), Some(b)) if ((last - first).abs() - 360.0).abs() < 1e-9 => {
+            (inwards(b - 360.0 * way, -1.0), inwards(a, 1.0))
+        }
+        (Some(a), _) => (first, inwards(a, 1.0)),
+        (None, Some(b)) => (inwards(b, -1.0), last),
+        (None, None) => return None,
+    };
+    Some(format!("drive {} = {} deg .. {} deg in {steps} steps", drive.name, short(begin), short(end)))
+}
+
+/// A group whose determinant vanishes.
+pub(super) fn dead(scene: &Scene<'_>, group: &Group, condition: f64, pose: &Wanted) -> SolveError {
+    SolveError::DeadPosition {
+        pose: place(scene, pose),
+        stands: stands(scene, group, condition),
+        help: format!(
+            "where a group is dead no velocity and no force follows from the drives: choose a position beside it, or \
+             drive {} itself",
+            one_of(&links(scene, group))
+        ),
+        labels: labels(scene, group, "dead"),
+    }
+}
+
+fn one_of(links: &str) -> String {
+    if links.contains(" and ") { format!("one of {links}") } else { links.to_owned() }
+}
+
+/// A group of forces whose determinant vanishes.
+pub(super) fn cannot_hold(scene: &Scene<'_>, group: &Group, condition: f64, pose: &Wanted) -> SolveError {
+    if group.efforts.is_empty() {
+        return dead(scene, group, condition, pose);
+    }
+    let links = links(scene, group);
+    let mut marks = Vec::new();
+    let mut line = false;
+    for &effort in &group.efforts {
+        let effort = &scene.structure.efforts[effort];
+        line |= matches!(effort.kind, EffortKind::Line(_));
+        let span = match effort.source {
+            EffortSource::Balance(id) => scene.mechanism.balances[id.index()].span,
+            EffortSource::Drive(id) => scene.mechanism.drives[id.index()].span,
+        };
+        marks.push(label("cannot hold them here", span));
+    }
+    let prismatic = group.joints.first().is_some_and(|j| j.prismatic);
+    let (why, help) = match (group.joints.len(), line, prismatic) {
+        (1, true, true) => (
+            format!("the unknown force stands across the guide of {links} and cannot hold it"),
+            "turn the force towards the guide",
+        ),
+        (1, true, false) => (
+            format!("the unknown force passes through the hinge of {links} and cannot hold it"),
+            "turn the force away from the hinge, or move its place",
+        ),
+        _ => (
+            format!("the unknown effort cannot hold {links} as they stand"),
+            "choose another place or direction for the effort, or another position",
+        ),
+    };
+    let sigma =
+        if condition > 0.0 { format!(" (condition figure σ = {condition:.1e})") } else { String::new() };
+    marks.extend(labels(scene, group, "held by this"));
+    SolveError::EffortCannotHold {
+        pose: place(scene, pose),
+        why: why + &sigma,
+        help: help.to_owned(),
+        labels: marks,
+    }
+}
+
+/// The first result that is no number.
+pub(super) fn not_finite(scene: &Scene<'_>, state: &State, pose: &Wanted) -> Option<SolveError> {
+    let body = |i: usize| super::words::body(scene, crate::structure::BodyId(i));
+    let pairs = scene.plan.reactions.iter().zip(&state.reactions);
+    let bodies = || state.bodies.iter().enumerate();
+    let what = bodies()
+        .find(|(_, b)| !(b.p.x + b.p.y + b.u.x + b.u.y).is_finite())
+        .map(|(i, _)| format!("the position of {}", body(i)))
+        .or_else(|| {
+            let found = bodies().find(|(_, b)| !(b.v.x + b.v.y + b.omega).is_finite());
+            found.map(|(i, _)| format!("the velocity of {}", body(i)))
+        })
+        .or_else(|| {
+            let found = bodies().find(|(_, b)| !(b.a.x + b.a.y + b.alpha).is_finite());
+            found.map(|(i, _)| format!("the acceleration of {}", body(i)))
+        })
+        .or_else(|| {
+            let found = pairs.clone().find(|(_, r)| !(r.force.x + r.force.y + r.couple).is_finite());
+            found.map(|(joint, _)| {
+                let pair = scene.structure.replaced.joint(joint.joint).pair;
+                format!("the reaction in `{}`", scene.mechanism.pair(pair).name)
+            })
+        })
+        .or_else(|| state.efforts.iter().find(|e| !e.is_finite()).map(|_| "an unknown effort".to_owned()))?;
+    let labels = scene.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
+    Some(SolveError::NotFinite { pose: place(scene, pose), what, labels })
+}
+
+/// Pairs that miss each other by more than this share of the mechanism's size do not meet: even a dead position leaves
+/// the root of the unit roundoff.
+const MEETS: f64 = 1e-6;
+
+/// Numbers so far apart that the small ones are lost beside the great: the pairs do not meet, or a residual is no number.
+pub(super) fn out_of_scale(scene: &Scene<'_>, residuals: &Residuals, pose: &Wanted) -> Option<SolveError> {
+    let numbers = [residuals.equilibrium, residuals.power].into_iter().flatten().all(|x| !x.is_nan());
+    if residuals.closure <= MEETS && numbers {
+        return None;
+    }
+    let what = if residuals.closure <= MEETS { "the balance of forces" } else { "the position of the links" };
+    let labels = scene.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
+    Some(SolveError::NotFinite { pose: place(scene, pose), what: what.to_owned(), labels })
+}

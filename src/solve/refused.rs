@@ -1,0 +1,107 @@
+//! What is asked for that cannot be answered at any position.
+
+use miette::LabeledSpan;
+
+use super::error::{SolveError, label};
+use super::extremes::every_query;
+use super::solution::Scene;
+use super::words::{four, short};
+use crate::model::{Drive, DriveTarget, Expr, LoadKind, Mechanism, PairKind, Positions, Value};
+use crate::plan::{Level, level_of};
+use crate::source::Span;
+
+/// Constructs that are understood and cannot be solved yet, each kind once.
+pub(super) fn not_supported(mechanism: &Mechanism) -> Vec<SolveError> {
+    let mut kinds: Vec<(&str, Vec<LabeledSpan>)> = Vec::new();
+    for unsupported in &mechanism.unsupported {
+        let mark = label("not supported yet", unsupported.span);
+        match kinds.iter_mut().find(|k| k.0 == unsupported.what) {
+            Some((_, marks)) => marks.push(mark),
+            None => kinds.push((&unsupported.what, vec![mark])),
+        }
+    }
+    kinds
+        .into_iter()
+        .map(|(what, labels)| SolveError::NotSupportedYet { what: what.to_owned(), labels })
+        .collect()
+}
+
+/// Velocities and accelerations of a mechanism whose drives have no speed.
+pub(super) fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
+    let (mechanism, effects) = (scene.mechanism, scene.plan.effects);
+    let allowed = match (effects.moving, effects.timed) {
+        (_, true) => return None,
+        (true, false) => Level::Velocities,
+        (false, false) => Level::Positions,
+    };
+    let drive = mechanism.drives.first()?;
+    let mut needed = allowed;
+    let mut places: Vec<Span> = Vec::new();
+    let mut ask = |level: Level, span: Span| {
+        if level > allowed {
+            needed = needed.max(level);
+            places.push(span);
+        }
+    };
+    every_query(mechanism, &mut |query, span| ask(level_of(query), span));
+    for load in mechanism.loads.iter().filter(|_| effects.forces) {
+        let against = matches!(
+            load.kind,
+            LoadKind::ForceAgainstMotion { .. } | LoadKind::Torque { against_motion: true, .. }
+        );
+        if against {
+            ask(Level::Velocities, load.span);
+        }
+    }
+    places.dedup();
+    if places.is_empty() {
+        return None;
+    }
+    let (written, speed) = written(mechanism, drive);
+    let name = &drive.name;
+    let (what, needs, help) = if needed == Level::Velocities {
+        let sense = match drive.target {
+            _ if speed.ends_with(')') => String::new(),
+            _ if speed.ends_with("rpm") => {
+                format!("; for velocities as ratios a sense is enough: `drive {name}{written} turning ccw`")
+            }
+            _ => format!(
+                "; for velocities as ratios a sense is enough: `drive {name}{written} moving forward`"
+            ),
+        };
+        ("a velocity", "a speed or a sense", format!("write `drive {name}{written} at {speed}`{sense}"))
+    } else {
+        ("an acceleration", "a speed", format!("write `drive {name}{written} at {speed}`"))
+    };
+    let mut labels: Vec<LabeledSpan> =
+        places.into_iter().filter(|s| *s != Span::default()).map(|s| label("needed here", s)).collect();
+    labels.push(label(format!("without {needs}"), drive.span));
+    Some(SolveError::NeedsSpeed { what, needs, help, labels })
+}
+
+/// The positions of a drive as they may have been written, and a speed for it.
+fn written(mechanism: &Mechanism, drive: &Drive) -> (String, &'static str) {
+    let (turns, speed) = match drive.target {
+        DriveTarget::Link(_) => (true, "60 rpm"),
+        DriveTarget::Pair(pair) if matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)) => {
+            (true, "60 rpm")
+        }
+        DriveTarget::Pair(_) => (false, "0.1 m/s"),
+        DriveTarget::Point(..) => (false, "(0.1 m/s, 0)"),
+    };
+    let value = |e: &Expr| match e {
+        Expr::Constant(Value::Scalar(x)) if turns => Some(format!("{} deg", short(x.to_degrees()))),
+        Expr::Constant(Value::Scalar(x)) => Some(format!("{} mm", four(x * 1e3))),
+        _ => None,
+    };
+    let text = match &drive.positions {
+        Positions::List(list) => {
+            list.iter().map(value).collect::<Option<Vec<_>>>().map(|values| values.join(", "))
+        }
+        Positions::Range { from, to, steps } => {
+            value(from).zip(value(to)).map(|(from, to)| format!("{from} .. {to} in {steps} steps"))
+        }
+        Positions::None => None,
+    };
+    (format!(" = {}", text.unwrap_or_else(|| "…".to_owned())), speed)
+}

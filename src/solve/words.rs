@@ -1,0 +1,118 @@
+//! Positions, lengths and links in words.
+
+use miette::LabeledSpan;
+
+use super::positions::{Wanted, turns};
+use super::solution::{DriveValue, PoseOrigin, Scene};
+use crate::model::PairKind;
+use crate::structure::{BodyId, BodyOrigin, Dyad, Group, GroupKind};
+
+/// ` at pose 3 (crank = 60 deg)`; empty where nothing is driven.
+pub(super) fn place(scene: &Scene<'_>, pose: &Wanted) -> String {
+    let drives = drive_text(scene, &pose.drives);
+    match pose.origin {
+        _ if drives.is_empty() => String::new(),
+        PoseOrigin::Expected(_) => format!(" at {drives}"),
+        _ => format!(" at pose {} ({drives})", pose.name),
+    }
+}
+
+/// `crank = 60 deg, c1 = 250 mm`
+pub(super) fn drive_text(scene: &Scene<'_>, values: &[DriveValue]) -> String {
+    let drives = scene.mechanism.drives.iter().zip(values);
+    let texts = drives.filter_map(|(drive, value)| match value {
+        DriveValue::Scalar(x) if turns(scene, drive) => {
+            Some(format!("{} = {} deg", drive.name, short(x.to_degrees())))
+        }
+        DriveValue::Scalar(x) => Some(format!("{} = {}", drive.name, mm(*x))),
+        DriveValue::Point(p) => Some(format!("{} = ({}, {})", drive.name, mm(p.x), mm(p.y))),
+        DriveValue::None => None,
+    });
+    texts.collect::<Vec<_>>().join(", ")
+}
+
+/// Up to six decimals, without trailing zeros.
+pub(super) fn short(x: f64) -> String {
+    let text = format!("{x:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// A length in millimetres, to four significant digits.
+pub(super) fn mm(length: f64) -> String {
+    format!("{} mm", four(length * 1e3))
+}
+
+/// Four significant digits, without trailing zeros behind the point; very large and very small numbers with a power of
+/// ten.
+pub(super) fn four(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return format!("{x}");
+    }
+    if !(1e-6..1e9).contains(&x.abs()) {
+        return format!("{x:.3e}");
+    }
+    #[allow(clippy::cast_possible_truncation)] // between −6 and 9
+    let digits = (3 - x.abs().log10().floor() as i32).max(0);
+    let text = format!("{x:.*}", usize::try_from(digits).unwrap_or(0));
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// A body as the author knows it; barrel and rod by the name of their cylinder.
+pub(super) fn body(scene: &Scene<'_>, body: BodyId) -> String {
+    match scene.structure.replaced.bodies[body.0].origin {
+        BodyOrigin::Link(id) => {
+            let name = &scene.mechanism.link(id).name;
+            format!("`{}`", name.split_once('.').map_or(name.as_str(), |(cylinder, _)| cylinder))
+        }
+        BodyOrigin::Imaginary(pair) => {
+            let pair = scene.mechanism.pair(pair);
+            let what = if matches!(pair.kind, PairKind::Slot(_)) { "the pin" } else { "the radii" };
+            format!("{what} of `{}`", pair.name)
+        }
+    }
+}
+
+/// The links of a group: `` `rod` and `piston` ``.
+pub(super) fn links(scene: &Scene<'_>, group: &Group) -> String {
+    let mut names: Vec<String> = group
+        .bodies
+        .iter()
+        .filter(|b| matches!(scene.structure.replaced.bodies[b.0].origin, BodyOrigin::Link(_)))
+        .map(|&b| body(scene, b))
+        .collect();
+    names.dedup();
+    match names.as_slice() {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        names => names.concat(),
+    }
+}
+
+/// Marks the pairs of a group, with the text at its inner one.
+pub(super) fn labels(scene: &Scene<'_>, group: &Group, text: &str) -> Vec<LabeledSpan> {
+    let pair = |j: &crate::structure::GroupJoint| scene.structure.replaced.joint(j.joint).pair;
+    let main = group.joints.iter().find(|j| j.inner).or(group.joints.first()).map(pair);
+    let mut pairs: Vec<_> = group.joints.iter().map(pair).collect();
+    pairs.sort();
+    pairs.dedup();
+    let spans = pairs.into_iter().map(|p| {
+        let text = (Some(p) == main).then(|| text.to_owned());
+        LabeledSpan::new_with_span(text, scene.mechanism.pair(p).span)
+    });
+    spans.collect()
+}
+
+/// How a group stands whose determinant vanishes.
+pub(super) fn stands(scene: &Scene<'_>, group: &Group, condition: f64) -> String {
+    let links = links(scene, group);
+    let first = group.bodies.first().map(|&b| body(scene, b));
+    let how = match (group.kind, first) {
+        (GroupKind::Dyad(Dyad::Rrr), _) => format!("{links} are in line"),
+        (GroupKind::Dyad(Dyad::Rrp), Some(leg)) => format!("{leg} stands across its guide"),
+        (GroupKind::Dyad(Dyad::Prp | Dyad::Rpp) | GroupKind::Translation, _) => {
+            format!("the guides of {links} are parallel")
+        }
+        _ => format!("{links} could move a little while all others stand still"),
+    };
+    if condition > 0.0 { format!("{how} (condition figure σ = {condition:.1e})") } else { how }
+}

@@ -1,0 +1,107 @@
+//! What a help offers to paste does what it says.
+
+use assur::check::Overrides;
+use assur::diagnostic::DiagnosticView;
+use assur::source::Source;
+use std::path::{Path, PathBuf};
+
+fn diagnostics(text: &str) -> Vec<DiagnosticView> {
+    let source = Source::new("text.mech", text);
+    assur::solve_source(&source, &Overrides::none()).1.views(&source)
+}
+
+fn files(code: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors").join(code);
+    let entries = std::fs::read_dir(&folder).expect("a folder").flatten().map(|e| e.path());
+    let mut files: Vec<PathBuf> = entries.filter(|p| p.extension().is_some_and(|e| e == "mech")).collect();
+    files.sort();
+    assert!(!files.is_empty(), "{}", folder.display());
+    files
+}
+
+/// The text and help of a wrong file with the code.
+fn help(path: &Path, code: &str) -> (String, String) {
+    let text = std::fs::read_to_string(path).expect("a text");
+    let code = format!("mech::{}", code.replace('/', "::"));
+    let found = diagnostics(&text).into_iter().find(|d| d.code.as_ref() == Some(&code));
+    let help = found.and_then(|d| d.help).unwrap_or_else(|| panic!("{}: no help", path.display()));
+    (text, help)
+}
+
+/// The lines to paste, by the sentence above them.
+fn sections(help: &str) -> Vec<(&str, Vec<&str>)> {
+    let mut out: Vec<(&str, Vec<&str>)> = Vec::new();
+    for line in help.lines() {
+        match (line.strip_prefix("  "), out.last_mut()) {
+            (Some(pasted), Some(section)) => section.1.push(pasted),
+            _ => out.push((line, Vec::new())),
+        }
+    }
+    out.retain(|s| !s.1.is_empty());
+    out
+}
+
+/// Every choice of one line per section.
+fn product<'a>(sections: &[(&str, Vec<&'a str>)]) -> Vec<Vec<&'a str>> {
+    sections.iter().fold(vec![Vec::new()], |chosen, (_, lines)| {
+        let with = |c: &Vec<&'a str>, line: &&'a str| c.iter().copied().chain([*line]).collect();
+        chosen.iter().flat_map(|c| lines.iter().map(move |line| with(c, line))).collect()
+    })
+}
+
+#[test]
+fn a_choice_of_assembly() {
+    for path in files("assembly/ambiguous") {
+        let (text, help) = help(&path, "assembly/ambiguous");
+        let sections = sections(&help);
+        assert!(sections.iter().all(|s| s.1.len() > 1), "{help}");
+        for lines in product(&sections) {
+            let pasted = format!("{text}\n{}\n", lines.join("\n"));
+            let found = diagnostics(&pasted);
+            assert!(found.is_empty(), "{}\n{lines:?}\n{found:#?}", path.display());
+        }
+    }
+}
+
+#[test]
+fn an_assembly_that_there_is() {
+    for path in files("assembly/hint_not_met") {
+        let (text, help) = help(&path, "assembly/hint_not_met");
+        let without: String =
+            text.lines().filter(|l| !l.starts_with("assemble")).map(|l| format!("{l}\n")).collect();
+        for (_, lines) in sections(&help) {
+            for line in lines {
+                let found = diagnostics(&format!("{without}{line}\n"));
+                assert!(found.is_empty(), "{}\n{line}\n{found:#?}", path.display());
+            }
+        }
+    }
+}
+
+/// Lines of one section are alternatives, unless it says how many to add.
+fn pastes<'a>(help: &'a str) -> Vec<Vec<&'a str>> {
+    let each = |(sentence, lines): (&'a str, Vec<&'a str>)| {
+        if sentence.ends_with("drives") { vec![lines] } else { lines.into_iter().map(|l| vec![l]).collect() }
+    };
+    sections(help).into_iter().flat_map(each).collect()
+}
+
+#[test]
+fn what_holds_or_drives() {
+    for code in ["determinacy/underconstrained", "determinacy/efforts"] {
+        for path in files(code) {
+            let (text, help) = help(&path, code);
+            if help.contains("leave out") {
+                continue;
+            }
+            let pastes = pastes(&help);
+            assert!(!pastes.is_empty(), "{}: {help}", path.display());
+            for lines in pastes {
+                let found = diagnostics(&format!("{text}\n{}\n", lines.join("\n")));
+                let still =
+                    |d: &DiagnosticView| d.code.as_ref().is_some_and(|c| !c.starts_with("mech::assembly"));
+                assert!(!found.iter().any(still), "{}\n{lines:?}\n{found:#?}", path.display());
+            }
+        }
+    }
+}
