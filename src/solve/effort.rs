@@ -1,5 +1,6 @@
 //! Loads and efforts as they act at a position, and their powers.
 
+use super::friction::STILL;
 use super::view::View;
 use crate::math::Vec2;
 use crate::model::{BalanceKind, LinkId, LoadKind, Place, Value};
@@ -72,14 +73,17 @@ impl View<'_> {
                 let p = self.place(*on, at);
                 let body = self.body(*on);
                 let v = body.v + (p - body.p).perp() * body.omega;
-                Value::Vector(v.unit().map_or(Vec2::zero(), |d| d * -self.scalar(value)))
+                let fastest = self.state.bodies.iter().map(|b| b.v.norm()).fold(0.0, f64::max);
+                let direction = v.unit().filter(|_| v.norm() > STILL * fastest);
+                Value::Vector(direction.map_or(Vec2::zero(), |d| d * -self.scalar(value)))
             }
             LoadKind::Torque { on, value, against_motion } => {
                 let omega = self.body(*on).omega;
-                let sign = match (*against_motion, omega) {
-                    (false, _) => 1.0,
-                    (true, 0.0) => 0.0,
-                    (true, w) => -w.signum(),
+                let fastest = self.state.bodies.iter().map(|b| b.omega.abs()).fold(0.0, f64::max);
+                let sign = match *against_motion {
+                    false => 1.0,
+                    true if omega.abs() <= STILL * fastest => 0.0,
+                    true => -omega.signum(),
                 };
                 Value::Scalar(sign * self.scalar(value))
             }

@@ -15,47 +15,41 @@
 //! does not settle.
 
 use super::state::{Reaction, State, Wrench};
-use crate::math::{Dense, Vec2};
+use crate::math::Vec2;
 use crate::plan::{ForceStep, FrictionElement, Plan, Rub, RubbingGroup};
 
-/// Newton's method has settled when the laws hold to this, relative to the forces.
-const SETTLED: f64 = 1e-14;
+/// Newton's method has settled when its step is this part of the friction: what is left is of the order of its square.
+const SETTLED: f64 = 1e-9;
 /// Newton's steps are at most this many; with a solution four suffice.
 const STEPS: usize = 25;
-/// Relative velocities below this part of the greatest are none.
-const STILL: f64 = 1e-11;
+/// Velocities below this part of the greatest are none.
+pub(super) const STILL: f64 = 1e-11;
 
 /// Memory of a group with friction.
 #[derive(Clone, Debug)]
 pub struct RubbingWork {
     /// Wrenches of the group's bodies and bases as the group finds them.
     saved: Vec<Wrench>,
-    /// Reactions of the group's slots: from the loads, then from each unit effort.
-    responses: Vec<Vec<Reaction>>,
+    /// What the law of each element measures, two numbers each: a row per element, from the loads and from each unit.
+    measured: Vec<Vec2>,
     senses: Vec<f64>,
-    jacobian: Dense,
+    jacobian: Vec<f64>,
     values: Vec<f64>,
     right: Vec<f64>,
-    slopes: Vec<f64>,
-    /// Place of each element's reaction among the group's slots.
-    places: Vec<usize>,
 }
 
 impl RubbingWork {
     /// Memory for a group.
     #[must_use]
-    pub fn new(plan: &Plan, group: &RubbingGroup) -> Self {
+    pub fn new(group: &RubbingGroup) -> Self {
         let count = group.elements.len();
-        let place = |&e: &usize| group.slots.iter().position(|s| *s == plan.friction[e].slot).unwrap_or(0);
         Self {
             saved: vec![Wrench::default(); group.bodies.len() + group.bases.len()],
-            responses: vec![vec![Reaction::default(); group.slots.len()]; count + 1],
+            measured: vec![Vec2::zero(); count * (count + 1)],
             senses: vec![0.0; count],
-            jacobian: Dense::new(count),
+            jacobian: vec![0.0; count * count],
             values: vec![0.0; count],
             right: vec![0.0; count],
-            slopes: vec![0.0; count],
-            places: group.elements.iter().map(place).collect(),
         }
     }
 }
@@ -90,17 +84,23 @@ impl State {
     /// Senses of all elements: the sign of the relative velocity, zero where it is nothing but rounding.
     pub fn set_senses(&mut self, plan: &Plan) {
         let turn = self.bodies.iter().map(|b| b.omega.abs()).fold(0.0, f64::max);
-        let mut speed = self.bodies.iter().map(|b| b.v.norm()).fold(0.0, f64::max);
-        for element in &plan.friction {
-            if let Some((p, _)) = self.rubbing_line(element) {
-                let body = &self.bodies[element.body];
-                speed = speed.max((body.v + (p - body.p).perp() * body.omega).norm());
-            }
-        }
+        let mut square = self.bodies.iter().map(|b| b.v.dot(b.v)).fold(0.0, f64::max);
         for (i, element) in plan.friction.iter().enumerate() {
-            let relative = self.rubbing_speed(element);
-            let scale = if matches!(element.kind, Rub::Circle { .. }) { turn } else { speed };
-            self.senses[i] = if relative.abs() <= STILL * scale { 0.0 } else { relative.signum() };
+            self.senses[i] = match self.rubbing_line(element) {
+                None => self.bodies[element.body].omega - self.bodies[element.base].omega,
+                Some((p, d)) => {
+                    let at = |b: &super::state::BodyState| b.v + (p - b.p).perp() * b.omega;
+                    let v = at(&self.bodies[element.body]);
+                    square = f64::max(square, v.dot(v));
+                    (v - at(&self.bodies[element.base])).dot(d)
+                }
+            };
+        }
+        for (sense, element) in self.senses.iter_mut().zip(&plan.friction) {
+            let turns = matches!(element.kind, Rub::Circle { .. });
+            let still =
+                if turns { sense.abs() <= STILL * turn } else { *sense * *sense <= STILL * STILL * square };
+            *sense = if still { 0.0 } else { sense.signum() };
         }
     }
 
@@ -138,49 +138,17 @@ impl State {
         }
     }
 
-    /// The measure of an element's reaction that the law multiplies, and its derivatives with respect to the efforts.
-    fn measure(
-        &self,
-        element: &FrictionElement,
-        place: usize,
-        work: &RubbingWork,
-        signs: Option<f64>,
-        slopes: &mut [f64],
-    ) -> f64 {
-        let at = |response: &[Reaction]| response[place];
-        let (zero, units) = work.responses.split_at(1);
-        let sum = units.iter().zip(&work.values).fold(at(&zero[0]), |sum, (unit, x)| {
-            let unit = at(unit);
-            Reaction { force: sum.force + unit.force * *x, couple: sum.couple + unit.couple * *x }
-        });
-        let mut add = |weight: f64, of: &dyn Fn(&Reaction) -> f64| {
-            for (slope, unit) in slopes.iter_mut().zip(units) {
-                *slope += weight * of(&at(unit));
-            }
-        };
+    /// What an element's law measures of the reaction as it stands: the force in a hinge or contact; the normal force of a
+    /// guide; the forces at its two ends.
+    #[inline(always)]
+    fn measured(&self, element: &FrictionElement) -> Vec2 {
+        let Reaction { force, couple } = self.reactions[element.slot];
         match &element.kind {
-            Rub::Circle { .. } | Rub::Contact { .. } => {
-                let size = sum.force.norm();
-                let n = if size > 0.0 { sum.force / size } else { Vec2::zero() };
-                add(1.0, &|r| n.dot(r.force));
-                size
-            }
-            Rub::Guide { way, .. } => {
-                let n = self.direction(way).perp();
-                let normal = n.dot(sum.force);
-                let sign = signs.unwrap_or(normal.signum());
-                add(sign, &|r| n.dot(r.force));
-                sign * normal
-            }
+            Rub::Circle { .. } | Rub::Contact { .. } => force,
+            Rub::Guide { way, .. } => Vec2::new(self.direction(way).cross(force), 0.0),
             Rub::BothEnds { way, contacts: [a, b], .. } => {
-                // the couple is kept on the joint's body, as the force is: both change sign together
-                let n = self.direction(way).perp();
-                let first = |r: &Reaction| (r.couple - n.dot(r.force) * b) / (a - b);
-                let second = |r: &Reaction| (n.dot(r.force) * a - r.couple) / (a - b);
-                let (one, two) = (first(&sum), second(&sum));
-                add(one.signum(), &first);
-                add(two.signum(), &second);
-                one.abs() + two.abs()
+                let normal = self.direction(way).cross(force);
+                Vec2::new((couple - normal * b) / (a - b), (normal * a - couple) / (a - b))
             }
         }
     }
@@ -199,9 +167,7 @@ impl State {
         for unit in 0..group.elements.len() {
             let sense = self.senses[group.elements[unit]];
             work.senses[unit] = sense;
-            if sense == 0.0 {
-                work.responses[unit + 1].fill(Reaction::default());
-            } else {
+            if sense != 0.0 {
                 self.respond(plan, plain, group, &mut work, Some(unit));
             }
         }
@@ -236,9 +202,9 @@ impl State {
             self.apply_rub(&plan.friction[group.elements[unit]], 1.0);
         }
         let sine = self.force_step(plan, plain);
-        let response = &mut work.responses[unit.map_or(0, |u| u + 1)];
-        for (keep, &slot) in response.iter_mut().zip(&group.slots) {
-            *keep = self.reactions[slot];
+        let (column, width) = (unit.map_or(0, |u| u + 1), group.elements.len() + 1);
+        for (row, &element) in group.elements.iter().enumerate() {
+            work.measured[row * width + column] = self.measured(&plan.friction[element]);
         }
         self.restore(group, &work.saved);
         sine
@@ -246,78 +212,99 @@ impl State {
 
     /// Solves the laws of friction; on success the efforts are in `work.values` and the motion is possible.
     fn settle(&self, plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork) -> bool {
-        if self.newton(plan, group, work, None) {
+        if newton(plan, group, work, 0) {
             return true;
         }
         // the kinks of at most a few guides: every pattern of signs, and the one that its answer confirms
-        let guides: Vec<usize> = (0..group.elements.len())
-            .filter(|&i| matches!(plan.friction[group.elements[i]].kind, Rub::Guide { .. }))
-            .collect();
-        (0..1_u32 << guides.len().min(8)).any(|pattern| {
-            let signs: Vec<Option<f64>> = (0..group.elements.len())
-                .map(|i| {
-                    let bit = guides.iter().position(|&g| g == i)?;
-                    Some(if pattern >> bit & 1 == 0 { 1.0 } else { -1.0 })
-                })
-                .collect();
-            self.newton(plan, group, work, Some(&signs))
-        })
+        let guide = |e: &usize| matches!(plan.friction[*e].kind, Rub::Guide { .. });
+        let guides = group.elements.iter().filter(|e| guide(e)).count().min(8);
+        (0..1_u32 << guides).any(|pattern| newton(plan, group, work, 1 << 16 | pattern))
     }
+}
 
-    fn newton(
-        &self,
-        plan: &Plan,
-        group: &RubbingGroup,
-        work: &mut RubbingWork,
-        signs: Option<&[Option<f64>]>,
-    ) -> bool {
-        work.values.fill(0.0);
-        let mut slopes = std::mem::take(&mut work.slopes);
-        let settled = self.steps(plan, group, work, signs, &mut slopes);
-        work.slopes = slopes;
-        settled
-    }
-
-    fn steps(
-        &self,
-        plan: &Plan,
-        group: &RubbingGroup,
-        work: &mut RubbingWork,
-        signs: Option<&[Option<f64>]>,
-        slopes: &mut [f64],
-    ) -> bool {
-        let count = group.elements.len();
-        for _ in 0..STEPS {
-            let (mut worst, mut scale, mut confirmed) = (0.0_f64, f64::MIN_POSITIVE, true);
-            for i in 0..count {
-                let element = &plan.friction[group.elements[i]];
-                let place = work.places[i];
-                slopes.fill(0.0);
-                let sign = signs.and_then(|s| s[i]);
-                let measure = self.measure(element, place, work, sign, slopes);
-                confirmed &= measure >= 0.0;
-                let weight = work.senses[i] * element.kind.factor();
-                work.right[i] = -(work.values[i] + weight * measure);
-                worst = worst.max(work.right[i].abs());
-                scale = scale.max((weight * measure).abs());
-                for (j, slope) in slopes.iter().enumerate() {
-                    work.jacobian.row_mut(i)[j] = f64::from(u8::from(i == j)) + weight * slope;
+/// Newton's method. `pattern` holds a bit per guide, 1 where its normal force is taken as negative; without the bit of
+/// value 2¹⁶ signs are those of the present values.
+fn newton(plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork, pattern: u32) -> bool {
+    let count = group.elements.len();
+    work.values.fill(0.0);
+    for _ in 0..STEPS {
+        let (mut scale, mut confirmed, mut guides) = (f64::MIN_POSITIVE, true, 0);
+        for i in 0..count {
+            let kind = &plan.friction[group.elements[i]].kind;
+            let row = &work.measured[i * (count + 1)..][..count + 1];
+            let mut sum = row[0];
+            for (unit, x) in row[1..].iter().zip(&work.values) {
+                sum += *unit * *x;
+            }
+            // the gradient of the measure: of a length, of a sum of magnitudes, of a magnitude whose sign is given
+            let (gradient, measure) = match kind {
+                Rub::BothEnds { .. } => {
+                    let signs = Vec2::new(sum.x.signum(), sum.y.signum());
+                    (signs, signs.dot(sum))
                 }
-            }
-            let regular = work.jacobian.factor();
-            if worst <= SETTLED * scale || worst == 0.0 {
-                return regular && confirmed && work.jacobian.sign() > 0.0;
-            }
-            if !regular || !worst.is_finite() {
-                return false;
-            }
-            work.jacobian.solve(&mut work.right);
-            for (x, step) in work.values.iter_mut().zip(&work.right) {
-                *x += step;
+                Rub::Guide { .. } => {
+                    let given = if pattern >> guides & 1 == 0 { 1.0 } else { -1.0 };
+                    let sign = if pattern >> 16 == 0 { sum.x.signum() } else { given };
+                    guides += 1;
+                    (Vec2::new(sign, 0.0), sign * sum.x)
+                }
+                Rub::Circle { .. } | Rub::Contact { .. } => {
+                    let size = sum.norm();
+                    (if size > 0.0 { sum / size } else { Vec2::zero() }, size)
+                }
+            };
+            confirmed &= measure >= 0.0;
+            let weight = work.senses[i] * kind.factor();
+            work.right[i] = -(work.values[i] + weight * measure);
+            scale = scale.max((weight * measure).abs());
+            for j in 0..count {
+                let slope = if work.senses[j] == 0.0 { 0.0 } else { gradient.dot(row[j + 1]) };
+                work.jacobian[i * count + j] = f64::from(u8::from(i == j)) + weight * slope;
             }
         }
-        false
+        let determinant = eliminate(&mut work.jacobian, &mut work.right);
+        if determinant == 0.0 || !determinant.is_finite() {
+            return false;
+        }
+        let mut step = 0.0_f64;
+        for (x, dx) in work.values.iter_mut().zip(&work.right) {
+            *x += dx;
+            step = step.max(dx.abs());
+        }
+        // the error left is of the order of the square of the step
+        if step <= SETTLED * scale {
+            return confirmed && determinant > 0.0;
+        }
     }
+    false
+}
+
+/// Solves A x = b in place by elimination with partial pivoting; b becomes x. Returns the determinant.
+fn eliminate(a: &mut [f64], b: &mut [f64]) -> f64 {
+    let n = b.len();
+    let mut determinant = 1.0;
+    for k in 0..n {
+        let pivot = (k..n).max_by(|&i, &j| a[i * n + k].abs().total_cmp(&a[j * n + k].abs())).unwrap_or(k);
+        if pivot != k {
+            (0..n).for_each(|j| a.swap(k * n + j, pivot * n + j));
+            b.swap(k, pivot);
+            determinant = -determinant;
+        }
+        let diagonal = a[k * n + k];
+        determinant *= diagonal;
+        for i in k + 1..n {
+            let factor = a[i * n + k] / diagonal;
+            for j in k + 1..n {
+                a[i * n + j] -= factor * a[k * n + j];
+            }
+            b[i] -= factor * b[k];
+        }
+    }
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|j| a[k * n + j] * b[j]).sum();
+        b[k] = (b[k] - known) / a[k * n + k];
+    }
+    determinant
 }
 
 impl Rub {

@@ -36,5 +36,5 @@ pub use evaluate::compare;
 pub use extremes::Statics;
 pub use solution::{DriveValue, Pose, PoseOrigin, Residuals, Scene, Solution, Solved};
 pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};
-pub use sweep::solve;
+pub use sweep::{solve, solve_with};
 pub use view::View;

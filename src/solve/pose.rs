@@ -45,6 +45,9 @@ impl Run<'_, '_> {
             return Err(error);
         }
         let residuals = residuals(scene, &state);
+        if let Some(error) = notes::out_of_scale(scene, &residuals, pose) {
+            return Err(error);
+        }
         let angles = tracker.angles.clone();
         let mut solved = Solved { state, frictionless, quantities: Vec::new(), angles, residuals, condition };
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));

@@ -169,7 +169,7 @@ impl State {
                 .forces
                 .iter()
                 .map(|step| match step {
-                    ForceStep::Rubbing { group, .. } => Some(RubbingWork::new(plan, group)),
+                    ForceStep::Rubbing { group, .. } => Some(RubbingWork::new(group)),
                     _ => None,
                 })
                 .collect(),

@@ -19,6 +19,14 @@ use crate::model::{LoadId, Value};
 /// Constructs not supported yet, requests without the speeds they need, no assembly or several at the first position,
 /// forces that are not determined.
 pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
+    solve_with(scene, Vec::new())
+}
+
+/// As [`solve`], with the values of [`crate::model::Mechanism::criticals`].
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
     let mut errors = refused::not_supported(scene.mechanism);
     errors.extend(refused::missing_speeds(scene));
     if !errors.is_empty() {
@@ -28,7 +36,8 @@ pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
     if !needs_poses {
         return Ok(Solution::default());
     }
-    let statics = statics(scene).map_err(|e| vec![e])?;
+    let mut statics = statics(scene).map_err(|e| vec![e])?;
+    statics.criticals = criticals;
     let wanted = sweep(scene, &statics);
     let mut run = Run {
         scene,

@@ -10,6 +10,9 @@ use assur::model::{
 };
 use nalgebra::{DMatrix, DVector};
 
+/// Velocities below this, m/s and rad/s, are rounding.
+const STILL: f64 = 1e-10;
+
 /// Force and moment about the origin of the ground.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Wrench {
@@ -260,7 +263,7 @@ impl System<'_> {
                 && let Expr::Query(Query::Omega(link)) = a.as_ref()
             {
                 let omega = self.rates[link.index()].omega;
-                self.doubtful |= omega.abs() < 1e-9;
+                self.doubtful |= omega.abs() < STILL;
                 if omega <= 0.0 {
                     continue;
                 }
@@ -289,13 +292,18 @@ impl System<'_> {
                 let p = self.place(*on, at);
                 let body = self.body(*on);
                 let v = body.p.rate() + (p - body.p.value()).perp() * self.rates[on.index()].omega;
-                self.doubtful |= v.norm() < 1e-9;
-                out[on.index()].add(Wrench::at(p, v * (-number(value) / v.norm())));
+                // against nothing there is nothing
+                if v.norm() > STILL {
+                    out[on.index()].add(Wrench::at(p, v * (-number(value) / v.norm())));
+                }
             }
             LoadKind::Torque { on, value, against_motion } => {
                 let omega = self.rates[on.index()].omega;
-                self.doubtful |= *against_motion && omega.abs() < 1e-9;
-                let sign = if *against_motion { -omega.signum() } else { 1.0 };
+                let sign = match *against_motion {
+                    false => 1.0,
+                    true if omega.abs() < STILL => 0.0,
+                    true => -omega.signum(),
+                };
                 out[on.index()].add(Wrench::couple(sign * number(value)));
             }
             LoadKind::InPair { pair, value } => {
