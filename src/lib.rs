@@ -108,6 +108,7 @@ pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
         }
     };
     problems.extend(std::mem::take(&mut solution.warnings));
+    problems.extend(std::mem::take(&mut solution.friction));
     problems.extend(solution.failures());
     let (outcomes, errors) = exercise::evaluate(&scene, &solution);
     problems.extend(errors);

@@ -3,6 +3,7 @@
 use super::assemble::{assemble, does_not_close};
 use super::error::SolveError;
 use super::extremes::{Statics, statics};
+use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
 use super::notes::Notes;
 use super::positions::{Wanted, beside, sweep};
@@ -46,11 +47,13 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
         evaluated: Vec::new(),
         poses: Vec::new(),
         notes: Notes::default(),
+        friction: FrictionNotes::default(),
     };
     let trackers = run.follow(&wanted).map_err(|e| vec![e])?;
     run.beside(&wanted, &trackers);
+    let friction = run.friction_problems();
     let warnings = run.notes.into_warnings(scene, &run.poses);
-    Ok(Solution { poses: run.poses, statics: run.statics, warnings })
+    Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction })
 }
 
 /// Why a position was not reached, and the tracker where it was before.
@@ -74,6 +77,8 @@ pub(super) struct Run<'a, 's> {
     pub evaluated: Vec<(LoadId, Value)>,
     poses: Vec<Pose>,
     pub notes: Notes,
+    /// What is said of friction.
+    pub friction: FrictionNotes,
 }
 
 impl Run<'_, '_> {
