@@ -12,7 +12,7 @@ use crate::model::{Hint, HintKind, LinkId};
 use crate::plan::MotionStep;
 use crate::structure::BodyId;
 
-/// More assemblies than this are not followed: without a word on the first groups their number doubles with each.
+/// More assemblies than this are not followed: without a word on the groups their number doubles with each.
 const MOST: usize = 256;
 /// Assemblies nearer than this, relative to the mechanism's extent, are one.
 pub(super) const SAME: f64 = 1e-9;
@@ -32,8 +32,10 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
     for index in 0..scene.plan.motion.len() {
         let mut next: Vec<Candidate> = Vec::new();
         for candidate in &candidates {
+            // those of different candidates differ already
+            let first = next.len();
             for state in assemblies(scene, &candidate.state, index) {
-                if !next.iter().any(|c| same(scene, &c.state, &state)) {
+                if !next[first..].iter().any(|c| same(scene, &c.state, &state)) {
                     next.push(Candidate { state, far: candidate.far });
                 }
             }
@@ -44,7 +46,12 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
         }
         candidates = choose(scene, next, index)?;
         if candidates.len() > MOST {
-            return Err(ambiguous(scene, &states(&candidates)));
+            // those nearest to the places named so far go on, unless nothing tells them apart
+            candidates.sort_by(|a, b| a.far.total_cmp(&b.far));
+            if candidates[MOST].far.total_cmp(&candidates[0].far).is_le() {
+                return Err(ambiguous(scene, &states(&candidates)));
+            }
+            candidates.truncate(MOST);
         }
     }
     nearest(scene, candidates)
