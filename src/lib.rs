@@ -35,6 +35,17 @@ pub struct Compiled {
     pub structure: Structure,
     /// How it is solved.
     pub plan: Plan,
+    /// What it was compiled from, where a critical value asks for other values of a `given`.
+    pub origin: Option<Origin>,
+}
+
+/// A text with the values that replace some of its own.
+#[derive(Clone, Debug)]
+pub struct Origin {
+    /// The text.
+    pub source: Source,
+    /// The values.
+    pub overrides: Overrides,
 }
 
 /// A compiled mechanism, solved, with what became of its expectations.
@@ -68,7 +79,9 @@ pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
             problems.extend(warnings);
             let plan = plan::plan(&mechanism, &structure);
             problems.extend(structure.force_defect.clone().filter(|_| plan.effects.forces));
-            (Some(Compiled { mechanism, structure, plan }), problems)
+            let origin = (!mechanism.criticals.is_empty())
+                .then(|| Origin { source: source.clone(), overrides: overrides.clone() });
+            (Some(Compiled { mechanism, structure, plan, origin }), problems)
         }
         Err(errors) => {
             problems.extend(errors);
@@ -82,7 +95,12 @@ pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
 pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
     let mut problems = Problems::new();
     let scene = compiled.scene();
-    let mut solution = match solve::solve(&scene) {
+    let criticals = compiled
+        .origin
+        .as_ref()
+        .map(|o| exercise::criticals(&scene, &o.source, &o.overrides))
+        .unwrap_or_default();
+    let mut solution = match solve::solve_with(&scene, criticals) {
         Ok(solution) => solution,
         Err(errors) => {
             problems.extend(errors);
@@ -90,6 +108,7 @@ pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
         }
     };
     problems.extend(std::mem::take(&mut solution.warnings));
+    problems.extend(std::mem::take(&mut solution.friction));
     problems.extend(solution.failures());
     let (outcomes, errors) = exercise::evaluate(&scene, &solution);
     problems.extend(errors);

@@ -17,6 +17,8 @@ pub struct Context<'a> {
     pub doc: &'a Document,
     /// Values from outside.
     pub overrides: &'a Overrides,
+    /// A `given` with the SI value it has instead of any other.
+    pub fixed: Option<(&'a str, f64)>,
     /// All that was found wrong.
     pub problems: Problems,
     /// The mechanism so far. `names::declare` enters every link (name, number, span; ground first), so that link ids are
@@ -38,6 +40,7 @@ impl<'a> Context<'a> {
         Self {
             doc,
             overrides,
+            fixed: None,
             problems: Problems::new(),
             mech: Mechanism::default(),
             names: Names::default(),

@@ -53,7 +53,21 @@ use context::Context;
 /// Checks a document. The mechanism is absent where the problems hold an error.
 #[must_use]
 pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
-    let mut cx = Context::new(document, overrides);
+    run(Context::new(document, overrides))
+}
+
+/// As [`check`], with one `given` that has this SI value whatever the document and the overrides say.
+#[must_use]
+pub fn check_at(
+    document: &Document,
+    overrides: &Overrides,
+    name: &str,
+    value: f64,
+) -> (Option<Mechanism>, Problems) {
+    run(Context { fixed: Some((name, value)), ..Context::new(document, overrides) })
+}
+
+fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {
     names::declare(&mut cx);
     alike::look_alikes(&mut cx);
     head::head(&mut cx);

@@ -5,6 +5,7 @@ use super::error::RequestError;
 use super::expr::typed::{Dim, Type, Typed, phrase};
 use super::lookup::suggestion;
 use super::names::QuantityKind;
+use crate::model::Expr;
 use crate::units::{Dimension, lookup};
 
 /// Values that replace those of `given` statements, in the order given; a later one wins.
@@ -52,6 +53,9 @@ fn unknown(cx: &mut Context<'_>, name: &str) {
 
 /// The value of a definition: that from outside where there is one, otherwise that of the file.
 pub(super) fn replaced(cx: &mut Context<'_>, name: &str, written: Typed) -> Option<Typed> {
+    if let Some((_, value)) = cx.fixed.filter(|(fixed, _)| *fixed == name) {
+        return Some(Typed { expr: Expr::number(value), ..written });
+    }
     let Some((_, text)) = cx.overrides.values.iter().rev().find(|(n, _)| n == name) else {
         return Some(written);
     };

@@ -180,6 +180,9 @@ pub const CODES: &[Code] = codes! {
     "solve" / "not_finite",
     "request" / "not_supported_yet",
     "request" / "needs_speed",
+    "friction" / "locked",
+    "friction" / "no_effort",
+    "friction" / "no_sliding",
 
     // element
 

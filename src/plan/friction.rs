@@ -170,6 +170,20 @@ fn element(
     }
 }
 
+impl Rub {
+    /// The law with its radius or coefficient multiplied.
+    #[must_use]
+    pub const fn scaled(mut self, by: f64) -> Self {
+        match &mut self {
+            Self::Circle { radius: factor }
+            | Self::Guide { coefficient: factor, .. }
+            | Self::BothEnds { coefficient: factor, .. }
+            | Self::Contact { coefficient: factor, .. } => *factor *= by,
+        }
+        self
+    }
+}
+
 impl Friction {
     /// Whether it is more than nothing.
     #[must_use]

@@ -64,19 +64,22 @@ impl View<'_> {
 
     /// Ideal over actual power of the efforts where they drive without friction, actual over ideal where they resist. Zero
     /// where no finite effort moves the mechanism.
-    pub(super) fn efficiency(&self) -> f64 {
+    #[must_use]
+    pub fn efficiency(&self) -> f64 {
         if self.frictionless.is_none() {
             return 1.0;
         }
         if self.state.locked {
             return 0.0;
         }
-        let power = |view: &View<'_>| -> f64 {
-            view.structure.efforts.iter().map(|e| view.effort_power(e.source)).sum()
-        };
-        let ideal = power(&self.without_friction());
-        let actual = power(self);
+        let (ideal, actual) = (self.without_friction().power_of_efforts(), self.power_of_efforts());
         if ideal > 0.0 { ideal / actual } else { actual / ideal }
+    }
+
+    /// Power of all unknown efforts, W.
+    #[must_use]
+    pub fn power_of_efforts(&self) -> f64 {
+        self.structure.efforts.iter().map(|e| self.effort_power(e.source)).sum()
     }
 
     /// The same position without friction.

@@ -54,6 +54,7 @@ impl Run<'_, '_> {
         let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
         solved.quantities = View { frictionless: ideal, ..view }.all_quantities();
         self.note_contacts(&solved, pose);
+        self.note_friction(&solved, pose);
         Ok(solved)
     }
 

@@ -2,6 +2,7 @@
 
 use super::error::SolveError;
 use super::extremes::Statics;
+use super::friction_error::FrictionError;
 use super::state::State;
 use super::view::View;
 use crate::math::Vec2;
@@ -29,6 +30,8 @@ pub struct Solution {
     pub statics: Statics,
     /// What deserves a warning.
     pub warnings: Vec<SolveError>,
+    /// What is to be said of friction.
+    pub friction: Vec<FrictionError>,
 }
 
 /// One position.

@@ -3,6 +3,7 @@
 use super::assemble::{assemble, does_not_close};
 use super::error::SolveError;
 use super::extremes::{Statics, statics};
+use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
 use super::notes::Notes;
 use super::positions::{Wanted, beside, sweep};
@@ -19,6 +20,14 @@ use crate::model::{LoadId, Value};
 /// Constructs not supported yet, requests without the speeds they need, no assembly or several at the first position,
 /// forces that are not determined.
 pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
+    solve_with(scene, Vec::new())
+}
+
+/// As [`solve`], with the values of [`crate::model::Mechanism::criticals`].
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
     let mut errors = refused::not_supported(scene.mechanism);
     errors.extend(refused::missing_speeds(scene));
     if !errors.is_empty() {
@@ -28,7 +37,8 @@ pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
     if !needs_poses {
         return Ok(Solution::default());
     }
-    let statics = statics(scene).map_err(|e| vec![e])?;
+    let mut statics = statics(scene).map_err(|e| vec![e])?;
+    statics.criticals = criticals;
     let wanted = sweep(scene, &statics);
     let mut run = Run {
         scene,
@@ -37,11 +47,13 @@ pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
         evaluated: Vec::new(),
         poses: Vec::new(),
         notes: Notes::default(),
+        friction: FrictionNotes::default(),
     };
     let trackers = run.follow(&wanted).map_err(|e| vec![e])?;
     run.beside(&wanted, &trackers);
+    let friction = run.friction_problems();
     let warnings = run.notes.into_warnings(scene, &run.poses);
-    Ok(Solution { poses: run.poses, statics: run.statics, warnings })
+    Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction })
 }
 
 /// Why a position was not reached, and the tracker where it was before.
@@ -65,6 +77,8 @@ pub(super) struct Run<'a, 's> {
     pub evaluated: Vec<(LoadId, Value)>,
     poses: Vec<Pose>,
     pub notes: Notes,
+    /// What is said of friction.
+    pub friction: FrictionNotes,
 }
 
 impl Run<'_, '_> {

@@ -1,0 +1,61 @@
+//! What is said of friction: where it locks, where it does not act.
+
+use miette::{Diagnostic, LabeledSpan};
+use thiserror::Error;
+
+/// A warning, a note or an error about friction.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum FrictionError {
+    /// Friction locks the mechanism.
+    #[error("{pairs}: the mechanism is locked{pose}{more}; {verdict}")]
+    #[diagnostic(code("mech::friction::locked"), severity(Warning))]
+    Locked {
+        /// `friction in `P` and `B``
+        pairs: String,
+        /// ` at pose 3 (crank = 60 deg)`, or empty.
+        pose: String,
+        /// ` and at 2 more poses`, or empty.
+        more: String,
+        /// The efficiency, or that no effort moves it.
+        verdict: String,
+        /// Where it would move.
+        #[help]
+        help: String,
+        /// The pairs.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A number is asked for that a locked mechanism does not have.
+    #[error("{asked} no value{pose}{more}: friction locks the mechanism, and no effort moves it")]
+    #[diagnostic(
+        code("mech::friction::no_effort"),
+        help("`efficiency()`, `locked()` and `frictionless({first})` have values there")
+    )]
+    NoEffort {
+        /// What is asked, with its verb: `` `F` has ``.
+        asked: String,
+        /// The first of it.
+        first: String,
+        /// Where.
+        pose: String,
+        /// ` and at 2 more poses`, or empty.
+        more: String,
+        /// Where it is asked.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// No relative motion in a pair with friction.
+    #[error("nothing slides in `{pair}`{pose}{more}: its friction has no direction and is none there")]
+    #[diagnostic(code("mech::friction::no_sliding"), severity(Advice))]
+    NoSliding {
+        /// The pair.
+        pair: String,
+        /// Where.
+        pose: String,
+        /// ` and at 2 more poses`, or empty.
+        more: String,
+        /// The pair.
+        #[label("no relative motion")]
+        span: miette::SourceSpan,
+    },
+}

@@ -1,0 +1,188 @@
+//! What is said of the friction of all positions: of each kind the first place, and how many more there are.
+
+use super::error::label;
+use super::friction_error::FrictionError;
+use super::locking::Locked;
+use super::positions::Wanted;
+use super::solution::{PoseOrigin, Solved};
+use super::sweep::Run;
+use super::view::View;
+use crate::model::{FindKind, Friction, Mechanism, PairId, Value};
+use crate::units::{Dimension, significant};
+use miette::LabeledSpan;
+
+/// A pair that loses less than this part of the greatest loss is not what locks.
+const SLIGHT: f64 = 0.05;
+/// Digits in messages.
+const DIGITS: usize = 4;
+
+/// What was found so far.
+#[derive(Debug, Default)]
+pub(super) struct FrictionNotes {
+    locked: Option<(FrictionError, usize)>,
+    without_effort: Option<(FrictionError, usize)>,
+    still: Vec<(PairId, String, usize)>,
+}
+
+impl Run<'_, '_> {
+    /// Looks at the friction of a position.
+    pub(super) fn note_friction(&mut self, solved: &Solved, pose: &Wanted) {
+        if solved.frictionless.is_none() {
+            return;
+        }
+        let place = super::words::place(self.scene, pose);
+        if matches!(pose.origin, PoseOrigin::Expected(_)) {
+            return;
+        }
+        for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
+            let (id, mut elements) =
+                (PairId::at(i), self.scene.plan.friction.iter().zip(&solved.state.senses));
+            let rubs = pair.friction.is_some_and(|f| f.is_some());
+            if rubs && elements.all(|(e, sense)| e.pair != id || *sense == 0.0) {
+                match self.friction.still.iter_mut().find(|s| s.0 == id) {
+                    Some((_, _, more)) => *more += 1,
+                    None => self.friction.still.push((id, place.clone(), 0)),
+                }
+            }
+        }
+        let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
+        let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
+        let view = View { frictionless: ideal, quantities: &solved.quantities, ..view };
+        if view.efficiency() > 0.0 || view.efficiency().is_nan() {
+            return;
+        }
+        match &mut self.friction.locked {
+            Some((_, more)) => *more += 1,
+            None => self.friction.locked = Some((locked(&view, &place), 0)),
+        }
+        if !solved.state.locked {
+            return;
+        }
+        match &mut self.friction.without_effort {
+            Some((_, more)) => *more += 1,
+            None => self.friction.without_effort = without_effort(&view, &place).map(|e| (e, 0)),
+        }
+    }
+
+    /// All that is to be said of friction.
+    pub(super) fn friction_problems(&mut self) -> Vec<FrictionError> {
+        let notes = std::mem::take(&mut self.friction);
+        let mut all = Vec::new();
+        for (id, pose, more) in notes.still {
+            let pair = self.scene.mechanism.pair(id);
+            let (pair, span) = (pair.name.clone(), pair.span.into());
+            all.push(FrictionError::NoSliding { pair, pose, more: and_more(more), span });
+        }
+        for (mut error, count) in notes.locked.into_iter().chain(notes.without_effort) {
+            if let FrictionError::Locked { more, .. } | FrictionError::NoEffort { more, .. } = &mut error {
+                *more = and_more(count);
+            }
+            all.push(error);
+        }
+        all
+    }
+}
+
+fn and_more(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        1 => " and at 1 more pose".to_owned(),
+        n => format!(" and at {n} more poses"),
+    }
+}
+
+fn locked(view: &View<'_>, place: &str) -> FrictionError {
+    let scene =
+        super::solution::Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
+    let mechanism = view.mechanism;
+    let ideal = view.without_friction().power_of_efforts();
+    let position = Locked { scene: &scene, state: view.state, ideal };
+    let part = position.limit(None).unwrap_or(0.0);
+    let mut losses = position.losses(part);
+    let least = losses.first().map_or(0.0, |l| SLIGHT * l.1);
+    losses.retain(|l| l.1 >= least && l.1 > 0.0);
+    let names: Vec<String> = losses.iter().map(|(p, _)| format!("`{}`", mechanism.pair(*p).name)).collect();
+    let labels = losses.iter().map(|(p, _)| label("locks", mechanism.pair(*p).span)).collect();
+    let verdict = if view.state.locked {
+        "no effort moves it".to_owned()
+    } else {
+        format!("its efficiency is {}", significant(view.efficiency(), DIGITS))
+    };
+    let mut help =
+        losses.iter().filter_map(|(p, _)| limit_of_pair(mechanism, &position, *p)).collect::<Vec<_>>();
+    if help.is_empty() {
+        help.push("without the friction of one of them it would still be locked".to_owned());
+    }
+    if losses.len() > 1 {
+        help.push(format!(
+            "with less than {} of the friction in all pairs it moves",
+            significant(part, DIGITS)
+        ));
+    }
+    for (name, critical) in mechanism.criticals.iter().zip(&view.statics.criticals) {
+        help.extend(limit_of_given(mechanism, name, *critical));
+    }
+    FrictionError::Locked {
+        pairs: format!("friction in {}", names.join(", ")),
+        pose: place.to_owned(),
+        more: String::new(),
+        verdict,
+        help: help.join("\n"),
+        labels,
+    }
+}
+
+/// How much friction one pair may have, all others as they are.
+fn limit_of_pair(mechanism: &Mechanism, position: &Locked<'_>, id: PairId) -> Option<String> {
+    let pair = mechanism.pair(id);
+    let name = &pair.name;
+    let (law, part) = (pair.friction?, position.limit(Some(id))?);
+    Some(match law {
+        Friction::Circle(rho) => {
+            let length = mechanism.display_of(Dimension::LENGTH);
+            let text = |x: f64| length.text(Value::Scalar(x), DIGITS);
+            let (limit, excess) = (text(part * rho), text(rho - part * rho));
+            format!(
+                "it moves with a friction circle below {limit} in `{name}`: {} is {excess} too much",
+                text(rho)
+            )
+        }
+        Friction::Coefficient(f) | Friction::BothEnds(f) => {
+            let text = |f: f64| {
+                let angle = significant(libm::atan(f).to_degrees(), DIGITS);
+                format!("{} (friction angle {angle} deg)", significant(f, DIGITS))
+            };
+            let excess = significant(f - part * f, DIGITS);
+            format!(
+                "it moves with a coefficient below {} in `{name}`: {} is {excess} too much",
+                text(part * f),
+                text(f)
+            )
+        }
+    })
+}
+
+/// How far a given is from its critical value.
+fn limit_of_given(mechanism: &Mechanism, name: &str, critical: f64) -> Option<String> {
+    let given = mechanism.values.iter().find(|v| v.name == name)?;
+    let Value::Scalar(here) = given.value else { return None };
+    let text = |x: f64| given.display.text(Value::Scalar(x), DIGITS);
+    critical.is_finite().then(|| {
+        let (limit, here, away) = (text(critical), text(here), text((critical - here).abs()));
+        format!("locking begins at {name} = {limit}: {here} is {away} away from it")
+    })
+}
+
+/// What the file asks for that does not exist at a locked position.
+fn without_effort(view: &View<'_>, place: &str) -> Option<FrictionError> {
+    let missing = |kind: &FindKind| match kind {
+        FindKind::Reactions => true,
+        FindKind::Value { expr, poseless, .. } => !poseless && !view.value(expr).is_defined(),
+    };
+    let finds: Vec<_> = view.mechanism.finds.iter().filter(|f| missing(&f.kind)).collect();
+    let first = finds.first()?.name.clone();
+    let names: Vec<String> = finds.iter().map(|f| format!("`{}`", f.name)).collect();
+    let labels: Vec<LabeledSpan> = finds.iter().map(|f| label("asked here", f.span)).collect();
+    let asked = format!("{} {}", names.join(", "), if names.len() == 1 { "has" } else { "have" });
+    Some(FrictionError::NoEffort { asked, first, pose: place.to_owned(), more: String::new(), labels })
+}
