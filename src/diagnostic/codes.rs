@@ -166,6 +166,9 @@ pub const CODES: &[Code] = codes! {
     // plan
 
     // solve
+    "friction" / "locked",
+    "friction" / "no_effort",
+    "friction" / "no_sliding",
     "assembly" / "does_not_close",
     "assembly" / "ambiguous",
     "assembly" / "hint_not_met",
@@ -180,9 +183,6 @@ pub const CODES: &[Code] = codes! {
     "solve" / "not_finite",
     "request" / "not_supported_yet",
     "request" / "needs_speed",
-    "friction" / "locked",
-    "friction" / "no_effort",
-    "friction" / "no_sliding",
 
     // element
 

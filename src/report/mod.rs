@@ -8,6 +8,7 @@ mod columns;
 pub mod csv;
 pub mod document;
 mod expectations;
+mod friction;
 pub mod json;
 pub mod markdown;
 mod mobility;
@@ -47,6 +48,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     }
     results::sections(answers, &mut report);
     reactions::sections(answers, &mut report);
+    friction::section(answers, &mut report);
     expectations::section(answers, &mut report);
     accuracy::section(answers, &mut report);
     report

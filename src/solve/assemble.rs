@@ -88,7 +88,12 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
         }
         candidates = choose(scene, hints, candidates, ways, index)?;
         if candidates.len() > MOST {
-            return Err(ambiguous(scene, &states(&candidates)));
+            // those nearest to the places named so far go on, unless nothing tells them apart
+            candidates.sort_by(|a, b| a.far.total_cmp(&b.far));
+            if candidates[MOST].far.total_cmp(&candidates[0].far).is_le() {
+                return Err(ambiguous(scene, &states(&candidates)));
+            }
+            candidates.truncate(MOST);
         }
     }
     nearest(scene, candidates)

@@ -5,7 +5,53 @@ use crate::model::{LinkId, PairId, PairKind};
 use crate::plan::{FrictionElement, Rub};
 use crate::structure::EffortSource;
 
+/// Friction between two links at a position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rubbing {
+    /// The pair.
+    pub pair: PairId,
+    /// The link on which the effort acts.
+    pub on: LinkId,
+    /// The other link.
+    pub from: LinkId,
+    /// It turns: speed in rad/s, effort in N m; otherwise m/s and N.
+    pub turns: bool,
+    /// Radius of the friction circle, m, or coefficient.
+    pub factor: f64,
+    /// Velocity of `on` against `from`, in the sense in which the effort counts.
+    pub speed: f64,
+    /// What presses: force in the hinge, normal force, or the sum of those at two ends; N, ≥ 0.
+    pub normal: f64,
+    /// Friction torque or force on `on`.
+    pub effort: f64,
+    /// Power lost, W, ≥ 0.
+    pub power: f64,
+}
+
 impl View<'_> {
+    /// Friction of all pairs that have any, in the order in which forces are found.
+    #[must_use]
+    pub fn rubbing(&self) -> Vec<Rubbing> {
+        let one = |(i, element): (usize, &FrictionElement)| {
+            let (effort, speed) = (self.state.frictions[i], self.state.rubbing_speed(element));
+            let still = self.state.senses[i] == 0.0;
+            let (factor, both) = (element.kind.factor(), matches!(element.kind, Rub::BothEnds { .. }));
+            let force = self.state.reactions[element.slot].force.norm();
+            Rubbing {
+                pair: element.pair,
+                on: LinkId::at(element.body),
+                from: LinkId::at(element.base),
+                turns: matches!(element.kind, Rub::Circle { .. }),
+                factor,
+                speed: if still { 0.0 } else { speed },
+                normal: if both && !still { effort.abs() / factor } else { force },
+                effort,
+                power: if still { 0.0 } else { -effort * speed },
+            }
+        };
+        self.plan.friction.iter().enumerate().map(one).collect()
+    }
+
     /// The elements of friction of a pair with their values: torque or force on the element's body.
     fn elements(&self, pair: PairId) -> impl Iterator<Item = (&FrictionElement, f64)> + '_ {
         let all = self.plan.friction.iter().zip(&self.state.frictions);

@@ -7,6 +7,7 @@ use super::positions::Wanted;
 use super::solution::{PoseOrigin, Solved};
 use super::sweep::Run;
 use super::view::View;
+use super::words::place;
 use crate::model::{FindKind, Friction, Mechanism, PairId, Value};
 use crate::units::{Dimension, significant};
 use miette::LabeledSpan;
@@ -30,7 +31,7 @@ impl Run<'_, '_> {
         if solved.frictionless.is_none() {
             return;
         }
-        let place = super::words::place(self.scene, pose);
+        let place = place(self.scene, pose);
         if matches!(pose.origin, PoseOrigin::Expected(_)) {
             return;
         }

@@ -37,6 +37,7 @@ mod words;
 pub use error::SolveError;
 pub use evaluate::compare;
 pub use extremes::Statics;
+pub use friction_answers::Rubbing;
 pub use friction_error::FrictionError;
 pub use solution::{DriveValue, Pose, PoseOrigin, Residuals, Scene, Solution, Solved};
 pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};

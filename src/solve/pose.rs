@@ -4,7 +4,7 @@ use super::error::SolveError;
 use super::notes;
 use super::positions::Wanted;
 use super::residual::residuals;
-use super::solution::Solved;
+use super::solution::{Residuals, Solved};
 use super::state::State;
 use super::sweep::Run;
 use super::track::Tracker;
@@ -44,7 +44,10 @@ impl Run<'_, '_> {
         } else if let Some(error) = notes::not_finite(scene, &state, pose) {
             return Err(error);
         }
-        let residuals = residuals(scene, &state);
+        let mut residuals = residuals(scene, &state);
+        if state.locked {
+            residuals = Residuals { equilibrium: None, power: None, ..residuals };
+        }
         if let Some(error) = notes::out_of_scale(scene, &residuals, pose) {
             return Err(error);
         }

@@ -1,0 +1,125 @@
+//! Friction: what every pair does at a position, or over a sweep what it loses.
+
+use super::answers::{Answers, NONE, with_unit};
+use super::document::{Column, Report, Section, Table};
+use crate::model::{Display, Value};
+use crate::solve::{Pose, Rubbing, Solved, View};
+use crate::units::{Dimension, significant};
+
+/// Digits of what the file itself says.
+const LAW_DIGITS: usize = 4;
+
+/// Friction of every pair at the one pose, or the power lost in each at every pose of a sweep.
+pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
+    if !answers.scene.plan.effects.friction {
+        return;
+    }
+    let poses: Vec<(&Pose, &Solved)> =
+        answers.poses().filter_map(|p| Some((p, p.outcome.as_ref().ok()?))).collect();
+    let mut section = Section::new("Friction");
+    match poses.as_slice() {
+        [] => {}
+        [(_, solved)] if solved.state.locked => {
+            section.text("The mechanism is locked: no effort moves it.");
+        }
+        [(_, solved)] => {
+            let view = answers.solution.view(&answers.scene, solved);
+            section.table(of_one_pose(answers, &view.rubbing()));
+            section.text(balance(answers, &view));
+        }
+        _ => section.table(of_a_sweep(answers, &poses)),
+    }
+    report.section(section);
+}
+
+/// One row per pair and its two links.
+fn of_one_pose(answers: &Answers<'_>, all: &[Rubbing]) -> Table {
+    let mechanism = answers.scene.mechanism;
+    let (force, power) = (mechanism.display_of(Dimension::FORCE), power_display(answers));
+    let columns = vec![
+        Column::words("pair"),
+        Column::words("from → on"),
+        Column::words("law"),
+        Column::right("relative velocity"),
+        Column::right("pressed by"),
+        Column::right("friction"),
+        Column::right("power lost"),
+    ];
+    let mut table = Table::new(columns, 2);
+    for r in all {
+        let (speed, effort) = if r.turns {
+            (Dimension::ANGULAR_VELOCITY, Dimension::TORQUE)
+        } else {
+            (Dimension::VELOCITY, Dimension::FORCE)
+        };
+        let digits = answers.precision.digits;
+        let text = |display: &Display, x: f64| display.text(Value::Scalar(x), digits);
+        let moves = r.speed != 0.0;
+        table.row(vec![
+            mechanism.pair(r.pair).name.clone(),
+            format!("{} → {}", mechanism.link(r.from).name, mechanism.link(r.on).name),
+            law(answers, r),
+            if moves { text(&mechanism.display_of(speed), r.speed) } else { "none".to_owned() },
+            text(&force, r.normal),
+            if moves { text(&mechanism.display_of(effort), r.effort) } else { NONE.to_owned() },
+            if moves { text(&power, r.power) } else { NONE.to_owned() },
+        ]);
+    }
+    table
+}
+
+/// `ρ = 5 mm`, `f = 0.1, 5.711 deg`
+fn law(answers: &Answers<'_>, r: &Rubbing) -> String {
+    if r.turns {
+        let length = answers.scene.mechanism.display_of(Dimension::LENGTH);
+        return format!("ρ = {}", length.text(Value::Scalar(r.factor), LAW_DIGITS));
+    }
+    let angle = significant(libm::atan(r.factor).to_degrees(), LAW_DIGITS);
+    format!("f = {}, {angle} deg", significant(r.factor, LAW_DIGITS))
+}
+
+fn power_display(answers: &Answers<'_>) -> Display {
+    answers.scene.mechanism.display_of(Dimension::POWER)
+}
+
+/// The loads and the motion are the same without friction, so the efforts differ by what the pairs lose.
+fn balance(answers: &Answers<'_>, view: &View<'_>) -> String {
+    let display = power_display(answers);
+    let text = |x: f64| display.text(Value::Scalar(x), answers.precision.digits);
+    let lost: f64 = view.rubbing().iter().map(|r| r.power).sum();
+    let (actual, ideal) = (view.power_of_efforts(), view.without_friction().power_of_efforts());
+    let speed =
+        if answers.scene.plan.effects.timed { "" } else { " Powers are those at unit speed of the drive." };
+    format!(
+        "The pairs lose {}; the efforts give {} with friction and {} without, {} more.{speed}",
+        text(lost),
+        text(actual),
+        text(ideal),
+        text(actual - ideal)
+    )
+}
+
+/// Power lost: one row per pose, one column per pair.
+fn of_a_sweep(answers: &Answers<'_>, poses: &[(&Pose, &Solved)]) -> Table {
+    let display = power_display(answers);
+    let mut table = Table::new(vec![Column::words("pose")], 1);
+    table.rows = poses.iter().map(|(p, _)| vec![p.name.clone()]).collect();
+    let all: Vec<Vec<Rubbing>> =
+        poses.iter().map(|(_, s)| answers.solution.view(&answers.scene, s).rubbing()).collect();
+    let scale = all.iter().flatten().map(|r| r.power).fold(0.0, f64::max);
+    for (i, pair) in answers.scene.mechanism.pairs.iter().enumerate() {
+        let of_pair = |r: &&Rubbing| r.pair.index() == i;
+        if !all.iter().flatten().any(|r| of_pair(&r)) {
+            continue;
+        }
+        let lost = |rubbing: &Vec<Rubbing>| -> f64 { rubbing.iter().filter(of_pair).map(|r| r.power).sum() };
+        let cells = all.iter().zip(poses).map(|(r, (_, solved))| {
+            if solved.state.locked {
+                return "locked".to_owned();
+            }
+            answers.precision.figures(display.of_si(lost(r)), display.of_si(scale))
+        });
+        table.column(with_unit(&format!("lost in {}", pair.name), &display.unit), cells);
+    }
+    table
+}
