@@ -142,8 +142,6 @@ fn rubbing(draft: &Draft, factor: impl Fn(usize) -> f64) -> Mechanism {
     let mut mechanism = draft.mechanism.clone();
     for (i, pair) in mechanism.pairs.iter_mut().enumerate() {
         pair.friction = match &pair.kind {
-            // which link a pin of several turns in has tests of its own
-            PairKind::Revolute(pins) if pins.len() > 2 => None,
             PairKind::Revolute(_) => Some(Friction::Circle(0.1 * factor(i))),
             PairKind::Prismatic(_) | PairKind::Slot(_) => Some(Friction::Coefficient(factor(i))),
             _ => None,
