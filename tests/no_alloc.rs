@@ -4,7 +4,7 @@
 mod machines;
 
 use assur::math::Vec2;
-use assur::model::Mechanism;
+use assur::model::{Friction, Mechanism, PairKind};
 use assur::solve::{DriveInput, Scene, solve};
 
 /// Allocations of this thread over a revolution of a machine, after it was assembled.
@@ -24,6 +24,7 @@ fn allocations(mechanism: &Mechanism) -> u64 {
             state.run_motion::<2>(&plan);
             state.run_loads(&scene, &[]);
             state.set_lines(&scene);
+            state.set_senses(&plan);
             state.run_forces(&plan);
             sum += state.efforts[0];
         }
@@ -47,6 +48,18 @@ fn a_balance_far_from_the_drive_allocates_nothing() {
     m.balances.clear();
     machines::balance(&mut m, assur::model::LinkId::at(5));
     // the six-bar's last link is a rocker: over a whole turn its torque cannot always hold the crank, but it is counted
+    assert_eq!(allocations(&m), 0);
+}
+
+#[test]
+fn friction_allocates_nothing() {
+    let mut m = machines::crank_slider(0.1, 0.35, 0.02, machines::list(&[0.0]));
+    for pair in &mut m.pairs {
+        pair.friction = Some(match pair.kind {
+            PairKind::Revolute(_) => Friction::Circle(0.002),
+            _ => Friction::Coefficient(0.1),
+        });
+    }
     assert_eq!(allocations(&m), 0);
 }
 

@@ -31,6 +31,8 @@ mod machines;
 mod random;
 #[path = "properties/reference.rs"]
 mod reference;
+#[path = "properties/rubbing.rs"]
+mod rubbing;
 #[path = "properties/run.rs"]
 mod run;
 #[path = "properties/sweeps.rs"]
@@ -120,4 +122,18 @@ fn every_kind_of_group_is_made_often() {
     }
     assert!(compared > 2000 && far > 1000, "{compared} compared, {far} with balances");
     assert!(made.len() == 9 && made.values().all(|&n| n > 150), "{made:?}");
+}
+
+#[test]
+fn friction_obeys_its_laws() {
+    let free = std::cell::Cell::new(0);
+    for_all(5000..5600, |draft, reference, smooth| {
+        let mut draft = draft.clone();
+        rubbing::roughen(&mut draft, &smooth.structure);
+        let run = Run::new(&draft.mechanism)?;
+        let verified = rubbing::verified(&draft, reference, &run)?;
+        free.set(free.get() + usize::from(verified.is_some()));
+        Ok(verified.unwrap_or_default())
+    });
+    assert!(free.get() > 300, "{} moved", free.get());
 }

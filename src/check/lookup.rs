@@ -29,7 +29,7 @@ impl Context<'_> {
 
     /// The link of that name, nothing said where there is none.
     pub fn find_link(&self, name: &str) -> Option<LinkId> {
-        self.mech.links.iter().position(|l| l.name == name).map(LinkId::at)
+        self.names.links.get(name).copied()
     }
 
     /// The link that this very statement declares; `None` for the second of two of one name, reported already.

@@ -115,6 +115,8 @@ pub struct Names<'a> {
     pub quantities: IndexMap<String, Declared<QuantityKind<'a>>>,
     /// Links, pairs, groups, elements.
     pub things: IndexMap<String, Declared<ThingKind>>,
+    /// The id of each link: of the ground, of those declared, and of those that pairs add.
+    pub links: IndexMap<String, LinkId>,
     /// What belongs to each link, by its id.
     pub inside: Vec<Inside>,
     /// Poses.
@@ -125,7 +127,7 @@ pub struct Names<'a> {
 
 /// Collects all names of the document; reports those declared twice.
 pub fn declare(cx: &mut Context<'_>) {
-    cx.mech.links.push(Link { name: "ground".into(), ..Link::default() });
+    cx.add_link("ground".into(), None, Span::default());
     cx.names.inside.push(Inside::default());
     let (mut loads, mut balances) = (0, 0);
     for statement in &cx.doc.statements {
@@ -172,6 +174,16 @@ pub fn declare(cx: &mut Context<'_>) {
     }
 }
 
+impl Context<'_> {
+    /// Enters a link, without its parts, into the mechanism.
+    pub(super) fn add_link(&mut self, name: String, number: Option<String>, span: Span) -> LinkId {
+        let id = LinkId::at(self.mech.links.len());
+        self.names.links.entry(name.clone()).or_insert(id);
+        self.mech.links.push(Link { name, number, span, ..Link::default() });
+        id
+    }
+}
+
 /// Links, pairs, groups and elements.
 fn things(cx: &mut Context<'_>, statement: &Statement, span: Span) {
     match statement {
@@ -187,10 +199,8 @@ fn things(cx: &mut Context<'_>, statement: &Statement, span: Span) {
             if !thing(cx, &link.name, ThingKind::Link) {
                 return;
             }
-            let id = LinkId::at(cx.mech.links.len());
             let number = link.number.as_ref().map(|n| n.node.clone());
-            let (name, span) = (link.name.node.clone(), link.name.span);
-            cx.mech.links.push(Link { name, number, span, ..Link::default() });
+            let id = cx.add_link(link.name.node.clone(), number, link.name.span);
             cx.names.inside.push(Inside::default());
             for end in link.bar.iter().flat_map(|bar| [&bar.from, &bar.to]) {
                 inside(cx, end, |i| &mut i.points, id);

@@ -7,15 +7,16 @@ use super::pair_property::{Shared, phrase, properties, shared};
 use super::prismatic::{Held, guide};
 use super::{contact, element, friction};
 use crate::math::Vec2;
-use crate::model::{Friction, GroupAssertion, Link, LinkId, Pair, PairKind, Pin};
+use crate::model::{Friction, GroupAssertion, LinkId, Pair, PairKind, Pin};
 use crate::source::{Span, Spanned};
 use crate::syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
+use indexmap::IndexMap;
 
 /// Enters all pairs of the linkage into the mechanism; transmissions are checked and noted.
 pub(super) fn pairs(cx: &mut Context<'_>) {
     let doc = cx.doc;
     let shared = shared(cx);
-    let mut held = Held::new();
+    let mut before = Before::default();
     for statement in &doc.statements {
         let Statement::Joint(joint) = &statement.node else { continue };
         if !cx.is_own(&joint.name) {
@@ -23,24 +24,34 @@ pub(super) fn pairs(cx: &mut Context<'_>) {
         }
         if !is_linkage_pair(joint.kind.node) {
             element::transmission(cx, joint, statement.span);
-        } else if let Some((kind, friction)) = pair(cx, joint, &shared, &mut held) {
+        } else if let Some((kind, friction)) = pair(cx, joint, &shared, &mut before) {
+            before.hinges.enter(&kind, cx.mech.pairs.len());
             let (name, span) = (joint.name.node.clone(), joint.name.span);
             cx.mech.pairs.push(Pair { name, span, kind, friction });
         }
     }
 }
 
+/// What earlier pairs join.
+#[derive(Default)]
+struct Before {
+    held: Held,
+    hinges: Hinges,
+}
+
 fn pair(
     cx: &mut Context<'_>,
     joint: &Joint,
     shared: &Shared,
-    held: &mut Held,
+    before: &mut Before,
 ) -> Option<(PairKind, Option<Friction>)> {
     let properties = properties(cx, joint, shared);
     let ends = ends(cx, joint)?;
     let kind = match joint.kind.node {
-        JointKind::Revolute => revolute(cx, joint, &ends),
-        JointKind::Prismatic | JointKind::Slot => guide(cx, joint, &ends, properties.as_deref(), held),
+        JointKind::Revolute => revolute(cx, joint, &ends, &before.hinges),
+        JointKind::Prismatic | JointKind::Slot => {
+            guide(cx, joint, &ends, properties.as_deref(), &mut before.held)
+        }
         JointKind::Contact => contact::contact(cx, joint, &ends, properties.as_deref()),
         _ => cylinder(cx, joint, &ends),
     };
@@ -159,17 +170,45 @@ pub(super) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     });
 }
 
-fn revolute(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<PairKind> {
+fn revolute(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined], hinges: &Hinges) -> Option<PairKind> {
     let pins = ends.iter().map(|end| point(cx, joint, end)).collect::<Vec<_>>();
     let pins = pins.into_iter().collect::<Option<Vec<_>>>()?;
-    joined_before(cx, joint, &pins)?;
+    joined_before(cx, joint, &pins, hinges)?;
     Some(PairKind::Revolute(pins))
 }
 
+/// The hinges at each point of a link, as places among the pairs.
+#[derive(Default)]
+struct Hinges(IndexMap<(LinkId, [u64; 2]), Vec<usize>>);
+
+impl Hinges {
+    fn enter(&mut self, kind: &PairKind, pair: usize) {
+        let PairKind::Revolute(pins) = kind else { return };
+        for pin in pins {
+            self.0.entry(Self::key(pin)).or_default().push(pair);
+        }
+    }
+
+    /// The hinges that share a point with these pins, in the order written.
+    fn near(&self, pins: &[Pin]) -> Vec<usize> {
+        let found = pins.iter().filter_map(|pin| self.0.get(&Self::key(pin)));
+        let mut found = found.flatten().copied().collect::<Vec<_>>();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// Equal for equal places: adding zero makes one of both zeros.
+    fn key(pin: &Pin) -> (LinkId, [u64; 2]) {
+        (pin.link, [pin.at.x, pin.at.y].map(|x| (x + 0.0).to_bits()))
+    }
+}
+
 /// Two hinges between the same points of the same links are one too many.
-fn joined_before(cx: &mut Context<'_>, joint: &Joint, pins: &[Pin]) -> Option<()> {
+fn joined_before(cx: &mut Context<'_>, joint: &Joint, pins: &[Pin], hinges: &Hinges) -> Option<()> {
     let same = |a: &Pin, b: &Pin| a.link == b.link && a.at == b.at;
-    for pair in &cx.mech.pairs {
+    for pair in hinges.near(pins) {
+        let pair = &cx.mech.pairs[pair];
         let PairKind::Revolute(others) = &pair.kind else { continue };
         let again = pins.iter().filter(|p| others.iter().any(|o| same(o, p))).collect::<Vec<_>>();
         if let [a, b, ..] = again[..] {
@@ -194,10 +233,8 @@ fn cylinder(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<Pair
     let (from, to) = (point(cx, joint, from), point(cx, joint, to));
     let (from, to) = (from?, to?);
     let mut link = |part: &str| {
-        let id = LinkId::at(cx.mech.links.len());
         let name = format!("{}.{part}", joint.name.node);
-        cx.mech.links.push(Link { name, span: joint.name.span, ..Link::default() });
-        id
+        cx.add_link(name, None, joint.name.span)
     };
     let (barrel, rod) = (link("barrel"), link("rod"));
     Some(PairKind::Cylinder { barrel, rod, from, to })

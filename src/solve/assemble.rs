@@ -3,14 +3,14 @@
 use super::choices::{ambiguous, not_met, point_of};
 use super::error::SolveError;
 use super::gap::gap_text;
+use super::general::Workspace;
 use super::solution::Scene;
-use super::state::{Branch, State};
+use super::state::{BodyState, Branch, State};
 use super::view::View;
 use super::words::{labels, links};
 use crate::math::Vec2;
-use crate::model::{Hint, HintKind, LinkId};
+use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
-use crate::structure::BodyId;
 
 /// More assemblies than this are not followed: without a word on the first groups their number doubles with each.
 const MOST: usize = 256;
@@ -24,53 +24,101 @@ struct Candidate {
     far: f64,
 }
 
+/// A way in which a group can stand.
+#[derive(Clone)]
+struct Way {
+    branch: Branch,
+    sine: f64,
+    bodies: Vec<BodyState>,
+    /// Memory of a general group that stands so.
+    work: Option<(usize, Workspace)>,
+}
+
+impl Way {
+    fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
+        let work = match &scene.plan.motion[index] {
+            MotionStep::General { problem, .. } => {
+                state.motion_work.get(*problem).cloned().flatten().map(|work| (*problem, work))
+            }
+            _ => None,
+        };
+        let bodies = scene.structure.motion[index].bodies.iter().map(|b| state.bodies[b.0]).collect();
+        Self { branch: state.branches[index], sine: state.sines[index], bodies, work }
+    }
+
+    /// Puts the group of a state this way.
+    fn put(&self, scene: &Scene<'_>, state: &mut State, index: usize) {
+        state.branches[index] = self.branch;
+        state.sines[index] = self.sine;
+        state.open = None;
+        for (body, stands) in scene.structure.motion[index].bodies.iter().zip(&self.bodies) {
+            state.bodies[body.0] = *stands;
+        }
+        if let Some((problem, work)) = &self.work {
+            state.motion_work[*problem] = Some(work.clone());
+        }
+    }
+
+    fn is_same(&self, other: &Self, extent: f64) -> bool {
+        let mut bodies = self.bodies.iter().zip(&other.bodies);
+        bodies.all(|(x, y)| (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME)
+    }
+}
+
 /// Assembles the mechanism for the inputs set in `start`.
 pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveError> {
     let mut start = start;
     start.start(scene.plan);
+    let extent = super::track::extent(scene);
+    let hints = hints_by_group(scene);
     let mut candidates = vec![Candidate { state: start, far: 0.0 }];
-    for index in 0..scene.plan.motion.len() {
-        let mut next: Vec<Candidate> = Vec::new();
-        for candidate in &candidates {
-            for state in assemblies(scene, &candidate.state, index) {
-                if !next.iter().any(|c| same(scene, &c.state, &state)) {
-                    next.push(Candidate { state, far: candidate.far });
+    for (index, hints) in hints.iter().enumerate() {
+        let mut ways: Vec<(usize, Way)> = Vec::new();
+        for (i, candidate) in candidates.iter_mut().enumerate() {
+            let first = ways.len();
+            for way in assemblies(scene, &mut candidate.state, index) {
+                if !ways[first..].iter().any(|(_, w)| w.is_same(&way, extent)) {
+                    ways.push((i, way));
                 }
             }
         }
-        if next.is_empty() {
+        if ways.is_empty() {
             let state = candidates.swap_remove(0).state;
             return Err(does_not_close(scene, state, index, ""));
         }
-        candidates = choose(scene, next, index)?;
+        candidates = choose(scene, hints, candidates, ways, index)?;
         if candidates.len() > MOST {
-            return Err(ambiguous(scene, &states(&candidates)));
+            // those nearest to the places named so far go on, unless nothing tells them apart
+            candidates.sort_by(|a, b| a.far.total_cmp(&b.far));
+            if candidates[MOST].far.total_cmp(&candidates[0].far).is_le() {
+                return Err(ambiguous(scene, &states(&candidates)));
+            }
+            candidates.truncate(MOST);
         }
     }
     nearest(scene, candidates)
 }
 
-/// All states in which a group can stand.
-pub(super) fn assemblies(scene: &Scene<'_>, before: &State, index: usize) -> Vec<State> {
+/// All ways in which a group can stand; leaves it in one of them.
+fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize) -> Vec<Way> {
     let step = &scene.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
-        let mut found = super::general::assemblies(before, index, *problem, &scene.plan.general[*problem]);
+        let mut found = super::general::assemblies(state, index, *problem, &scene.plan.general[*problem]);
         found.retain(|state| cylinders_are_positive(scene, state, index));
-        return found;
+        return found.iter().map(|state| Way::of(scene, state, index)).collect();
     }
-    let roots: &[f64] = if before.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
+    let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
     let round = radii(step).map(|r| r != 0.0);
     let sides = |round: bool| if round { vec![1.0, -1.0] } else { vec![1.0] };
     let mut out = Vec::new();
     for &root in roots {
         for &first in &sides(round[0]) {
             for &second in &sides(round[1]) {
-                let mut state = before.clone();
                 state.branches[index] = Branch { root, sides: [first, second], general_sides: 0 };
                 state.open = None;
                 state.step::<0>(scene.plan, step);
-                if state.open.is_none() && cylinders_are_positive(scene, &state, index) {
-                    out.push(state);
+                if state.open.is_none() && cylinders_are_positive(scene, state, index) {
+                    out.push(Way::of(scene, state, index));
                 }
             }
         }
@@ -86,7 +134,7 @@ fn cylinders_are_positive(scene: &Scene<'_>, state: &State, index: usize) -> boo
         .filter(|j| j.prismatic)
         .map(|j| scene.structure.replaced.joint(j.joint).pair);
     pairs
-        .filter(|p| matches!(scene.mechanism.pair(*p).kind, crate::model::PairKind::Cylinder { .. }))
+        .filter(|p| matches!(scene.mechanism.pair(*p).kind, PairKind::Cylinder { .. }))
         .all(|p| bare_view(scene, state).displacement(p) >= 0.0)
 }
 
@@ -102,18 +150,20 @@ fn radii(step: &MotionStep) -> [f64; 2] {
     }
 }
 
-fn same(scene: &Scene<'_>, a: &State, b: &State) -> bool {
-    let extent = super::track::extent(scene);
-    a.bodies
-        .iter()
-        .zip(&b.bodies)
-        .all(|(x, y)| (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME)
-}
-
-/// The first group whose solution settles a link.
-fn settled(scene: &Scene<'_>, link: LinkId) -> Option<usize> {
-    let body = BodyId(link.index());
-    scene.structure.motion.iter().position(|g| g.bodies.contains(&body))
+/// The hints that are settled with each group: those that speak of links of no later one.
+fn hints_by_group<'a>(scene: &Scene<'a>) -> Vec<Vec<&'a Hint>> {
+    let mut settled = vec![None; scene.structure.replaced.bodies.len()];
+    for (i, group) in scene.structure.motion.iter().enumerate() {
+        group.bodies.iter().for_each(|b| settled[b.0] = Some(i));
+    }
+    let mut hints = vec![Vec::new(); scene.structure.motion.len()];
+    for hint in &scene.mechanism.hints {
+        let last = links_of(scene, hint).into_iter().filter_map(|l| settled[l.index()]).max();
+        if let Some(last) = last {
+            hints[last].push(hint);
+        }
+    }
+    hints
 }
 
 fn links_of(scene: &Scene<'_>, hint: &Hint) -> Vec<LinkId> {
@@ -127,7 +177,7 @@ fn links_of(scene: &Scene<'_>, hint: &Hint) -> Vec<LinkId> {
         HintKind::Coordinate { pair, .. } => {
             let kind = &scene.mechanism.pair(*pair).kind;
             let mut links = kind.links();
-            if let crate::model::PairKind::Cylinder { barrel, rod, .. } = kind {
+            if let PairKind::Cylinder { barrel, rod, .. } = kind {
                 links.extend([*barrel, *rod]);
             }
             links
@@ -136,32 +186,51 @@ fn links_of(scene: &Scene<'_>, hint: &Hint) -> Vec<LinkId> {
     }
 }
 
-/// Keeps the candidates that fit the hints settled by this group, and adds the distances of its `near` clauses.
+/// Keeps the ways that fit the hints settled by this group, and adds the distances of its `near` clauses.
 fn choose(
     scene: &Scene<'_>,
+    hints: &[&Hint],
     mut candidates: Vec<Candidate>,
+    mut ways: Vec<(usize, Way)>,
     index: usize,
 ) -> Result<Vec<Candidate>, SolveError> {
-    for hint in &scene.mechanism.hints {
-        let last = links_of(scene, hint).into_iter().map(|l| settled(scene, l)).max().flatten();
-        if last != Some(index) {
-            continue;
+    let built = |candidates: &[Candidate], ways: &[(usize, Way)]| -> Vec<Candidate> {
+        let each = ways.iter().map(|(i, way)| {
+            let mut candidate = candidates[*i].clone();
+            way.put(scene, &mut candidate.state, index);
+            candidate
+        });
+        each.collect()
+    };
+    for hint in hints.iter().filter(|h| !matches!(h.kind, HintKind::Near { .. })) {
+        let (fit, other): (Vec<_>, Vec<_>) = ways.into_iter().partition(|(i, way)| {
+            let state = &mut candidates[*i].state;
+            way.put(scene, state, index);
+            fits(scene, state, &hint.kind)
+        });
+        if fit.is_empty() {
+            let other = built(&candidates, &other);
+            return Err(not_met(scene, hint, &states(&other), index));
         }
+        ways = fit;
+    }
+    let mut next = match (candidates.as_mut_slice(), ways.as_slice()) {
+        // the common case copies nothing
+        ([one], [(_, way)]) => {
+            way.put(scene, &mut one.state, index);
+            candidates
+        }
+        _ => built(&candidates, &ways),
+    };
+    for hint in hints {
         if let HintKind::Near { point, place } = &hint.kind {
-            for c in &mut candidates {
+            for c in &mut next {
                 let away = c.state.bodies[point.0.index()].position(point.1) - *place;
                 c.far += away.dot(away);
             }
-            continue;
         }
-        let (fit, other): (Vec<_>, Vec<_>) =
-            candidates.into_iter().partition(|c| fits(scene, &c.state, &hint.kind));
-        if fit.is_empty() {
-            return Err(not_met(scene, hint, &states(&other), index));
-        }
-        candidates = fit;
     }
-    Ok(candidates)
+    Ok(next)
 }
 
 fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
@@ -179,7 +248,10 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             if *ahead { along >= 0.0 } else { along <= 0.0 }
         }
         HintKind::Coordinate { pair, bound, greater } => {
-            let angles: Vec<f64> = state.bodies.iter().map(|b| b.u.angle()).collect();
+            // angles are asked for by revolute pairs alone
+            let revolute = matches!(scene.mechanism.pair(*pair).kind, PairKind::Revolute(_));
+            let angles: Vec<f64> =
+                if revolute { state.bodies.iter().map(|b| b.u.angle()).collect() } else { Vec::new() };
             let view = View { angles: &angles, ..bare_view(scene, state) };
             let value = view.displacement(*pair);
             if *greater { value >= *bound } else { value <= *bound }

@@ -83,8 +83,12 @@ impl State {
 
     /// Senses of all elements: the sign of the relative velocity, zero where it is nothing but rounding.
     pub fn set_senses(&mut self, plan: &Plan) {
-        let turn = self.bodies.iter().map(|b| b.omega.abs()).fold(0.0, f64::max);
-        let mut square = self.bodies.iter().map(|b| b.v.dot(b.v)).fold(0.0, f64::max);
+        let (mut turn, mut square, mut extent) = (0.0, 0.0, 0.0);
+        for b in &self.bodies {
+            turn = f64::max(turn, b.omega.abs());
+            square = f64::max(square, b.v.dot(b.v));
+            extent = f64::max(extent, (b.p - self.bodies[0].p).dot(b.p - self.bodies[0].p));
+        }
         for (i, element) in plan.friction.iter().enumerate() {
             self.senses[i] = match self.rubbing_line(element) {
                 None => self.bodies[element.body].omega - self.bodies[element.base].omega,
@@ -95,6 +99,10 @@ impl State {
                     (v - at(&self.bodies[element.base])).dot(d)
                 }
             };
+        }
+        // where nothing turns, what is left of an angular velocity is a rounded velocity over a length
+        if extent > 0.0 {
+            turn = f64::max(turn, (square / extent).sqrt());
         }
         for (sense, element) in self.senses.iter_mut().zip(&plan.friction) {
             let turns = matches!(element.kind, Rub::Circle { .. });

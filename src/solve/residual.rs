@@ -6,10 +6,11 @@ use super::state::{State, Wrench};
 use crate::math::Vec2;
 use crate::structure::{EffortKind, JointKind};
 
-/// Residuals of a position. Forces are checked where the plan solves them, powers where it follows velocities.
+/// Residuals of a position. Forces are checked where the plan solves them and they exist, powers where it follows
+/// velocities.
 #[must_use]
 pub(super) fn residuals(scene: &Scene<'_>, state: &State) -> Residuals {
-    let forces = scene.plan.effects.forces && !scene.plan.forces.is_empty();
+    let forces = scene.plan.effects.forces && !scene.plan.forces.is_empty() && !state.locked;
     let velocities = scene.plan.effects.level >= crate::plan::Level::Velocities;
     Residuals {
         closure: closure(scene, state),

@@ -1,6 +1,8 @@
 //! Makes a text readable byte for byte: foreign blanks, signs and digits are replaced by plain ones of the same total
 //! length, so that every place stays where it was, and are reported.
 //!
+//! Comments become blanks: the grammar knows none.
+//!
 //! What is left of a replaced character is filled with [`FILL`], which the grammar takes for a blank and which a place
 //! that ends before it includes, so that no place ends within a character of the author's.
 //!
@@ -72,10 +74,25 @@ impl<'a> Prepare<'a> {
         let mut blank_line = false;
         let mut padding = 0;
         let mut lone_return = None;
-        let mut chars = self.text.char_indices().peekable();
-        while let Some((at, c)) = chars.next() {
+        let mut rest = self.text;
+        loop {
+            let plain = plain_start(rest, mode);
+            if plain > 0 && !blank_line {
+                self.pad(&mut padding);
+                let (run, behind) = rest.split_at(plain);
+                if mode == Mode::Code {
+                    self.out.push_str(run);
+                } else {
+                    self.out.extend(std::iter::repeat_n(' ', plain));
+                }
+                rest = behind;
+            }
+            let at = self.text.len() - rest.len();
+            let mut chars = rest.chars();
+            let Some(c) = chars.next() else { break };
+            rest = chars.as_str();
             let span = Span::new(at, at + c.len_utf8());
-            let next = chars.peek().map(|(_, c)| *c);
+            let next = chars.next();
             let replaced = if mode == Mode::Code { self.foreign(span, c) } else { None };
             if let Some((plain, pads)) = replaced {
                 // Digits and letters are kept together.
@@ -134,7 +151,8 @@ impl<'a> Prepare<'a> {
         let text = &self.text[span.start..span.end];
         match (mode, c) {
             (Mode::Code, '"') => (text, Mode::Text(true)),
-            (Mode::Code, '/') if next == Some('/') => (text, Mode::Comment),
+            (Mode::Code, '/') if next == Some('/') => (BLANKS[1], Mode::Comment),
+            (Mode::Comment, _) => (BLANKS[c.len_utf8()], mode),
             (Mode::Text(true), '"') => (text, Mode::Code),
             (Mode::Text(false), '"' | '”' | '“' | '„' | '»' | '«' | '＂') => {
                 if c == '"' {
@@ -157,6 +175,19 @@ impl<'a> Prepare<'a> {
         }
         Some((with, c.len_utf8() - with.len()))
     }
+}
+
+/// The length of what stays as it is, or is a comment, at the beginning of a text.
+fn plain_start(text: &str, mode: Mode) -> usize {
+    let plain = |b: &u8| match mode {
+        Mode::Code => {
+            matches!(b, b' ' | b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'_' | b'.' | b'=' | b',' | b'*'
+            | b'+' | b'-' | b'@' | b':' | b';' | b'\'')
+        }
+        Mode::Comment => matches!(b, b' '..=b'~' | b'\t'),
+        Mode::Text(_) => false,
+    };
+    text.bytes().take_while(plain).count()
 }
 
 /// Blanks of each length.

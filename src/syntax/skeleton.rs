@@ -18,7 +18,7 @@ const LOOK_ALIKES: &[(&str, &str)] = &[
 /// skeleton is for comparing and not for showing.
 #[must_use]
 pub fn skeleton(name: &str) -> String {
-    name.chars().map(latin).collect()
+    if name.is_ascii() { name.to_owned() } else { name.chars().map(latin).collect() }
 }
 
 fn latin(c: char) -> char {

@@ -62,15 +62,6 @@ fn kind(rule: Rule) -> Option<Expected> {
         | Rule::setting
         | Rule::column => Expected::Name,
         Rule::expr
-        | Rule::conjunct
-        | Rule::truth
-        | Rule::comparison
-        | Rule::sum
-        | Rule::polar
-        | Rule::product
-        | Rule::signed
-        | Rule::exponent
-        | Rule::power
         | Rule::post
         | Rule::arg
         | Rule::list
@@ -84,10 +75,9 @@ fn kind(rule: Rule) -> Option<Expected> {
         Rule::place => Expected::Kind("a point"),
         Rule::property => Expected::Kind("a property"),
         Rule::header => Expected::Kind("a header of names"),
-        Rule::add | Rule::multiply | Rule::compare | Rule::compared | Rule::p_polar | Rule::p_caret => {
+        Rule::tight | Rule::loose | Rule::joining | Rule::compare | Rule::compared | Rule::p_polar => {
             Expected::Operator
         }
-        Rule::w_and | Rule::w_or => Expected::Operator,
         Rule::EOI => Expected::End,
         _ => return None,
     })

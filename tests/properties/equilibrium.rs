@@ -1,7 +1,6 @@
 //! The independent path for forces: the equations of Newton and Euler for all links, with the reactions of all pairs as
 //! they are declared and the unknown efforts, as one linear system. Moments are taken about the origin of the ground.
 
-use crate::jet::Moving;
 use crate::reference::{Body, Rates, Solver, number, rollers, vector};
 use assur::math::Vec2;
 use assur::model::{
@@ -21,16 +20,16 @@ pub struct Wrench {
 }
 
 impl Wrench {
-    fn at(p: Vec2, force: Vec2) -> Self {
+    pub fn at(p: Vec2, force: Vec2) -> Self {
         Self { force, moment: p.cross(force) }
     }
-    fn couple(moment: f64) -> Self {
+    pub fn couple(moment: f64) -> Self {
         Self { force: Vec2::zero(), moment }
     }
-    fn times(self, k: f64) -> Self {
+    pub fn times(self, k: f64) -> Self {
         Self { force: self.force * k, moment: self.moment * k }
     }
-    fn add(&mut self, o: Self) {
+    pub fn add(&mut self, o: Self) {
         self.force += o.force;
         self.moment += o.moment;
     }
@@ -102,6 +101,27 @@ pub fn equilibrium(mechanism: &Mechanism, bodies: &[Body], rates: &[Rates]) -> O
     system.unknowns.extend(efforts.into_iter().map(|on| Unknown { on, gives: Vec::new() }));
     let applied = system.applied();
     system.solve(first_effort, &applied)
+}
+
+/// What acts on the links from outside: loads with inertia, and what a unit of each unknown effort does; the place and
+/// normal of every contact.
+pub struct Outside {
+    pub applied: Vec<Wrench>,
+    pub units: Vec<Vec<(LinkId, Wrench)>>,
+    pub touching: Vec<Option<(Vec2, Vec2)>>,
+    pub doubtful: bool,
+}
+
+impl Outside {
+    pub fn new(mechanism: &Mechanism, bodies: &[Body], rates: &[Rates]) -> Self {
+        let mut system = System { mechanism, bodies, rates, unknowns: Vec::new(), doubtful: false };
+        let touching = mechanism.pairs.iter().map(|p| match &p.kind {
+            PairKind::Contact { first, second, internal } => Some(system.touch(first, second, *internal)),
+            _ => None,
+        });
+        let (touching, units, applied) = (touching.collect(), system.efforts(), system.applied());
+        Self { applied, units, touching, doubtful: system.doubtful }
+    }
 }
 
 impl System<'_> {
@@ -406,10 +426,4 @@ fn on_line(q: Vec2, d: Vec2, c: Vec2, radius: f64) -> (Vec2, Vec2) {
     let n = d.perp();
     let n = if radius > 0.0 && n.dot(c - q) < 0.0 { -n } else { n };
     (c - n * radius, n)
-}
-
-/// Velocity of the place `p` as a point of a body.
-pub fn velocity_at(body: &Body, omega: f64, p: Vec2) -> Vec2 {
-    let at: Moving = body.p;
-    at.rate() + (p - at.value()).perp() * omega
 }

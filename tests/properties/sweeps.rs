@@ -278,3 +278,30 @@ fn hints_choose_between_the_two_assemblies() {
     machines::hint(&mut m, HintKind::Near { point: (ROCKER, at(0.3, 0.0)), place: at(0.3, -0.3) });
     assert!(run(&m).solved(0).is_ok());
 }
+
+#[test]
+fn a_long_chain_is_assembled_by_the_places_of_its_points() {
+    // a chain of parallelograms: every dyad has a second assembly
+    let (n, r, l) = (20, 0.1, 0.3);
+    let mut m = machines::ground();
+    let crank = machines::bar(&mut m, "crank", r);
+    machines::revolute(&mut m, "A", (LinkId::GROUND, at(0.0, 0.0)), (crank, at(0.0, 0.0)));
+    let (phi, mut last) = (1.0, crank);
+    for i in 1..=n {
+        let coupler = machines::bar(&mut m, &format!("coupler{i}"), l);
+        let rocker = machines::bar(&mut m, &format!("rocker{i}"), r);
+        machines::revolute(&mut m, &format!("B{i}"), (last, at(r, 0.0)), (coupler, at(0.0, 0.0)));
+        machines::revolute(&mut m, &format!("C{i}"), (coupler, at(l, 0.0)), (rocker, at(r, 0.0)));
+        let foot = at(l * f64::from(i), 0.0);
+        machines::revolute(&mut m, &format!("D{i}"), (LinkId::GROUND, foot), (rocker, at(0.0, 0.0)));
+        // where the pin is, but for an error of the eye
+        let place = foot + Vec2::direction(phi + 0.1) * r;
+        machines::hint(&mut m, HintKind::Near { point: (rocker, at(r, 0.0)), place });
+        last = rocker;
+    }
+    machines::drive(&mut m, crank, list(&[phi]));
+    let run = run(&m);
+    let view = run.view(0).expect("it closes");
+    let end = scalar(&view, &Query::Angle(last));
+    assert!((end - phi).abs() < 1e-12, "{end}");
+}

@@ -1,7 +1,7 @@
 //! Expressions.
 
 use super::Lower;
-use super::walk::{P, Parts, name, span};
+use super::walk::{P, Parts, name, nfc, span};
 use crate::source::{Span, Spanned};
 use crate::syntax::Rule;
 use crate::syntax::document::{
@@ -9,7 +9,6 @@ use crate::syntax::document::{
 };
 use crate::syntax::error::SyntaxError;
 use crate::units;
-use unicode_normalization::UnicodeNormalization;
 
 /// How many signs, powers or parts may follow each other: each is a level of the tree.
 const CHAIN: usize = 16;
@@ -21,107 +20,104 @@ impl Lower<'_> {
     /// An `expr` pair, or a `paren` standing for one.
     pub(super) fn expr(&mut self, pair: P<'_>) -> Option<Expr> {
         match pair.as_rule() {
-            Rule::expr | Rule::conjunct => self.logic(pair),
+            Rule::expr => self.disjunction(&mut Parts::of(pair)),
             Rule::paren => self.paren(pair),
             _ => None,
         }
     }
 
-    /// Chains of `or` and `and`.
-    fn logic(&mut self, pair: P<'_>) -> Option<Expr> {
-        let mut parts = Parts::of(pair);
-        let first = self.truth_or_conjunct(parts.any()?)?;
+    fn disjunction(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
+        let first = self.conjunction(parts)?;
         let mut rest = Vec::new();
-        while let Some(word) = parts.any() {
-            let op = if word.as_rule() == Rule::w_or { BinaryOp::Or } else { BinaryOp::And };
-            rest.push((Spanned::new(op, span(&word)), self.truth_or_conjunct(parts.any()?)?));
+        while let Some(op) = parts.take_as(Rule::joining, |op| (op == "or").then_some(BinaryOp::Or)) {
+            rest.push((op, self.conjunction(parts)?));
         }
         Some(chain(first, rest))
     }
 
-    fn truth_or_conjunct(&mut self, pair: P<'_>) -> Option<Expr> {
-        if pair.as_rule() == Rule::conjunct { self.logic(pair) } else { self.truth(pair) }
+    fn conjunction(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
+        let first = self.truth(parts)?;
+        let mut rest = Vec::new();
+        while let Some(op) = parts.take_as(Rule::joining, |op| (op == "and").then_some(BinaryOp::And)) {
+            rest.push((op, self.truth(parts)?));
+        }
+        Some(chain(first, rest))
     }
 
-    fn truth(&mut self, pair: P<'_>) -> Option<Expr> {
-        let mut parts = Parts::of(pair);
+    fn truth(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
         let mut signs = Vec::new();
         while let Some(word) = parts.take(Rule::w_not) {
             signs.push(Spanned::new(UnaryOp::Not, span(&word)));
         }
-        let inner = self.comparison(parts.any()?)?;
+        let inner = self.comparison(parts)?;
         self.signed_by(signs, inner)
     }
 
-    fn comparison(&mut self, pair: P<'_>) -> Option<Expr> {
-        let mut parts = Parts::of(pair);
-        let first = self.sum(parts.any()?)?;
+    fn comparison(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
+        let first = self.sum(parts)?;
         let mut rest = Vec::new();
-        while let Some(op) = parts.any() {
-            rest.push((compare(&op), self.sum(parts.any()?)?));
+        while let Some(op) = parts.take_as(Rule::loose, comparing) {
+            rest.push((op, self.sum(parts)?));
         }
         let Some((_, last)) = rest.last() else { return Some(first) };
         let at = first.span.to(last.span);
         Some(Expr { kind: ExprKind::Compare(Box::new(first), rest), span: at })
     }
 
-    fn sum(&mut self, pair: P<'_>) -> Option<Expr> {
-        let mut parts = Parts::of(pair);
-        let first = self.polar(parts.any()?)?;
+    fn sum(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
+        let first = self.polar(parts)?;
         let mut rest = Vec::new();
-        while let Some(op) = parts.any() {
-            let kind = if op.as_str() == "+" { BinaryOp::Add } else { BinaryOp::Subtract };
-            rest.push((Spanned::new(kind, span(&op)), self.polar(parts.any()?)?));
+        while let Some(op) = parts.take_as(Rule::loose, adding) {
+            rest.push((op, self.polar(parts)?));
         }
         Some(chain(first, rest))
     }
 
-    fn polar(&mut self, pair: P<'_>) -> Option<Expr> {
-        let mut parts = Parts::of(pair);
-        let length = self.product(parts.any()?)?;
-        let Some(angle) = parts.any() else { return Some(length) };
-        let angle = self.product(angle)?;
+    fn polar(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
+        let length = self.product(parts)?;
+        if !parts.word(Rule::p_polar) {
+            return Some(length);
+        }
+        let angle = self.product(parts)?;
         let at = length.span.to(angle.span);
         Some(Expr { kind: ExprKind::Polar(Box::new(length), Box::new(angle)), span: at })
     }
 
     /// A product; factors that a unit gave back are factors of it.
-    fn product(&mut self, pair: P<'_>) -> Option<Expr> {
-        let mut parts = Parts::of(pair);
-        let (first, mut rest) = self.signed(parts.any()?)?;
-        while let Some(op) = parts.any() {
-            let kind = if op.as_str() == "/" { BinaryOp::Divide } else { BinaryOp::Multiply };
-            let (factor, given_back) = self.signed(parts.any()?)?;
-            rest.push((Spanned::new(kind, span(&op)), factor));
+    fn product(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
+        let (first, mut rest) = self.signed(parts)?;
+        while let Some(op) = parts.take_as(Rule::tight, multiplying) {
+            let (factor, given_back) = self.signed(parts)?;
+            rest.push((op, factor));
             rest.extend(given_back);
         }
         Some(chain(first, rest))
     }
 
-    fn signed(&mut self, pair: P<'_>) -> Option<(Expr, Vec<Link>)> {
-        let mut parts = Parts::of(pair);
-        let signs = signs(&mut parts);
-        let (power, rest) = self.power(parts.any()?)?;
+    fn signed(&mut self, parts: &mut Parts<'_>) -> Option<(Expr, Vec<Link>)> {
+        let signs = signs(parts);
+        let (power, rest) = self.power(parts)?;
         Some((self.signed_by(signs, power)?, rest))
     }
 
     /// `a ^ b ^ c` is `a ^ (b ^ c)`.
-    fn power(&mut self, pair: P<'_>) -> Option<(Expr, Vec<Link>)> {
-        let at = span(&pair);
-        let mut parts = Parts::of(pair);
+    fn power(&mut self, parts: &mut Parts<'_>) -> Option<(Expr, Vec<Link>)> {
         let (base, mut rest) = self.post(parts.any()?)?;
+        if !parts.is(Rule::tight, "^") {
+            return Some((base, rest));
+        }
+        let start = base.span;
         let mut levels = vec![(Vec::new(), base)];
-        while let Some(exponent) = parts.any() {
-            let mut inner = Parts::of(exponent);
-            let signs = signs(&mut inner);
-            let (value, given_back) = self.post(inner.any()?)?;
+        while parts.take_as(Rule::tight, |op| (op == "^").then_some(())).is_some() {
+            let signs = signs(parts);
+            let (value, given_back) = self.post(parts.any()?)?;
             levels.push((signs, value));
             rest.extend(given_back);
         }
-        if levels.len() > CHAIN {
-            return self.too_deep(at);
-        }
         let (signs, last) = levels.pop()?;
+        if levels.len() >= CHAIN {
+            return self.too_deep(start.to(last.span));
+        }
         let mut value = self.signed_by(signs, last)?;
         while let Some((signs, base)) = levels.pop() {
             let whole = base.span.to(value.span);
@@ -148,24 +144,29 @@ impl Lower<'_> {
     }
 
     fn atom(&mut self, pair: P<'_>) -> Option<(Expr, Vec<Link>)> {
-        let at = span(&pair);
-        let kind = match pair.as_rule() {
+        let value = match pair.as_rule() {
             Rule::quantity => return self.quantity(pair),
-            Rule::paren => return Some((self.paren(pair)?, Vec::new())),
-            Rule::name => ExprKind::Name(Parts::of(pair).name()?.node),
-            Rule::call => {
-                let mut parts = Parts::of(pair);
-                let function = parts.name()?;
-                let mut args = Vec::new();
-                while let Some(arg) = parts.any() {
-                    let mut arg = Parts::of(arg);
-                    args.push(Arg { name: arg.name(), value: self.expr(arg.any()?)? });
-                }
-                ExprKind::Call { function, args }
-            }
+            Rule::paren => self.paren(pair)?,
+            Rule::name => self.name_or_call(pair)?,
             _ => return None,
         };
-        Some((Expr { kind, span: at }, Vec::new()))
+        Some((value, Vec::new()))
+    }
+
+    fn name_or_call(&mut self, pair: P<'_>) -> Option<Expr> {
+        let at = span(&pair);
+        let mut parts = Parts::of(pair);
+        let name = parts.name()?;
+        let Some(arguments) = parts.take(Rule::arguments) else {
+            return Some(Expr { kind: ExprKind::Name(name.node), span: at });
+        };
+        let mut parts = Parts::of(arguments);
+        let mut args = Vec::new();
+        while let Some(arg) = parts.any() {
+            let mut arg = Parts::of(arg);
+            args.push(Arg { name: arg.name(), value: self.expr(arg.any()?)? });
+        }
+        Some(Expr { kind: ExprKind::Call { function: name, args }, span: at })
     }
 
     fn paren(&mut self, pair: P<'_>) -> Option<Expr> {
@@ -192,13 +193,18 @@ impl Lower<'_> {
             let whole = span(&unit);
             let start = whole.start;
             let word = unit.as_str();
+            if word.bytes().all(|b| b.is_ascii_alphabetic()) {
+                value.unit = Some(Spanned::new(word.to_owned(), whole));
+                at = at.to(whole);
+                return Some((Expr { kind: ExprKind::Number(value), span: at }, rest));
+            }
             let factors = units::factors(word);
             // The first factor is a unit, known or not; the first later one that is none ends it.
             let own = factors.iter().skip(1).position(|f| !units::is_unit(f.symbol));
             let own = own.map_or(factors.len(), |i| i + 1);
             let end = factors.get(own.checked_sub(1)?).map_or(word.len(), |f| f.end);
             let unit_at = if end == word.len() { whole } else { Span::new(start, start + end) };
-            value.unit = Some(Spanned::new(word.get(..end)?.nfc().collect(), unit_at));
+            value.unit = Some(Spanned::new(nfc(word.get(..end)?), unit_at));
             at = at.to(unit_at);
             for factor in factors.into_iter().skip(own) {
                 rest.push(given_back(word, &factor, start)?);
@@ -305,7 +311,7 @@ fn given_back(word: &str, factor: &units::Factor<'_>, start: usize) -> Option<Li
     let before = word.get(..factor.start)?.chars().next_back()?;
     let op_at = Span::new(start + factor.start - before.len_utf8(), start + factor.start);
     let base_at = Span::new(start + factor.start, start + factor.start + factor.symbol.len());
-    let base = Expr { kind: ExprKind::Name(factor.symbol.nfc().collect()), span: base_at };
+    let base = Expr { kind: ExprKind::Name(nfc(factor.symbol)), span: base_at };
     if base_at.end == start + factor.end {
         return Some((Spanned::new(op, op_at), base));
     }
@@ -322,15 +328,36 @@ fn given_back(word: &str, factor: &units::Factor<'_>, start: usize) -> Option<Li
     Some((Spanned::new(op, op_at), Expr { kind: raised, span: base_at.to(at) }))
 }
 
+/// `+` and what looks like `-`
+fn adding(op: &str) -> Option<BinaryOp> {
+    match op {
+        "+" => Some(BinaryOp::Add),
+        op if comparing(op).is_some() => None,
+        _ => Some(BinaryOp::Subtract),
+    }
+}
+
+fn multiplying(op: &str) -> Option<BinaryOp> {
+    match op {
+        "^" => None,
+        "/" => Some(BinaryOp::Divide),
+        _ => Some(BinaryOp::Multiply),
+    }
+}
+
+fn comparing(op: &str) -> Option<CompareOp> {
+    match op {
+        "<" => Some(CompareOp::Less),
+        "<=" => Some(CompareOp::LessOrEqual),
+        ">" => Some(CompareOp::Greater),
+        ">=" => Some(CompareOp::GreaterOrEqual),
+        _ => None,
+    }
+}
+
 /// A comparison sign.
-pub(super) fn compare(pair: &P<'_>) -> Spanned<CompareOp> {
-    let op = match pair.as_str().trim() {
-        "<" => CompareOp::Less,
-        "<=" => CompareOp::LessOrEqual,
-        ">" => CompareOp::Greater,
-        _ => CompareOp::GreaterOrEqual,
-    };
-    Spanned::new(op, span(pair))
+pub(super) fn compare(pair: &P<'_>) -> Option<Spanned<CompareOp>> {
+    Some(Spanned::new(comparing(pair.as_str())?, span(pair)))
 }
 
 /// `cw` or `ccw`

@@ -107,7 +107,7 @@ impl Lower<'_> {
                 AssembleClause::Order { what, order, than: self.path(inner.any()?)? }
             }
             Rule::compared => {
-                AssembleClause::Sign { what, op: compare(&word), bound: self.expr(inner.any()?)? }
+                AssembleClause::Sign { what, op: compare(&word)?, bound: self.expr(inner.any()?)? }
             }
             _ => return None,
         })

@@ -12,28 +12,30 @@ use pest::iterators::Pairs;
 pub(super) fn report(lower: &mut Lower<'_>, pairs: Pairs<'_, Rule>) {
     let mut open = Vec::new();
     for pair in pairs.flatten() {
-        let at = span(&pair);
         match pair.as_rule() {
-            Rule::p_brace => open.push(at),
+            Rule::p_brace => open.push(span(&pair)),
             Rule::p_end => {
                 open.pop();
             }
             Rule::x_missing_brace => {
+                let at = span(&pair);
                 let opened = open.pop().unwrap_or(at);
                 lower.problems.push(missing_brace(lower.text, opened, at));
             }
             Rule::x_late_brace => lower.problems.push(late_brace(lower.text, &pair)),
             Rule::x_colon_for_equals => {
+                let at = span(&pair);
                 let help = format!("write: {}", mended(lower.text, at, " =").replace("  ", " "));
                 let found = pair.as_str().to_owned();
                 lower.problems.push(SyntaxError::EqualsExpected { found, at, help });
             }
             Rule::x_equals_for_colon => {
+                let at = span(&pair);
                 let help = format!("write: {}", mended(lower.text, at, ":").replace(" :", ":"));
                 let found = pair.as_str().to_owned();
                 lower.problems.push(SyntaxError::ColonExpected { found, at, help });
             }
-            Rule::x_bare_point => lower.problems.push(bare_point(lower.text, pair.as_str(), at)),
+            Rule::x_bare_point => lower.problems.push(bare_point(lower.text, pair.as_str(), span(&pair))),
             _ => {}
         }
     }

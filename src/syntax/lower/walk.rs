@@ -37,6 +37,21 @@ impl<'i> Parts<'i> {
         self.pairs.peek().map(Pair::as_rule)
     }
 
+    /// Whether the next part is of that rule and reads so.
+    pub(super) fn is(&mut self, rule: Rule, text: &str) -> bool {
+        self.skip();
+        self.pairs.peek().is_some_and(|p| p.as_rule() == rule && p.as_str() == text)
+    }
+
+    /// What the next part is read as, if it is of that rule.
+    pub(super) fn take_as<T>(&mut self, rule: Rule, read: impl Fn(&str) -> Option<T>) -> Option<Spanned<T>> {
+        self.skip();
+        let pair = self.pairs.peek().filter(|p| p.as_rule() == rule)?;
+        let found = Spanned::new(read(pair.as_str())?, span(pair));
+        self.pairs.next();
+        Some(found)
+    }
+
     /// The next part, if it is of that rule.
     pub(super) fn take(&mut self, rule: Rule) -> Option<P<'i>> {
         self.skip();
@@ -67,8 +82,6 @@ fn is_plumbing(rule: Rule) -> bool {
             | Rule::p_dots
             | Rule::p_comma
             | Rule::p_dash
-            | Rule::p_polar
-            | Rule::p_caret
             | Rule::p_close
             | Rule::p_equals
             | Rule::p_colon
@@ -82,25 +95,38 @@ fn is_plumbing(rule: Rule) -> bool {
     )
 }
 
-/// Where a pair stands, without the blanks and comments that pest leaves at its end.
+/// Where a pair stands, without the blanks that pest leaves at its end.
 pub(super) fn span(pair: &P<'_>) -> Span {
-    let start = pair.as_span().start();
+    let at = pair.as_span();
+    let blank = |c| matches!(c, ' ' | '\n' | FILL);
+    let end = at.start() + at.as_str().trim_end_matches(blank).len();
+    if at.as_str().ends_with(';') {
+        // A body without its closing brace may hold separators at its end.
+        return Span::new(at.start(), end_of_last(pair));
+    }
+    Span::new(at.start(), whole_end(pair.get_input(), end))
+}
+
+/// The end of the last pair within a pair.
+fn end_of_last(pair: &P<'_>) -> usize {
     let mut last = pair.clone();
     loop {
         let inner = last.clone().into_inner().rev().find(|p| p.as_rule() != Rule::x_missing_brace);
         match inner {
             Some(inner) => last = inner,
-            None => {
-                let end = last.as_span().end().max(start);
-                return Span::new(start, whole_end(pair.get_input(), end));
-            }
+            None => return whole_end(pair.get_input(), last.as_span().end()),
         }
     }
 }
 
 /// The name that an atomic pair holds, in NFC.
 pub(super) fn name(pair: &P<'_>) -> Name {
-    Spanned::new(pair.as_str().nfc().collect(), span(pair))
+    Spanned::new(nfc(pair.as_str()), span(pair))
+}
+
+/// A text in NFC.
+pub(super) fn nfc(text: &str) -> String {
+    if text.is_ascii() { text.to_owned() } else { text.nfc().collect() }
 }
 
 /// The text of an atomic pair.

@@ -63,7 +63,8 @@ pub(super) fn report(text: &str, read: &str, at: Span, what: What, problems: &mu
 fn cut_off(text: &str, read: &str, at: Span) -> bool {
     let end = Line::around(text, at.end).end;
     let rest = |text: &str| text.get(at.end..end).unwrap_or_default().trim().to_owned();
-    rest(read).is_empty() && !rest(text).is_empty()
+    let lost = rest(text);
+    rest(read).is_empty() && !lost.is_empty() && !lost.starts_with("//")
 }
 
 /// A pair of the grammar that has not the shape it promises.
