@@ -40,12 +40,17 @@ use assur::model::{Expr, Friction, LinkId, Load, LoadKind, Mechanism, PairId, Pa
 use assur::plan::ForceStep;
 use assur::source::{Source, Span};
 use draft::Draft;
-use equilibrium::{Forces, equilibrium, velocity_at};
-use reference::Reference;
+use equilibrium::{Forces, equilibrium};
+use reference::{Body, Reference};
 use run::Run;
 
 /// Velocities below this are none; positions where one is near it are left out.
 const STILL: f64 = 1e-7;
+
+/// Velocity of the place `p` as a point of a body.
+fn velocity_at(body: &Body, omega: f64, p: Vec2) -> Vec2 {
+    body.p.rate() + (p - body.p.value()).perp() * omega
+}
 
 /// Friction between two links of a pair.
 #[derive(Debug)]
