@@ -4,7 +4,7 @@ use crate::random::Random;
 use assur::math::Vec2;
 use assur::model::{
     Drive, DriveTarget, Expr, Guide, Hint, HintKind, Link, LinkId, Mechanism, Pair, PairId, PairKind, Pin,
-    Positions, Profile, ProfileShape,
+    Positions, Profile, ProfileShape, Value,
 };
 use assur::source::Span;
 
@@ -54,6 +54,8 @@ pub struct Draft {
     pub turning: Vec<usize>,
     /// Links that turn freely.
     pub rollers: Vec<LinkId>,
+    /// Links driven at a point, with its place.
+    pub outer: Vec<(LinkId, Vec2)>,
     /// Pairs whose coordinate is driven.
     pub driven: Vec<PairId>,
 }
@@ -68,6 +70,7 @@ impl Draft {
             random,
             turning: vec![0],
             rollers: Vec::new(),
+            outer: Vec::new(),
             driven: Vec::new(),
         }
     }
@@ -214,6 +217,23 @@ impl Draft {
             acceleration,
             sense: None,
         });
+    }
+
+    /// A link that nothing is known of but the motion of one of its points.
+    pub fn outer_link(&mut self) {
+        let at = self.spot();
+        let origin = at + self.random.vector(0.3);
+        let link = self.link_at(Frame { p: origin, u: Vec2::new(1.0, 0.0) });
+        self.outer.push((link, at));
+        let target = DriveTarget::Point(link, self.local(link, at));
+        self.drive(target, 0.0);
+        let (speed, acceleration) = (self.random.vector(2.0), self.random.vector(4.0));
+        let constant = |v| Expr::Constant(Value::Vector(v));
+        if let Some(drive) = self.mechanism.drives.last_mut() {
+            drive.positions = Positions::List(vec![constant(at)]);
+            drive.speed = Some(constant(speed));
+            drive.acceleration = Some(constant(acceleration));
+        }
     }
 
     /// Chooses the assembly: every link is near the place where it was drawn.

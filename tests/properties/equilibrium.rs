@@ -228,7 +228,8 @@ impl System<'_> {
                 DriveTarget::Pair(pair) => self.in_pair(*pair),
                 DriveTarget::Point(..) => Vec::new(),
             };
-            return m.drives.iter().map(|d| of(&d.target)).collect();
+            let drives = m.drives.iter().filter(|d| !matches!(d.target, DriveTarget::Point(..)));
+            return drives.map(|d| of(&d.target)).collect();
         }
         let of = |kind: &BalanceKind| match kind {
             BalanceKind::Torque(link) => vec![(*link, Wrench::couple(1.0))],
@@ -335,16 +336,23 @@ impl System<'_> {
     }
 
     fn solve(self, first_effort: usize, applied: &[Wrench]) -> Option<Forces> {
-        let (rows, columns) = (3 * (applied.len() - 1), self.unknowns.len());
+        // the equations of links driven at a point are not written
+        let outer = |link: &LinkId| {
+            self.mechanism.drives.iter().any(|d| matches!(d.target, DriveTarget::Point(l, _) if l == *link))
+        };
+        let links: Vec<LinkId> = (1..applied.len()).map(LinkId::at).filter(|l| !outer(l)).collect();
+        let (rows, columns) = (3 * links.len(), self.unknowns.len());
         let mut matrix = DMatrix::<f64>::zeros(rows, columns);
         for (j, unknown) in self.unknowns.iter().enumerate() {
-            for (link, w) in unknown.on.iter().filter(|(l, _)| l.index() > 0) {
+            for (link, w) in &unknown.on {
+                let Some(row) = links.iter().position(|l| l == link) else { continue };
                 for (k, x) in [w.force.x, w.force.y, w.moment].into_iter().enumerate() {
-                    matrix[(3 * (link.index() - 1) + k, j)] += x;
+                    matrix[(3 * row + k, j)] += x;
                 }
             }
         }
-        let loads = applied[1..].iter().flat_map(|w| [-w.force.x, -w.force.y, -w.moment]);
+        let loads =
+            links.iter().map(|l| applied[l.index()]).flat_map(|w| [-w.force.x, -w.force.y, -w.moment]);
         let right = DVector::from_iterator(rows, loads);
         let solver = Solver::of_any_rank(matrix);
         let balanced = solver.rank() == rows;
@@ -367,7 +375,9 @@ impl System<'_> {
         let effort_powers: Vec<f64> =
             self.unknowns[first_effort..].iter().zip(&efforts).map(|(u, x)| power(&u.on) * x).collect();
         let loads = applied.iter().enumerate().map(|(i, w)| power(&[(LinkId::at(i), *w)]));
-        let sum = loads.chain(effort_powers.iter().copied()).sum();
+        // what the joints of links driven at a point put in is not counted
+        let alone = links.len() + 1 < applied.len();
+        let sum = if alone { 0.0 } else { loads.chain(effort_powers.iter().copied()).sum() };
         let (mut force, mut moment) = (f64::MIN_POSITIVE, f64::MIN_POSITIVE);
         for w in applied {
             force = force.max(w.force.norm());

@@ -9,14 +9,7 @@ use assur::source::Span;
 /// The mechanism of this number.
 pub fn mechanism(seed: u64) -> Draft {
     let mut draft = kinematics(seed);
-    draft.add_masses();
-    draft.add_loads();
-    draft.hints();
-    draft.mechanism.finds.push(Find {
-        name: "reactions".into(),
-        span: Span::default(),
-        kind: FindKind::Reactions,
-    });
+    finish(&mut draft);
     if draft.random.chance(0.6) {
         for _ in 0..6 {
             draft.add_balances();
@@ -27,6 +20,36 @@ pub fn mechanism(seed: u64) -> Draft {
         draft.mechanism.balances.clear();
     }
     draft
+}
+
+/// Groups given alone: outer links driven at points carry them.
+pub fn alone(seed: u64) -> Draft {
+    let mut draft = Draft::new(Random::new(seed));
+    for _ in 0..2 + draft.random.below(2) {
+        draft.outer_link();
+    }
+    for _ in 0..1 + draft.random.below(3) {
+        match draft.random.below(8) {
+            0..=2 => draft.add_rrr(),
+            3 => draft.add_rrp(),
+            4 | 5 => draft.add_rpr(),
+            6 => draft.add_rpp(),
+            _ => draft.add_triad(),
+        };
+    }
+    finish(&mut draft);
+    draft
+}
+
+fn finish(draft: &mut Draft) {
+    draft.add_masses();
+    draft.add_loads();
+    draft.hints();
+    draft.mechanism.finds.push(Find {
+        name: "reactions".into(),
+        span: Span::default(),
+        kind: FindKind::Reactions,
+    });
 }
 
 fn kinematics(seed: u64) -> Draft {

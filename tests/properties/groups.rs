@@ -24,13 +24,18 @@ impl Draft {
         loop {
             let from = if self.random.chance(0.6) { n.saturating_sub(4) } else { 0 };
             let host = LinkId::at(from + self.random.below(n - from));
-            if !self.rollers.contains(&host) {
+            let outer = self.outer.iter().any(|o| o.0 == host);
+            if !outer && !self.rollers.contains(&host) {
                 return host;
             }
         }
     }
 
     fn anchor(&mut self) -> Anchor {
+        if !self.outer.is_empty() && self.random.chance(0.6) {
+            let (host, at) = self.outer[self.random.below(self.outer.len())];
+            return Anchor { host, at, pin: None };
+        }
         if self.random.chance(0.15) {
             let pairs: Vec<usize> = (0..self.mechanism.pairs.len())
                 .filter(|&i| {

@@ -17,7 +17,8 @@ impl Draft {
     fn moving(&mut self) -> LinkId {
         loop {
             let link = LinkId::at(1 + self.random.below(self.frames.len() - 1));
-            if !self.rollers.contains(&link) {
+            let outer = self.outer.iter().any(|o| o.0 == link);
+            if !outer && !self.rollers.contains(&link) {
                 return link;
             }
         }
@@ -47,7 +48,7 @@ impl Draft {
         }
     }
 
-    /// Pairs of two links between which an effort can act.
+    /// Pairs of two links between which an effort can act, both of them in equilibrium.
     fn pairs_with_effort(&self) -> Vec<PairId> {
         let fits = |kind: &PairKind| match kind {
             PairKind::Revolute(pins) => {
@@ -104,7 +105,7 @@ impl Draft {
         }
         for _ in 0..self.random.below(3) {
             let (a, b) = (LinkId::at(self.random.below(self.frames.len())), self.moving());
-            if a == b || self.rollers.contains(&a) {
+            if a == b || self.rollers.contains(&a) || self.outer.iter().any(|o| o.0 == a) {
                 continue;
             }
             let (p, q) = (self.spot(), self.spot());

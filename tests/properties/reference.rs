@@ -127,6 +127,13 @@ pub fn constraints(mechanism: &Mechanism, bodies: &[Body], driven: bool) -> Vec<
         out.push(body(link).u.dot(Moving::constant(angle)));
     }
     for drive in &mechanism.drives {
+        if let DriveTarget::Point(link, at) = drive.target {
+            let [place, v, a] = point_law(drive);
+            let law = if driven { Moving::new(place, v, a) } else { Moving::constant(place) };
+            let apart = body(link).point(at).minus(law);
+            out.extend([apart.x, apart.y, body(link).u.cross(Moving::constant(Vec2::new(1.0, 0.0)))]);
+            continue;
+        }
         let mut law = law(drive);
         if !driven {
             law = Jet::constant(law.value);
@@ -149,6 +156,16 @@ pub fn constraints(mechanism: &Mechanism, bodies: &[Body], driven: bool) -> Vec<
         });
     }
     out
+}
+
+/// Place, velocity and acceleration of a driven point.
+fn point_law(drive: &Drive) -> [Vec2; 3] {
+    let place = match &drive.positions {
+        Positions::List(list) => list.first().map_or(Vec2::zero(), vector),
+        Positions::None | Positions::Range { .. } => Vec2::zero(),
+    };
+    let of = |e: &Option<Expr>| e.as_ref().map_or(Vec2::zero(), vector);
+    [place, of(&drive.speed), of(&drive.acceleration)]
 }
 
 fn turned_by(from: Moving, to: Moving, law: Jet) -> Jet {

@@ -9,21 +9,13 @@ use crate::run::{Run, scalar, vector};
 use assur::math::Vec2;
 use assur::model::{BalanceId, DriveId, Friction, LinkId, PairId, PairKind, Query};
 use assur::solve::View;
-use assur::structure::Structure;
 
-/// Gives about half of the pairs friction. Links turn on the first of a pin: where a pin of many links is carried by
-/// another one, friction is not asked for.
-pub fn roughen(draft: &mut Draft, structure: &Structure) {
-    let carried_by_first = |pair: PairId, first: LinkId| {
-        let joints = structure.forces.iter().flat_map(|g| &g.joints);
-        let mut joints = joints.filter(|j| structure.replaced.joint(j.joint).pair == pair);
-        joints.all(|j| j.base.0 == first.index())
-    };
+/// Gives about half of the pairs friction.
+pub fn roughen(draft: &mut Draft) {
     for i in 0..draft.mechanism.pairs.len() {
         let links = draft.mechanism.pairs[i].kind.links();
         let rolls = links.iter().any(|l| draft.rollers.contains(l));
-        let carried = links.len() == 2 || carried_by_first(PairId::at(i), links[0]);
-        if draft.random.chance(0.4) || rolls || !carried {
+        if draft.random.chance(0.4) || rolls {
             continue;
         }
         let coefficient = draft.random.within(0.02, 0.15);
