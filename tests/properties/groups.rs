@@ -388,7 +388,8 @@ impl Draft {
         for (anchor, pin) in anchors.into_iter().zip(pins) {
             let leg = self.link(anchor.at);
             links.push(leg);
-            if self.random.chance(0.75) {
+            let driven = self.outer.iter().any(|o| o.0 == anchor.host);
+            if driven || self.random.chance(0.75) {
                 self.hang(anchor, leg);
             } else {
                 // a slider that moves across the leg it stands for
