@@ -18,6 +18,9 @@ pub struct FrictionElement {
     pub slot: usize,
     /// The law.
     pub kind: Rub,
+    /// Hinge of several links that its own link does not carry: the force on `body` is the sum of these reactions, a range
+    /// of [`Plan::pin_slots`], instead of the one in `slot`.
+    pub pin: Option<(usize, usize)>,
 }
 
 /// Laws of friction.
@@ -72,12 +75,16 @@ pub struct RubbingGroup {
 
 /// Turns the steps of groups with friction into steps that solve it.
 pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
+    let foreign = foreign_pins(mechanism, structure);
     let mut first_slot = 0;
     for (index, group) in structure.forces.iter().enumerate() {
         let slots: Vec<usize> = (first_slot..first_slot + group.joints.len()).collect();
         first_slot += group.joints.len();
         let from = plan.friction.len();
         for (joint, &slot) in group.joints.iter().zip(&slots) {
+            if foreign.contains(&structure.replaced.joint(joint.joint).pair) {
+                continue;
+            }
             let element = element(mechanism, structure, joint, slot);
             // a replaced contact has two joints and rubs once
             let fresh = |e: &FrictionElement| {
@@ -87,7 +94,7 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
                 plan.friction.push(element);
             }
         }
-        if plan.friction.len() == from {
+        if plan.friction.len() == from || !foreign.is_empty() {
             continue;
         }
         let rubbing = RubbingGroup {
@@ -96,8 +103,72 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
             elements: (from..plan.friction.len()).collect(),
             slots,
         };
-        let plain = std::mem::replace(&mut plan.forces[index], ForceStep::General { system: 0 });
+        let plain = std::mem::replace(&mut plan.forces[index], ForceStep::Sequence(Vec::new()));
         plan.forces[index] = ForceStep::Rubbing { plain: Box::new(plain), group: Box::new(rubbing) };
+    }
+    if !foreign.is_empty() {
+        foreign.iter().for_each(|pair| pin(mechanism, structure, plan, *pair));
+        together(plan);
+    }
+}
+
+/// Hinges of several links with friction where another link than the first carries some of the joints. What turns in
+/// the first link then presses with the reactions of several groups.
+fn foreign_pins(mechanism: &Mechanism, structure: &Structure) -> Vec<PairId> {
+    let mut found = Vec::new();
+    for joint in structure.forces.iter().flat_map(|g| &g.joints) {
+        let id = structure.replaced.joint(joint.joint).pair;
+        let pair = mechanism.pair(id);
+        let PairKind::Revolute(pins) = &pair.kind else { continue };
+        let rubs = pair.friction.is_some_and(|f| f.is_some());
+        if rubs && pins.len() > 2 && joint.base.0 != pins[0].link.index() && !found.contains(&id) {
+            found.push(id);
+        }
+    }
+    found
+}
+
+/// The elements of such a hinge: each link against the first, pressed by all that acts on it there.
+fn pin(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan, id: PairId) {
+    let pair = mechanism.pair(id);
+    let (PairKind::Revolute(pins), Some(Friction::Circle(radius))) = (&pair.kind, pair.friction) else {
+        return;
+    };
+    let joints = structure.forces.iter().flat_map(|g| &g.joints).enumerate();
+    let joints: Vec<_> = joints.filter(|(_, j)| structure.replaced.joint(j.joint).pair == id).collect();
+    for link in pins[1..].iter().map(|p| p.link.index()) {
+        let from = plan.pin_slots.len();
+        for (slot, joint) in &joints {
+            if joint.body.0 == link {
+                plan.pin_slots.push((*slot, 1.0));
+            } else if joint.base.0 == link {
+                plan.pin_slots.push((*slot, -1.0));
+            }
+        }
+        let Some((slot, _)) = plan.pin_slots.get(from) else { continue };
+        plan.friction.push(FrictionElement {
+            pair: id,
+            body: link,
+            base: pins[0].link.index(),
+            slot: *slot,
+            kind: Rub::Circle { radius },
+            pin: Some((from, plan.pin_slots.len())),
+        });
+    }
+}
+
+/// All groups in one step, the last.
+fn together(plan: &mut Plan) {
+    let steps: Vec<ForceStep> =
+        plan.forces.iter_mut().map(|s| std::mem::replace(s, ForceStep::Sequence(Vec::new()))).collect();
+    let group = RubbingGroup {
+        bodies: (1..plan.bodies).collect(),
+        bases: vec![0],
+        elements: (0..plan.friction.len()).collect(),
+        slots: (0..plan.reactions.len()).collect(),
+    };
+    if let Some(last) = plan.forces.last_mut() {
+        *last = ForceStep::Rubbing { plain: Box::new(ForceStep::Sequence(steps)), group: Box::new(group) };
     }
 }
 
@@ -128,6 +199,7 @@ fn element(
         base: base.0,
         slot,
         kind,
+        pin: None,
     };
     match (&pair.kind, pair.friction?) {
         (PairKind::Revolute(_), Friction::Circle(radius)) => {

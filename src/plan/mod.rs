@@ -45,6 +45,8 @@ pub struct Plan {
     pub reactions: Vec<GroupJoint>,
     /// What rubs, group by group.
     pub friction: Vec<FrictionElement>,
+    /// Slots of reactions with their signs: what presses on a link in a hinge of several, see [`FrictionElement::pin`].
+    pub pin_slots: Vec<(usize, f64)>,
     /// Number of unknown efforts.
     pub efforts: usize,
     /// What is computed.

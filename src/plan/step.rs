@@ -353,6 +353,8 @@ pub enum ForceStep {
         /// Index into [`super::Plan::balance_systems`].
         system: usize,
     },
+    /// Steps of the groups from the first on, solved as one since friction couples them; none where a later step does it.
+    Sequence(Vec<ForceStep>),
     /// A group with friction.
     Rubbing {
         /// The step without friction.

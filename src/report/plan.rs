@@ -68,6 +68,12 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
         ForceStep::General { .. } => {
             format!("all equations of equilibrium at once, with {}", with.join(", "))
         }
+        ForceStep::Sequence(_) => {
+            "with the last group, to which friction in a hinge of several links couples it".into()
+        }
+        ForceStep::Rubbing { plain, .. } if matches!(**plain, ForceStep::Sequence(_)) => {
+            "all groups in turn, friction by Newton's method for all at once".to_owned()
+        }
         ForceStep::Rubbing { plain, .. } => {
             format!("{}, friction by Newton's method", force_in_words(scene, group, efforts, plain))
         }

@@ -42,9 +42,20 @@ impl State {
             ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
             ForceStep::Translation { ways } => self.force_translation(ways),
             ForceStep::General { system } => self.force_general(*system, &plan.balance_systems[*system]),
+            ForceStep::Sequence(steps) => self.force_sequence(plan, steps),
             // a step with friction holds a plain one
             ForceStep::Rubbing { .. } => 0.0,
         }
+    }
+
+    /// The groups from the first on; returns the figure of the last.
+    fn force_sequence(&mut self, plan: &Plan, steps: &[ForceStep]) -> f64 {
+        let mut last = 1.0;
+        for (index, step) in steps.iter().enumerate() {
+            last = self.force_step(plan, step);
+            self.force_sines[index] = last;
+        }
+        last
     }
 
     /// Force on a body so far, and its moment about a place.

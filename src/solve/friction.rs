@@ -149,7 +149,13 @@ impl State {
     /// What an element's law measures of the reaction as it stands: the force in a hinge or contact; the normal force of a
     /// guide; the forces at its two ends.
     #[inline(always)]
-    fn measured(&self, element: &FrictionElement) -> Vec2 {
+    pub(super) fn measured(&self, plan: &Plan, element: &FrictionElement) -> Vec2 {
+        if let Some((from, to)) = element.pin {
+            let slots = &plan.pin_slots[from..to];
+            return slots
+                .iter()
+                .fold(Vec2::zero(), |sum, (slot, sign)| sum + self.reactions[*slot].force * *sign);
+        }
         let Reaction { force, couple } = self.reactions[element.slot];
         match &element.kind {
             Rub::Circle { .. } | Rub::Contact { .. } => force,
@@ -212,7 +218,7 @@ impl State {
         let sine = self.force_step(plan, plain);
         let (column, width) = (unit.map_or(0, |u| u + 1), group.elements.len() + 1);
         for (row, &element) in group.elements.iter().enumerate() {
-            work.measured[row * width + column] = self.measured(&plan.friction[element]);
+            work.measured[row * width + column] = self.measured(plan, &plan.friction[element]);
         }
         self.restore(group, &work.saved);
         sine

@@ -35,8 +35,8 @@ impl View<'_> {
         let one = |(i, element): (usize, &FrictionElement)| {
             let (effort, speed) = (self.state.frictions[i], self.state.rubbing_speed(element));
             let still = self.state.senses[i] == 0.0;
-            let (factor, both) = (element.kind.factor(), matches!(element.kind, Rub::BothEnds { .. }));
-            let force = self.state.reactions[element.slot].force.norm();
+            let factor = element.kind.factor();
+            let measured = self.state.measured(self.plan, element);
             Rubbing {
                 pair: element.pair,
                 on: LinkId::at(element.body),
@@ -44,7 +44,10 @@ impl View<'_> {
                 turns: matches!(element.kind, Rub::Circle { .. }),
                 factor,
                 speed: if still { 0.0 } else { speed },
-                normal: if both && !still { effort.abs() / factor } else { force },
+                normal: match element.kind {
+                    Rub::BothEnds { .. } => measured.x.abs() + measured.y.abs(),
+                    _ => measured.norm(),
+                },
                 effort,
                 power: if still { 0.0 } else { -effort * speed },
             }
