@@ -42,7 +42,7 @@ impl Locked<'_> {
     pub fn losses(&self, part: f64) -> Vec<(PairId, f64)> {
         let mut plan = self.scene.plan.clone();
         let mut state = self.state.clone();
-        self.moves(&mut state, &mut plan, None, part * (1.0 - 1e-3));
+        self.moves(&mut state, &mut plan, None, part * (1.0 - 1e-6));
         let mut losses: Vec<(PairId, f64)> = Vec::new();
         for (element, effort) in plan.friction.iter().zip(&state.frictions) {
             let power = -effort * state.rubbing_speed(element);

@@ -10,6 +10,7 @@ use crate::structure::{EffortKind, JointKind};
 /// velocities.
 #[must_use]
 pub(super) fn residuals(scene: &Scene<'_>, state: &State) -> Residuals {
+    // a locked mechanism has none
     let forces = scene.plan.effects.forces && !scene.plan.forces.is_empty() && !state.locked;
     let velocities = scene.plan.effects.level >= crate::plan::Level::Velocities;
     Residuals {
