@@ -41,16 +41,11 @@ use assur::plan::ForceStep;
 use assur::source::{Source, Span};
 use draft::Draft;
 use equilibrium::{Forces, equilibrium};
-use reference::{Body, Reference};
+use reference::Reference;
 use run::Run;
 
 /// Velocities below this are none; positions where one is near it are left out.
 const STILL: f64 = 1e-7;
-
-/// Velocity of the place `p` as a point of a body.
-fn velocity_at(body: &Body, omega: f64, p: Vec2) -> Vec2 {
-    body.p.rate() + (p - body.p.value()).perp() * omega
-}
 
 /// Friction between two links of a pair.
 #[derive(Debug)]
@@ -82,7 +77,10 @@ fn rubs(mechanism: &Mechanism, reference: &Reference) -> Vec<Rub> {
                     (&reference.bodies[g.slider.index()], &reference.bodies[g.guide.index()]);
                 let p = slider.point(g.point).value();
                 let along = guide.axis(g.along).value();
-                let at = |link: LinkId| velocity_at(&reference.bodies[link.index()], omega(link), p);
+                let at = |link: LinkId| {
+                    let body = reference.bodies[link.index()].p;
+                    body.rate() + (p - body.value()).perp() * omega(link)
+                };
                 let speed = (at(g.slider) - at(g.guide)).dot(along);
                 all.push(Rub { pair: pair_id, on: g.slider, from: g.guide, turns: false, factor, speed });
             }

@@ -1,6 +1,7 @@
 //! What the parts of the stage share: the document, the names, the mechanism under construction, the problems.
 
 use super::definition::Definitions;
+use super::hinges::Hinges;
 use super::names::Names;
 use super::overrides::Overrides;
 use super::unit_choice::{self, UnitUse};
@@ -26,6 +27,8 @@ pub struct Context<'a> {
     pub mech: Mechanism,
     /// All names declared in the document.
     pub names: Names<'a>,
+    /// Where the hinges stand.
+    pub(super) hinges: Hinges,
     /// The units of the document's numbers, and how often each is used.
     pub(super) units: UnitUse,
     /// What `given`, `let` and `find NAME =` are.
@@ -44,6 +47,7 @@ impl<'a> Context<'a> {
             problems: Problems::new(),
             mech: Mechanism::default(),
             names: Names::default(),
+            hinges: Hinges::default(),
             units: unit_choice::count(doc),
             definitions: Definitions::default(),
             reported: IndexSet::new(),

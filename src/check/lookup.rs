@@ -50,7 +50,7 @@ impl Context<'_> {
 
     /// The pair of that name in the mechanism, nothing said where there is none.
     pub fn find_pair(&self, name: &str) -> Option<PairId> {
-        self.mech.pairs.iter().position(|p| p.name == name).map(PairId::at)
+        self.names.pairs.get(name).copied()
     }
 
     /// The asserted group of that name, as its place in `Mechanism::groups`.
@@ -198,25 +198,6 @@ impl Context<'_> {
         links
             .filter_map(|(i, l)| l.points.iter().find(|p| p.name == name).map(|p| (LinkId::at(i), p.at)))
             .collect()
-    }
-
-    /// This point and all that pins join with it.
-    pub(super) fn joined_with(&self, point: (LinkId, Vec2)) -> Vec<(LinkId, Vec2)> {
-        let mut joined = vec![point];
-        loop {
-            let before = joined.len();
-            for pair in &self.mech.pairs {
-                let PairKind::Revolute(pins) = &pair.kind else { continue };
-                if pins.iter().any(|p| joined.contains(&(p.link, p.at))) {
-                    let more = pins.iter().map(|p| (p.link, p.at)).filter(|p| !joined.contains(p));
-                    let more = more.collect::<Vec<_>>();
-                    joined.extend(more);
-                }
-            }
-            if joined.len() == before {
-                return joined;
-            }
-        }
     }
 
     fn no_point(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {

@@ -19,6 +19,7 @@ pub mod expr;
 mod friction;
 mod gravity;
 mod head;
+mod hinges;
 mod link;
 mod load;
 mod load_cycle;

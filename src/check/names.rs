@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::error::NameError;
-use crate::model::{BalanceId, Link, LinkId, LoadId};
+use crate::model::{BalanceId, Link, LinkId, LoadId, PairId};
 use crate::source::Span;
 use crate::syntax::document::{
     Bad, Balance, Body, CamMember, Column, End, Expr, FindItem, Joint, JointKind, Load, Member, Name,
@@ -117,6 +117,8 @@ pub struct Names<'a> {
     pub things: IndexMap<String, Declared<ThingKind>>,
     /// The id of each link: of the ground, of those declared, and of those that pairs add.
     pub links: IndexMap<String, LinkId>,
+    /// The id of each pair that is in the mechanism.
+    pub pairs: IndexMap<String, PairId>,
     /// What belongs to each link, by its id.
     pub inside: Vec<Inside>,
     /// Poses.

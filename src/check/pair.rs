@@ -7,16 +7,15 @@ use super::pair_property::{Shared, phrase, properties, shared};
 use super::prismatic::{Held, guide};
 use super::{contact, element, friction};
 use crate::math::Vec2;
-use crate::model::{Friction, GroupAssertion, LinkId, Pair, PairKind, Pin};
+use crate::model::{Friction, GroupAssertion, LinkId, Pair, PairId, PairKind, Pin};
 use crate::source::{Span, Spanned};
 use crate::syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
-use indexmap::IndexMap;
 
 /// Enters all pairs of the linkage into the mechanism; transmissions are checked and noted.
 pub(super) fn pairs(cx: &mut Context<'_>) {
     let doc = cx.doc;
     let shared = shared(cx);
-    let mut before = Before::default();
+    let mut held = Held::new();
     for statement in &doc.statements {
         let Statement::Joint(joint) = &statement.node else { continue };
         if !cx.is_own(&joint.name) {
@@ -24,34 +23,27 @@ pub(super) fn pairs(cx: &mut Context<'_>) {
         }
         if !is_linkage_pair(joint.kind.node) {
             element::transmission(cx, joint, statement.span);
-        } else if let Some((kind, friction)) = pair(cx, joint, &shared, &mut before) {
-            before.hinges.enter(&kind, cx.mech.pairs.len());
+        } else if let Some((kind, friction)) = pair(cx, joint, &shared, &mut held) {
+            let id = PairId::at(cx.mech.pairs.len());
+            cx.hinges.enter(&kind, id);
             let (name, span) = (joint.name.node.clone(), joint.name.span);
+            cx.names.pairs.entry(name.clone()).or_insert(id);
             cx.mech.pairs.push(Pair { name, span, kind, friction });
         }
     }
-}
-
-/// What earlier pairs join.
-#[derive(Default)]
-struct Before {
-    held: Held,
-    hinges: Hinges,
 }
 
 fn pair(
     cx: &mut Context<'_>,
     joint: &Joint,
     shared: &Shared,
-    before: &mut Before,
+    held: &mut Held,
 ) -> Option<(PairKind, Option<Friction>)> {
     let properties = properties(cx, joint, shared);
     let ends = ends(cx, joint)?;
     let kind = match joint.kind.node {
-        JointKind::Revolute => revolute(cx, joint, &ends, &before.hinges),
-        JointKind::Prismatic | JointKind::Slot => {
-            guide(cx, joint, &ends, properties.as_deref(), &mut before.held)
-        }
+        JointKind::Revolute => revolute(cx, joint, &ends),
+        JointKind::Prismatic | JointKind::Slot => guide(cx, joint, &ends, properties.as_deref(), held),
         JointKind::Contact => contact::contact(cx, joint, &ends, properties.as_deref()),
         _ => cylinder(cx, joint, &ends),
     };
@@ -170,45 +162,18 @@ pub(super) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     });
 }
 
-fn revolute(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined], hinges: &Hinges) -> Option<PairKind> {
+fn revolute(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<PairKind> {
     let pins = ends.iter().map(|end| point(cx, joint, end)).collect::<Vec<_>>();
     let pins = pins.into_iter().collect::<Option<Vec<_>>>()?;
-    joined_before(cx, joint, &pins, hinges)?;
+    joined_before(cx, joint, &pins)?;
     Some(PairKind::Revolute(pins))
 }
 
-/// The hinges at each point of a link, as places among the pairs.
-#[derive(Default)]
-struct Hinges(IndexMap<(LinkId, [u64; 2]), Vec<usize>>);
-
-impl Hinges {
-    fn enter(&mut self, kind: &PairKind, pair: usize) {
-        let PairKind::Revolute(pins) = kind else { return };
-        for pin in pins {
-            self.0.entry(Self::key(pin)).or_default().push(pair);
-        }
-    }
-
-    /// The hinges that share a point with these pins, in the order written.
-    fn near(&self, pins: &[Pin]) -> Vec<usize> {
-        let found = pins.iter().filter_map(|pin| self.0.get(&Self::key(pin)));
-        let mut found = found.flatten().copied().collect::<Vec<_>>();
-        found.sort_unstable();
-        found.dedup();
-        found
-    }
-
-    /// Equal for equal places: adding zero makes one of both zeros.
-    fn key(pin: &Pin) -> (LinkId, [u64; 2]) {
-        (pin.link, [pin.at.x, pin.at.y].map(|x| (x + 0.0).to_bits()))
-    }
-}
-
 /// Two hinges between the same points of the same links are one too many.
-fn joined_before(cx: &mut Context<'_>, joint: &Joint, pins: &[Pin], hinges: &Hinges) -> Option<()> {
+fn joined_before(cx: &mut Context<'_>, joint: &Joint, pins: &[Pin]) -> Option<()> {
     let same = |a: &Pin, b: &Pin| a.link == b.link && a.at == b.at;
-    for pair in hinges.near(pins) {
-        let pair = &cx.mech.pairs[pair];
+    for id in cx.hinges.near(pins) {
+        let pair = cx.mech.pair(id);
         let PairKind::Revolute(others) = &pair.kind else { continue };
         let again = pins.iter().filter(|p| others.iter().any(|o| same(o, p))).collect::<Vec<_>>();
         if let [a, b, ..] = again[..] {
