@@ -40,7 +40,7 @@ use assur::model::{Expr, Friction, LinkId, Load, LoadKind, Mechanism, PairId, Pa
 use assur::plan::ForceStep;
 use assur::source::{Source, Span};
 use draft::Draft;
-use equilibrium::{Forces, equilibrium, velocity_at};
+use equilibrium::{Forces, equilibrium};
 use reference::Reference;
 use run::Run;
 
@@ -77,7 +77,10 @@ fn rubs(mechanism: &Mechanism, reference: &Reference) -> Vec<Rub> {
                     (&reference.bodies[g.slider.index()], &reference.bodies[g.guide.index()]);
                 let p = slider.point(g.point).value();
                 let along = guide.axis(g.along).value();
-                let at = |link: LinkId| velocity_at(&reference.bodies[link.index()], omega(link), p);
+                let at = |link: LinkId| {
+                    let body = reference.bodies[link.index()].p;
+                    body.rate() + (p - body.value()).perp() * omega(link)
+                };
                 let speed = (at(g.slider) - at(g.guide)).dot(along);
                 all.push(Rub { pair: pair_id, on: g.slider, from: g.guide, turns: false, factor, speed });
             }

@@ -9,6 +9,13 @@ use indexmap::IndexMap;
 /// Reports names of one list that only look alike.
 pub(super) fn look_alikes(cx: &mut Context<'_>) {
     let names = &cx.names;
+    let inside =
+        names.inside.iter().flat_map(|i| i.points.keys().chain(i.lines.keys()).chain(i.circles.keys()));
+    let mut all = names.quantities.keys().chain(names.things.keys()).chain(inside);
+    if all.all(|name| name.is_ascii()) {
+        // Two names look alike only if one has a letter of another script.
+        return;
+    }
     let quantities = names.quantities.iter().map(|(n, d)| (n.clone(), d.span)).collect::<Vec<_>>();
     let things = names.things.iter().map(|(n, d)| (n.clone(), d.span)).collect::<Vec<_>>();
     let inside = names.inside.iter().flat_map(|i| i.points.iter().chain(&i.lines).chain(&i.circles));

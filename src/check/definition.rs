@@ -8,7 +8,7 @@ use super::walk;
 use crate::model::QuantityId;
 use crate::source::Span;
 use crate::syntax::document::{Expr, ExprKind};
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
 use miette::LabeledSpan;
 
 /// A definition that has been read.
@@ -39,28 +39,26 @@ pub struct Definitions {
 
 /// Finds the order of the definitions; reports those that hang on themselves.
 pub fn order(cx: &mut Context<'_>) {
-    let mut uses = IndexMap::new();
-    for (name, declared) in &cx.names.quantities {
-        if let Some(expr) = definition(declared.what) {
-            uses.insert(name.clone(), names_in(cx, expr));
-        }
-    }
-    let mut state: IndexMap<String, bool> = IndexMap::new(); // false: under way; true: done
-    for start in uses.keys() {
-        let mut path = vec![(start.clone(), 0)];
+    // By the place of a name among the quantities; nothing where it is no definition.
+    let expressions = cx.names.quantities.values().map(|d| definition(d.what));
+    let uses = expressions.map(|e| e.map(|e| names_in(cx, e))).collect::<Vec<_>>();
+    let mut state = vec![None; uses.len()]; // false: under way; true: done
+    for start in (0..uses.len()).filter(|i| uses[*i].is_some()) {
+        let mut path = vec![(start, 0)];
         while let Some((name, next)) = path.pop() {
-            if next == 0 && state.insert(name.clone(), false).is_some() {
-                state.insert(name, true);
+            if next == 0 && state[name].replace(false).is_some() {
+                state[name] = Some(true);
                 continue;
             }
-            let Some(used) = uses[&name].get(next) else {
-                state.insert(name.clone(), true);
-                cx.definitions.order.push(name);
+            let Some(&used) = uses[name].as_ref().and_then(|used| used.get(next)) else {
+                state[name] = Some(true);
+                let name = cx.names.quantities.get_index(name).map(|(name, _)| name.clone());
+                cx.definitions.order.extend(name);
                 continue;
             };
             path.push((name, next + 1));
-            match state.get(used) {
-                None => path.push((used.clone(), 0)),
+            match state[used] {
+                None => path.push((used, 0)),
                 Some(false) => cycle(cx, &path, used),
                 Some(true) => {}
             }
@@ -89,18 +87,18 @@ fn definition(kind: QuantityKind<'_>) -> Option<&Expr> {
     }
 }
 
-/// The definitions whose values an expression uses.
-fn names_in(cx: &Context<'_>, expr: &Expr) -> Vec<String> {
-    let mut found = Vec::new();
+/// The definitions whose values an expression uses, as places among the quantities.
+fn names_in(cx: &Context<'_>, expr: &Expr) -> Vec<usize> {
+    let mut found = IndexSet::new();
     values(expr, &mut |part| {
         if let ExprKind::Name(name) = &part.kind
-            && cx.names.quantities.get(name).is_some_and(|d| definition(d.what).is_some())
-            && !found.contains(name)
+            && let Some((index, _, declared)) = cx.names.quantities.get_full(name)
+            && definition(declared.what).is_some()
         {
-            found.push(name.clone());
+            found.insert(index);
         }
     });
-    found
+    found.into_iter().collect()
 }
 
 /// Calls `visit` on all parts that stand for values: the arguments of `velocity(C)` are names of things.
@@ -129,9 +127,11 @@ pub(super) fn way_round(names: &[String]) -> String {
     quoted.join(" → ")
 }
 
-fn cycle(cx: &mut Context<'_>, path: &[(String, usize)], again: &str) {
-    let from = path.iter().position(|(name, _)| name == again).unwrap_or(0);
-    let names = path[from..].iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+fn cycle(cx: &mut Context<'_>, path: &[(usize, usize)], again: usize) {
+    let from = path.iter().position(|(name, _)| *name == again).unwrap_or(0);
+    let named = |index: usize| cx.names.quantities.get_index(index).map(|(name, _)| name.clone());
+    let names = path[from..].iter().filter_map(|(name, _)| named(*name)).collect::<Vec<_>>();
+    let again = named(again).unwrap_or_default();
     let place = |name: &String| cx.names.quantities.get(name).map_or_else(Span::default, |d| d.span);
     let label = |name: &String| LabeledSpan::at(place(name).start..place(name).end, "hangs on the next");
     let others = names.iter().skip(1).take(SHOWN).map(label).collect();
@@ -140,7 +140,7 @@ fn cycle(cx: &mut Context<'_>, path: &[(String, usize)], again: &str) {
     for name in &names {
         cx.definitions.settled.insert(name.clone(), Settled::Failed);
     }
-    cx.error(NameError::Cycle { name: again.to_owned(), chain, span, others });
+    cx.error(NameError::Cycle { name: again, chain, span, others });
 }
 
 impl Context<'_> {

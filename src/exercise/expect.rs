@@ -152,7 +152,8 @@ impl<'a> Key<'a> {
             if value.is_defined() {
                 return Ok(value);
             }
-            let why = why_undefined(self.scene, expr);
+            let locked = || "friction locks the mechanism, and no effort moves it".to_owned();
+            let why = why_undefined(self.scene, expr).or_else(|| view.state.locked.then(locked));
             Err(ExpectError::no_value(expect, place.clone(), why))
         };
         let got = value(&expect.expr)?;

@@ -11,6 +11,11 @@ pub fn why_undefined(scene: &Scene<'_>, expr: &Expr) -> Option<String> {
     }
     let mut why = None;
     expr.queries(&mut |query| {
+        if let Query::Critical(index) = query
+            && let Some(name) = scene.mechanism.criticals.get(*index)
+        {
+            why = Some(format!("locking neither begins nor ends at any value of `{name}` within reach"));
+        }
         let (Query::Moment(pair, _) | Query::ContactForce(pair, _) | Query::LineOffset(pair)) = query else {
             return;
         };

@@ -23,13 +23,13 @@ pub(super) fn scan(text: &str) -> Trivia {
 fn comment(line: &str) -> Option<usize> {
     let mut quoted = false;
     let mut before = None;
-    for (at, c) in line.char_indices() {
-        match c {
-            '"' => quoted = !quoted,
-            '/' if !quoted && before == Some('/') => return Some(at - 1),
+    for (at, b) in line.bytes().enumerate() {
+        match b {
+            b'"' => quoted = !quoted,
+            b'/' if !quoted && before == Some(b'/') => return Some(at - 1),
             _ => {}
         }
-        before = Some(c);
+        before = Some(b);
     }
     None
 }

@@ -209,7 +209,7 @@ fn no_answer(run: &Run) -> Option<String> {
             return Some("numbers that are not finite".into());
         }
         let closure = solved.residuals.closure;
-        if solved.condition > 1e-3 && !(closure < 1e-9) {
+        if solved.condition > 1e-3 && (closure >= 1e-9 || closure.is_nan()) {
             return Some(format!("closure {closure:e} at condition {:e}", solved.condition));
         }
     }

@@ -82,7 +82,7 @@ fn conditions(replaced: &Replaced, efforts: &[Effort], some: &[BodyId], known: &
     }
     for effort in efforts {
         let bodies = effort.bodies(replaced);
-        let stands = bodies.iter().all(|b| here(b)) && bodies.iter().any(|b| some.contains(b));
+        let stands = bodies.iter().all(here) && bodies.iter().any(|b| some.contains(b));
         count += usize::from(stands && !matches!(effort.kind, EffortKind::Point(_)));
     }
     count + replaced.passive.iter().filter(|l| some.contains(&BodyId(l.index()))).count()

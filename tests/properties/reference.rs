@@ -50,8 +50,6 @@ pub struct Reference {
     pub rates: Vec<Rates>,
     pub bodies: Vec<Body>,
     pub forces: Option<Forces>,
-    /// The worst constraint at the poses given.
-    pub closure: f64,
 }
 
 impl Reference {
@@ -59,9 +57,8 @@ impl Reference {
     pub fn new(mechanism: &Mechanism, frames: &[Frame]) -> Option<Self> {
         let rates = motion(mechanism, frames)?;
         let bodies: Vec<Body> = frames.iter().zip(&rates).map(|(f, r)| Body::new(f, r)).collect();
-        let closure = constraints(mechanism, &bodies, true).iter().fold(0.0_f64, |m, c| m.max(c.value.abs()));
         let forces = equilibrium(mechanism, &bodies, &rates);
-        Some(Self { rates, bodies, forces, closure })
+        Some(Self { rates, bodies, forces })
     }
 
     /// The unknown efforts hold the mechanism, and not just barely.

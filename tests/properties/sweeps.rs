@@ -183,7 +183,7 @@ fn a_partial_sweep_tells_its_range() {
 fn ask(m: &mut Mechanism, queries: &[Query]) {
     for query in queries {
         let display = Display { unit: String::new(), factor: 1.0, dimension: [0; 4] };
-        let kind = FindKind::Value { expr: Expr::Query(query.clone()), display, poseless: true };
+        let kind = FindKind::Value { expr: Expr::Query(*query), display, poseless: true };
         m.finds.push(Find { name: format!("{query:?}"), span: Span::default(), kind });
     }
 }

@@ -22,6 +22,9 @@ impl Context<'_> {
 
     /// The unit a word means. Reports a word that means none, once.
     pub fn unit(&mut self, word: &Spanned<String>) -> Option<Unit> {
+        if let Some((unit, _)) = self.units.get(&word.node) {
+            return Some(unit.clone());
+        }
         match lookup(&word.node) {
             Ok(unit) => Some(unit),
             Err(error) => {
@@ -38,6 +41,9 @@ impl Context<'_> {
 
     /// Warns of a part of a unit that is a name of the file as well, once.
     fn warn_of_names(&mut self, word: &Spanned<String>) {
+        if word.node.bytes().all(|b| b.is_ascii_alphabetic()) {
+            return; // one factor
+        }
         for factor in factors(&word.node).into_iter().skip(1) {
             let Some(declared) = self.names.quantities.get(factor.symbol).map(|d| d.span) else { continue };
             if self.reported.insert(("unit and name", factor.symbol.to_owned())) {
