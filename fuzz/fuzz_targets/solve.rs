@@ -1,8 +1,17 @@
+//! Text → Solution: the whole way, with what a reader sees at its end.
+//!
+//! `cargo +nightly fuzz run solve fuzz/corpus/solve examples tests/language -- -max_len=4000 -timeout=20`
+
 #![no_main]
-//! No text makes solving or the rendering of diagnostics panic: `cargo fuzz run solve`.
 
+use assur::check::Overrides;
+use assur::diagnostic::{Style, render};
 use assur::source::Source;
+use libfuzzer_sys::fuzz_target;
 
-libfuzzer_sys::fuzz_target!(|text: &str| {
-    let _ = assur::diagnose(&Source::new("fuzz.mech", text));
+fuzz_target!(|text: &str| {
+    let source = Source::new("fuzz.mech", text);
+    let (_, problems) = assur::solve_source(&source, &Overrides::none());
+    let _ = render(&problems, &source, Style::PLAIN);
+    let _ = problems.views(&source);
 });
