@@ -1,0 +1,4 @@
+//! Machine elements: pure mathematics, no names, no spans, no text.
+
+pub mod cam;
+mod search;
