@@ -2,6 +2,7 @@
 //! structure is found.
 
 mod display;
+mod element;
 mod expr;
 mod id;
 mod link;
@@ -10,11 +11,12 @@ mod motion;
 mod pair;
 mod request;
 
+pub use element::{CamContact, PlateCam, Table, TableEntry};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
-pub use link::{Circle, Line, Link, MassProperties, Point};
+pub use link::{Circle, Line, Link, MassProperties, Point, Rim};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use pair::{Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
@@ -49,6 +51,10 @@ pub struct Mechanism {
     pub springs: Vec<Spring>,
     /// Unknown efforts.
     pub balances: Vec<Balance>,
+    /// Designed cams.
+    pub cams: Vec<PlateCam>,
+    /// Where they touch their followers.
+    pub cam_contacts: Vec<CamContact>,
     /// `ignore inertia` stands in the file.
     pub ignore_inertia: bool,
     /// Quantities with one value per pose: `let` from results and named items of `find`.

@@ -1,5 +1,6 @@
 //! Structure → Plan: a flat list of steps with slots, in the order of solution, with the effects that the file calls for.
 
+mod cam;
 mod effects;
 mod forces;
 mod friction;
@@ -9,6 +10,8 @@ mod loads;
 mod motion;
 pub mod step;
 
+pub use cam::CamStep;
+pub(crate) use cam::{contact_in, is_follower};
 pub use effects::{Effects, Level, level_of, needs_forces};
 pub use friction::{FrictionElement, Rub, RubbingGroup};
 pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
@@ -33,6 +36,10 @@ pub struct Plan {
     pub outer: Vec<(usize, Vec2, usize)>,
     /// Steps of motion.
     pub motion: Vec<MotionStep>,
+    /// Followers of designed cams.
+    pub cams: Vec<CamStep>,
+    /// Number of contacts of designed cams.
+    pub cam_contacts: usize,
     /// Problems of the general steps.
     pub general: Vec<GeneralMotion>,
     /// Steps that add loads to the bodies.
@@ -62,6 +69,7 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
         drives: mechanism.drives.len(),
         efforts: structure.efforts.len(),
         effects,
+        cam_contacts: mechanism.cam_contacts.len(),
         ..Plan::default()
     };
     for effort in &structure.drives {
@@ -71,7 +79,7 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
             plan.outer.push((body.0, at, id.index()));
         }
     }
-    motion::plan(structure, &mut plan);
+    motion::plan(mechanism, structure, &mut plan);
     if plan.effects.forces && structure.force_defect.is_none() {
         plan.loads = loads::plan(mechanism, &plan.effects);
         forces::plan(structure, &mut plan);

@@ -151,6 +151,7 @@ impl State {
                 self.rpp::<LEVEL>(*branch, base, *pin, inner, outer);
             }
             MotionStep::Translation { branch, slides } => self.translation::<LEVEL>(*branch, slides),
+            MotionStep::Cam { branch, cam } => self.cam::<LEVEL>(*branch, &plan.cams[*cam]),
             MotionStep::General { branch, problem } => {
                 self.general::<LEVEL>(*branch, *problem, &plan.general[*problem]);
             }

@@ -118,6 +118,8 @@ pub struct State {
     pub branches: Vec<Branch>,
     /// Signed condition figures of the groups of motion.
     pub sines: Vec<f64>,
+    /// Where designed cams touch their followers, by contact: place, m, and unit common normal into the follower.
+    pub touches: Vec<(Vec2, Vec2)>,
     /// The first group that does not close.
     pub open: Option<usize>,
     /// Loads on the bodies before reactions are added, kept for the residuals.
@@ -155,6 +157,7 @@ impl State {
             inputs: vec![DriveInput::default(); plan.drives],
             branches: vec![Branch::FIRST; plan.motion.len()],
             sines: vec![1.0; plan.motion.len()],
+            touches: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.cam_contacts],
             open: None,
             applied: vec![Wrench::default(); plan.bodies],
             wrenches: vec![Wrench::default(); plan.bodies],

@@ -1,5 +1,6 @@
 //! What can be wrong with the meaning of a document: one enum per topic.
 
+mod cam;
 mod expect;
 mod friction;
 mod geometry;
@@ -7,6 +8,7 @@ mod name;
 mod request;
 mod unit;
 
+pub use cam::CamError;
 pub use expect::ExpectError;
 pub use friction::FrictionError;
 pub use geometry::{LinkError, LoadError, MotionError, PairError};

@@ -2,6 +2,7 @@
 
 mod args;
 mod bearing;
+mod cam;
 mod force;
 mod friction;
 mod motion;
@@ -18,6 +19,7 @@ use super::expr::typed::Typed;
 use super::lookup::suggestion;
 use crate::source::Span;
 use crate::syntax::document::{Arg, Expr, ExprKind, Name};
+use cam::CamPart;
 use table::{FUNCTIONS, usage};
 
 /// A call as the functions of results see it.
@@ -50,6 +52,11 @@ impl Context<'_> {
 
     /// A function of results, or an error if there is no such function.
     pub(super) fn result(&mut self, call: Call<'_>) -> Option<Typed> {
+        if matches!(call.name.node.as_str(), "max" | "min" | "argmax")
+            && let Some(found) = self.over_cam(call)
+        {
+            return found;
+        }
         match call.name.node.as_str() {
             "position" | "velocity" | "acceleration" => self.point_motion(call),
             "angle" | "omega" | "alpha" | "dir" => self.link_motion(call),
@@ -62,7 +69,12 @@ impl Context<'_> {
             | "time_ratio"
             | "dead" => self.pair_motion(call),
             "transmission_angle" => self.transmission_angle(call),
+            "pressure_angle" if self.asks_cam(call.args) => self.of_cam(call, CamPart::PressureAngle),
             "pressure_angle" => self.pressure_angle(call),
+            "curvature_radius" => self.of_cam(call, CamPart::CurvatureRadius),
+            "profile" => self.profile_alone(call),
+            "start" => self.cam_start(call),
+            "smallest_base_radius" => self.smallest_base_radius(call),
             "reaction" | "moment" | "normal" | "friction" => self.reaction(call),
             "contact_force" => self.contact_force(call),
             "line_offset" => self.line_offset(call),

@@ -29,11 +29,6 @@ impl Context<'_> {
                 self.element(call, "a wheel", |k| k == ThingKind::Wheel)?;
                 ("wheels", Type::number(Dimension::LENGTH))
             }
-            "profile" | "curvature_radius" => {
-                self.element(call, "a cam", |k| k == ThingKind::Cam)?;
-                let length = call.name.node == "curvature_radius";
-                ("cams", if length { Type::number(Dimension::LENGTH) } else { ANY })
-            }
             "table" | "contact_ratio" => {
                 self.element(call, "a mesh", |k| k == ThingKind::Joint(JointKind::Mesh))?;
                 let ratio = call.name.node == "contact_ratio";

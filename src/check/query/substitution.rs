@@ -39,6 +39,7 @@ impl Context<'_> {
                 let call = Call { name: function, args, span: base.span, sign: Sign::Matters };
                 match function.node.as_str() {
                     "static_substitution" | "dynamic_substitution" => Some(self.substitution(call, part)),
+                    "profile" => Some(self.profile_part(call, part)),
                     "rim" | "table" => Some(self.not_yet(call)),
                     _ => None,
                 }
