@@ -61,6 +61,15 @@ pub enum CliError {
         #[help]
         help: &'static str,
     },
+    /// No cam, or several and no choice.
+    #[error("{message}")]
+    NoCam {
+        /// What is wrong.
+        message: String,
+        /// What to do.
+        #[help]
+        help: String,
+    },
     /// No such code.
     #[error("there is no diagnostic `{code}`")]
     UnknownCode {

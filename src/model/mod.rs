@@ -1,6 +1,7 @@
 //! The mechanism as plain data: SI units, radians, typed ids. What the compiler knows after `check` and before any
 //! structure is found.
 
+mod cam_part;
 mod display;
 mod element;
 mod expr;
@@ -11,6 +12,7 @@ mod motion;
 mod pair;
 mod request;
 
+pub use cam_part::{CAM_PARTS, CamPart};
 pub use element::{CamContact, PlateCam, Table, TableEntry};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,

@@ -7,6 +7,8 @@ mod answers;
 mod columns;
 pub mod csv;
 pub mod document;
+pub mod dxf;
+mod element;
 mod expectations;
 mod friction;
 pub mod json;
@@ -21,6 +23,7 @@ mod scale;
 pub mod text;
 
 pub use answers::{Answers, Precision};
+pub use element::full as full_table;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
 
 use crate::solve::Scene;
@@ -35,6 +38,7 @@ pub fn of_structure(source: &Source, scene: &Scene<'_>) -> Report {
         mobility::sections(scene, &mut report);
     }
     replacement::section(scene, &mut report);
+    element::cams(scene, &mut report);
     plan::sections(source, scene, &mut report);
     report
 }
@@ -46,7 +50,9 @@ pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     if has_mechanism(&answers.scene) {
         mobility::summary(&answers.scene, &mut report);
     }
+    element::cams(&answers.scene, &mut report);
     results::sections(answers, &mut report);
+    element::tables(answers, &mut report);
     reactions::sections(answers, &mut report);
     friction::section(answers, &mut report);
     expectations::section(answers, &mut report);

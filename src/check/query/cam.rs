@@ -7,9 +7,8 @@ use crate::check::error::{MotionError, RequestError, UnitsError};
 use crate::check::expr::Want;
 use crate::check::expr::typed::{Type, Typed};
 use crate::check::names::ThingKind;
-use crate::element::cam::{CamPoint, Quantity};
-use crate::math::Vec2;
-use crate::model::{Expr as ModelExpr, FindKind, PlateCam, Table, TableEntry, Value};
+use crate::element::cam::Quantity;
+use crate::model::{CAM_PARTS, CamPart, Expr as ModelExpr, FindKind, PlateCam};
 use crate::source::Spanned;
 use crate::syntax::document::{Arg, Expr, ExprKind, FindItem, Name};
 use crate::units::Dimension;
@@ -20,71 +19,13 @@ const STEPS: usize = 36;
 /// The most steps of a table.
 const MOST_STEPS: usize = 36_000;
 
-/// A number or vector that belongs to a cam angle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CamPart {
-    /// Lift (0) and its derivatives by the cam angle.
-    Lift(u8),
-    /// Derivatives of the lift by time.
-    Rate(u8),
-    /// Knife edge or centre of the roller in the axes of the cam.
-    Pitch,
-    /// Place of contact in the axes of the cam.
-    Point,
-    /// Pressure angle.
-    PressureAngle,
-    /// Radius of curvature of the pitch curve.
-    CurvatureRadius,
-}
-
-/// Parts by name.
-const PARTS: [(&str, CamPart); 11] = [
-    ("s", CamPart::Lift(0)),
-    ("s'", CamPart::Lift(1)),
-    ("s''", CamPart::Lift(2)),
-    ("s'''", CamPart::Lift(3)),
-    ("velocity", CamPart::Rate(1)),
-    ("acceleration", CamPart::Rate(2)),
-    ("jerk", CamPart::Rate(3)),
-    ("pitch", CamPart::Pitch),
-    ("point", CamPart::Point),
-    ("pressure_angle", CamPart::PressureAngle),
-    ("curvature_radius", CamPart::CurvatureRadius),
-];
-
-impl CamPart {
-    fn ty(self, oscillates: bool) -> Type {
-        let way = if oscillates { Dimension::ANGLE } else { Dimension::LENGTH };
-        match self {
-            Self::Lift(0) => Type::number(way),
-            Self::Lift(_) if oscillates => Type::number(Dimension::NUMBER),
-            Self::Lift(_) | Self::CurvatureRadius => Type::number(Dimension::LENGTH),
-            #[allow(clippy::cast_possible_wrap)] // 1 to 3
-            Self::Rate(n) => Type::number(Dimension { time: -(n as i8), ..way }),
-            Self::Pitch | Self::Point => Type::vector(Dimension::LENGTH),
-            Self::PressureAngle => Type::number(Dimension::ANGLE),
-        }
-    }
-
-    fn value(self, plate: &PlateCam, phi: f64, at: &CamPoint) -> Value {
-        Value::Scalar(match self {
-            Self::Lift(n) => at.value(Quantity::Lift(n)),
-            Self::Rate(n) => at.value(Quantity::Lift(n)) * rate(plate, n),
-            Self::Pitch => return Value::Vector(plate.cam.in_cam(at.tip, phi)),
-            Self::Point => return Value::Vector(plate.cam.in_cam(at.contact, phi)),
-            Self::PressureAngle => at.value(Quantity::PressureAngle),
-            Self::CurvatureRadius => at.value(Quantity::CurvatureRadius),
-        })
-    }
-}
-
-/// What a derivative by the cam angle is multiplied by to be one by time; not a number without a speed.
-fn rate(plate: &PlateCam, n: u8) -> f64 {
-    plate.speed.map_or(f64::NAN, |omega| (0..n).fold(1.0, |k, _| k * omega))
+fn of_type(part: CamPart, plate: &PlateCam) -> Type {
+    let dimension = part.dimension(plate.cam.follower.oscillates());
+    if part.is_vector() { Type::vector(dimension) } else { Type::number(dimension) }
 }
 
 fn part_list() -> String {
-    let all = PARTS.iter().map(|(name, _)| format!("`.{name}`")).collect::<Vec<_>>();
+    let all = CAM_PARTS.iter().map(|(name, _)| format!("`.{name}`")).collect::<Vec<_>>();
     format!("its parts are {}", all.join(", "))
 }
 
@@ -138,7 +79,7 @@ impl Context<'_> {
     fn cam_value(&mut self, plate: &PlateCam, part: CamPart, phi: f64, call: Call<'_>) -> Option<Typed> {
         self.with_speed(plate, part, call)?;
         let value = part.value(plate, phi, &plate.cam.at(phi));
-        let ty = part.ty(plate.cam.follower.oscillates());
+        let ty = of_type(part, plate);
         let t = Typed::new(ModelExpr::Constant(value), ty);
         if value.is_defined() {
             return Some(t);
@@ -165,7 +106,7 @@ impl Context<'_> {
     }
 
     fn part_named(&mut self, part: &Name) -> Option<CamPart> {
-        if let Some((_, which)) = PARTS.iter().find(|(name, _)| *name == part.node) {
+        if let Some((_, which)) = CAM_PARTS.iter().find(|(name, _)| *name == part.node) {
             return Some(*which);
         }
         let help = Some(part_list());
@@ -233,7 +174,7 @@ impl Context<'_> {
     fn cam_extreme(&mut self, call: Call<'_>, plate: &PlateCam, part: CamPart) -> Option<Typed> {
         let (quantity, factor) = match part {
             CamPart::Lift(n) => (Quantity::Lift(n), 1.0),
-            CamPart::Rate(n) => (Quantity::Lift(n), rate(plate, n)),
+            CamPart::Rate(n) => (Quantity::Lift(n), plate.rate(n)),
             CamPart::PressureAngle => (Quantity::PressureAngle, 1.0),
             CamPart::CurvatureRadius => (Quantity::CurvatureRadius, 1.0),
             CamPart::Pitch | CamPart::Point => {
@@ -243,7 +184,7 @@ impl Context<'_> {
         };
         self.with_speed(plate, part, call)?;
         let (phi, value) = plate.cam.extreme(quantity, call.name.node != "min");
-        let ty = part.ty(plate.cam.follower.oscillates());
+        let ty = of_type(part, plate);
         if call.name.node == "argmax" {
             return Some(Typed::constant(phi, Dimension::ANGLE));
         }
@@ -261,9 +202,9 @@ impl Context<'_> {
         let ExprKind::Call { function, args } = &item.value.kind else { return None };
         let [argument] = args.as_slice() else { return None };
         let parts: &[(&str, CamPart)] = match function.node.as_str() {
-            "profile" => &PARTS,
-            "pressure_angle" => &PARTS[9..10],
-            "curvature_radius" => &PARTS[10..],
+            "profile" => &CAM_PARTS,
+            "pressure_angle" => &CAM_PARTS[9..10],
+            "curvature_radius" => &CAM_PARTS[10..],
             _ => return None,
         };
         let plate = self.cam_of(&argument.value)?;
@@ -291,34 +232,6 @@ impl Context<'_> {
             self.error(RequestError::NoValue { path: "a table".into(), span: unit.span, help });
             return None;
         }
-        let angles: Vec<f64> = (0..steps).map(|i| TAU * i as f64 / steps as f64).collect();
-        let points: Vec<CamPoint> = angles.iter().map(|phi| plate.cam.at(*phi)).collect();
-        let mut table = Table::default();
-        let mut entry = |cx: &Self, name: String, dimension: Dimension, values: Vec<f64>| {
-            table.entries.push(TableEntry { name, display: cx.display(dimension), values });
-        };
-        entry(self, "cam angle".into(), Dimension::ANGLE, angles.clone());
-        for &(name, part) in parts {
-            if matches!(part, CamPart::Rate(_)) && plate.speed.is_none() {
-                continue;
-            }
-            let values: Vec<Value> =
-                angles.iter().zip(&points).map(|(phi, at)| part.value(plate, *phi, at)).collect();
-            let ty = part.ty(plate.cam.follower.oscillates());
-            let component = |pick: fn(Vec2) -> f64| {
-                values.iter().map(|v| if let Value::Vector(v) = v { pick(*v) } else { f64::NAN }).collect()
-            };
-            match ty {
-                Type::Vector(_) => {
-                    entry(self, format!("{name}.x"), ty.dimension(), component(|v| v.x));
-                    entry(self, format!("{name}.y"), ty.dimension(), component(|v| v.y));
-                }
-                _ => {
-                    let numbers = values.iter().map(|v| if let Value::Scalar(x) = v { *x } else { f64::NAN });
-                    entry(self, name.to_owned(), ty.dimension(), numbers.collect());
-                }
-            }
-        }
-        Some(FindKind::Table(table))
+        Some(FindKind::Table(plate.table(parts, steps, |d| self.display(d))))
     }
 }

@@ -17,9 +17,9 @@ use super::error::{NameError, RequestError};
 use super::expr::Sign;
 use super::expr::typed::Typed;
 use super::lookup::suggestion;
+use crate::model::CamPart;
 use crate::source::Span;
 use crate::syntax::document::{Arg, Expr, ExprKind, Name};
-use cam::CamPart;
 use table::{FUNCTIONS, usage};
 
 /// A call as the functions of results see it.
