@@ -17,6 +17,7 @@ pub mod error;
 mod expect;
 pub mod expr;
 mod friction;
+mod gear;
 mod gravity;
 mod head;
 mod hinges;

@@ -38,6 +38,9 @@ fn asked_for(cx: &mut Context<'_>, item: &FindItem) -> Option<FindKind> {
     if is_reactions(cx, item) {
         return Some(FindKind::Reactions);
     }
+    if let Some(table) = cx.gear_table(item) {
+        return table;
+    }
     if let Some(table) = cx.cam_table(item) {
         return table;
     }

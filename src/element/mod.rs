@@ -1,4 +1,5 @@
 //! Machine elements: pure mathematics, no names, no spans, no text.
 
 pub mod cam;
+pub mod gear;
 mod search;

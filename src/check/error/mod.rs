@@ -3,6 +3,7 @@
 mod cam;
 mod expect;
 mod friction;
+mod gear;
 mod geometry;
 mod name;
 mod request;
@@ -11,6 +12,7 @@ mod unit;
 pub use cam::CamError;
 pub use expect::ExpectError;
 pub use friction::FrictionError;
+pub use gear::GearError;
 pub use geometry::{LinkError, LoadError, MotionError, PairError};
 pub use name::NameError;
 pub use request::RequestError;

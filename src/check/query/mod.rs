@@ -5,6 +5,7 @@ mod bearing;
 mod cam;
 mod force;
 mod friction;
+mod gear;
 mod motion;
 mod pending;
 mod substitution;
@@ -73,6 +74,8 @@ impl Context<'_> {
             "pressure_angle" => self.pressure_angle(call),
             "curvature_radius" => self.of_cam(call, CamPart::CurvatureRadius),
             "profile" => self.profile_alone(call),
+            "contact_ratio" => self.contact_ratio(call),
+            "table" | "tooth_force" | "sliding_velocity" => self.gear_alone(call),
             "start" => self.cam_start(call),
             "smallest_base_radius" => self.smallest_base_radius(call),
             "reaction" | "moment" | "normal" | "friction" => self.reaction(call),

@@ -7,7 +7,7 @@ use crate::check::expr::typed::{Dim, Type, Typed};
 use crate::check::lookup::suggestion;
 use crate::check::names::{QuantityKind, ThingKind};
 use crate::source::Spanned;
-use crate::syntax::document::{ExprKind, JointKind, Name};
+use crate::syntax::document::{ExprKind, Name};
 use crate::units::Dimension;
 
 const ANY: Type = Type::Number(Dim::Any);
@@ -28,11 +28,6 @@ impl Context<'_> {
             "radius" => {
                 self.element(call, "a wheel", |k| k == ThingKind::Wheel)?;
                 ("wheels", Type::number(Dimension::LENGTH))
-            }
-            "table" | "contact_ratio" => {
-                self.element(call, "a mesh", |k| k == ThingKind::Joint(JointKind::Mesh))?;
-                let ratio = call.name.node == "contact_ratio";
-                ("gears", if ratio { Type::number(Dimension::NUMBER) } else { ANY })
             }
             _ => {
                 self.flywheel(call)?;

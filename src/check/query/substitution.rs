@@ -40,7 +40,9 @@ impl Context<'_> {
                 match function.node.as_str() {
                     "static_substitution" | "dynamic_substitution" => Some(self.substitution(call, part)),
                     "profile" => Some(self.profile_part(call, part)),
-                    "rim" | "table" => Some(self.not_yet(call)),
+                    "table" => Some(self.gear_part(call, part)),
+                    "tooth_force" | "sliding_velocity" => Some(self.gear_rate(call, part)),
+                    "rim" => Some(self.not_yet(call)),
                     _ => None,
                 }
             }
