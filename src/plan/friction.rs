@@ -1,7 +1,7 @@
 //! Which joints rub, and how: one element per sliding or turning contact, each in the group that finds its reaction.
 
 use super::Plan;
-use super::step::{ForceStep, Way};
+use super::step::{EffortLine, ForceStep, Way};
 use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
 use crate::structure::{BodyId, Group, JointKind, Structure};
 
@@ -71,6 +71,38 @@ pub struct RubbingGroup {
     pub elements: Vec<usize>,
     /// Slots of its reactions.
     pub slots: Vec<usize>,
+    /// The elements in its joints, where the laws reduce to the force in the inner hinge of a dyad, or to nothing unknown.
+    pub reduced: Option<[Option<usize>; 3]>,
+}
+
+/// The elements by joint where [`RubbingGroup::reduced`] holds: circles in the hinges of a dyad RRR, or of a dyad RRP whose
+/// guide rubs by its normal force; the one joint of a link whose effort acts in that joint.
+fn reduced(step: &ForceStep, elements: &[FrictionElement], from: usize) -> Option<[Option<usize>; 3]> {
+    let joints: &[(usize, bool)] = match step {
+        ForceStep::Rrr { outer: [one, two], inner, .. } => {
+            &[(one.slot, false), (inner.slot, false), (two.slot, false)]
+        }
+        ForceStep::Rrp { outer, inner, way, .. } => {
+            &[(outer.slot, false), (inner.slot, false), (way.slot, true)]
+        }
+        ForceStep::Turn { hinge, effort: EffortLine::Torque { .. }, .. } => &[(hinge.slot, false)],
+        ForceStep::Shift { way, effort: EffortLine::Along(_), .. } => &[(way.slot, true)],
+        _ => return None,
+    };
+    let mut found = [None; 3];
+    for (index, element) in elements.iter().enumerate() {
+        let joint = joints.iter().position(|(slot, _)| *slot == element.slot)?;
+        let fits = match element.kind {
+            Rub::Circle { .. } => !joints[joint].1,
+            Rub::Guide { .. } => joints[joint].1,
+            Rub::BothEnds { .. } | Rub::Contact { .. } => false,
+        };
+        if !fits || element.pin.is_some() || found[joint].is_some() {
+            return None;
+        }
+        found[joint] = Some(from + index);
+    }
+    Some(found)
 }
 
 /// Turns the steps of groups with friction into steps that solve it.
@@ -97,13 +129,14 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
         if plan.friction.len() == from || !foreign.is_empty() {
             continue;
         }
+        let plain = std::mem::replace(&mut plan.forces[index], ForceStep::Sequence(Vec::new()));
         let rubbing = RubbingGroup {
+            reduced: reduced(&plain, &plan.friction[from..], from),
             bodies: group.bodies.iter().map(|b| b.0).collect(),
             bases: bases(group),
             elements: (from..plan.friction.len()).collect(),
             slots,
         };
-        let plain = std::mem::replace(&mut plan.forces[index], ForceStep::Sequence(Vec::new()));
         plan.forces[index] = ForceStep::Rubbing { plain: Box::new(plain), group: Box::new(rubbing) };
     }
     if !foreign.is_empty() {
@@ -166,6 +199,7 @@ fn together(plan: &mut Plan) {
         bases: vec![0],
         elements: (0..plan.friction.len()).collect(),
         slots: (0..plan.reactions.len()).collect(),
+        reduced: None,
     };
     if let Some(last) = plan.forces.last_mut() {
         *last = ForceStep::Rubbing { plain: Box::new(ForceStep::Sequence(steps)), group: Box::new(group) };
