@@ -13,7 +13,10 @@
 //!
 //! A step of Newton's method puts e·v for |v|, e = v / |v| of the present value: the lines of action are taken as
 //! parallel to the present ones and touch the friction circles. What is left then is linear in f. Its determinant over that
-//! without friction is the determinant of all laws, which is positive as long as the mechanism does not lock.
+//! without friction is the determinant of all laws, which is positive as long as the mechanism does not lock. With more
+//! friction the forces grow beyond all bounds and, in the formulas, come back reversed with a negative determinant: e is
+//! therefore taken in the sense that it has without friction, so that the method converges on either side of the limit and
+//! tells which it is. Where some of the forces turn round and others do not, e is that of the present force.
 //!
 //! The hinge of a driven link, or the guide of a driven slider, presses with what the loads give, whatever its friction.
 
@@ -25,7 +28,7 @@ use crate::plan::{EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 
 /// Newton's method has settled when the error that its step leaves is this part of the forces.
 const SETTLED: f64 = 1e-15;
-/// A normal force below this part of the forces is none.
+/// A force below this part of the forces is none.
 const NOTHING: f64 = 1e-12;
 
 /// The two equations of a dyad: the first has p_1·f, the second q·f.
@@ -44,52 +47,83 @@ struct Dyad {
     normal: Vec2,
 }
 
-/// The side of the guide that presses.
+/// In which sense the lines of action are taken where the force turns round.
 #[derive(Clone, Copy)]
-enum Side {
-    /// As the present value says.
+enum Sense {
+    /// As without friction: a force beyond infinity comes back reversed.
+    Kept,
+    /// As at present.
     Present,
-    /// As assumed.
-    Given(f64),
+    /// As at present, with the guide pressing on one side.
+    OneSide(f64),
 }
 
-/// Direction of a vector and the reciprocal of its magnitude; nothing for the null vector.
+/// What Newton's method came to.
+enum Found {
+    /// The force f of a motion.
+    Motion(Vec2),
+    /// All forces have passed infinity.
+    Locked,
+    /// Neither.
+    Nothing,
+}
+
+/// Direction of a vector, in the sense of `like`, and the reciprocal of its magnitude; nothing for the null vector.
 #[inline(always)]
-fn direction(v: Vec2) -> (Vec2, f64) {
+fn direction<const KEPT: bool>(v: Vec2, like: Vec2) -> (Vec2, f64) {
     let square = v.dot(v);
     let inverse = if square > 0.0 { 1.0 / square.sqrt() } else { 0.0 };
-    (v * inverse, inverse)
+    (v * if KEPT { inverse.copysign(v.dot(like)) } else { inverse }, inverse)
 }
 
 impl Dyad {
-    /// The force f, and the steps taken; `None` where the equations have no solution that is a motion.
+    /// The force f; `None` where the equations have no solution that is a motion.
     #[inline(always)]
     fn solve<const GUIDE: bool>(&self, start: Vec2, steps: &mut u32) -> Option<Vec2> {
-        let found = self.newton::<GUIDE>(start, Side::Present, steps);
-        if found.is_some() || !GUIDE {
-            return found;
+        match self.newton::<GUIDE, true>(start, Sense::Kept, steps) {
+            Found::Motion(f) => Some(f),
+            Found::Locked => None,
+            Found::Nothing => self.try_others::<GUIDE>(start, steps),
         }
-        [1.0, -1.0].into_iter().find_map(|side| self.newton::<GUIDE>(start, Side::Given(side), steps))
+    }
+
+    /// Where a force turns round on the way without passing infinity.
+    #[cold]
+    #[inline(never)]
+    fn try_others<const GUIDE: bool>(&self, start: Vec2, steps: &mut u32) -> Option<Vec2> {
+        let senses = [Sense::Present, Sense::OneSide(1.0), Sense::OneSide(-1.0)];
+        let tried = if GUIDE { &senses[..] } else { &senses[..1] };
+        tried.iter().find_map(|sense| match self.newton::<GUIDE, false>(start, *sense, steps) {
+            Found::Motion(f) => Some(f),
+            Found::Locked | Found::Nothing => None,
+        })
     }
 
     #[inline(always)]
-    fn newton<const GUIDE: bool>(&self, start: Vec2, side: Side, steps: &mut u32) -> Option<Vec2> {
+    fn newton<const GUIDE: bool, const KEPT: bool>(
+        &self,
+        start: Vec2,
+        sense: Sense,
+        steps: &mut u32,
+    ) -> Found {
         let [w_A, w_C, w_B] = self.weights;
         let upright = self.p_1.cross(self.q);
         let loads = self.force_1.dot(self.force_1) + self.force_2.dot(self.force_2);
+        let (start_A, start_B) = (start - self.force_1, start + self.force_2);
+        let start_side = self.normal.dot(start_B).signum();
         let mut f = start;
-        for step in 1..=STEPS {
-            let (e_A, inverse_A) = direction(f - self.force_1);
-            let (e_C, inverse_C) = direction(f);
-            let ahead = f + self.force_2;
+        for _ in 0..STEPS {
+            let (e_A, inverse_A) = direction::<KEPT>(f - self.force_1, start_A);
+            let (e_C, inverse_C) = direction::<KEPT>(f, start);
             let (e_B, inverse_B) = if GUIDE {
-                let sign = match side {
-                    Side::Present => self.normal.dot(ahead).signum(),
-                    Side::Given(sign) => sign,
+                let side = match sense {
+                    Sense::Kept => start_side,
+                    Sense::Present => self.normal.dot(f + self.force_2).signum(),
+                    Sense::OneSide(side) => side,
                 };
-                (self.normal * sign, 0.0)
+                (self.normal * side, 0.0)
             } else {
-                direction(ahead)
+                direction::<KEPT>(f + self.force_2, start_B)
             };
             let row_1 = self.p_1 + e_A * w_A - e_C * w_C;
             let right_1 = self.load_1 + w_A * e_A.dot(self.force_1);
@@ -102,31 +136,44 @@ impl Dyad {
                 (right_1 * row_2.y - right_2 * row_1.y) * inverse,
                 (right_2 * row_1.x - right_1 * row_2.x) * inverse,
             );
-            if determinant == 0.0 || !inverse.is_finite() {
-                *steps += step;
-                return None;
+            *steps += 1;
+            if !inverse.is_finite() {
+                return Found::Nothing;
             }
             let change = next - f;
             f = next;
-            // e·v falls short of |v| by at most the square of what is across, over 2 |v|
-            let square = change.dot(change);
-            let curved_C = w_C.abs() * inverse_C;
-            let left_1 = (w_A.abs() * inverse_A + curved_C) * square;
-            let left_2 = if GUIDE { 0.0 } else { (w_B.abs() * inverse_B + curved_C) * square };
-            let scale = SETTLED * SETTLED * (f.dot(f) + loads);
-            let curved =
-                left_1 * left_1 <= scale * row_1.dot(row_1) && left_2 * left_2 <= scale * row_2.dot(row_2);
-            // the side that was taken is the side that presses, or nothing presses
-            let pressed = e_B.dot(f + self.force_2);
-            let kept =
-                !GUIDE || pressed >= 0.0 || pressed * pressed <= NOTHING * NOTHING * (f.dot(f) + loads);
-            if curved && (kept || matches!(side, Side::Given(_))) {
-                *steps += step;
-                return (kept && determinant * upright > 0.0).then_some(f);
+            // e·v falls short of |v| by the square of what is across e, over 2 |v|
+            let across = |w: f64, e: Vec2, inverse: f64| {
+                let across = e.cross(change);
+                w.abs() * inverse * (across * across)
+            };
+            let middle = across(w_C, e_C, inverse_C);
+            let left_1 = across(w_A, e_A, inverse_A) + middle;
+            let left_2 = if GUIDE { 0.0 } else { across(w_B, e_B, inverse_B) + middle };
+            let square = f.dot(f) + loads;
+            let least = SETTLED * SETTLED * square;
+            if left_1 * left_1 <= least * row_1.dot(row_1) && left_2 * left_2 <= least * row_2.dot(row_2) {
+                let pressed = |w: f64, e: Vec2, v: Vec2| {
+                    let along = w.abs() * e.dot(v);
+                    if along * along <= NOTHING * NOTHING * (w * w) * square { 0.0 } else { along }
+                };
+                let forces = [
+                    pressed(w_A, e_A, f - self.force_1),
+                    pressed(w_C, e_C, f),
+                    pressed(w_B, e_B, f + self.force_2),
+                ];
+                if determinant * upright > 0.0 && forces.iter().all(|x| *x >= 0.0) {
+                    return Found::Motion(f);
+                }
+                if determinant * upright < 0.0 && forces.iter().all(|x| *x <= 0.0) {
+                    return Found::Locked;
+                }
+                if !matches!(sense, Sense::Present) {
+                    return Found::Nothing;
+                }
             }
         }
-        *steps += STEPS;
-        None
+        Found::Nothing
     }
 }
 
