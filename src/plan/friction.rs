@@ -14,6 +14,9 @@ pub struct FrictionElement {
     pub body: usize,
     /// Slot of the other body.
     pub base: usize,
+    /// Slot of the body through which the effort reaches `body`: the block that stands for a pin in a slot, or `body`
+    /// itself. The link of the pin may have been solved before the block.
+    pub through: usize,
     /// Slot of the reaction.
     pub slot: usize,
     /// The law.
@@ -183,6 +186,7 @@ fn pin(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan, id: PairId
             pair: id,
             body: link,
             base: pins[0].link.index(),
+            through: link,
             slot: *slot,
             kind: Rub::Circle { radius },
             pin: Some((from, plan.pin_slots.len())),
@@ -231,6 +235,7 @@ fn element(
         pair: id,
         body: body.0,
         base: base.0,
+        through: body.0,
         slot,
         kind,
         pin: None,
@@ -259,8 +264,11 @@ fn element(
                 internal: false,
             };
             let body = |l: crate::model::LinkId| BodyId(l.index());
-            (prismatic && friction.coefficient() > 0.0)
-                .then(|| at(body(guide.slider), body(guide.guide), kind))
+            let block = if joint.base == body(guide.guide) { joint.body } else { joint.base };
+            (prismatic && friction.coefficient() > 0.0).then(|| FrictionElement {
+                through: block.0,
+                ..at(body(guide.slider), body(guide.guide), kind)
+            })
         }
         (PairKind::Contact { first, second, internal }, friction) => {
             let kind = Rub::Contact {

@@ -132,11 +132,11 @@ impl State {
     fn apply_rub(&mut self, element: &FrictionElement, effort: f64) {
         match self.rubbing_line(element) {
             None => {
-                self.wrenches[element.body].moment += effort;
+                self.wrenches[element.through].moment += effort;
                 self.wrenches[element.base].moment -= effort;
             }
             Some((p, d)) => {
-                self.carry(element.body, p, d * -effort, 0.0);
+                self.carry(element.through, p, d * -effort, 0.0);
                 self.carry(element.base, p, d * effort, 0.0);
             }
         }
