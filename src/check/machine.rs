@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::{
-    assemble, balance, cam, drive, element, friction, gravity, link, load, mass, pair, pose, simulation,
+    assemble, balance, cam, drive, element, flywheel, friction, gravity, link, load, mass, pair, pose, simulation,
     spring, value,
 };
 
@@ -21,7 +21,8 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     spring::springs(cx);
     assemble::hints(cx);
     element::elements(cx);
-    cam::cams_and_flywheels(cx);
+    cam::cams(cx);
+    flywheel::flywheels(cx);
     simulation::simulation(cx);
     friction::no_motion(cx);
 }

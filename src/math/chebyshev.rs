@@ -97,6 +97,13 @@ impl Series {
         self
     }
 
+    /// The function times a constant.
+    #[must_use]
+    pub fn times(mut self, factor: f64) -> Self {
+        self.coefficients.iter_mut().for_each(|c| *c *= factor);
+        self
+    }
+
     /// The antiderivative that has a given value where the interval begins.
     #[must_use]
     pub fn antiderivative(&self, start: f64) -> Self {
