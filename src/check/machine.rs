@@ -2,8 +2,8 @@
 
 use super::context::Context;
 use super::{
-    assemble, balance, cam, drive, element, flywheel, friction, gravity, link, load, mass, pair, pose, simulation,
-    spring, value,
+    assemble, balance, cam, drive, element, flywheel, friction, gravity, link, load, mass, pair, pose,
+    simulation, spring, value,
 };
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.

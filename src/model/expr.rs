@@ -1,6 +1,6 @@
 //! Typed expressions over results: what a `find`, an `expect`, a load or a condition computes at a pose.
 
-use super::{BalanceId, Display, FlywheelPart, DriveId, LinkId, LoadId, PairId, QuantityId};
+use super::{BalanceId, Display, DriveId, FlywheelPart, LinkId, LoadId, PairId, QuantityId};
 use crate::math::Vec2;
 use crate::source::Span;
 

@@ -1,6 +1,6 @@
 //! The effects that a file calls for. An effect that nothing calls for has no step in the plan.
 
-use crate::model::{Expr, FindKind, LoadKind, Mechanism, Query, Relation};
+use crate::model::{Expr, FindKind, FlywheelPart, LoadKind, Mechanism, Query, Relation};
 
 /// How far motion is followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -215,6 +215,15 @@ pub fn needs_forces(query: &Query) -> bool {
             | Query::Efficiency
             | Query::Locked
             | Query::Critical(_)
-            | Query::Flywheel(..)
+            | Query::Flywheel(
+                _,
+                FlywheelPart::Inertia
+                    | FlywheelPart::Fluctuation
+                    | FlywheelPart::RimWidth
+                    | FlywheelPart::RimHeight
+                    | FlywheelPart::RimMass
+                    | FlywheelPart::Torque
+                    | FlywheelPart::Work
+            )
     )
 }

@@ -236,11 +236,15 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// A flywheel that is not needed.
-    #[error("flywheel `{name}` is not needed: the links alone run evenly enough, {have} kg m² of {needed} kg m²")]
+    #[error(
+        "flywheel `{name}` is not needed: the links alone run evenly enough, {have} kg m² of {needed} kg m²"
+    )]
     #[diagnostic(
         code(mech::solve::needless_flywheel),
         severity(warning),
-        help("its moment of inertia is given as 0; ask for a smaller `fluctuation`, or leave the flywheel out")
+        help(
+            "its moment of inertia is given as 0; ask for a smaller `fluctuation`, or leave the flywheel out"
+        )
     )]
     NeedlessFlywheel {
         /// Its name.

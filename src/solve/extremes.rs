@@ -40,12 +40,8 @@ pub struct Extremes {
 
 impl Statics {
     /// Nothing asked for.
-    pub const EMPTY: Self = Self {
-        extremes: Vec::new(),
-        criticals: Vec::new(),
-        cycles: Vec::new(),
-        flywheels: Vec::new(),
-    };
+    pub const EMPTY: Self =
+        Self { extremes: Vec::new(), criticals: Vec::new(), cycles: Vec::new(), flywheels: Vec::new() };
 
     fn of(&self, pair: PairId) -> Option<&Extremes> {
         self.extremes.iter().find(|(p, _)| *p == pair).map(|(_, e)| e)

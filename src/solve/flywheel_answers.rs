@@ -8,7 +8,8 @@ use std::f64::consts::PI;
 
 impl View<'_> {
     /// Something of a flywheel; NaN where it has none.
-    pub(super) fn flywheel(&self, which: usize, part: FlywheelPart) -> f64 {
+    #[must_use]
+    pub fn flywheel(&self, which: usize, part: FlywheelPart) -> f64 {
         let Some(wheel) = self.mechanism.flywheels.get(which) else { return f64::NAN };
         let found = self.statics.flywheels.get(which);
         let inertia = || found.map_or(f64::NAN, |f| f.inertia);

@@ -77,10 +77,8 @@ impl Context<'_> {
         // these are found from the solved mechanism
         let mut of_solution = false;
         found.queries(&mut |q| {
-            of_solution |= matches!(
-                q,
-                model::Query::Critical(_) | model::Query::Cycle(_) | model::Query::Flywheel(..)
-            );
+            of_solution |=
+                matches!(q, model::Query::Critical(_) | model::Query::Cycle(_) | model::Query::Flywheel(..));
         });
         if of_solution || !self.is_poseless(&found) {
             self.error(RequestError::NeedsPose { what: what.to_owned(), span: expr.span });

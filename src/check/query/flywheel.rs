@@ -85,8 +85,7 @@ impl Context<'_> {
         if self.names.bad.contains(&name.node) || !self.reported.insert(("flywheel", name.node.clone())) {
             return;
         }
-        let all =
-            self.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Flywheel(_)));
+        let all = self.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Flywheel(_)));
         let all = all.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
         let help = suggestion(&name.node, &all, "flywheels");
         let (name, span) = (name.node.clone(), name.span);

@@ -65,6 +65,12 @@ impl Context<'_> {
             return Some(t);
         }
         let expr = self.inline(&t.expr, call.span)?;
+        let mut of_flywheel = false;
+        self.queries_behind(&expr, &mut |q| of_flywheel |= matches!(q, Query::Flywheel(..)));
+        if of_flywheel {
+            self.unsupported("a flywheel without friction", call.span);
+            return Some(Typed::pending(t.ty));
+        }
         let expr = Expr::Frictionless(Box::new(self.frictionless_over_sweep(&expr, call)));
         Some(Typed { expr, ..t })
     }

@@ -25,6 +25,8 @@ use crate::structure::EffortSource;
 
 /// How much the ratio of the shaft to the drive may vary, relative to its mean.
 const EVEN: f64 = 1e-9;
+/// Places at which that is looked at: no whole part of a turn of common mechanisms.
+const PLACES: u8 = 23;
 
 type Found = (FlywheelAnswer, Option<SolveError>);
 
@@ -43,17 +45,16 @@ pub(super) fn flywheel(
         return Err(refuse(why, "name it: `flywheel J on crank for Mb { … }`"));
     };
     let torque = Expr::Binary(BinaryOp::Div, Box::new(power), Box::new(Expr::number(rate)));
-    let speed = Expr::Query(Query::Omega(wheel.on));
+    let ratio = even_ratio(scene, statics, sampler, wheel, rate)?;
     let links = Expr::Query(Query::Flywheel(index, FlywheelPart::LinksInertia));
-    let asked = [&torque, &speed, &links];
+    let asked = [&torque, &links];
     sampler.begin(&asked);
     let found = breaks(scene, statics, sampler, &torque)
         .and_then(|breaks| Ok((piecewise(sampler, statics, &asked, &breaks)?, breaks)));
     let (all, breaks) = found.map_err(|why| without_value(scene, sampler, wheel, why))?;
-    let [torque, speed, links] = all.as_slice() else {
+    let [torque, links] = all.as_slice() else {
         return Err(without_value(scene, sampler, wheel, Undefined::Unresolved));
     };
-    let ratio = even_ratio(scene, wheel, speed, rate)?;
     let mean_speed = match wheel.speed {
         Some(speed) => speed,
         None if scene.plan.effects.timed => (rate * ratio).abs(),
@@ -63,7 +64,10 @@ pub(super) fn flywheel(
     let work = work(torque, mean, sampler.way.length());
     let (least, greatest) = extremes(torque, &work, mean);
     let fluctuation = greatest.1 - least.1;
-    let reduced = [links.integral(), bound(links, -1.0), bound(links, 1.0)];
+    let greatest_links = bound(links, 1.0);
+    // nothing but rounding where all links stand
+    let least_links = Some(bound(links, -1.0)).filter(|x| *x > 1e-12 * greatest_links).unwrap_or(0.0);
+    let reduced = [links.integral(), least_links, greatest_links];
     let needed = fluctuation / (mean_speed * mean_speed * wheel.fluctuation);
     let own = if wheel.with_links { reduced[0] } else { 0.0 };
     let warning = (needed <= own && wheel.with_links).then(|| SolveError::NeedlessFlywheel {
@@ -142,19 +146,27 @@ fn power(scene: &Scene<'_>, wheel: &Flywheel) -> Option<Expr> {
 /// The constant ratio of the flywheel's shaft to the drive.
 fn even_ratio(
     scene: &Scene<'_>,
+    statics: &Statics,
+    sampler: &mut Sampler<'_>,
     wheel: &Flywheel,
-    speed: &Piecewise,
     rate: f64,
 ) -> Result<f64, SolveError> {
-    let mean = speed.integral();
-    let (least, greatest) = (bound(speed, -1.0), bound(speed, 1.0));
-    if mean == 0.0 || (greatest - least).abs() > EVEN * speed.scale {
-        let name = &scene.mechanism.link(wheel.on).name;
-        let range = format!("from {} to {} of the drive's speed", four(least / rate), four(greatest / rate));
-        let why = format!("`{name}` does not turn evenly with the drive, but {range}");
-        return Err(refused(scene, wheel, why, "put it on the crank, or on a shaft that turns in constant ratio"));
+    let speed = Expr::Query(Query::Omega(wheel.on));
+    sampler.begin(&[&speed]);
+    let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+    for place in 0..PLACES {
+        let s = f64::from(place) / f64::from(PLACES);
+        let here = sampler.sample(statics, s, &speed);
+        let ratio = here.map_err(|why| without_value(scene, sampler, wheel, why))? / rate;
+        (least, greatest) = (least.min(ratio), greatest.max(ratio));
     }
-    Ok(wheel.ratio * mean / rate)
+    if greatest - least <= EVEN * greatest.abs() && greatest.abs() > 0.0 {
+        return Ok(wheel.ratio * 0.5 * (least + greatest));
+    }
+    let name = &scene.mechanism.link(wheel.on).name;
+    let range = format!("its speed over the drive's goes from {} to {}", four(least), four(greatest));
+    let why = format!("`{name}` does not turn evenly with the drive: {range}");
+    Err(refused(scene, wheel, why, "put it on the crank, or on a shaft that turns in constant ratio"))
 }
 
 /// The antiderivative of the difference to the mean over the drive's value, panel by panel.
@@ -211,7 +223,9 @@ fn needs_speed(scene: &Scene<'_>, wheel: &Flywheel) -> SolveError {
     SolveError::NeedsSpeed {
         what: "the mean speed of a flywheel",
         needs: "a speed",
-        help: "write `at 80 rpm` behind the drive, or `turning ccw` and `speed 80 rpm` in the flywheel's braces".to_owned(),
+        help:
+            "write `at 80 rpm` behind the drive, or `turning ccw` and `speed 80 rpm` in the flywheel's braces"
+                .to_owned(),
         labels,
     }
 }

@@ -193,7 +193,8 @@ fn extreme(
     let near = 1e-12 * piecewise.scale;
     for candidate in piecewise.candidates() {
         // at a jump it is the value on the side of the panel that counts
-        let value = if candidate.at_jump { candidate.value } else { sampler.sample(statics, candidate.at, expr)? };
+        let value =
+            if candidate.at_jump { candidate.value } else { sampler.sample(statics, candidate.at, expr)? };
         // of equal ones the first
         if best.is_none_or(|(_, most)| sign * value > sign * most + near) {
             best = Some((candidate.at, value));

@@ -210,10 +210,7 @@ fn asks_for_ideal(scene: &Scene<'_>) -> bool {
     let mut asked = false;
     for expr in exprs {
         expr.parts(&mut |part| {
-            asked |= matches!(
-                part,
-                Expr::Frictionless(_) | Expr::Query(Query::Efficiency | Query::Locked)
-            );
+            asked |= matches!(part, Expr::Frictionless(_) | Expr::Query(Query::Efficiency | Query::Locked));
         });
     }
     asked

@@ -113,6 +113,7 @@ fn unordered(scene: &Scene<'_>, span: crate::source::Span) -> SolveError {
     let mut labels = asked(scene);
     labels.push(label("listed positions", span));
     let why = "the listed positions are no way from a first value to a last".to_owned();
-    let help = "list the values of one drive in their order, or write a range: `0 deg .. 360 deg in 12 steps`";
+    let help =
+        "list the values of one drive in their order, or write a range: `0 deg .. 360 deg in 12 steps`";
     SolveError::NoSweep { why, help: help.to_owned(), labels }
 }
