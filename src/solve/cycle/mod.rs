@@ -18,7 +18,7 @@ pub(super) use flywheel::reduced_inertia;
 use super::error::SolveError;
 use super::extremes::Statics;
 use super::solution::Scene;
-use crate::model::{CycleFunction, Expr, Mechanism, Query};
+use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
 use crate::plan::needs_forces;
 use answer::Undefined;
 use panels::Piecewise;
@@ -91,6 +91,9 @@ fn found(
     how: CycleFunction,
     expr: &Expr,
 ) -> Result<CycleAnswer, Undefined> {
+    if let Some(answer) = of_work(statics, how, expr) {
+        return Ok(answer);
+    }
     let breaks = switches::breaks(scene, statics, sampler, expr)?;
     let splits = breaks.iter().map(|s| sampler.way.value(*s)).collect();
     let answer = |value, error| CycleAnswer { value, error, splits, ..CycleAnswer::default() };
@@ -115,6 +118,29 @@ fn found(
         CycleFunction::Argmax => answer(sampler.way.value(s), piecewise.error.min(1.0) * length.abs()),
         _ => answer(value, piecewise.error),
     })
+}
+
+/// Extremes of a flywheel's work are known with it.
+fn of_work(statics: &Statics, how: CycleFunction, expr: &Expr) -> Option<CycleAnswer> {
+    let (query, sign) = match expr {
+        Expr::Query(query) => (query, 1.0),
+        Expr::Negate(inner) => match &**inner {
+            Expr::Query(query) => (query, -1.0),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let Query::Flywheel(index, FlywheelPart::Work) = query else { return None };
+    let found = statics.flywheels.get(*index)?;
+    let greatest = match how {
+        CycleFunction::Max | CycleFunction::Argmax => sign > 0.0,
+        CycleFunction::Min => sign < 0.0,
+        CycleFunction::Mean | CycleFunction::Integral => return None,
+    };
+    let at = found.extremes[usize::from(greatest)];
+    let value = if how == CycleFunction::Argmax { at } else { sign * found.work(at) };
+    let error = if how == CycleFunction::Argmax { 1e-12 } else { found.error };
+    Some(CycleAnswer { value, error, splits: found.splits.clone(), ..CycleAnswer::default() })
 }
 
 /// Whether the quantity is at the sweep's end what it was at its beginning: an angle that goes round is not.
