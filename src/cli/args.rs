@@ -123,7 +123,7 @@ impl Problem {
     /// The values from outside.
     #[must_use]
     pub fn overrides(&self) -> Overrides {
-        Overrides { values: self.settings.clone() }
+        Overrides::set(self.settings.clone())
     }
 }
 

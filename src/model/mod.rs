@@ -9,6 +9,7 @@ mod load;
 mod motion;
 mod pair;
 mod request;
+mod shape;
 
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,

@@ -17,6 +17,7 @@ mod plan;
 mod reactions;
 mod replacement;
 mod results;
+pub mod rows;
 mod scale;
 pub mod text;
 
