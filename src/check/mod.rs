@@ -90,6 +90,7 @@ pub fn columns(
     if variants::table(document) != Some(table) {
         variants::missing_keys(&mut cx, table);
     }
+    variants::rows(&mut cx, table);
     (columns.filter(|_| !cx.problems.has_errors()), cx.problems)
 }
 

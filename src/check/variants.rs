@@ -189,7 +189,7 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
 }
 
 /// Reports rows that are longer or shorter than the header.
-fn rows(cx: &mut Context<'_>, table: &Variants) {
+pub(super) fn rows(cx: &mut Context<'_>, table: &Variants) {
     let columns = table.columns.len();
     let header = table.columns.iter().map(|c| c.name.span).reduce(|a, b| a.to(b));
     for row in table.rows.iter().filter(|row| row.cells.len() != columns) {

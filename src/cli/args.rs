@@ -27,6 +27,7 @@ Examples:
   assur solve examples --format json        one object per file and line
   assur solve engine.mech --set r=120mm     with another crank
   assur test 'homework/**/*.mech'           the answer key
+  assur batch engine.mech --variants T.csv --out answers.csv
   assur explain mech::assembly::ambiguous   what a diagnostic means
 
 Exit status:
@@ -43,7 +44,7 @@ pub enum Command {
     Solve(Solve),
     /// Hold the solution against the file's own answer key
     Test(Problem),
-    /// Solve once per row of a table of variants
+    /// Solve once per row of a table of variants, in parallel
     Batch(Batch),
     /// Show what accuracy costs in time
     Accuracy(Problem),
@@ -79,9 +80,52 @@ pub struct Batch {
     /// What to solve
     #[command(flatten)]
     pub problem: Problem,
-    /// A table of variants: names with units in the header, plain numbers below
+    /// A table of variants instead of the files' own: names with units in the header, plain numbers below
     #[arg(long, value_name = "TABLE.csv")]
     pub variants: Option<String>,
+    /// How to print the answers [default: by the ending of --out, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<BatchFormat>,
+    /// Write the answers to this file, which appears once it is whole
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+    /// Write the answer key for `assur grade` to this file
+    #[arg(long, value_name = "KEY.csv")]
+    pub key: Option<String>,
+    /// How many threads to use [default: all]
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
+}
+
+impl Batch {
+    /// As wanted, else as the name of the file says.
+    #[must_use]
+    pub fn format(&self) -> BatchFormat {
+        let ending = self.out.as_deref().and_then(|name| name.rsplit_once('.')).map(|(_, ending)| ending);
+        self.format.unwrap_or(match ending {
+            Some("csv") => BatchFormat::Csv,
+            Some("jsonl" | "ndjson") => BatchFormat::Jsonl,
+            _ => BatchFormat::Table,
+        })
+    }
+}
+
+/// How the answers of a batch are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum BatchFormat {
+    /// Tables to read, in the author's units
+    Table,
+    /// One line per row and pose, in the author's units, with all digits
+    Csv,
+    /// One object per row and line, SI and radians
+    Jsonl,
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    match text.parse::<usize>() {
+        Ok(n) if (1..=1024).contains(&n) => Ok(n),
+        _ => Err("write a number from 1 to 1024".to_owned()),
+    }
 }
 
 /// Arguments of `explain`.
