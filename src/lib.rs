@@ -19,7 +19,7 @@ pub mod units;
 
 use check::Overrides;
 use diagnostic::Problems;
-use exercise::Outcome;
+use exercise::{Outcome, OwnRows};
 use model::Mechanism;
 use plan::Plan;
 use solve::{Scene, Solution};
@@ -137,9 +137,22 @@ pub fn solve_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, 
     (solved.ok(), problems)
 }
 
-/// Text → [`Solved`], with all that was found on the way, failed expectations among it.
+/// Text → [`Solved`], with all that was found on the way, failed expectations among it. A text with variants is tested
+/// with every row; the solution is that of the first row that has one.
 #[must_use]
 pub fn test_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {
+    let (document, mut problems) = syntax::parse(source);
+    if let (false, Some(rows)) = (problems.has_errors(), OwnRows::of(source, &document, overrides)) {
+        let mut first = None;
+        match rows {
+            Ok(rows) => rows.solve(true).for_each(|row| {
+                problems.append(row.problems);
+                first = first.take().or(row.solved);
+            }),
+            Err(found) => problems.append(found),
+        }
+        return (first, problems);
+    }
     let (solved, mut problems) = solve_source(source, overrides);
     problems.extend(solved.iter().flat_map(|s| &s.outcomes).filter_map(Outcome::mismatch));
     (solved, problems)

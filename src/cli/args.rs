@@ -28,6 +28,8 @@ Examples:
   assur solve engine.mech --set r=120mm     with another crank
   assur test 'homework/**/*.mech'           the answer key
   assur batch engine.mech --variants T.csv --out answers.csv
+  assur batch homework --key key.csv        solve an exercise set and write its answer key
+  assur grade key.csv answers.csv           mark answers
   assur explain mech::assembly::ambiguous   what a diagnostic means
 
 Exit status:
@@ -46,6 +48,8 @@ pub enum Command {
     Test(Problem),
     /// Solve once per row of a table of variants, in parallel
     Batch(Batch),
+    /// Mark given answers by an answer key
+    Grade(Grade),
     /// Show what accuracy costs in time
     Accuracy(Problem),
     /// Explain a diagnostic by its code
@@ -125,6 +129,45 @@ fn threads(text: &str) -> Result<usize, String> {
     match text.parse::<usize>() {
         Ok(n) if (1..=1024).contains(&n) => Ok(n),
         _ => Err("write a number from 1 to 1024".to_owned()),
+    }
+}
+
+/// Arguments of `grade`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Grade {
+    /// The answer key, as `assur batch --key` writes it
+    #[arg(value_name = "KEY.csv")]
+    pub key: String,
+    /// The answers: quantities by name with their units in the header, rows by number or variant
+    #[arg(value_name = "ANSWERS.csv")]
+    pub answers: String,
+    /// The greatest difference allowed, as a part of the value
+    #[arg(long, value_name = "TOLERANCE", default_value = "3%", value_parser = tolerance)]
+    pub within: f64,
+    /// How to print the marks
+    #[arg(long, value_enum, default_value_t = GradeFormat::Table)]
+    pub format: GradeFormat,
+}
+
+/// How marks are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum GradeFormat {
+    /// What is not right, and totals
+    Table,
+    /// One line per answer
+    Csv,
+    /// One object, SI and radians
+    Json,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let (number, part) = match text.trim().strip_suffix('%') {
+        Some(number) => (number.trim(), 0.01),
+        None => (text.trim(), 1.0),
+    };
+    match number.parse::<f64>() {
+        Ok(x) if x > 0.0 && x * part < 1.0 => Ok(x * part),
+        _ => Err("write a part of the value, as 3% or 0.03".to_owned()),
     }
 }
 

@@ -5,7 +5,9 @@ mod critical;
 mod error;
 mod expect;
 mod family;
+pub mod grade;
 mod in_row;
+mod own_rows;
 pub mod table;
 mod undefined;
 
@@ -14,4 +16,5 @@ pub use error::ExpectError;
 pub use expect::{Outcome, evaluate};
 pub use family::Family;
 pub use in_row::InRow;
+pub use own_rows::{OwnRows, SolvedRow, row_words};
 pub use undefined::why_undefined;

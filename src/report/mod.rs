@@ -9,6 +9,7 @@ pub mod csv;
 pub mod document;
 mod expectations;
 mod friction;
+pub mod grade;
 pub mod json;
 pub mod markdown;
 mod mobility;

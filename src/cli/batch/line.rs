@@ -9,7 +9,7 @@ use super::layout::Layout;
 use crate::Solved;
 use crate::diagnostic::Problems;
 use crate::exercise::table::Fault;
-use crate::exercise::{Family, InRow};
+use crate::exercise::{Family, InRow, row_words};
 use crate::report::csv::LINE_END;
 use crate::report::json::{self, Variant};
 use crate::report::rows::{AnswerColumns, FULL, write_text};
@@ -88,12 +88,11 @@ impl Written<'_> {
         }
         if !problems.is_empty() {
             let words = input.row.words();
-            let row = match (words.is_empty(), &input.label) {
-                (true, _) => String::new(),
-                (false, None) => format!("row {} ({words})", input.number),
-                (false, Some(label)) => format!("row {}, variant {label} ({words})", input.number),
+            let problems = if words.is_empty() {
+                problems
+            } else {
+                InRow::all(problems, &row_words(input.number, input.label.as_deref(), &words), input.span)
             };
-            let problems = if row.is_empty() { problems } else { InRow::all(problems, &row, input.span) };
             said.problems = Some((None, problems));
         }
         said

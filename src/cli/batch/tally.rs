@@ -5,6 +5,9 @@ use indexmap::IndexMap;
 /// So many rows are named, the others counted.
 const NAMED: usize = 12;
 
+/// The stage of what is wrong with a line of a table.
+const TABLE: &str = "mech::table::";
+
 /// What is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
@@ -44,6 +47,8 @@ impl Tally {
 
     /// Notes what is to be said of a row. Returns how often it has been said.
     pub fn note(&mut self, kind: Kind, row: usize, code: &str) {
+        // whatever is wrong with a line of a table, it cannot be read
+        let code = if code.starts_with(TABLE) { TABLE } else { code };
         let group = self.groups.entry((kind, code.to_owned())).or_default();
         group.count += 1;
         if group.first.len() < NAMED {
@@ -53,6 +58,7 @@ impl Tally {
 
     /// How often something has been said.
     pub fn said(&self, kind: Kind, code: &str) -> usize {
+        let code = if code.starts_with(TABLE) { TABLE } else { code };
         self.groups.get(&(kind, code.to_owned())).map_or(0, |g| g.count)
     }
 

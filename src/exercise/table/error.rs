@@ -98,4 +98,58 @@ pub enum TableError {
         #[label("here")]
         span: Span,
     },
+    /// A column of answers that the key does not have.
+    #[error("the key has no `{name}`")]
+    #[diagnostic(code("mech::table::unknown_column"))]
+    UnknownColumn {
+        /// Its name.
+        name: String,
+        /// What may be meant.
+        #[help]
+        help: String,
+        /// The header.
+        #[label("not in the key")]
+        span: Span,
+    },
+    /// A unit that does not fit.
+    #[error("{why}")]
+    #[diagnostic(code("mech::table::unit"))]
+    Unit {
+        /// What is wrong.
+        why: String,
+        /// What to write.
+        #[help]
+        help: Option<String>,
+        /// The place.
+        #[label("does not fit")]
+        span: Span,
+    },
+    /// Two columns of one name.
+    #[error("`{name}` stands twice in the header")]
+    #[diagnostic(code("mech::table::column_twice"), help("leave one of the columns out"))]
+    Twice {
+        /// The name.
+        name: String,
+        /// The first.
+        #[label("first here")]
+        first: Span,
+        /// The second.
+        #[label(primary, "again here")]
+        again: Span,
+    },
+    /// A row of answers that is not one of the key.
+    #[error("line {line}: {why}")]
+    #[diagnostic(code("mech::table::unknown_row"))]
+    UnknownRow {
+        /// Line in the file.
+        line: usize,
+        /// What is wrong.
+        why: String,
+        /// What to write.
+        #[help]
+        help: String,
+        /// The line.
+        #[label("this row")]
+        span: Span,
+    },
 }
