@@ -1,15 +1,17 @@
 //! Plate cams: what stands in their braces, and whether a follower can follow it.
 
 use super::context::Context;
+use super::element::known;
 use super::error::{CamError, NameError, PairError};
 use super::link::positive;
 use super::lookup::suggestion;
+use super::names::ThingKind;
 use super::property::{Read, Spec, Takes, find, read};
 use super::{amount, plate_fault};
 use crate::element::cam::{Cam, Follower, Law, Program, Shape};
 use crate::model::PlateCam;
 use crate::source::Span;
-use crate::syntax::document::{self, CamLaw, CamMember, Name, Phase, PhaseKind, Property, Statement, Turn};
+use crate::syntax::document::{self, CamLaw, CamMember, Member, Name, Phase, PhaseKind, Property, Statement, Turn};
 use crate::units::Dimension;
 use std::f64::consts::TAU;
 
@@ -46,6 +48,7 @@ pub(super) fn cams(cx: &mut Context<'_>) {
             cx.mech.cams.push(cam);
         }
     }
+    profiles(cx);
 }
 
 /// What stands in the braces, as far as it can be read.
@@ -312,4 +315,21 @@ fn program(cx: &mut Context<'_>, name: &str, span: Span, given: &[Given], way: D
         return None;
     }
     Some(Program::new(&moves))
+}
+
+/// Cams that profiles of links refer to.
+fn profiles(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        let body = match &statement.node {
+            Statement::Ground(ground) => &ground.body,
+            Statement::Link(link) => &link.body,
+            _ => continue,
+        };
+        for member in body {
+            if let Member::Profile(profile) = &member.node {
+                known(cx, &profile.of, "cam", &[ThingKind::Cam]);
+            }
+        }
+    }
 }

@@ -66,7 +66,7 @@ fn contact(
     rim: &Profile,
     other: &Profile,
 ) -> Result<CamContact, (usize, Difference)> {
-    let found = cx.mech.link(rim.link).rims.iter().find(|r| r.name == rim.name);
+    let found = cx.mech.link(rim.link).cam_profiles.iter().find(|r| r.name == rim.name);
     // a contact takes its rim from this list
     let Some(found) = found else { return Err((0, (String::new(), String::new()))) };
     let (index, centre) = (found.cam, found.centre);

@@ -19,7 +19,7 @@ pub struct Link {
     /// Named circles.
     pub circles: Vec<Circle>,
     /// Profiles of designed cams.
-    pub rims: Vec<Rim>,
+    pub cam_profiles: Vec<CamProfile>,
     /// Mass properties, where declared.
     pub mass: Option<MassProperties>,
 }
@@ -74,7 +74,7 @@ pub struct Circle {
 
 /// The profile of a designed cam on a link. The axes of the cam are those of the link.
 #[derive(Clone, Debug)]
-pub struct Rim {
+pub struct CamProfile {
     /// Name.
     pub name: String,
     /// The cam: index into [`super::Mechanism::cams`].

@@ -2,6 +2,7 @@
 //! structure is found.
 
 mod cam_part;
+mod cycle;
 mod display;
 mod element;
 mod expr;
@@ -11,14 +12,16 @@ mod load;
 mod motion;
 mod pair;
 mod request;
+mod shape;
 
 pub use cam_part::{CAM_PARTS, CamPart};
 pub use element::{CamContact, PlateCam, Table, TableEntry};
+pub use cycle::{Cycle, CycleFunction, Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
-pub use link::{Circle, Line, Link, MassProperties, Point, Rim};
+pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use pair::{Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
@@ -65,6 +68,10 @@ pub struct Mechanism {
     pub finds: Vec<Find>,
     /// What the answer key expects.
     pub expects: Vec<Expect>,
+    /// Functions over the sweep, each after those it hangs on.
+    pub cycles: Vec<Cycle>,
+    /// Flywheels that are to be found.
+    pub flywheels: Vec<Flywheel>,
     /// Constructs that are understood but cannot be solved yet.
     pub unsupported: Vec<Unsupported>,
     /// Givens whose critical value is asked for.

@@ -42,7 +42,7 @@ impl Context<'_> {
                     "profile" => Some(self.profile_part(call, part)),
                     "table" => Some(self.gear_part(call, part)),
                     "tooth_force" | "sliding_velocity" => Some(self.gear_rate(call, part)),
-                    "rim" => Some(self.not_yet(call)),
+                    "rim" => Some(self.rim(call, part)),
                     _ => None,
                 }
             }
