@@ -7,7 +7,7 @@ h, rise = radians(mpf(18)), radians(mpf(60))
 dwell, fall = radians(mpf(10)), radians(mpf(70))
 omega = mpf(300) * 2 * pi / 60
 JP = mpf("0.01") + 2 * mpf("0.065") ** 2
-Q = mpf(20)
+Q = mpf(60)
 
 
 def lift(phi):
