@@ -28,6 +28,9 @@ impl Style {
 /// All problems of a text, sorted by place, one below the other.
 #[must_use]
 pub fn render(problems: &Problems, source: &Source, style: Style) -> String {
+    if problems.is_empty() {
+        return String::new();
+    }
     let named = NamedSource::new(&source.name, showable(&source.text));
     let mut out = String::new();
     for problem in problems.sorted() {
