@@ -71,7 +71,7 @@ impl Bench {
                 state.run_loads(&scene, &[]);
             }
             if matches!(stage, Stage::Forces) {
-                state.set_lines(&scene);
+                state.set_lines(&self.plan);
                 state.run_forces(&self.plan);
             }
             sum += state.efforts[0] + state.bodies[2].p.x;

@@ -35,6 +35,17 @@ pub trait Scalar:
     /// `a` where the mask holds, `b` elsewhere.
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
 
+    /// The product and what its rounding left out, up to the last place of the pair.
+    #[inline(always)]
+    fn two_product(self, other: Self) -> (Self, Self) {
+        (self * other, Self::zero())
+    }
+    /// A number whose reciprocal times any square of a length is finite.
+    #[inline(always)]
+    fn tiny() -> Self {
+        Self::of(1e-280)
+    }
+
     /// Zero in every lane.
     fn zero() -> Self {
         Self::of(0.0)
@@ -75,5 +86,10 @@ impl Scalar for f64 {
     #[inline(always)]
     fn select(mask: bool, a: Self, b: Self) -> Self {
         if mask { a } else { b }
+    }
+    #[inline(always)]
+    fn two_product(self, other: Self) -> (Self, Self) {
+        let product = self * other;
+        (product, libm::fma(self, other, -product))
     }
 }

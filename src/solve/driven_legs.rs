@@ -13,7 +13,7 @@ use super::motion::{Branch2, Point, line, place, point, under};
 use super::state::{BodyState, State};
 use crate::group::{rrp, rrr};
 use crate::math::Vec2;
-use crate::plan::{DrivenJoint, DrivenLeg, DrivenPart, Hinge, Inner, OuterJoint, Slide};
+use crate::plan::{self, DrivenJoint, DrivenLeg, DrivenPart, Hinge, Inner, OuterJoint, Slide};
 
 /// The arm of a leg in the frame of its first body, with its derivatives.
 struct Arm {
@@ -69,7 +69,7 @@ impl State {
             None => {}
             Some(DrivenJoint::Shift { slide, drive }) => self.shift::<LEVEL>(branch, slide, *drive),
             Some(DrivenJoint::Turn { base, body, pin, drive, sign, .. }) => {
-                self.turn::<LEVEL>(branch, *body, base, *pin, *drive, Some(*sign));
+                self.turn::<LEVEL>(branch, *body, base, pin, *drive, Some(*sign));
             }
         }
     }
@@ -93,8 +93,8 @@ impl State {
                 alpha = group.acceleration(omega.0, omega.1, a_1, a_2);
             }
         }
-        place::<LEVEL>(&mut self.bodies[legs[0].body], legs[0].pin, ends[0], u[0], omega.0, alpha.0);
-        place::<LEVEL>(&mut self.bodies[legs[1].body], legs[1].pin, ends[1], u[1], omega.1, alpha.1);
+        place::<LEVEL>(&mut self.bodies[legs[0].body], &legs[0].pin, ends[0], u[0], omega.0, alpha.0);
+        place::<LEVEL>(&mut self.bodies[legs[1].body], &legs[1].pin, ends[1], u[1], omega.1, alpha.1);
         self.follow::<LEVEL>(branch, &legs[0]);
         self.follow::<LEVEL>(branch, &legs[1]);
         self.sines[branch] = at.sine;
@@ -105,7 +105,7 @@ impl State {
         branch: usize,
         leg: &DrivenLeg,
         slide: &Slide,
-        pin: Vec2,
+        pin: &plan::Arm,
         from_point: Vec2,
     ) {
         let Branch2 { root, .. } = self.branch(branch, 0);
@@ -127,7 +127,7 @@ impl State {
                 (alpha, s_ddot) = group.acceleration(omega, s_dot, a_A, g.a, base.omega);
             }
         }
-        place::<LEVEL>(&mut self.bodies[leg.body], leg.pin, a, u, omega, alpha);
+        place::<LEVEL>(&mut self.bodies[leg.body], &leg.pin, a, u, omega, alpha);
         self.place_slider::<LEVEL>(slide, guide.along, pin, at.p_C, s_dot, s_ddot);
         self.follow::<LEVEL>(branch, leg);
         self.sines[branch] = at.sine;
@@ -151,13 +151,13 @@ impl State {
         ends: [usize; 2],
         driven: &[Option<DrivenPart>; 2],
     ) -> f64 {
-        let p_A = self.bodies[first.body].position(first.pin);
+        let p_A = self.bodies[first.body].pin(&first.pin).0;
         let p_C = self.bodies[ends[0]].position(inner.pin);
         let r_1 = p_C - p_A;
         let (F_1, M_1) = self.link_load(first.body, ends[0], p_A);
         let (f_C, sine) = match second {
             OuterJoint::Hinge(hinge) => {
-                let p_B = self.bodies[hinge.body].position(hinge.pin);
+                let p_B = self.bodies[hinge.body].pin(&hinge.pin).0;
                 let r_2 = p_C - p_B;
                 let (F_2, M_2) = self.link_load(hinge.body, ends[1], p_B);
                 let got = rrr::Rrr::new(r_1, r_2).reactions(F_1, M_1, F_2, M_2);

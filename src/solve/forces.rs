@@ -1,9 +1,9 @@
 //! Runs the steps of forces: reactions group by group, each passed on to the bodies that carry it.
 
-use super::state::{Reaction, State};
+use super::state::{Reaction, Shared, State};
 use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
 use crate::math::Vec2;
-use crate::plan::{EffortLine, ForceStep, Hinge, Inner, Plan, Way};
+use crate::plan::{Arm, EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 
 impl State {
     /// Runs all steps of forces from the loads in `wrenches`, to which it adds the reactions. Allocates nothing.
@@ -32,8 +32,8 @@ impl State {
         match step {
             ForceStep::Turn { hinge, effort, value } => self.force_turn(hinge, effort, *value),
             ForceStep::Shift { way, effort, value } => self.force_shift(way, effort, *value),
-            ForceStep::Rrr { outer, inner, scale } => self.force_rrr(outer, inner, *scale),
-            ForceStep::Rrp { outer, inner, way, scale } => self.force_rrp(outer, inner, way, *scale),
+            ForceStep::Rrr { outer, inner, motion } => self.force_rrr(outer, inner, *motion),
+            ForceStep::Rrp { outer, inner, way, motion } => self.force_rrp(outer, inner, way, *motion),
             ForceStep::DrivenLegs { outer, inner, ends, driven } => {
                 self.force_driven_legs(outer, inner, *ends, driven)
             }
@@ -63,6 +63,14 @@ impl State {
     pub(super) fn load_about(&self, body: usize, p: Vec2) -> (Vec2, f64) {
         let w = &self.wrenches[body];
         (w.force, w.moment - (p - self.bodies[body].p).cross(w.force))
+    }
+
+    /// The place of a pin, with the force on its body so far and its moment about it.
+    #[inline(always)]
+    fn load_at(&self, body: usize, pin: &Arm) -> (Vec2, Vec2, f64) {
+        let w = &self.wrenches[body];
+        let (p, r) = self.bodies[body].pin(pin);
+        (p, w.force, r.map_or(w.moment, |r| w.moment - r.cross(w.force)))
     }
 
     /// The opposite of a force and couple at a place, on the body that carries it.
@@ -111,8 +119,7 @@ impl State {
         effort: &EffortLine,
         (slot, sign): (usize, f64),
     ) -> f64 {
-        let p = self.bodies[hinge.body].position(hinge.pin);
-        let (force, moment) = self.load_about(hinge.body, p);
+        let (p, force, moment) = self.load_at(hinge.body, &hinge.pin);
         match effort {
             EffortLine::Torque { base, .. } => {
                 self.efforts[slot] = -moment * sign;
@@ -162,45 +169,55 @@ impl State {
     }
 
     #[inline(always)]
-    fn force_rrr(&mut self, outer: &[Hinge; 2], inner: &Inner, scale: f64) -> f64 {
+    fn force_rrr(&mut self, outer: &[Hinge; 2], inner: &Inner, motion: Option<usize>) -> f64 {
         let [one, two] = outer;
-        let (body_1, body_2) = (&self.bodies[one.body], &self.bodies[two.body]);
-        let (p_A, p_B) = (body_1.position(one.pin), body_2.position(two.pin));
-        let r_1 = (inner.pin - one.pin).turned(body_1.u);
-        let r_2 = (inner.second_pin - two.pin).turned(body_2.u);
-        let (F_1, M_1) = self.load_about(one.body, p_A);
-        let (F_2, M_2) = self.load_about(two.body, p_B);
-        let got = rrr::Rrr::new(r_1, r_2).reactions(F_1, M_1, F_2, M_2);
+        let (group, sine) = match motion {
+            Some(step) => {
+                let Shared { r_1, second, inverse } = self.shared[step];
+                (rrr::Rrr { r_1, r_2: second, inverse }, self.sines[step])
+            }
+            None => {
+                let [r_1, r_2] = [0, 1].map(|i| inner.arms[i].turned(self.bodies[outer[i].body].u));
+                (rrr::Rrr::new(r_1, r_2), r_1.cross(r_2) / (r_1.norm() * r_2.norm()))
+            }
+        };
+        let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
+        let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
+        let got = group.reactions(F_1, M_1, F_2, M_2);
         self.hinge_reaction(one, p_A, got.f_A);
         self.hinge_reaction(two, p_B, got.f_B);
         self.reactions[inner.slot] = Reaction { force: got.f_C * inner.sign, couple: 0.0 };
-        r_1.cross(r_2) * scale
+        sine
     }
 
     #[inline(always)]
-    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way, scale: f64) -> f64 {
-        let body_1 = &self.bodies[outer.body];
-        let p_A = body_1.position(outer.pin);
-        let r_1 = (inner.pin - outer.pin).turned(body_1.u);
-        let p_C = p_A + r_1;
-        let d = self.direction(way);
-        let (F_1, M_1) = self.load_about(outer.body, p_A);
+    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way, motion: Option<usize>) -> f64 {
+        let (group, sine) = match motion {
+            Some(step) => {
+                let Shared { r_1, second, inverse } = self.shared[step];
+                (rrp::Rrp { r_1, d: second, inverse }, self.sines[step])
+            }
+            None => {
+                let (r_1, d) = (inner.arms[0].turned(self.bodies[outer.body].u), self.direction(way));
+                (rrp::Rrp::new(r_1, d), r_1.dot(d) / r_1.norm())
+            }
+        };
+        let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
+        let p_C = p_A + group.r_1;
         let (F_2, M_2) = self.load_about(way.body, p_C);
-        let got = rrp::Rrp::new(r_1, d).reactions(F_1, M_1, F_2, M_2);
+        let got = group.reactions(F_1, M_1, F_2, M_2);
         self.hinge_reaction(outer, p_A, got.f_A);
         self.reactions[inner.slot] = Reaction { force: got.f_C * inner.sign, couple: 0.0 };
-        self.carried_way(way, p_C, d.perp() * got.normal, got.couple);
-        r_1.dot(d) * scale
+        self.carried_way(way, p_C, group.d.perp() * got.normal, got.couple);
+        sine
     }
 
     #[inline(always)]
     fn force_rpr(&mut self, outer: &[Hinge; 2], way: &Way) -> f64 {
         let [one, two] = outer;
-        let p_A = self.bodies[one.body].position(one.pin);
-        let p_B = self.bodies[two.body].position(two.pin);
+        let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
+        let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
         let (r, e) = (p_B - p_A, self.direction(way));
-        let (F_1, M_1) = self.load_about(one.body, p_A);
-        let (F_2, M_2) = self.load_about(two.body, p_B);
         let s = r.dot(e);
         let got = rpr::Rpr::new(r, e, e.cross(r), s).reactions(F_1, M_1, F_2, M_2);
         self.hinge_reaction(one, p_A, got.f_A);
@@ -226,10 +243,9 @@ impl State {
 
     #[inline(always)]
     fn force_rpp(&mut self, outer: &Hinge, inner: &Way, way: &Way) -> f64 {
-        let p_A = self.bodies[outer.body].position(outer.pin);
+        let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
         let p_R = self.bodies[way.slider].position(way.point);
         let (d_1, d_2) = (self.direction(inner), self.direction(way));
-        let (F_1, M_1) = self.load_about(outer.body, p_A);
         let (F_2, M_2) = self.load_about(way.body, p_R);
         let s_1 = (p_A - p_R).dot(d_1);
         let got = rpp::Rpp::new(d_1, d_2).reactions(s_1, F_1, M_1, F_2, M_2);

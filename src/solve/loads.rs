@@ -1,13 +1,13 @@
 //! Adds up the loads on the bodies before forces are solved.
 
 use super::solution::Scene;
-use super::state::{State, Wrench};
+use super::state::{BodyState, State, Wrench};
 use super::view::View;
 use crate::force::spring::spring;
 use crate::math::Vec2;
-use crate::model::{LoadId, LoadKind, Query, SpringId, Value};
-use crate::plan::LoadStep;
-use crate::structure::{EffortKind, JointKind};
+use crate::model::{LoadId, LoadKind, Query, Value};
+use crate::plan::{Arm, LoadStep, Plan};
+use crate::structure::JointKind;
 
 impl State {
     /// Adds a force at a place in ground axes.
@@ -19,25 +19,27 @@ impl State {
         w.moment += r.cross(force);
     }
 
-    /// Sums all loads in `wrenches`. Loads that are numbers allocate nothing and look up nothing; the rest is evaluated through `view`,
-    /// which is made of the state where there is any.
+    /// Sums all loads in `wrenches`: those that are numbers, then the values of those that are evaluated at every position,
+    /// as [`View::evaluated_loads`] lists them. Allocates nothing.
     pub fn run_loads(&mut self, scene: &Scene<'_>, evaluated: &[(LoadId, Value)]) {
-        self.wrenches.fill(Wrench::default());
-        for step in &scene.plan.loads {
+        self.known_loads(scene.plan);
+        for (load, value) in evaluated {
+            self.apply_evaluated(scene, *load, *value);
+        }
+    }
+
+    /// The loads that need no evaluation.
+    fn known_loads(&mut self, plan: &Plan) {
+        for &body in &plan.massless {
+            self.wrenches[body] = Wrench::default();
+        }
+        for step in &plan.loads {
             match step {
-                LoadStep::Mass { body, centre, mass, moment_of_inertia, gravity, inertia } => {
+                LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, inertia } => {
                     let b = &self.bodies[*body];
-                    let r = centre.turned(b.u);
-                    let mut force = *gravity * *mass;
-                    let mut couple = 0.0;
-                    if *inertia {
-                        let a_S = b.a + r.perp() * b.alpha - r * (b.omega * b.omega);
-                        force -= a_S * *mass;
-                        couple = -moment_of_inertia * b.alpha;
-                    }
-                    let w = &mut self.wrenches[*body];
-                    w.force += force;
-                    w.moment += r.cross(force) + couple;
+                    let heavy = Heavy { mass: *mass, moment_of_inertia: *moment_of_inertia, weight: *weight };
+                    self.wrenches[*body] =
+                        if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };
                 }
                 LoadStep::Force { body, at, force, frame, .. } => {
                     let force = frame.map_or(*force, |f| force.turned(self.bodies[f].u));
@@ -45,23 +47,17 @@ impl State {
                     self.apply(*body, p, force);
                 }
                 LoadStep::Torque { body, torque, .. } => self.wrenches[*body].moment += torque,
-                LoadStep::Spring(id) => self.apply_spring(scene, *id),
+                LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
+                    let (b_1, b_2) = (&self.bodies[one.body], &self.bodies[two.body]);
+                    let (p_1, p_2) = (b_1.position(one.at), b_2.position(two.at));
+                    let v = b_2.velocity(two.at) - b_1.velocity(one.at);
+                    let got = spring(p_2 - p_1, v, *stiffness, *free_length, *damping);
+                    self.apply(one.body, p_1, got.f_1);
+                    self.apply(two.body, p_2, -got.f_1);
+                }
                 LoadStep::Evaluated(_) => {}
             }
         }
-        for (load, value) in evaluated {
-            self.apply_evaluated(scene, *load, *value);
-        }
-    }
-
-    fn apply_spring(&mut self, scene: &Scene<'_>, id: SpringId) {
-        let s = &scene.mechanism.springs[id.index()];
-        let (one, two) = (self.bodies[s.from.0.index()], self.bodies[s.to.0.index()]);
-        let (p_1, p_2) = (one.position(s.from.1), two.position(s.to.1));
-        let v = two.velocity(s.to.1) - one.velocity(s.from.1);
-        let got = spring(p_2 - p_1, v, s.stiffness, s.free_length, s.damping);
-        self.apply(s.from.0.index(), p_1, got.f_1);
-        self.apply(s.to.0.index(), p_2, -got.f_1);
     }
 
     fn apply_evaluated(&mut self, scene: &Scene<'_>, id: LoadId, value: Value) {
@@ -112,22 +108,39 @@ impl State {
     }
 
     /// Sets the lines of unknown forces.
-    pub fn set_lines(&mut self, scene: &Scene<'_>) {
-        for (slot, effort) in scene.structure.efforts.iter().enumerate() {
-            let EffortKind::Line(_) = effort.kind else { continue };
-            let crate::structure::EffortSource::Balance(id) = effort.source else { continue };
-            let crate::model::BalanceKind::Force { on, at, along, frame } =
-                &scene.mechanism.balances[id.index()].kind
-            else {
-                continue;
-            };
-            let p = match at {
-                crate::model::Place::Local(at) => self.bodies[on.index()].position(*at),
-                crate::model::Place::Ground(expr) => constant_vector(expr),
-            };
-            let n = frame.map_or(*along, |f| along.turned(self.bodies[f.index()].u));
-            self.lines[slot] = (p, n);
+    pub fn set_lines(&mut self, plan: &Plan) {
+        for line in &plan.lines {
+            let p = self.bodies[line.body].position(line.at);
+            let n = line.frame.map_or(line.along, |f| line.along.turned(self.bodies[f].u));
+            self.lines[line.effort] = (p, n);
         }
+    }
+}
+
+/// The mass of a body: what it adds about the body's origin.
+struct Heavy {
+    mass: f64,
+    moment_of_inertia: f64,
+    weight: Vec2,
+}
+
+impl Heavy {
+    #[inline(always)]
+    fn at_rest(&self, body: &BodyState, centre: &Arm) -> Wrench {
+        let moment = centre.map_or(0.0, |centre| centre.turned(body.u).cross(self.weight));
+        Wrench { force: self.weight, moment }
+    }
+
+    #[inline(always)]
+    fn moving(&self, body: &BodyState, centre: &Arm) -> Wrench {
+        let couple = self.moment_of_inertia * body.alpha;
+        let Some(centre) = centre else {
+            return Wrench { force: self.weight - body.a * self.mass, moment: -couple };
+        };
+        let r = centre.turned(body.u);
+        let a_S = body.a + r.perp() * body.alpha - r * (body.omega * body.omega);
+        let force = self.weight - a_S * self.mass;
+        Wrench { force, moment: r.cross(force) - couple }
     }
 }
 

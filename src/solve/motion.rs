@@ -2,10 +2,11 @@
 //!
 //! `LEVEL` is 0 for positions, 1 with velocities, 2 with accelerations: what is not followed is not compiled in.
 
-use super::state::{BodyState, State};
-use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
+use super::state::{BodyState, Shared, State};
+use crate::group::rrr::Sides;
+use crate::group::{pp, prp, rpp, rpr, rrp};
 use crate::math::Vec2;
-use crate::plan::{Anchor, Leg, MotionStep, Plan, Slide};
+use crate::plan::{Anchor, Arm, Leg, MotionStep, Plan, Slide};
 
 /// Rounding alone may leave a group at a dead centre this much short of closing, relative to its lengths.
 const CLOSURE: f64 = 16.0 * f64::EPSILON;
@@ -64,25 +65,39 @@ pub(super) fn line(bodies: &[BodyState], slide: &Slide) -> Line {
     Line { origin: base.position(slide.origin), along: slide.along.turned(base.u) }
 }
 
-/// Puts a body so that its point `at` moves as given, at direction `u`, angular velocity and acceleration as given.
+/// Puts a body so that its pin moves as given, at direction `u`, angular velocity and acceleration as given.
 #[inline(always)]
 pub(super) fn place<const LEVEL: u8>(
     body: &mut BodyState,
-    at: Vec2,
+    pin: &Arm,
     point: Point,
     u: Vec2,
     omega: f64,
     alpha: f64,
 ) {
-    let r = at.turned(u);
-    body.p = point.p - r;
     body.u = u;
     if LEVEL > 0 {
         body.omega = omega;
-        body.v = point.v - r.perp() * omega;
     }
     if LEVEL > 1 {
         body.alpha = alpha;
+    }
+    let Some(at) = pin else {
+        body.p = point.p;
+        if LEVEL > 0 {
+            body.v = point.v;
+        }
+        if LEVEL > 1 {
+            body.a = point.a;
+        }
+        return;
+    };
+    let r = at.turned(u);
+    body.p = point.p - r;
+    if LEVEL > 0 {
+        body.v = point.v - r.perp() * omega;
+    }
+    if LEVEL > 1 {
         body.a = point.a - r.perp() * alpha + r * (omega * omega);
     }
 }
@@ -102,7 +117,7 @@ impl State {
         for &(body, at, drive) in &plan.outer {
             let input = self.inputs[drive];
             let point = Point { p: input.place, v: input.velocity, a: input.point_acceleration };
-            place::<2>(&mut self.bodies[body], at, point, Vec2::new(1.0, 0.0), 0.0, 0.0);
+            place::<2>(&mut self.bodies[body], &Some(at), point, Vec2::new(1.0, 0.0), 0.0, 0.0);
         }
     }
 
@@ -132,23 +147,23 @@ impl State {
     pub fn step<const LEVEL: u8>(&mut self, plan: &Plan, step: &MotionStep) {
         match step {
             MotionStep::Turn { branch, body, base, pin, drive, relative } => {
-                self.turn::<LEVEL>(*branch, *body, base, *pin, *drive, *relative);
+                self.turn::<LEVEL>(*branch, *body, base, pin, *drive, *relative);
             }
             MotionStep::Shift { branch, slide, drive } => self.shift::<LEVEL>(*branch, slide, *drive),
-            MotionStep::Rrr { branch, legs } => self.rrr::<LEVEL>(*branch, legs),
+            MotionStep::Rrr { branch, legs, sides } => self.rrr::<LEVEL>(*branch, legs, sides),
             MotionStep::Rrp { branch, leg, slide, pin, from_point } => {
-                self.rrp::<LEVEL>(*branch, leg, slide, *pin, *from_point);
+                self.rrp::<LEVEL>(*branch, leg, slide, pin, *from_point);
             }
             MotionStep::DrivenRrr { branch, legs } => self.driven_rrr::<LEVEL>(*branch, legs),
             MotionStep::DrivenRrp { branch, leg, slide, pin, from_point } => {
-                self.driven_rrp::<LEVEL>(*branch, leg, slide, *pin, *from_point);
+                self.driven_rrp::<LEVEL>(*branch, leg, slide, pin, *from_point);
             }
             MotionStep::Rpr { .. } => self.rpr::<LEVEL>(step),
             MotionStep::Prp { branch, slides, pins, from_point } => {
                 self.prp::<LEVEL>(*branch, slides, pins, from_point);
             }
             MotionStep::Rpp { branch, base, pin, inner, outer } => {
-                self.rpp::<LEVEL>(*branch, base, *pin, inner, outer);
+                self.rpp::<LEVEL>(*branch, base, pin, inner, outer);
             }
             MotionStep::Translation { branch, slides } => self.translation::<LEVEL>(*branch, slides),
             MotionStep::General { branch, problem } => {
@@ -159,9 +174,10 @@ impl State {
 
     #[inline(always)]
     pub(super) fn closes(&mut self, branch: usize, closure: f64, scale: f64) {
-        if (closure < -CLOSURE * scale || closure.is_nan()) && self.open.is_none() {
-            self.open = Some(branch);
+        if closure >= -CLOSURE * scale {
+            return;
         }
+        self.open.get_or_insert(branch);
     }
 
     #[inline(never)]
@@ -170,7 +186,7 @@ impl State {
         branch: usize,
         body: usize,
         base: &Anchor,
-        pin: Vec2,
+        pin: &Arm,
         drive: usize,
         relative: Option<f64>,
     ) {
@@ -201,54 +217,60 @@ impl State {
         self.place_slider::<LEVEL>(
             slide,
             guide.along,
-            slide.point,
+            &Some(slide.point),
             p,
             slide.sense * input.rate,
             slide.sense * input.acceleration,
         );
     }
 
-    /// Puts a sliding body with its point `at` at `p`, moving along the guide.
+    /// Puts a sliding body with its pin at `p`, moving along the guide.
     #[inline(always)]
     pub(super) fn place_slider<const LEVEL: u8>(
         &mut self,
         slide: &Slide,
         d: Vec2,
-        at: Vec2,
+        pin: &Arm,
         p: Vec2,
         s_dot: f64,
         s_ddot: f64,
     ) {
+        if slide.base == 0 {
+            let moved = Point { p, v: d * s_dot, a: d * s_ddot };
+            place::<LEVEL>(&mut self.bodies[slide.body], pin, moved, slide.turn, 0.0, 0.0);
+            return;
+        }
         let base = self.bodies[slide.base];
         let moved = slid::<LEVEL>(&base, under::<LEVEL>(&base, p), d, s_dot, s_ddot);
-        let u = d.turned_back(slide.direction);
-        place::<LEVEL>(&mut self.bodies[slide.body], at, moved, u, base.omega, base.alpha);
+        let u = slide.turn.turned(base.u);
+        place::<LEVEL>(&mut self.bodies[slide.body], pin, moved, u, base.omega, base.alpha);
     }
 
     #[inline(never)]
-    fn rrr<const LEVEL: u8>(&mut self, branch: usize, legs: &[Leg; 2]) {
+    fn rrr<const LEVEL: u8>(&mut self, branch: usize, legs: &[Leg; 2], sides: &Sides<f64>) {
         let [one, two] = legs;
         let a = point::<LEVEL>(&self.bodies, &one.base);
         let b = point::<LEVEL>(&self.bodies, &two.base);
-        let at = rrr::position(a.p, b.p, one.length, two.length, self.branches[branch].root);
+        let at = sides.position(a.p, b.p, self.branches[branch].root);
         self.sines[branch] = at.sine;
         self.closes(branch, at.closure, one.length + two.length);
-        let u_1 = (at.r_1 * one.inverse).turned_back(one.direction);
-        let u_2 = (at.r_2 * two.inverse).turned_back(two.direction);
+        self.shared[branch] = Shared { r_1: at.r_1, second: at.r_2, inverse: at.inverse };
+        let u_1 = at.r_1.turned_back(one.turn);
+        let u_2 = at.r_2.turned_back(two.turn);
         let (mut omega, mut alpha) = ((0.0, 0.0), (0.0, 0.0));
         if LEVEL > 0 {
-            let group = rrr::Rrr::new(at.r_1, at.r_2);
+            let group = at.group();
             omega = group.velocity(a.v, b.v);
             if LEVEL > 1 {
                 alpha = group.acceleration(omega.0, omega.1, a.a, b.a);
             }
         }
-        place::<LEVEL>(&mut self.bodies[one.body], one.pin, a, u_1, omega.0, alpha.0);
-        place::<LEVEL>(&mut self.bodies[two.body], two.pin, b, u_2, omega.1, alpha.1);
+        place::<LEVEL>(&mut self.bodies[one.body], &one.pin, a, u_1, omega.0, alpha.0);
+        place::<LEVEL>(&mut self.bodies[two.body], &two.pin, b, u_2, omega.1, alpha.1);
     }
 
     #[inline(never)]
-    fn rrp<const LEVEL: u8>(&mut self, branch: usize, leg: &Leg, slide: &Slide, pin: Vec2, from_point: Vec2) {
+    fn rrp<const LEVEL: u8>(&mut self, branch: usize, leg: &Leg, slide: &Slide, pin: &Arm, from_point: Vec2) {
         let Branch2 { root, side } = self.branch(branch, 0);
         let a = point::<LEVEL>(&self.bodies, &leg.base);
         let guide = line(&self.bodies, slide);
@@ -256,18 +278,19 @@ impl State {
         let at = rrp::position(a.p, leg.length, guide.origin, guide.along, h, root);
         self.sines[branch] = at.sine;
         self.closes(branch, at.closure, leg.length);
-        let u_1 = (at.r_1 * leg.inverse).turned_back(leg.direction);
+        self.shared[branch] = Shared { r_1: at.r_1, second: guide.along, inverse: at.inverse };
+        let u_1 = at.r_1.turned_back(leg.turn);
         let (mut omega_1, mut alpha_1, mut s_dot, mut s_ddot) = (0.0, 0.0, 0.0, 0.0);
         if LEVEL > 0 {
             let base = &self.bodies[slide.base];
             let g = under::<LEVEL>(base, at.p_C);
-            let group = rrp::Rrp::new(at.r_1, guide.along);
+            let group = rrp::Rrp { r_1: at.r_1, d: guide.along, inverse: at.inverse };
             (omega_1, s_dot) = group.velocity(a.v, g.v);
             if LEVEL > 1 {
                 (alpha_1, s_ddot) = group.acceleration(omega_1, s_dot, a.a, g.a, base.omega);
             }
         }
-        place::<LEVEL>(&mut self.bodies[leg.body], leg.pin, a, u_1, omega_1, alpha_1);
+        place::<LEVEL>(&mut self.bodies[leg.body], &leg.pin, a, u_1, omega_1, alpha_1);
         self.place_slider::<LEVEL>(slide, guide.along, pin, at.p_C, s_dot, s_ddot);
     }
 
@@ -292,8 +315,8 @@ impl State {
                 alpha = group.acceleration(w, s_dot, a.a, b.a).0;
             }
         }
-        place::<LEVEL>(&mut self.bodies[slide.base], pins[0], a, u_1, omega, alpha);
-        place::<LEVEL>(&mut self.bodies[slide.body], pins[1], b, u_2, omega, alpha);
+        place::<LEVEL>(&mut self.bodies[slide.base], &pins[0], a, u_1, omega, alpha);
+        place::<LEVEL>(&mut self.bodies[slide.body], &pins[1], b, u_2, omega, alpha);
     }
 
     #[inline(never)]
@@ -301,7 +324,7 @@ impl State {
         &mut self,
         branch: usize,
         slides: &[Slide; 2],
-        pins: &[Vec2; 2],
+        pins: &[Arm; 2],
         from_point: &[Vec2; 2],
     ) {
         let sides = self.branches[branch].sides;
@@ -319,8 +342,8 @@ impl State {
                 second = group.acceleration(rate.0, g[0].a, bases[0].omega, rate.1, g[1].a, bases[1].omega);
             }
         }
-        self.place_slider::<LEVEL>(&slides[0], guides[0].along, pins[0], at.p_C, rate.0, second.0);
-        self.place_slider::<LEVEL>(&slides[1], guides[1].along, pins[1], at.p_C, rate.1, second.1);
+        self.place_slider::<LEVEL>(&slides[0], guides[0].along, &pins[0], at.p_C, rate.0, second.0);
+        self.place_slider::<LEVEL>(&slides[1], guides[1].along, &pins[1], at.p_C, rate.1, second.1);
     }
 
     #[inline(never)]
@@ -328,7 +351,7 @@ impl State {
         &mut self,
         branch: usize,
         base: &Anchor,
-        pin: Vec2,
+        pin: &Arm,
         inner: &Slide,
         outer: &Slide,
     ) {
@@ -336,7 +359,8 @@ impl State {
         let a = point::<LEVEL>(&self.bodies, base);
         let guide = line(&self.bodies, outer);
         let d_1 = inner.along.turned(guide.along.turned_back(outer.direction));
-        let h_1 = (pin - inner.point).turned_back(inner.direction).y + sides[0] * inner.radius;
+        let h_1 = (pin.unwrap_or(Vec2::zero()) - inner.point).turned_back(inner.direction).y
+            + sides[0] * inner.radius;
         let h_2 = (inner.origin - outer.point).turned_back(outer.direction).y + sides[1] * outer.radius;
         let group = rpp::Rpp::new(d_1, guide.along);
         let at = group.position(a.p, h_1, guide.origin, h_2);
@@ -350,7 +374,7 @@ impl State {
                 second = group.acceleration(rate.0, rate.1, a.a, g.a, carrier.omega);
             }
         }
-        self.place_slider::<LEVEL>(outer, guide.along, inner.origin, at.p_R, rate.1, second.1);
+        self.place_slider::<LEVEL>(outer, guide.along, &Some(inner.origin), at.p_R, rate.1, second.1);
         let u_1 = d_1.turned_back(inner.direction);
         place::<LEVEL>(&mut self.bodies[inner.body], pin, a, u_1, carrier.omega, carrier.alpha);
     }
@@ -373,7 +397,14 @@ impl State {
                 second = group.acceleration(rate.0, g[0].a, rate.1, g[1].a, bases[0].omega);
             }
         }
-        self.place_slider::<LEVEL>(&slides[0], guides[0].along, slides[0].point, at.p_C, rate.0, second.0);
+        self.place_slider::<LEVEL>(
+            &slides[0],
+            guides[0].along,
+            &Some(slides[0].point),
+            at.p_C,
+            rate.0,
+            second.0,
+        );
     }
 
     #[inline(always)]

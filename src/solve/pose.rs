@@ -88,7 +88,7 @@ impl Run<'_, '_> {
         View { quantities: &motion, ..view }.evaluated_loads(&mut self.evaluated);
         state.run_loads(scene, &self.evaluated);
         state.applied.clone_from(&state.wrenches);
-        state.set_lines(scene);
+        state.set_lines(scene.plan);
         state.locked = false;
         if scene.plan.effects.friction {
             state.set_senses(scene.plan);

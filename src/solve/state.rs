@@ -3,7 +3,7 @@
 use super::friction::RubbingWork;
 use super::general::Workspace;
 use crate::math::Vec2;
-use crate::plan::{ForceStep, Plan};
+use crate::plan::{Arm, ForceStep, Plan};
 
 /// Motion of a body: its origin and direction with their derivatives, in ground axes.
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +38,18 @@ impl BodyState {
     #[must_use]
     pub fn position(&self, at: Vec2) -> Vec2 {
         self.p + at.turned(self.u)
+    }
+
+    /// Position of a pin, m, and its arm from the origin in ground axes where it has one.
+    #[inline(always)]
+    pub(super) fn pin(&self, pin: &Arm) -> (Vec2, Option<Vec2>) {
+        match pin {
+            None => (self.p, None),
+            Some(at) => {
+                let r = at.turned(self.u);
+                (self.p + r, Some(r))
+            }
+        }
     }
 
     /// Velocity of a point of the body, m/s.
@@ -107,6 +119,17 @@ pub struct Reaction {
     pub couple: f64,
 }
 
+/// What a dyad RRR or RRP of motion leaves for forces.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Shared {
+    /// C − A, m.
+    pub r_1: Vec2,
+    /// C − B, m, or the direction of the guide.
+    pub second: Vec2,
+    /// The reciprocal of the group's determinant.
+    pub inverse: f64,
+}
+
 /// The state of one position.
 #[derive(Clone, Debug)]
 pub struct State {
@@ -120,6 +143,8 @@ pub struct State {
     pub sines: Vec<f64>,
     /// The first group that does not close.
     pub open: Option<usize>,
+    /// What the dyads RRR and RRP of motion leave for forces.
+    pub(super) shared: Vec<Shared>,
     /// Loads on the bodies before reactions are added, kept for the residuals.
     pub applied: Vec<Wrench>,
     /// Loads, to which the steps of forces add the reactions found so far.
@@ -156,6 +181,7 @@ impl State {
             branches: vec![Branch::FIRST; plan.motion.len()],
             sines: vec![1.0; plan.motion.len()],
             open: None,
+            shared: vec![Shared::default(); plan.motion.len()],
             applied: vec![Wrench::default(); plan.bodies],
             wrenches: vec![Wrench::default(); plan.bodies],
             reactions: vec![Reaction::default(); plan.reactions.len()],
