@@ -92,7 +92,7 @@ fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> 
     let way_of = |i: usize| way(structure, group.joints[i], first_slot + i);
     let inner_hinge = || Inner {
         pin: pin(&structure.replaced, inner, first.body),
-        second_pin: pin(&structure.replaced, inner, second.body),
+        second_pin: pin_arm(&structure.replaced, inner, second.body),
         arms: [first, second]
             .map(|o| pin(&structure.replaced, inner, o.body) - pin(&structure.replaced, o, o.body)),
         slot: first_slot + 1,
@@ -146,7 +146,7 @@ fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dy
     };
     let inner_hinge = Inner {
         pin: pin(&structure.replaced, inner, ends[0]),
-        second_pin: pin(&structure.replaced, inner, ends[1]),
+        second_pin: pin_arm(&structure.replaced, inner, ends[1]),
         arms: [Vec2::zero(); 2],
         slot: first_slot + 1,
         sign: if inner.body == ends[1] { 1.0 } else { -1.0 },

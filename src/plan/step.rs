@@ -397,8 +397,8 @@ pub struct DrivenPart {
 pub struct Inner {
     /// The pin in the first body's frame, m.
     pub pin: Vec2,
-    /// The pin in the second body's frame, m.
-    pub second_pin: Vec2,
+    /// The pin in the second body's frame.
+    pub second_pin: Arm,
     /// From the outer pins to this one in the frames of their bodies, m; of a guide nothing.
     pub arms: [Vec2; 2],
     /// Slot of the reaction.

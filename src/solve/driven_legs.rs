@@ -10,7 +10,7 @@
 //! the equations of the dyad, with v_A + ẇ in place of v_A and a_A + 2 ω × ẇ + ẅ in place of a_A.
 
 use super::motion::{Branch2, Point, line, place, point, under};
-use super::state::{BodyState, State};
+use super::state::State;
 use crate::group::{rrp, rrr};
 use crate::math::Vec2;
 use crate::plan::{self, DrivenJoint, DrivenLeg, DrivenPart, Hinge, Inner, OuterJoint, Slide};
@@ -118,13 +118,12 @@ impl State {
         let u = at.r_1.turned_back(arm.w) / (length * length);
         let (mut omega, mut alpha, mut s_dot, mut s_ddot) = (0.0, 0.0, 0.0, 0.0);
         if LEVEL > 0 {
-            let base: &BodyState = &self.bodies[slide.base];
-            let g = under::<LEVEL>(base, at.p_C);
+            let g = under::<LEVEL>(&self.bodies, slide.base, at.p_C);
             let group = rrp::Rrp::new(at.r_1, guide.along);
             (omega, s_dot) = group.velocity(drifted::<LEVEL>(a, &arm, u, 0.0).v, g.v);
             if LEVEL > 1 {
                 let a_A = drifted::<LEVEL>(a, &arm, u, omega).a;
-                (alpha, s_ddot) = group.acceleration(omega, s_dot, a_A, g.a, base.omega);
+                (alpha, s_ddot) = group.acceleration(omega, s_dot, a_A, g.a, self.bodies[slide.base].omega);
             }
         }
         place::<LEVEL>(&mut self.bodies[leg.body], &leg.pin, a, u, omega, alpha);

@@ -203,8 +203,7 @@ impl State {
             }
         };
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
-        let p_C = p_A + group.r_1;
-        let (F_2, M_2) = self.load_about(way.body, p_C);
+        let (p_C, F_2, M_2) = self.load_at(way.body, &inner.second_pin);
         let got = group.reactions(F_1, M_1, F_2, M_2);
         self.hinge_reaction(outer, p_A, got.f_A);
         self.reactions[inner.slot] = Reaction { force: got.f_C * inner.sign, couple: 0.0 };

@@ -45,7 +45,11 @@ pub(super) fn point<const LEVEL: u8>(bodies: &[BodyState], anchor: &Anchor) -> P
 
 /// Velocity and acceleration of the point of a body that lies at `p` now.
 #[inline(always)]
-pub(super) fn under<const LEVEL: u8>(body: &BodyState, p: Vec2) -> Point {
+pub(super) fn under<const LEVEL: u8>(bodies: &[BodyState], body: usize, p: Vec2) -> Point {
+    if body == 0 {
+        return Point { p, v: Vec2::new(0.0, 0.0), a: Vec2::new(0.0, 0.0) };
+    }
+    let body = &bodies[body];
     let r = p - body.p;
     let v = if LEVEL > 0 { body.v + r.perp() * body.omega } else { Vec2::new(0.0, 0.0) };
     let a = if LEVEL > 1 {
@@ -241,7 +245,7 @@ impl State {
             return;
         }
         let base = self.bodies[slide.base];
-        let moved = slid::<LEVEL>(&base, under::<LEVEL>(&base, p), d, s_dot, s_ddot);
+        let moved = slid::<LEVEL>(&base, under::<LEVEL>(&self.bodies, slide.base, p), d, s_dot, s_ddot);
         let u = slide.turn.turned(base.u);
         place::<LEVEL>(&mut self.bodies[slide.body], pin, moved, u, base.omega, base.alpha);
     }
@@ -282,12 +286,12 @@ impl State {
         let u_1 = at.r_1.turned_back(leg.turn);
         let (mut omega_1, mut alpha_1, mut s_dot, mut s_ddot) = (0.0, 0.0, 0.0, 0.0);
         if LEVEL > 0 {
-            let base = &self.bodies[slide.base];
-            let g = under::<LEVEL>(base, at.p_C);
+            let g = under::<LEVEL>(&self.bodies, slide.base, at.p_C);
             let group = rrp::Rrp { r_1: at.r_1, d: guide.along, inverse: at.inverse };
             (omega_1, s_dot) = group.velocity(a.v, g.v);
             if LEVEL > 1 {
-                (alpha_1, s_ddot) = group.acceleration(omega_1, s_dot, a.a, g.a, base.omega);
+                (alpha_1, s_ddot) =
+                    group.acceleration(omega_1, s_dot, a.a, g.a, self.bodies[slide.base].omega);
             }
         }
         place::<LEVEL>(&mut self.bodies[leg.body], &leg.pin, a, u_1, omega_1, alpha_1);
@@ -336,7 +340,7 @@ impl State {
         let (mut rate, mut second) = ((0.0, 0.0), (0.0, 0.0));
         if LEVEL > 0 {
             let bases = [&self.bodies[slides[0].base], &self.bodies[slides[1].base]];
-            let g = bases.map(|b| under::<LEVEL>(b, at.p_C));
+            let g = [0, 1].map(|i| under::<LEVEL>(&self.bodies, slides[i].base, at.p_C));
             rate = group.velocity(g[0].v, g[1].v);
             if LEVEL > 1 {
                 second = group.acceleration(rate.0, g[0].a, bases[0].omega, rate.1, g[1].a, bases[1].omega);
@@ -368,7 +372,7 @@ impl State {
         let carrier = self.bodies[outer.base];
         let (mut rate, mut second) = ((0.0, 0.0), (0.0, 0.0));
         if LEVEL > 0 {
-            let g = under::<LEVEL>(&carrier, a.p);
+            let g = under::<LEVEL>(&self.bodies, outer.base, a.p);
             rate = group.velocity(a.v, g.v);
             if LEVEL > 1 {
                 second = group.acceleration(rate.0, rate.1, a.a, g.a, carrier.omega);
@@ -391,7 +395,7 @@ impl State {
         let (mut rate, mut second) = ((0.0, 0.0), (0.0, 0.0));
         if LEVEL > 0 {
             let bases = [&self.bodies[slides[0].base], &self.bodies[slides[1].base]];
-            let g = bases.map(|b| under::<LEVEL>(b, at.p_C));
+            let g = [0, 1].map(|i| under::<LEVEL>(&self.bodies, slides[i].base, at.p_C));
             rate = group.velocity(g[0].v, g[1].v);
             if LEVEL > 1 {
                 second = group.acceleration(rate.0, g[0].a, rate.1, g[1].a, bases[0].omega);
