@@ -92,6 +92,17 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
 }
 
 impl Plan {
+    /// Whether every step has a closed form and every load is a number, so that several positions go side by side.
+    #[must_use]
+    pub fn laned(&self) -> bool {
+        let closed = |step: &ForceStep| {
+            !matches!(step, ForceStep::General { .. } | ForceStep::Sequence(_) | ForceStep::Rubbing { .. })
+        };
+        self.general.is_empty()
+            && self.forces.iter().all(closed)
+            && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
+    }
+
     /// Slot of a link's body.
     #[must_use]
     pub fn is_imaginary(structure: &Structure, body: usize) -> bool {

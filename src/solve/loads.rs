@@ -4,59 +4,78 @@ use super::solution::Scene;
 use super::state::{BodyState, State, Wrench};
 use super::view::View;
 use crate::force::spring::spring;
-use crate::math::Vec2;
+use crate::math::{Scalar, V2, Vec2};
 use crate::model::{LoadId, LoadKind, Query, Value};
 use crate::plan::{Arm, LoadStep, Plan};
 use crate::structure::JointKind;
 
-impl State {
+impl<S: Scalar> State<S> {
     /// Adds a force at a place in ground axes.
     #[inline(always)]
-    fn apply(&mut self, body: usize, p: Vec2, force: Vec2) {
+    fn apply(&mut self, body: usize, p: V2<S>, force: V2<S>) {
         let r = p - self.bodies[body].p;
         let w = &mut self.wrenches[body];
         w.force += force;
-        w.moment += r.cross(force);
+        w.moment = w.moment + r.cross(force);
     }
 
+    /// The loads that need no evaluation.
+    #[inline(always)]
+    pub(super) fn known_loads(&mut self, plan: &Plan) {
+        for &body in &plan.massless {
+            self.wrenches[body] = Wrench { force: V2::zero(), moment: S::zero() };
+        }
+        for step in &plan.loads {
+            match step {
+                LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, inertia } => {
+                    let b = &self.bodies[*body];
+                    let heavy = Heavy {
+                        mass: S::of(*mass),
+                        moment_of_inertia: S::of(*moment_of_inertia),
+                        weight: V2::of(*weight),
+                    };
+                    self.wrenches[*body] =
+                        if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };
+                }
+                LoadStep::Force { body, at, force, frame, .. } => {
+                    let force = frame.map_or(V2::of(*force), |f| V2::of(*force).turned(self.bodies[f].u));
+                    let p = self.bodies[*body].position(*at);
+                    self.apply(*body, p, force);
+                }
+                LoadStep::Torque { body, torque, .. } => {
+                    self.wrenches[*body].moment = self.wrenches[*body].moment + S::of(*torque)
+                }
+                LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
+                    let (b_1, b_2) = (&self.bodies[one.body], &self.bodies[two.body]);
+                    let (p_1, p_2) = (b_1.position(one.at), b_2.position(two.at));
+                    let v = b_2.velocity(two.at) - b_1.velocity(one.at);
+                    let got = spring(p_2 - p_1, v, S::of(*stiffness), S::of(*free_length), S::of(*damping));
+                    self.apply(one.body, p_1, got.f_1);
+                    self.apply(two.body, p_2, -got.f_1);
+                }
+                LoadStep::Evaluated(_) => {}
+            }
+        }
+    }
+
+    /// Sets the lines of unknown forces.
+    #[inline(always)]
+    pub fn set_lines(&mut self, plan: &Plan) {
+        for line in &plan.lines {
+            let p = self.bodies[line.body].position(line.at);
+            let n = line.frame.map_or(V2::of(line.along), |f| V2::of(line.along).turned(self.bodies[f].u));
+            self.lines[line.effort] = (p, n);
+        }
+    }
+}
+
+impl State {
     /// Sums all loads in `wrenches`: those that are numbers, then the values of those that are evaluated at every position,
     /// as [`View::evaluated_loads`] lists them. Allocates nothing.
     pub fn run_loads(&mut self, scene: &Scene<'_>, evaluated: &[(LoadId, Value)]) {
         self.known_loads(scene.plan);
         for (load, value) in evaluated {
             self.apply_evaluated(scene, *load, *value);
-        }
-    }
-
-    /// The loads that need no evaluation.
-    fn known_loads(&mut self, plan: &Plan) {
-        for &body in &plan.massless {
-            self.wrenches[body] = Wrench::default();
-        }
-        for step in &plan.loads {
-            match step {
-                LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, inertia } => {
-                    let b = &self.bodies[*body];
-                    let heavy = Heavy { mass: *mass, moment_of_inertia: *moment_of_inertia, weight: *weight };
-                    self.wrenches[*body] =
-                        if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };
-                }
-                LoadStep::Force { body, at, force, frame, .. } => {
-                    let force = frame.map_or(*force, |f| force.turned(self.bodies[f].u));
-                    let p = self.bodies[*body].position(*at);
-                    self.apply(*body, p, force);
-                }
-                LoadStep::Torque { body, torque, .. } => self.wrenches[*body].moment += torque,
-                LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
-                    let (b_1, b_2) = (&self.bodies[one.body], &self.bodies[two.body]);
-                    let (p_1, p_2) = (b_1.position(one.at), b_2.position(two.at));
-                    let v = b_2.velocity(two.at) - b_1.velocity(one.at);
-                    let got = spring(p_2 - p_1, v, *stiffness, *free_length, *damping);
-                    self.apply(one.body, p_1, got.f_1);
-                    self.apply(two.body, p_2, -got.f_1);
-                }
-                LoadStep::Evaluated(_) => {}
-            }
         }
     }
 
@@ -106,38 +125,29 @@ impl State {
             }
         }
     }
-
-    /// Sets the lines of unknown forces.
-    pub fn set_lines(&mut self, plan: &Plan) {
-        for line in &plan.lines {
-            let p = self.bodies[line.body].position(line.at);
-            let n = line.frame.map_or(line.along, |f| line.along.turned(self.bodies[f].u));
-            self.lines[line.effort] = (p, n);
-        }
-    }
 }
 
 /// The mass of a body: what it adds about the body's origin.
-struct Heavy {
-    mass: f64,
-    moment_of_inertia: f64,
-    weight: Vec2,
+struct Heavy<S> {
+    mass: S,
+    moment_of_inertia: S,
+    weight: V2<S>,
 }
 
-impl Heavy {
+impl<S: Scalar> Heavy<S> {
     #[inline(always)]
-    fn at_rest(&self, body: &BodyState, centre: &Arm) -> Wrench {
-        let moment = centre.map_or(0.0, |centre| centre.turned(body.u).cross(self.weight));
+    fn at_rest(&self, body: &BodyState<S>, centre: &Arm) -> Wrench<S> {
+        let moment = centre.map_or(S::zero(), |centre| V2::of(centre).turned(body.u).cross(self.weight));
         Wrench { force: self.weight, moment }
     }
 
     #[inline(always)]
-    fn moving(&self, body: &BodyState, centre: &Arm) -> Wrench {
+    fn moving(&self, body: &BodyState<S>, centre: &Arm) -> Wrench<S> {
         let couple = self.moment_of_inertia * body.alpha;
         let Some(centre) = centre else {
             return Wrench { force: self.weight - body.a * self.mass, moment: -couple };
         };
-        let r = centre.turned(body.u);
+        let r = V2::of(*centre).turned(body.u);
         let a_S = body.a + r.perp() * body.alpha - r * (body.omega * body.omega);
         let force = self.weight - a_S * self.mass;
         Wrench { force, moment: r.cross(force) - couple }
