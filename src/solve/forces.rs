@@ -49,14 +49,6 @@ impl State {
 }
 
 impl<S: Scalar> State<S> {
-    /// Runs the steps of forces of a plan that has only closed forms.
-    #[inline(always)]
-    pub(super) fn closed_forces(&mut self, plan: &Plan) {
-        for (index, step) in plan.forces.iter().enumerate() {
-            self.force_sines[index] = self.closed_force(step);
-        }
-    }
-
     /// A step of forces that has a closed form: the figure of its condition, 0 for one that has none.
     #[inline(always)]
     pub(super) fn closed_force(&mut self, step: &ForceStep) -> S {

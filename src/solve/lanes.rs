@@ -11,12 +11,15 @@ use crate::plan::{Level, Plan};
 /// Positions that go side by side.
 pub const WIDTH: usize = 4;
 
+/// Blocks that go step by step together.
+const BLOCKS: usize = 4;
+
 /// Memory for positions side by side, laid out once.
 #[derive(Debug)]
 pub struct SideBySide<'a> {
     plan: &'a Plan,
     laned: bool,
-    block: State<Lanes<WIDTH>>,
+    blocks: Vec<State<Lanes<WIDTH>>>,
     alone: State,
     arch: pulp::Arch,
 }
@@ -36,7 +39,13 @@ impl<'a> SideBySide<'a> {
     pub fn new(plan: &'a Plan, reference: &State) -> Self {
         let mut block = State::closed(plan);
         block.branches.clone_from(&reference.branches);
-        Self { plan, laned: plan.laned(), block, alone: reference.clone(), arch: pulp::Arch::new() }
+        Self {
+            plan,
+            laned: plan.laned(),
+            blocks: vec![block; BLOCKS],
+            alone: reference.clone(),
+            arch: pulp::Arch::new(),
+        }
     }
 
     /// Solves motion, loads and forces, as far as the plan goes, and hands out every position with its number.
@@ -49,43 +58,61 @@ impl<'a> SideBySide<'a> {
         if drives == 0 {
             return;
         }
-        for (index, block) in inputs.chunks(WIDTH * drives).enumerate() {
-            let first = index * WIDTH;
-            if self.laned && block.len() == WIDTH * drives {
-                self.fill(block);
-                self.arch.dispatch(Solve { plan: self.plan, state: &mut self.block });
-                if self.block.open.is_none() {
-                    (0..WIDTH).for_each(|lane| each(first + lane, Place::Lane(&self.block, lane)));
-                    continue;
+        let mut first = 0;
+        for chunk in inputs.chunks(BLOCKS * WIDTH * drives) {
+            let full = if self.laned { chunk.len() / (WIDTH * drives) } else { 0 };
+            let (laned, rest) = chunk.split_at(full * WIDTH * drives);
+            for (state, inputs) in self.blocks.iter_mut().zip(laned.chunks(WIDTH * drives)) {
+                fill(&mut state.inputs, inputs);
+            }
+            self.arch.dispatch(Solve { plan: self.plan, blocks: &mut self.blocks[..full] });
+            for (state, inputs) in self.blocks.iter().zip(laned.chunks(WIDTH * drives)) {
+                if state.open.is_none() {
+                    (0..WIDTH).for_each(|lane| each(first + lane, Place::Lane(state, lane)));
+                } else {
+                    one_by_one(self.plan, &mut self.alone, inputs, first, &mut each);
                 }
+                first += WIDTH;
             }
-            for (i, inputs) in block.chunks_exact(drives).enumerate() {
-                self.alone.inputs.copy_from_slice(inputs);
-                alone(self.plan, &mut self.alone);
-                each(first + i, Place::Alone(&self.alone));
-            }
+            one_by_one(self.plan, &mut self.alone, rest, first, &mut each);
+            first += rest.len() / drives;
         }
     }
+}
 
-    fn fill(&mut self, block: &[DriveInput]) {
-        let drives = self.plan.drives;
-        for (drive, out) in self.block.inputs.iter_mut().enumerate() {
-            let of = |f: fn(&DriveInput) -> f64| {
-                let mut lanes = [0.0; WIDTH];
-                for (lane, x) in lanes.iter_mut().enumerate() {
-                    *x = f(&block[lane * drives + drive]);
-                }
-                Lanes(lanes)
-            };
-            *out = DriveInput {
-                place: V2::new(of(|d| d.place.x), of(|d| d.place.y)),
-                value: of(|d| d.value),
-                rate: of(|d| d.rate),
-                acceleration: of(|d| d.acceleration),
-                velocity: V2::new(of(|d| d.velocity.x), of(|d| d.velocity.y)),
-                point_acceleration: V2::new(of(|d| d.point_acceleration.x), of(|d| d.point_acceleration.y)),
-            };
-        }
+/// The inputs of a block.
+fn fill(out: &mut [DriveInput<Lanes<WIDTH>>], block: &[DriveInput]) {
+    let drives = out.len();
+    for (drive, out) in out.iter_mut().enumerate() {
+        let of = |f: fn(&DriveInput) -> f64| {
+            let mut lanes = [0.0; WIDTH];
+            for (lane, x) in lanes.iter_mut().enumerate() {
+                *x = f(&block[lane * drives + drive]);
+            }
+            Lanes(lanes)
+        };
+        *out = DriveInput {
+            place: V2::new(of(|d| d.place.x), of(|d| d.place.y)),
+            value: of(|d| d.value),
+            rate: of(|d| d.rate),
+            acceleration: of(|d| d.acceleration),
+            velocity: V2::new(of(|d| d.velocity.x), of(|d| d.velocity.y)),
+            point_acceleration: V2::new(of(|d| d.point_acceleration.x), of(|d| d.point_acceleration.y)),
+        };
+    }
+}
+
+fn one_by_one(
+    plan: &Plan,
+    state: &mut State,
+    inputs: &[DriveInput],
+    first: usize,
+    each: &mut impl FnMut(usize, Place<'_>),
+) {
+    for (i, inputs) in inputs.chunks_exact(plan.drives).enumerate() {
+        state.inputs.copy_from_slice(inputs);
+        alone(plan, state);
+        each(first + i, Place::Alone(state));
     }
 }
 
@@ -103,28 +130,55 @@ fn alone(plan: &Plan, state: &mut State) {
     }
 }
 
-/// A block of positions; compiled once per set of instructions.
+/// Blocks of positions, every step on all of them before the next: while one waits for a root or a quotient the others go
+/// on. Compiled once per set of instructions.
 struct Solve<'a> {
     plan: &'a Plan,
-    state: &'a mut State<Lanes<WIDTH>>,
+    blocks: &'a mut [State<Lanes<WIDTH>>],
+}
+
+impl Solve<'_> {
+    #[inline(always)]
+    fn motion<const LEVEL: u8>(&mut self) {
+        self.blocks.iter_mut().for_each(|block| block.start(self.plan));
+        for step in &self.plan.motion {
+            for block in &mut *self.blocks {
+                block.closed_form::<LEVEL>(step);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn forces(&mut self) {
+        for block in &mut *self.blocks {
+            block.unload(self.plan);
+            block.set_lines(self.plan);
+        }
+        for load in &self.plan.loads {
+            for block in &mut *self.blocks {
+                block.known_load(load);
+            }
+        }
+        for (index, step) in self.plan.forces.iter().enumerate() {
+            for block in &mut *self.blocks {
+                block.force_sines[index] = block.closed_force(step);
+            }
+        }
+    }
 }
 
 impl pulp::WithSimd for Solve<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<A: pulp::Simd>(self, _: A) {
-        let Self { plan, state } = self;
-        state.start(plan);
-        match plan.effects.level {
-            Level::Positions => state.closed_motion::<0>(plan),
-            Level::Velocities => state.closed_motion::<1>(plan),
-            Level::Accelerations => state.closed_motion::<2>(plan),
+    fn with_simd<A: pulp::Simd>(mut self, _: A) {
+        match self.plan.effects.level {
+            Level::Positions => self.motion::<0>(),
+            Level::Velocities => self.motion::<1>(),
+            Level::Accelerations => self.motion::<2>(),
         }
-        if plan.effects.forces {
-            state.known_loads(plan);
-            state.set_lines(plan);
-            state.closed_forces(plan);
+        if self.plan.effects.forces {
+            self.forces();
         }
     }
 }

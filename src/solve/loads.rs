@@ -22,39 +22,51 @@ impl<S: Scalar> State<S> {
     /// The loads that need no evaluation.
     #[inline(always)]
     pub(super) fn known_loads(&mut self, plan: &Plan) {
+        self.unload(plan);
+        for step in &plan.loads {
+            self.known_load(step);
+        }
+    }
+
+    /// Bodies without mass start without load.
+    #[inline(always)]
+    pub(super) fn unload(&mut self, plan: &Plan) {
         for &body in &plan.massless {
             self.wrenches[body] = Wrench { force: V2::zero(), moment: S::zero() };
         }
-        for step in &plan.loads {
-            match step {
-                LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, inertia } => {
-                    let b = &self.bodies[*body];
-                    let heavy = Heavy {
-                        mass: S::of(*mass),
-                        moment_of_inertia: S::of(*moment_of_inertia),
-                        weight: V2::of(*weight),
-                    };
-                    self.wrenches[*body] =
-                        if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };
-                }
-                LoadStep::Force { body, at, force, frame, .. } => {
-                    let force = frame.map_or(V2::of(*force), |f| V2::of(*force).turned(self.bodies[f].u));
-                    let p = self.bodies[*body].position(*at);
-                    self.apply(*body, p, force);
-                }
-                LoadStep::Torque { body, torque, .. } => {
-                    self.wrenches[*body].moment = self.wrenches[*body].moment + S::of(*torque)
-                }
-                LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
-                    let (b_1, b_2) = (&self.bodies[one.body], &self.bodies[two.body]);
-                    let (p_1, p_2) = (b_1.position(one.at), b_2.position(two.at));
-                    let v = b_2.velocity(two.at) - b_1.velocity(one.at);
-                    let got = spring(p_2 - p_1, v, S::of(*stiffness), S::of(*free_length), S::of(*damping));
-                    self.apply(one.body, p_1, got.f_1);
-                    self.apply(two.body, p_2, -got.f_1);
-                }
-                LoadStep::Evaluated(_) => {}
+    }
+
+    /// Adds a load that needs no evaluation.
+    #[inline(always)]
+    pub(super) fn known_load(&mut self, step: &LoadStep) {
+        match step {
+            LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, inertia } => {
+                let b = &self.bodies[*body];
+                let heavy = Heavy {
+                    mass: S::of(*mass),
+                    moment_of_inertia: S::of(*moment_of_inertia),
+                    weight: V2::of(*weight),
+                };
+                self.wrenches[*body] =
+                    if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };
             }
+            LoadStep::Force { body, at, force, frame, .. } => {
+                let force = frame.map_or(V2::of(*force), |f| V2::of(*force).turned(self.bodies[f].u));
+                let p = self.bodies[*body].position(*at);
+                self.apply(*body, p, force);
+            }
+            LoadStep::Torque { body, torque, .. } => {
+                self.wrenches[*body].moment = self.wrenches[*body].moment + S::of(*torque)
+            }
+            LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
+                let (b_1, b_2) = (&self.bodies[one.body], &self.bodies[two.body]);
+                let (p_1, p_2) = (b_1.position(one.at), b_2.position(two.at));
+                let v = b_2.velocity(two.at) - b_1.velocity(one.at);
+                let got = spring(p_2 - p_1, v, S::of(*stiffness), S::of(*free_length), S::of(*damping));
+                self.apply(one.body, p_1, got.f_1);
+                self.apply(two.body, p_2, -got.f_1);
+            }
+            LoadStep::Evaluated(_) => {}
         }
     }
 

@@ -128,14 +128,6 @@ impl<S: Scalar> State<S> {
         }
     }
 
-    /// Runs the steps of motion of a plan that has only closed forms.
-    #[inline(always)]
-    pub(super) fn closed_motion<const LEVEL: u8>(&mut self, plan: &Plan) {
-        for step in &plan.motion {
-            self.closed_form::<LEVEL>(step);
-        }
-    }
-
     /// Runs a step of motion that has a closed form; one that has none leaves its group open.
     #[inline(always)]
     pub(super) fn closed_form<const LEVEL: u8>(&mut self, step: &MotionStep) {
