@@ -77,7 +77,7 @@ impl<S: Scalar> State<S> {
 
     /// The place of a pin, with the force on its body so far and its moment about it.
     #[inline(always)]
-    fn load_at(&self, body: usize, pin: &Arm) -> (V2<S>, V2<S>, S) {
+    pub(super) fn load_at(&self, body: usize, pin: &Arm) -> (V2<S>, V2<S>, S) {
         let w = &self.wrenches[body];
         let (p, r) = self.bodies[body].pin(pin);
         (p, w.force, r.map_or(w.moment, |r| w.moment - r.cross(w.force)))
@@ -176,19 +176,43 @@ impl<S: Scalar> State<S> {
         sine
     }
 
+    /// A dyad RRR in its position and its condition figure, from the step of motion where it is the same group.
+    #[inline(always)]
+    pub(super) fn dyad_rrr(
+        &self,
+        outer: &[Hinge; 2],
+        inner: &Inner,
+        motion: Option<usize>,
+    ) -> (rrr::Rrr<S>, S) {
+        if let Some(step) = motion {
+            let Shared { r_1, second, inverse } = self.shared[step];
+            return (rrr::Rrr { r_1, r_2: second, inverse }, self.sines[step]);
+        }
+        let [r_1, r_2] = [0, 1].map(|i| V2::of(inner.arms[i]).turned(self.bodies[outer[i].body].u));
+        (rrr::Rrr::new(r_1, r_2), r_1.cross(r_2) / (r_1.norm() * r_2.norm()))
+    }
+
+    /// The same of a dyad RRP.
+    #[inline(always)]
+    pub(super) fn dyad_rrp(
+        &self,
+        outer: &Hinge,
+        inner: &Inner,
+        way: &Way,
+        motion: Option<usize>,
+    ) -> (rrp::Rrp<S>, S) {
+        if let Some(step) = motion {
+            let Shared { r_1, second, inverse } = self.shared[step];
+            return (rrp::Rrp { r_1, d: second, inverse }, self.sines[step]);
+        }
+        let (r_1, d) = (V2::of(inner.arms[0]).turned(self.bodies[outer.body].u), self.direction(way));
+        (rrp::Rrp::new(r_1, d), r_1.dot(d) / r_1.norm())
+    }
+
     #[inline(always)]
     fn force_rrr(&mut self, outer: &[Hinge; 2], inner: &Inner, motion: Option<usize>) -> S {
         let [one, two] = outer;
-        let (group, sine) = match motion {
-            Some(step) => {
-                let Shared { r_1, second, inverse } = self.shared[step];
-                (rrr::Rrr { r_1, r_2: second, inverse }, self.sines[step])
-            }
-            None => {
-                let [r_1, r_2] = [0, 1].map(|i| V2::of(inner.arms[i]).turned(self.bodies[outer[i].body].u));
-                (rrr::Rrr::new(r_1, r_2), r_1.cross(r_2) / (r_1.norm() * r_2.norm()))
-            }
-        };
+        let (group, sine) = self.dyad_rrr(outer, inner, motion);
         let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
         let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
         let got = group.reactions(F_1, M_1, F_2, M_2);
@@ -200,16 +224,7 @@ impl<S: Scalar> State<S> {
 
     #[inline(always)]
     fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way, motion: Option<usize>) -> S {
-        let (group, sine) = match motion {
-            Some(step) => {
-                let Shared { r_1, second, inverse } = self.shared[step];
-                (rrp::Rrp { r_1, d: second, inverse }, self.sines[step])
-            }
-            None => {
-                let (r_1, d) = (V2::of(inner.arms[0]).turned(self.bodies[outer.body].u), self.direction(way));
-                (rrp::Rrp::new(r_1, d), r_1.dot(d) / r_1.norm())
-            }
-        };
+        let (group, sine) = self.dyad_rrr(outer, inner, motion);
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
         let (p_C, F_2, M_2) = self.load_at(way.body, &inner.second_pin);
         let got = group.reactions(F_1, M_1, F_2, M_2);
