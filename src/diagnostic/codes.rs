@@ -136,6 +136,7 @@ pub const CODES: &[Code] = codes! {
     "request" / "part",
     "request" / "asked_twice",
     "request" / "variant_row",
+    "request" / "key_column",
     "request" / "set_unknown",
     "request" / "set_value",
     "expect" / "no_value",
@@ -195,6 +196,17 @@ pub const CODES: &[Code] = codes! {
     "expect" / "mismatch",
     "expect" / "pose_failed",
     "expect" / "undefined",
+    // tables beside a file
+    "table" / "header",
+    "table" / "empty",
+    "table" / "line",
+    "table" / "number",
+    "table" / "missing_cell",
+    "table" / "too_many_cells",
+    "table" / "unknown_column",
+    "table" / "column_twice",
+    "table" / "unit",
+    "table" / "unknown_row",
 };
 
 /// The page of a code; the leading `mech::` may be left out.
