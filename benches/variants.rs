@@ -20,7 +20,8 @@ fn crank_slider(bencher: Bencher<'_, '_>) {
     let source = Source::new("crank-slider.mech", include_str!("../examples/variants/crank-slider.mech"));
     let (document, _) = assur::syntax::parse(&source);
     let none = Overrides::none();
-    let header = Table::open("rows.csv", HEADER.as_bytes()).expect("read").unwrap_or_else(|_| panic!("a header"));
+    let header =
+        Table::open("rows.csv", HEADER.as_bytes()).expect("read").unwrap_or_else(|_| panic!("a header"));
     let (found, _) = columns(&document, &none, &header.columns);
     let found: Arc<[RowColumn]> = found.expect("columns that fit").into();
     let row = |i: usize| {
@@ -30,7 +31,7 @@ fn crank_slider(bencher: Bencher<'_, '_>) {
     };
     let rows: Vec<Row> = (0..ROWS).map(row).collect();
     let mut family = Family::new(&source, &document, &none);
-    bencher.counter(ItemsCount::new(ROWS)).bench_local(|| {
-        rows.iter().filter(|row| black_box(family.solve(row)).0.is_some()).count()
-    });
+    bencher
+        .counter(ItemsCount::new(ROWS))
+        .bench_local(|| rows.iter().filter(|row| black_box(family.solve(row)).0.is_some()).count());
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot write its files has failed
 
+#[allow(dead_code)] // each test program uses some of it
 #[path = "cli/run.rs"]
 mod run;
 
@@ -181,7 +182,9 @@ fn a_broken_file_spoils_no_other() {
     let said = assur(&folder, &["batch", "a.mech", "b.mech", "d.mech", "no", "c.mech", "--format", "csv"]);
     assert_eq!(said.status, 2);
     assert_eq!(column(&said.stdout, "file"), ["a.mech", "c.mech"]);
-    for part in ["mech::syntax", "`d.mech` is not a text in UTF-8", "no file or folder `no`", "2 files: 2 solved"] {
+    for part in
+        ["mech::syntax", "`d.mech` is not a text in UTF-8", "no file or folder `no`", "2 files: 2 solved"]
+    {
         assert!(said.stderr.contains(part), "{part}: {}", said.stderr);
     }
 }
@@ -200,7 +203,8 @@ fn files_of_different_columns_share_a_header() {
 
 #[test]
 fn a_file_is_whole_or_as_it_was() {
-    let folder = Folder::new("out").with("p.mech", PRESS).with("old.csv", "what stood here").with("t.csv", &many(5));
+    let folder =
+        Folder::new("out").with("p.mech", PRESS).with("old.csv", "what stood here").with("t.csv", &many(5));
     let said = assur(&folder, &["batch", "p.mech", "--out", "no/such/folder/a.csv"]);
     assert_eq!(said.status, 2);
     assert!(said.stderr.contains("cannot be written"), "{}", said.stderr);
@@ -218,7 +222,8 @@ fn a_file_is_whole_or_as_it_was() {
 #[test]
 fn a_full_disk_is_told() {
     let folder = Folder::new("full").with("p.mech", PRESS).with("t.csv", &many(2000));
-    let said = assur(&folder, &["batch", "p.mech", "--variants", "t.csv", "--format", "csv", "--out", "/dev/full"]);
+    let said =
+        assur(&folder, &["batch", "p.mech", "--variants", "t.csv", "--format", "csv", "--out", "/dev/full"]);
     assert_eq!(said.status, 2);
     assert!(said.stderr.contains("cannot be written: No space left"), "{}", said.stderr);
 }
@@ -226,7 +231,8 @@ fn a_full_disk_is_told() {
 #[cfg(unix)]
 #[test]
 fn an_interrupt_leaves_whole_rows() {
-    let folder = Folder::new("interrupt").with("p.mech", PRESS).with("old.csv", "old").with("t.csv", &many(400_000));
+    let folder =
+        Folder::new("interrupt").with("p.mech", PRESS).with("old.csv", "old").with("t.csv", &many(400_000));
     let child = run::start(&folder, &["batch", "p.mech", "--variants", "t.csv", "--out", "old.csv"]);
     std::thread::sleep(std::time::Duration::from_millis(1500));
     let id = child.id().to_string();
@@ -258,11 +264,19 @@ fn rows_of_a_file_are_solved_and_tested() {
     let said = assur(&folder, &["test", "p.mech"]);
     assert_eq!(said.status, 1);
     assert_eq!(said.stdout, "p.mech: 2 expectations met, 1 row not solved, 1 error in 3 rows\n");
-    assert!(said.stderr.contains("row 3 (r = 100 mm, l = 50 mm, phi = 90 deg, x_key = 400 mm)"), "{}", said.stderr);
+    assert!(
+        said.stderr.contains("row 3 (r = 100 mm, l = 50 mm, phi = 90 deg, x_key = 400 mm)"),
+        "{}",
+        said.stderr
+    );
     let said = assur(&folder, &["solve", "p.mech", "--format", "csv"]);
     assert_eq!(column(&said.stdout, "x [mm]"), ["387.298334620742", "400", ""]);
     let said = assur(&folder, &["solve", "p.mech"]);
-    assert!(said.stdout.contains("row 2 (r = 300 mm, l = 500 mm, phi = 90 deg, x_key = 400 mm)"), "{}", said.stdout);
+    assert!(
+        said.stdout.contains("row 2 (r = 300 mm, l = 500 mm, phi = 90 deg, x_key = 400 mm)"),
+        "{}",
+        said.stdout
+    );
     let said = assur(&folder, &["solve", "p.mech", "--format", "json"]);
     assert_eq!(said.stdout.lines().count(), 3);
     assert!(said.stdout.contains("\"variant\":{\"row\":2,\"values\":{\"r\":0.3,"), "{}", said.stdout);
@@ -274,7 +288,8 @@ fn rows_of_a_file_are_solved_and_tested() {
 
 #[test]
 fn a_key_column_gives_the_tolerance_by_its_digits() {
-    let table = "expect x = x_key\nvariants {\n  phi [deg], x_key [mm]\n  90, 335.4\n  90, 335.41\n  90, 335.3\n}\n";
+    let table =
+        "expect x = x_key\nvariants {\n  phi [deg], x_key [mm]\n  90, 335.4\n  90, 335.41\n  90, 335.3\n}\n";
     let folder = Folder::new("digits").with("p.mech", &(PRESS.to_owned() + table));
     // x = sqrt(350² − 100²) = 335.410 mm
     let said = assur(&folder, &["test", "p.mech"]);
@@ -303,7 +318,8 @@ fn the_key_of_the_exercise_set_is_what_it_was() {
     assert_eq!(met, 198);
 }
 
-const KEY: &str = "row,pose,Mb [N*m],\"reaction(B, rod).x [N]\",\"reaction(B, rod).y [N]\",phi [deg],w [rad/s],Mc [N*m]
+const KEY: &str =
+    "row,pose,Mb [N*m],\"reaction(B, rod).x [N]\",\"reaction(B, rod).y [N]\",phi [deg],w [rad/s],Mc [N*m]
 1,1,26,-500,120,40,15,77
 2,1,31,-620,150,55,12,88
 ";
@@ -371,11 +387,23 @@ fn marks_are_added_up_per_row_and_quantity() {
     assert_eq!(verdicts, ["right", "right", "wrong", "missing"]);
     let folder = Folder::new("totals").with("key.csv", KEY).with("a.csv", answers);
     let said = assur(&folder, &["grade", "key.csv", "a.csv"]);
-    for part in ["2 of 4 right, within 3 %", "row 2, pose 1, Bo", "right but for the sign", "missing", "2 of 2", "0 of 2", "1 of 2"] {
+    for part in [
+        "2 of 4 right, within 3 %",
+        "row 2, pose 1, Bo",
+        "right but for the sign",
+        "missing",
+        "2 of 2",
+        "0 of 2",
+        "1 of 2",
+    ] {
         assert!(said.stdout.contains(part), "{part}: {}", said.stdout);
     }
     let said = assur(&folder, &["grade", "key.csv", "a.csv", "--format", "json"]);
-    assert!(said.stdout.starts_with("{\"schema\":\"assur.grade/1\",\"within\":0.03,\"right\":2,\"total\":4,"), "{}", said.stdout);
+    assert!(
+        said.stdout.starts_with("{\"schema\":\"assur.grade/1\",\"within\":0.03,\"right\":2,\"total\":4,"),
+        "{}",
+        said.stdout
+    );
     let said = assur(&folder, &["grade", "key.csv", "a.csv", "--within", "5"]);
     assert_eq!(said.status, 2);
 }
@@ -391,7 +419,8 @@ fn a_row_that_nobody_answered_is_listed() {
 
 #[test]
 fn rows_have_names_of_their_own() {
-    let folder = Folder::new("variant").with("p.mech", PRESS).with("t.csv", "variant,r [mm]\nA-7,100\n\"B, 2\",90\n");
+    let folder =
+        Folder::new("variant").with("p.mech", PRESS).with("t.csv", "variant,r [mm]\nA-7,100\n\"B, 2\",90\n");
     let args = ["batch", "p.mech", "--variants", "t.csv", "--format", "csv", "--key", "key.csv"];
     let said = assur(&folder, &args);
     fine(&said);

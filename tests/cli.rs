@@ -1,5 +1,6 @@
 //! The command line: exit status, streams, formats, names of files.
 
+#[allow(dead_code)] // each test program uses some of it
 #[path = "cli/run.rs"]
 mod run;
 

@@ -51,7 +51,8 @@ fn givens(source: &Source) -> Vec<(String, String, f64)> {
 fn example(file: &str) -> Source {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(file);
     let text = std::fs::read_to_string(path).expect("an example");
-    let text = if text.contains("variants {") { text.split("\nexpect").next().unwrap_or_default() } else { &text };
+    let text =
+        if text.contains("variants {") { text.split("\nexpect").next().unwrap_or_default() } else { &text };
     Source::new(file, text)
 }
 
@@ -82,13 +83,22 @@ fn a_row_is_the_file_with_these_values() {
         let mut family = Family::new(&source, &document, &none);
         for _ in 0..ROWS {
             let values: Vec<f64> = givens.iter().map(|g| g.2 * (0.6 + 0.9 * random(&mut state))).collect();
-            let cell = |(column, value): (&RowColumn, &f64)| RowCell { value: column.unit.to_si(*value), digit: 1.0 };
+            let cell = |(column, value): (&RowColumn, &f64)| RowCell {
+                value: column.unit.to_si(*value),
+                digit: 1.0,
+            };
             let row = Row::new(columns.clone(), columns.iter().zip(&values).map(cell).collect());
             let (fast, fast_problems) = family.solve(&row);
-            let set = givens.iter().zip(&values).map(|((name, unit, _), v)| (name.clone(), format!("{v:?}{unit}")));
+            let set =
+                givens.iter().zip(&values).map(|((name, unit, _), v)| (name.clone(), format!("{v:?}{unit}")));
             let (whole, problems) = assur::solve_source(&source, &Overrides::set(set.collect()));
             assert_eq!(shown(fast.as_ref()), shown(whole.as_ref()), "{file} with {}", row.words());
-            assert_eq!(codes(&fast_problems, &source), codes(&problems, &source), "{file} with {}", row.words());
+            assert_eq!(
+                codes(&fast_problems, &source),
+                codes(&problems, &source),
+                "{file} with {}",
+                row.words()
+            );
             if fast.is_some() { solved_rows += 1 } else { failed_rows += 1 }
         }
     }
@@ -129,5 +139,6 @@ fn a_batch_writes_what_solve_writes() {
         }
         assert_eq!(lines, csv::render(&report::table_of_poses(&answers)), "{file}");
         written += 1;
-    }    assert!(written >= FILES.len() - 1, "{written}");
+    }
+    assert!(written >= FILES.len() - 1, "{written}");
 }

@@ -94,7 +94,7 @@ fn definition(kind: QuantityKind<'_>) -> Option<&Expr> {
         QuantityKind::Find(item) => Some(&item.value),
         QuantityKind::Load(..)
         | QuantityKind::Balance(..)
-        | QuantityKind::Flywheel
+        | QuantityKind::Flywheel(_)
         | QuantityKind::Column(_) => None,
     }
 }
@@ -184,7 +184,7 @@ impl Context<'_> {
 
     fn root_of(&self, name: &str) -> Option<(String, Option<String>)> {
         match self.names.quantities.get(name).map(|d| d.what) {
-            Some(QuantityKind::Load(..) | QuantityKind::Balance(..) | QuantityKind::Flywheel) => {
+            Some(QuantityKind::Load(..) | QuantityKind::Balance(..) | QuantityKind::Flywheel(_)) => {
                 Some((format!("`{name}`"), None))
             }
             Some(_) => self.definitions.results.get(name).map(|root| (root.clone(), Some(name.to_owned()))),

@@ -16,6 +16,7 @@ mod element;
 pub mod error;
 mod expect;
 pub mod expr;
+mod flywheel;
 mod friction;
 mod gravity;
 mod head;

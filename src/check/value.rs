@@ -129,9 +129,9 @@ impl Context<'_> {
                 Some(Typed::new(model::Expr::Query(model::Query::Balance(id)), ty))
             }
             QuantityKind::Column(column) => self.column(column, name),
-            QuantityKind::Flywheel => {
-                self.unsupported("a flywheel", name.span);
-                Some(Typed::pending(Type::number(Dimension::INERTIA)))
+            QuantityKind::Flywheel(index) => {
+                let query = model::Query::Flywheel(index, model::FlywheelPart::Inertia);
+                Some(Typed::new(model::Expr::Query(query), Type::number(Dimension::INERTIA)))
             }
             QuantityKind::Given(_) | QuantityKind::Let(_) | QuantityKind::Find(_) => {
                 match self.definitions.settled.get(&name.node)? {
@@ -246,7 +246,8 @@ impl Context<'_> {
                             | model::Query::TimeRatio(_)
                             | model::Query::Dead(..)
                             | model::Query::Critical(_)
-                    )
+                            | model::Query::Cycle(_)
+                    ) || matches!(q, model::Query::Flywheel(_, part) if part.needs_no_pose())
                 }
                 _ => true,
             };
@@ -275,21 +276,26 @@ impl Context<'_> {
 
     /// Calls `visit` on every result the expression hangs on, those behind other quantities included.
     pub fn queries_behind(&self, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
-        let mut found: IndexSet<QuantityId> = IndexSet::new();
-        let mut look = |expr: &model::Expr, found: &mut IndexSet<QuantityId>| {
-            expr.parts(&mut |part| match part {
-                model::Expr::Query(query) => visit(query),
-                model::Expr::Quantity(id) => {
-                    found.insert(*id);
+        let mut found = Behind::default();
+        found.look(expr, visit);
+        let (mut quantities, mut cycles) = (0, 0);
+        loop {
+            let quantity = found.quantities.get_index(quantities).map(|id| id.index());
+            let cycle = found.cycles.get_index(cycles).copied();
+            let next = match (quantity, cycle) {
+                (Some(index), _) => {
+                    quantities += 1;
+                    self.mech.quantities.get(index).map(|q| &q.expr)
                 }
-                _ => {}
-            });
-        };
-        look(expr, &mut found);
-        let mut next = 0;
-        while let Some(quantity) = found.get_index(next).and_then(|id| self.mech.quantities.get(id.index())) {
-            look(&quantity.expr, &mut found);
-            next += 1;
+                (None, Some(index)) => {
+                    cycles += 1;
+                    self.mech.cycles.get(index).map(|c| &c.expr)
+                }
+                (None, None) => return,
+            };
+            if let Some(next) = next {
+                found.look(next, visit);
+            }
         }
     }
 
@@ -326,6 +332,30 @@ impl Context<'_> {
     /// One unit in the last digit of a name in the row of variants, SI, where nothing replaces it.
     pub(super) fn digit_in_row(&self, name: &str) -> Option<f64> {
         self.row.find(name).filter(|_| !self.is_set(name)).map(|(_, cell)| cell.digit)
+    }
+}
+
+/// What an expression hangs on: quantities and functions over the sweep.
+#[derive(Default)]
+struct Behind {
+    quantities: IndexSet<QuantityId>,
+    cycles: IndexSet<usize>,
+}
+
+impl Behind {
+    fn look(&mut self, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
+        expr.parts(&mut |part| match part {
+            model::Expr::Query(query) => {
+                visit(query);
+                if let model::Query::Cycle(index) = query {
+                    self.cycles.insert(*index);
+                }
+            }
+            model::Expr::Quantity(id) => {
+                self.quantities.insert(*id);
+            }
+            _ => {}
+        });
     }
 }
 

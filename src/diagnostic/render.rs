@@ -29,6 +29,9 @@ impl Style {
 /// All problems of a text, sorted by place, one below the other.
 #[must_use]
 pub fn render(problems: &Problems, source: &Source, style: Style) -> String {
+    if problems.is_empty() {
+        return String::new();
+    }
     let text = Text { text: showable(&source.text), source };
     let mut out = String::new();
     for problem in problems.sorted() {

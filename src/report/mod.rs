@@ -6,6 +6,7 @@ mod accuracy;
 mod answers;
 mod columns;
 pub mod csv;
+mod cycle;
 pub mod document;
 mod expectations;
 mod friction;
@@ -51,6 +52,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     results::sections(answers, &mut report);
     reactions::sections(answers, &mut report);
     friction::section(answers, &mut report);
+    cycle::flywheels(answers, &mut report);
     expectations::section(answers, &mut report);
     accuracy::section(answers, &mut report);
     report

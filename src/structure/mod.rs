@@ -16,6 +16,7 @@ mod matching;
 mod remedy;
 mod repeated;
 mod replace;
+mod roller;
 mod trial;
 
 pub use count::Count;
@@ -59,6 +60,7 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
     let replaced = replace::replace(mechanism);
     let drives = effort::of_drives(mechanism, &replaced);
     errors.extend(effort::outer_link_defects(mechanism, &replaced, &drives));
+    errors.extend(roller::turned(mechanism, &replaced.passive));
     if !errors.is_empty() {
         return Err(errors);
     }

@@ -33,7 +33,6 @@ impl Folder {
     }
 }
 
-#[allow(dead_code)] // each test program uses some of it
 impl Folder {
     /// The text of a file.
     pub fn read(&self, name: &str) -> String {
@@ -94,26 +93,22 @@ pub fn assur(folder: &Folder, args: &[&str]) -> Said {
 }
 
 /// Runs the program in another folder.
-#[allow(dead_code)] // each test program uses some of it
 pub fn assur_in(folder: &Path, args: &[&str]) -> Said {
     said(command_in(folder, args).stdin(Stdio::null()).output().unwrap())
 }
 
 /// Starts the program.
-#[allow(dead_code)] // each test program uses some of it
 pub fn start(folder: &Folder, args: &[&str]) -> Child {
     let mut command = command(folder, args);
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
 }
 
 /// Waits for its end.
-#[allow(dead_code)] // each test program uses some of it
 pub fn end(child: Child) -> Said {
     said(child.wait_with_output().unwrap())
 }
 
 /// Runs the program with a text on standard input.
-#[allow(dead_code)] // each test program uses some of it
 pub fn with_input(folder: &Folder, args: &[&str], text: &str) -> Said {
     let mut child = command(folder, args)
         .stdin(Stdio::piped())

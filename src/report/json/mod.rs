@@ -1,6 +1,7 @@
 //! A solved file as JSON: `docs/json-schema/solution-1.json`. SI and radians, fixed order of keys; what was not asked
 //! for, or does not exist, is left out.
 
+mod cycle;
 mod entries;
 mod pose;
 mod structure;
@@ -12,6 +13,7 @@ use crate::check::{ColumnUse, Row};
 use crate::diagnostic::DiagnosticView;
 use crate::exercise::Outcome;
 use crate::solve::Scene;
+use cycle::{AccuracyView, FlywheelView};
 use entries::{Entries, Number, Reading};
 use pose::PoseView;
 use structure::StructureView;
@@ -35,6 +37,10 @@ struct SolutionView<'a> {
     poses: Option<Vec<PoseView<'a>>>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
     cycle: Entries<Reading>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    cycle_accuracy: Entries<AccuracyView>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    flywheels: Entries<FlywheelView>,
     #[serde(skip_serializing_if = "Option::is_none")]
     expectations: Option<Vec<ExpectationView<'a>>>,
     diagnostics: &'a [DiagnosticView],
@@ -110,7 +116,9 @@ pub fn render_row(
         structure: scene.map(StructureView::of),
         effects: scene.map(|s| s.plan.effects.names()),
         poses: answers.map(|a| a.poses().map(|p| PoseView::of(a, p)).collect()),
-        cycle: Entries(answers.map(cycle).unwrap_or_default()),
+        cycle: Entries(answers.map(of_cycle).unwrap_or_default()),
+        cycle_accuracy: answers.map_or_else(|| Entries(Vec::new()), cycle::accuracy),
+        flywheels: answers.map_or_else(|| Entries(Vec::new()), cycle::flywheels),
         expectations: answers.map(|a| a.outcomes.iter().filter_map(expectation).collect()),
         diagnostics,
     };
@@ -118,7 +126,7 @@ pub fn render_row(
     serde_json::to_string(&view).unwrap_or_default()
 }
 
-fn cycle(answers: &Answers<'_>) -> Vec<(String, Reading)> {
+fn of_cycle(answers: &Answers<'_>) -> Vec<(String, Reading)> {
     let all = answers.quantities_without_pose().into_iter();
     all.filter_map(|q| Some((q.name, Reading::of(q.values.first().copied().flatten()?)?))).collect()
 }
