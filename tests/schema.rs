@@ -75,7 +75,7 @@ fn a_locked_pose_fits_and_has_no_reactions() {
     assert_eq!(moves["reactions"].as_object().unwrap().len(), 4);
     // X (1 - f tan β) = 1000 N, sin β = sin 20° / 1.3
     let rod = moves["reactions"]["C"][0]["force"][0].as_f64().unwrap();
-    assert!((rod + 1_692.188_161).abs() < 1e-6, "{rod}");
+    assert!((rod + 1692.188).abs() < 1e-3, "{rod}");
     for absent in ["reactions", "balances", "residuals", "error"] {
         assert!(locked.get(absent).is_none(), "{absent} in {locked}");
     }

@@ -37,6 +37,18 @@ pub struct Definitions {
     pub(super) kept: Vec<(bool, usize)>,
 }
 
+impl Definitions {
+    /// What hangs on no value: the order, and what hangs on results.
+    pub(super) fn into_names(self) -> (Vec<String>, IndexMap<String, String>) {
+        (self.order, self.results)
+    }
+
+    /// Definitions of which none has been read.
+    pub(super) fn of_names(order: Vec<String>, results: IndexMap<String, String>) -> Self {
+        Self { order, results, ..Self::default() }
+    }
+}
+
 /// Finds the order of the definitions; reports those that hang on themselves.
 pub fn order(cx: &mut Context<'_>) {
     // By the place of a name among the quantities; nothing where it is no definition.

@@ -6,6 +6,7 @@ use super::error::{NameError, RequestError, UnitsError};
 use super::expr::typed::{Type, Typed};
 use super::names::QuantityKind;
 use super::overrides;
+use super::row::ColumnUse;
 use super::unit_choice::display_in;
 use super::walk;
 use crate::diagnostic::did_you_mean;
@@ -114,7 +115,7 @@ impl Context<'_> {
     /// The value a name stands for.
     pub(super) fn named(&mut self, name: &Name) -> Option<Typed> {
         let Some(declared) = self.names.quantities.get(&name.node) else {
-            return self.undeclared(name);
+            return self.key(&name.node).or_else(|| self.undeclared(name));
         };
         match declared.what {
             QuantityKind::Load(id, load) => {
@@ -145,6 +146,9 @@ impl Context<'_> {
 
     /// A name that has its values in a table of variants alone: an answer key per row.
     fn column(&mut self, column: &Column, name: &Name) -> Option<Typed> {
+        if let Some(value) = self.key(&name.node) {
+            return Some(value);
+        }
         let dimension = match &column.unit {
             Some(word) => self.unit(word)?.dimension,
             None => Dimension::NUMBER,
@@ -161,6 +165,12 @@ impl Context<'_> {
             self.error(NameError::Unknown { kind: "quantity", name, place: String::new(), span, help });
         }
         None
+    }
+
+    /// What the row of variants says of a name that has its values there alone.
+    fn key(&self, name: &str) -> Option<Typed> {
+        let (column, cell) = self.row.find(name).filter(|(c, _)| c.what == ColumnUse::Key)?;
+        Some(Typed::constant(cell.value, column.dimension))
     }
 
     /// Whether nothing but expectations use this name.
@@ -310,9 +320,18 @@ impl Context<'_> {
     /// The definition of a `given`, where nothing replaces it.
     pub(super) fn given_as_written(&self, name: &str) -> Option<&Expr> {
         match self.names.quantities.get(name)?.what {
-            QuantityKind::Given(e) if self.overrides.values.iter().all(|(n, _)| n != name) => Some(e),
+            QuantityKind::Given(e) if !self.is_set(name) => Some(e),
             _ => None,
         }
+    }
+
+    fn is_set(&self, name: &str) -> bool {
+        self.overrides.values.iter().any(|(n, _)| n == name)
+    }
+
+    /// One unit in the last digit of a name in the row of variants, SI, where nothing replaces it.
+    pub(super) fn digit_in_row(&self, name: &str) -> Option<f64> {
+        self.row.find(name).filter(|_| !self.is_set(name)).map(|(_, cell)| cell.digit)
     }
 }
 

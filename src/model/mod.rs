@@ -10,6 +10,7 @@ mod load;
 mod motion;
 mod pair;
 mod request;
+mod shape;
 
 pub use cycle::{Cycle, CycleFunction, Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use expr::{

@@ -10,6 +10,7 @@ mod cycle;
 pub mod document;
 mod expectations;
 mod friction;
+pub mod grade;
 pub mod json;
 pub mod markdown;
 mod mobility;
@@ -18,6 +19,7 @@ mod plan;
 mod reactions;
 mod replacement;
 mod results;
+pub mod rows;
 mod scale;
 pub mod text;
 

@@ -129,7 +129,7 @@ pub(super) fn balanced(
     View { quantities: &motion, ..view }.evaluated_loads(evaluated);
     state.run_loads(scene, evaluated);
     state.applied.clone_from(&state.wrenches);
-    state.set_lines(scene);
+    state.set_lines(scene.plan);
     state.locked = false;
     if scene.plan.effects.friction {
         state.set_senses(scene.plan);

@@ -9,6 +9,7 @@ mod structure;
 use serde::Serialize;
 
 use super::answers::Answers;
+use crate::check::{ColumnUse, Row};
 use crate::diagnostic::DiagnosticView;
 use crate::exercise::Outcome;
 use crate::solve::Scene;
@@ -27,6 +28,8 @@ struct SolutionView<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     mechanism: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    variant: Option<Variant>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     structure: Option<StructureView<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     effects: Option<Vec<&'static str>>,
@@ -41,6 +44,34 @@ struct SolutionView<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     expectations: Option<Vec<ExpectationView<'a>>>,
     diagnostics: &'a [DiagnosticView],
+}
+
+/// A row of a table of variants.
+#[derive(Clone, Debug, Serialize)]
+pub struct Variant {
+    /// Counted from 1.
+    row: usize,
+    /// What the column `variant` calls it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+    /// Its numbers by name, SI.
+    values: Entries<Number>,
+}
+
+impl Variant {
+    /// A row.
+    #[must_use]
+    pub fn of(row: usize, name: Option<String>, numbers: &Row) -> Self {
+        let numbers = numbers.entries().filter(|(column, _)| column.what != ColumnUse::Label);
+        let values = numbers.filter_map(|(c, cell)| Some((c.name.clone(), Number::of(cell.value)?)));
+        Self { row, name, values: Entries(values.collect()) }
+    }
+
+    /// A row that cannot be read.
+    #[must_use]
+    pub const fn unread(row: usize) -> Self {
+        Self { row, name: None, values: Entries(Vec::new()) }
+    }
 }
 
 #[derive(Serialize)]
@@ -64,11 +95,24 @@ pub fn render(
     answers: Option<&Answers<'_>>,
     diagnostics: &[DiagnosticView],
 ) -> String {
+    render_row(file, None, scene, answers, diagnostics)
+}
+
+/// As [`render`], with a row of a table of variants.
+#[must_use]
+pub fn render_row(
+    file: &str,
+    variant: Option<Variant>,
+    scene: Option<&Scene<'_>>,
+    answers: Option<&Answers<'_>>,
+    diagnostics: &[DiagnosticView],
+) -> String {
     let title = scene.map(|s| s.mechanism.title.as_str());
     let view = SolutionView {
         schema: SCHEMA,
         file,
         mechanism: title.filter(|t| !t.is_empty()),
+        variant,
         structure: scene.map(StructureView::of),
         effects: scene.map(|s| s.plan.effects.names()),
         poses: answers.map(|a| a.poses().map(|p| PoseView::of(a, p)).collect()),
