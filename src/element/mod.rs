@@ -1,0 +1,3 @@
+//! Machine elements: pure mathematics, no names, no spans, no text.
+
+pub mod synthesis;
