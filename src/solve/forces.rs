@@ -224,7 +224,7 @@ impl<S: Scalar> State<S> {
 
     #[inline(always)]
     fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way, motion: Option<usize>) -> S {
-        let (group, sine) = self.dyad_rrr(outer, inner, motion);
+        let (group, sine) = self.dyad_rrp(outer, inner, way, motion);
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
         let (p_C, F_2, M_2) = self.load_at(way.body, &inner.second_pin);
         let got = group.reactions(F_1, M_1, F_2, M_2);
