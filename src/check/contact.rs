@@ -24,7 +24,9 @@ pub(super) fn contact(
             "two lines",
             format!("two lines that lie on each other are a `prismatic {}`", joint.name.node),
         )),
-        (Rim(_), Rim(_)) => Some(("two cams", "a designed cam touches the follower it is designed for".to_owned())),
+        (Rim(_), Rim(_)) => {
+            Some(("two cams", "a designed cam touches the follower it is designed for".to_owned()))
+        }
         (Point(_), Point(_)) => Some((
             "two points",
             format!("two points that stay together are a `revolute {}`", joint.name.node),

@@ -8,7 +8,9 @@ use super::expr::Want;
 use super::property::{Read, Value, find, read};
 use crate::element::gear::{GearFault, GearPair, NoMesh, Teeth};
 use crate::source::Span;
-use crate::syntax::document::{Document, End, Expr, Joint, JointKind, Member, Statement, WheelMember, WheelSize};
+use crate::syntax::document::{
+    Document, End, Expr, Joint, JointKind, Member, Statement, WheelMember, WheelSize,
+};
 use crate::units::Dimension;
 
 /// The standard basic rack: pressure angle, addendum and clearance in modules.
@@ -68,11 +70,18 @@ impl Context<'_> {
         let mesh = (joint.name.node.clone(), joint.name.span);
         if internal && z[0] == z[1] {
             let message = format!("ring and pinion of `{}` both have {} teeth", mesh.0, digits(z[0]));
-            return self.gear_incomplete(message, "give the ring more teeth than the pinion".into(), asked, mesh.1);
+            return self.gear_incomplete(
+                message,
+                "give the ring more teeth than the pinion".into(),
+                asked,
+                mesh.1,
+            );
         }
         match GearPair::new(teeth) {
             Ok(pair) => {
-                pair.faults().into_iter().for_each(|fault| self.gear_fault(&pair, &mesh, &names, fault, swapped));
+                pair.faults()
+                    .into_iter()
+                    .for_each(|fault| self.gear_fault(&pair, &mesh, &names, fault, swapped));
                 Some(pair)
             }
             Err(NoMesh(involute)) => {
@@ -94,14 +103,20 @@ impl Context<'_> {
         for (i, wheel) in wheels.iter().enumerate() {
             let name = &wheel.name.node;
             let Some(WheelSize::Teeth(teeth)) = &wheel.size else {
-                let message = format!("the geometry of `{}` needs the teeth of wheel `{name}`", joint.name.node);
+                let message =
+                    format!("the geometry of `{}` needs the teeth of wheel `{name}`", joint.name.node);
                 let help = format!("write `wheel {name} teeth 18 module 2 mm`");
                 return self.gear_incomplete(message, help, asked, mesh);
             };
             z[i] = self.wheel_value(teeth, Dimension::NUMBER, "the number of teeth")?;
             if z[i].fract() != 0.0 || z[i] < 3.0 {
                 let message = format!("wheel `{name}` has {} teeth", digits(z[i]));
-                return self.gear_incomplete(message, "give it a whole number of at least 3".into(), asked, mesh);
+                return self.gear_incomplete(
+                    message,
+                    "give it a whole number of at least 3".into(),
+                    asked,
+                    mesh,
+                );
             }
         }
         let mut modules = Vec::new();
@@ -115,8 +130,12 @@ impl Context<'_> {
             [one, two] if (one - two).abs() <= EQUAL * one => Some((z, one)),
             [one, two] => {
                 let mm = |x| told(x, Dimension::LENGTH);
-                let message =
-                    format!("the wheels of `{}` have the modules {} and {}", joint.name.node, mm(one), mm(two));
+                let message = format!(
+                    "the wheels of `{}` have the modules {} and {}",
+                    joint.name.node,
+                    mm(one),
+                    mm(two)
+                );
                 self.gear_incomplete(message, "wheels in mesh have one module".into(), asked, mesh)
             }
             _ => {
@@ -172,7 +191,8 @@ impl Context<'_> {
                     mm(reached),
                     mm(begin)
                 );
-                let help = "give the smaller wheel more teeth or a greater shift, or take a smaller addendum".into();
+                let help =
+                    "give the smaller wheel more teeth or a greater shift, or take a smaller addendum".into();
                 self.error(GearError::Interference { message, help, span });
             }
             GearFault::RingTip { tip, base } => {

@@ -11,7 +11,9 @@ use super::{amount, plate_fault};
 use crate::element::cam::{Cam, Follower, Law, Program, Shape};
 use crate::model::PlateCam;
 use crate::source::Span;
-use crate::syntax::document::{self, CamLaw, CamMember, Member, Name, Phase, PhaseKind, Property, Statement, Turn};
+use crate::syntax::document::{
+    self, CamLaw, CamMember, Member, Name, Phase, PhaseKind, Property, Statement, Turn,
+};
 use crate::units::Dimension;
 use std::f64::consts::TAU;
 
@@ -81,7 +83,9 @@ fn cam(cx: &mut Context<'_>, cam: &document::Cam) -> Option<PlateCam> {
         (None, ..) => Some(("base_radius 50 mm", "the least radius of the pitch curve")),
         (_, None, _) => Some(("turning ccw", "the sense in which it turns")),
         (_, _, None) => Some(("follower translating roller { radius 10 mm }", "what it moves")),
-        _ if members.phases.is_empty() => Some(("rise 90 deg through 20 mm cycloidal", "how the follower moves")),
+        _ if members.phases.is_empty() => {
+            Some(("rise 90 deg through 20 mm cycloidal", "how the follower moves"))
+        }
         _ => None,
     };
     if let Some((example, what)) = missing {
@@ -200,7 +204,12 @@ fn follower_of(cx: &mut Context<'_>, follower: &document::Follower) -> Option<Fo
     })
 }
 
-fn one_of(cx: &mut Context<'_>, word: &Name, kind: &'static str, words: &[&'static str]) -> Option<&'static str> {
+fn one_of(
+    cx: &mut Context<'_>,
+    word: &Name,
+    kind: &'static str,
+    words: &[&'static str],
+) -> Option<&'static str> {
     if let Some(known) = words.iter().find(|w| **w == word.node) {
         return Some(known);
     }

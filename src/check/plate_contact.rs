@@ -136,7 +136,9 @@ fn build(
     }
     let (motion, pair) = if oscillates { ("turns", "revolute") } else { ("slides", "prismatic pair") };
     let (frame, follower) = (name(stands[0].frame), name(follower));
-    let message = format!("the cam is designed for a follower that {motion}, but no {pair} joins `{follower}` and `{frame}`");
+    let message = format!(
+        "the cam is designed for a follower that {motion}, but no {pair} joins `{follower}` and `{frame}`"
+    );
     Err((message, format!("cam and follower stand on one frame: join `{follower}` to `{frame}` by a {pair}")))
 }
 
@@ -215,8 +217,8 @@ fn translating(cam: &Cam, contact: &mut CamContact, guide: &Guide, scale: f64) -
     };
     contact.towards = towards;
     contact.direction = direction;
-    contact.beside = towards.cross(on_frame - contact.frame_centre)
-        + (contact.tip - on_follower).turned_back(direction).y;
+    contact.beside =
+        towards.cross(on_frame - contact.frame_centre) + (contact.tip - on_follower).turned_back(direction).y;
     if let (Shape::Flat, Some((_, along))) = (shape, contact.face) {
         let cosine = along.dot(direction).abs();
         if cosine > EQUAL {
@@ -228,8 +230,14 @@ fn translating(cam: &Cam, contact: &mut CamContact, guide: &Guide, scale: f64) -
     }
     let here = if cam.ccw { -contact.beside } else { contact.beside };
     if (here + offset).abs() <= EQUAL * scale && offset.abs() > EQUAL * scale {
-        let message = format!("the follower passes the cam's centre on the other side than in the design, at {}", mm(offset.abs()));
-        let help = format!("the follower rises in the sense of its guide; write `offset {}` in the design, or turn the guide round", mm(-offset));
+        let message = format!(
+            "the follower passes the cam's centre on the other side than in the design, at {}",
+            mm(offset.abs())
+        );
+        let help = format!(
+            "the follower rises in the sense of its guide; write `offset {}` in the design, or turn the guide round",
+            mm(-offset)
+        );
         return Err((message, help));
     }
     same("the offset of the follower", here, offset, scale)

@@ -21,7 +21,10 @@ pub(super) fn misfit(cx: &mut Context<'_>, name: &str, base: &Read, follower: Fo
     let radius = mm(base.number());
     let (message, help) = match (misfit, follower) {
         (Misfit::Offset, Follower::Translating { offset, .. }) => (
-            format!("the follower of cam `{name}` passes the base circle of {radius} at a distance of {}", mm(offset)),
+            format!(
+                "the follower of cam `{name}` passes the base circle of {radius} at a distance of {}",
+                mm(offset)
+            ),
             format!("write a base radius greater than {}, or a smaller offset", mm(offset.abs())),
         ),
         (Misfit::Triangle { least, most }, Follower::Oscillating { arm, pivot_distance, .. }) => (

@@ -35,7 +35,10 @@ pub fn run(args: &Profile, screen: &Screen) -> Status {
 fn chosen<'m>(mechanism: &'m Mechanism, name: Option<&str>) -> Result<&'m PlateCam, CliError> {
     let names = || mechanism.cams.iter().map(|c| format!("`{}`", c.name)).collect::<Vec<_>>().join(", ");
     match (name, mechanism.cams.as_slice()) {
-        (_, []) => Err(CliError::NoCam { message: "the file has no cam".to_owned(), help: "add `cam NAME { … }`".to_owned() }),
+        (_, []) => Err(CliError::NoCam {
+            message: "the file has no cam".to_owned(),
+            help: "add `cam NAME { … }`".to_owned(),
+        }),
         (None, [one]) => Ok(one),
         (None, _) => {
             let message = "the file has several cams".to_owned();

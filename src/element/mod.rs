@@ -3,3 +3,4 @@
 pub mod cam;
 pub mod gear;
 mod search;
+pub mod synthesis;

@@ -108,7 +108,11 @@ impl PlateCam {
                 entry(format!("{name}.x"), dimension, each(|v| vector(v).x));
                 entry(format!("{name}.y"), dimension, each(|v| vector(v).y));
             } else {
-                entry(name.to_owned(), dimension, each(|v| if let Value::Scalar(x) = v { x } else { f64::NAN }));
+                entry(
+                    name.to_owned(),
+                    dimension,
+                    each(|v| if let Value::Scalar(x) = v { x } else { f64::NAN }),
+                );
             }
         }
         table

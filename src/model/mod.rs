@@ -15,8 +15,8 @@ mod request;
 mod shape;
 
 pub use cam_part::{CAM_PARTS, CamPart};
-pub use element::{CamContact, PlateCam, Table, TableEntry};
 pub use cycle::{Cycle, CycleFunction, Flywheel, FlywheelPart, FlywheelTorque, Rim};
+pub use element::{CamContact, PlateCam, Table, TableEntry};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };

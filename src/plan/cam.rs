@@ -1,7 +1,7 @@
 //! Followers of designed cams: their motion is the cam's own law.
 
-use super::step::MotionStep;
 use super::Plan;
+use super::step::MotionStep;
 use crate::element::cam::Cam;
 use crate::model::{CamContact, Mechanism, PairId};
 use crate::structure::{BodyOrigin, Group, GroupKind, Structure};

@@ -1,8 +1,8 @@
 //! A cam as a drawing: DXF R12, millimetres, the cam's centre in the origin, its axes those of the drawing.
 
 use crate::element::cam::Shape;
-use crate::model::PlateCam;
 use crate::math::Vec2;
+use crate::model::PlateCam;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
@@ -64,5 +64,9 @@ fn place(pair: &mut impl FnMut(u16, &str), at: Vec2) {
 /// A length in millimetres to the picometre; zero has no sign.
 fn mm(x: f64) -> String {
     let text = format!("{:.9}", x * 1e3);
-    if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') { "0.000000000".to_owned() } else { text }
+    if text.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
+        "0.000000000".to_owned()
+    } else {
+        text
+    }
 }

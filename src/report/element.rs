@@ -20,9 +20,7 @@ fn phases(mechanism: &Mechanism, plate: &PlateCam) -> Section {
     let lift = mechanism.display_of(if oscillates { Dimension::ANGLE } else { Dimension::LENGTH });
     let figures = |display: &Display, x: f64| display.figures(Value::Scalar(x), 6);
     let mut table = Table::new(vec![Column::words("phase")], 1);
-    for (header, display) in
-        [("from", &angle), ("to", &angle), ("lift from", &lift), ("lift to", &lift)]
-    {
+    for (header, display) in [("from", &angle), ("to", &angle), ("lift from", &lift), ("lift to", &lift)] {
         table.columns.push(Column::numbers(with_unit(header, &display.unit)));
     }
     table.columns.push(Column::words("law"));
@@ -73,7 +71,11 @@ pub(super) fn tables(answers: &Answers<'_>, report: &mut Report) {
 }
 
 fn figures(answers: &Answers<'_>, display: &Display, x: f64, greatest: f64) -> String {
-    if x.is_finite() { answers.precision.figures(display.of_si(x), display.of_si(greatest)) } else { NONE.to_owned() }
+    if x.is_finite() {
+        answers.precision.figures(display.of_si(x), display.of_si(greatest))
+    } else {
+        NONE.to_owned()
+    }
 }
 
 /// One column per entry.
@@ -111,7 +113,8 @@ pub fn full(table: &model::Table) -> Table {
     let rows = table.entries.first().map_or(0, |e| e.values.len());
     let mut out = Table { rows: vec![Vec::new(); rows], ..Table::new(Vec::new(), 1) };
     for entry in &table.entries {
-        let cell = |x: &f64| if x.is_finite() { significant(entry.display.of_si(*x), 15) } else { String::new() };
+        let cell =
+            |x: &f64| if x.is_finite() { significant(entry.display.of_si(*x), 15) } else { String::new() };
         out.column(with_unit(&entry.name, &entry.display.unit), entry.values.iter().map(cell));
     }
     out

@@ -30,26 +30,27 @@ impl State {
             }
         }
         let centre = frame.position(contact.frame_centre);
-        let follower = &mut self.bodies[contact.follower.index()];
+        let (slot, pin) = (contact.follower.index(), Some(contact.point));
         match cam.follower {
             Follower::Translating { .. } => {
                 let p = centre + e * (cam.start() + s) + e.perp() * contact.beside;
-                let base = under::<LEVEL>(&frame, p);
+                let base = under::<_, LEVEL>(&self.bodies, contact.frame.index(), p);
                 let moved = Point {
                     p,
                     v: base.v + e * rate,
                     a: base.a + e * second + e.perp() * (2.0 * frame.omega * rate),
                 };
                 let u = e.turned_back(contact.direction);
-                place::<LEVEL>(follower, contact.point, moved, u, frame.omega, frame.alpha);
+                place::<_, LEVEL>(&mut self.bodies[slot], &pin, moved, u, frame.omega, frame.alpha);
             }
             Follower::Oscillating { pivot_distance, with_cam, .. } => {
                 let side = if with_cam { sense } else { -sense };
                 let (sin, cos) = libm::sincos(cam.start() + s);
                 let u = Vec2::new(-cos, side * sin).turned(e).turned_back(contact.direction);
-                let pivot = under::<LEVEL>(&frame, centre + e * pivot_distance);
+                let pivot =
+                    under::<_, LEVEL>(&self.bodies, contact.frame.index(), centre + e * pivot_distance);
                 let (omega, alpha) = (frame.omega - side * rate, frame.alpha - side * second);
-                place::<LEVEL>(follower, contact.point, pivot, u, omega, alpha);
+                place::<_, LEVEL>(&mut self.bodies[slot], &pin, pivot, u, omega, alpha);
             }
         }
         let (place, normal) = (centre + at.contact.turned(e), at.normal.turned(e));
@@ -63,12 +64,12 @@ impl State {
         let contact = &step.contact;
         let (place, normal) = self.touches[step.index];
         let follower = self.bodies[contact.follower.index()];
-        let carrier = if contact.face.is_some() { self.bodies[contact.disk.index()] } else { follower };
+        let carrier = if contact.face.is_some() { contact.disk } else { contact.follower };
         let (p, u) = match contact.face {
             Some((_, along)) => (place, along.turned(follower.u)),
             None => (follower.position(contact.tip), -normal.perp()),
         };
-        let moved = under::<2>(&carrier, p);
+        let moved = under::<_, 2>(&self.bodies, carrier.index(), p);
         let block = &mut self.bodies[step.block];
         (block.p, block.u, block.v, block.a) = (p, u, moved.v, moved.a);
         (block.omega, block.alpha) = (follower.omega, follower.alpha);

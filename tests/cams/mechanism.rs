@@ -32,7 +32,8 @@ fn law(law: Law) -> &'static str {
 fn design(cam: &Cam) -> String {
     let mut text = format!("cam plate {{\n  base_radius {:?} m\n", cam.base_radius);
     let _ = writeln!(text, "  turning {}", if cam.ccw { "ccw" } else { "cw" });
-    let (motion, unit) = if cam.follower.oscillates() { ("oscillating", "rad") } else { ("translating", "m") };
+    let (motion, unit) =
+        if cam.follower.oscillates() { ("oscillating", "rad") } else { ("translating", "m") };
     let (shape, radius) = match cam.follower.shape() {
         Shape::Knife => ("knife", String::new()),
         Shape::Roller(r) => ("roller", format!("radius {r:?} m; ")),
@@ -42,8 +43,12 @@ fn design(cam: &Cam) -> String {
         Follower::Translating { shape: Shape::Flat, .. } => String::new(),
         Follower::Translating { offset, .. } => format!("offset {offset:?} m"),
         Follower::Oscillating { shape, arm, pivot_distance, with_cam, offset } => {
-            let arm = if shape == Shape::Flat { format!("offset {offset:?} m") } else { format!("arm {arm:?} m") };
-            format!("{arm}; pivot_distance {pivot_distance:?} m; {}", if with_cam { "with_cam" } else { "against_cam" })
+            let arm =
+                if shape == Shape::Flat { format!("offset {offset:?} m") } else { format!("arm {arm:?} m") };
+            format!(
+                "{arm}; pivot_distance {pivot_distance:?} m; {}",
+                if with_cam { "with_cam" } else { "against_cam" }
+            )
         }
     };
     let _ = writeln!(text, "  follower {motion} {shape} {{ {radius}{rest} }}");
@@ -52,7 +57,9 @@ fn design(cam: &Cam) -> String {
         let _ = match phase.change {
             0.0 if phase.start + phase.angle > 6.28 => Ok(()),
             0.0 => writeln!(text, "  dwell {angle:?} rad"),
-            up if up > 0.0 => writeln!(text, "  rise {angle:?} rad through {way:?} {unit} {}", law(phase.law)),
+            up if up > 0.0 => {
+                writeln!(text, "  rise {angle:?} rad through {way:?} {unit} {}", law(phase.law))
+            }
             _ => writeln!(text, "  fall {angle:?} rad through {way:?} {unit} {}", law(phase.law)),
         };
     }
@@ -129,13 +136,22 @@ fn build(random: &mut Random, cam: &Cam, friction: f64) -> Build {
     }
     let mass = |random: &mut Random| {
         let s = point("S", Vec2::new(random.between(-0.05, 0.05), random.between(-0.05, 0.05)));
-        format!("{s}; mass {:?} kg at S; inertia {:?} kg*m^2", random.between(0.5, 3.0), random.between(0.001, 0.02))
+        format!(
+            "{s}; mass {:?} kg at S; inertia {:?} kg*m^2",
+            random.between(0.5, 3.0),
+            random.between(0.001, 0.02)
+        )
     };
     let frame = if moving { "base" } else { "ground" };
     let mut text = design(cam);
     if moving {
         base.push("A (0, 0)".to_owned());
-        let _ = writeln!(text, "ground {{ A ({:?} m, 0.03 m) }}\nlink base {{ {} }}", random.between(-0.1, 0.1), base.join("; "));
+        let _ = writeln!(
+            text,
+            "ground {{ A ({:?} m, 0.03 m) }}\nlink base {{ {} }}",
+            random.between(-0.1, 0.1),
+            base.join("; ")
+        );
         text += "revolute A: ground - base\n";
     } else {
         let _ = writeln!(text, "ground {{ {} }}", base.join("; "));
@@ -177,7 +193,12 @@ fn solve(build: &Build, cam: &Cam, phi: f64, alpha: f64) -> Found {
         (0..count).map(|k| format!("{:?} rad", of(k))).collect::<Vec<_>>().join(", ")
     };
     let mut text = build.text.clone();
-    let _ = writeln!(text, "drive disk = {} at {:?} rad/s accelerating {alpha:?} rad/s^2", list(&turned), build.omega);
+    let _ = writeln!(
+        text,
+        "drive disk = {} at {:?} rad/s accelerating {alpha:?} rad/s^2",
+        list(&turned),
+        build.omega
+    );
     if build.moving {
         let turned = |k: usize| frame_angle + build.frame_omega * time(k);
         let _ = writeln!(text, "drive base = {} at {:?} rad/s", list(&turned), build.frame_omega);
@@ -187,7 +208,8 @@ fn solve(build: &Build, cam: &Cam, phi: f64, alpha: f64) -> Found {
     let Some(solved) = solved else { panic!("{text}\n{:?}", problems) };
     let links = &solved.compiled.mechanism.links;
     let lever = links.iter().position(|l| l.name == "lever").unwrap();
-    let outcomes = solved.solution.poses.iter().map(|p| p.outcome.as_ref().unwrap_or_else(|e| panic!("{text}\n{e}")));
+    let outcomes =
+        solved.solution.poses.iter().map(|p| p.outcome.as_ref().unwrap_or_else(|e| panic!("{text}\n{e}")));
     let outcomes: Vec<_> = outcomes.collect();
     let scene = solved.compiled.scene();
     let view = solved.solution.view(&scene, outcomes[SIDE]);

@@ -74,7 +74,11 @@ pub fn random_cam(random: &mut Random, kind: usize) -> Cam {
         };
         let (rise, dwell, fall) =
             (random.between(1.2, 2.4), random.between(0.0, 0.5), random.between(1.2, 2.4));
-        let program = Program::new(&[(rise, lift, random.law()), (dwell, 0.0, Law::Dwell), (fall, -lift, random.law())]);
+        let program = Program::new(&[
+            (rise, lift, random.law()),
+            (dwell, 0.0, Law::Dwell),
+            (fall, -lift, random.law()),
+        ]);
         if let Ok(cam) = Cam::new(base, ccw, follower, program)
             && cam.fault().is_none()
         {

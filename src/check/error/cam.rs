@@ -28,7 +28,9 @@ pub enum CamError {
     #[error("after one turn the follower of cam `{name}` stands {left} higher than before")]
     #[diagnostic(
         code("mech::cam::does_not_return"),
-        help("rises and falls must be equal ({rises} up, {falls} down): let it fall by {left} more, or leave out `through` in the last fall")
+        help(
+            "rises and falls must be equal ({rises} up, {falls} down): let it fall by {left} more, or leave out `through` in the last fall"
+        )
     )]
     DoesNotReturn {
         /// The cam.

@@ -23,10 +23,14 @@ pub enum GearError {
         mesh: Span,
     },
     /// The shifts leave no working pressure angle.
-    #[error("the teeth of `{mesh}` do not reach each other: with these shifts the involute of the working pressure angle would be {involute}")]
+    #[error(
+        "the teeth of `{mesh}` do not reach each other: with these shifts the involute of the working pressure angle would be {involute}"
+    )]
     #[diagnostic(
         code("mech::gear::no_mesh"),
-        help("it must not be negative: make the sum of the shifts (of an internal pair the ring's less the pinion's) greater")
+        help(
+            "it must not be negative: make the sum of the shifts (of an internal pair the ring's less the pinion's) greater"
+        )
     )]
     NoMesh {
         /// The mesh.
@@ -38,7 +42,9 @@ pub enum GearError {
         span: Span,
     },
     /// The rack cuts into the flank.
-    #[error("wheel `{wheel}` is undercut: its profile shift is {shift}, the least without undercut is {least}")]
+    #[error(
+        "wheel `{wheel}` is undercut: its profile shift is {shift}, the least without undercut is {least}"
+    )]
     #[diagnostic(
         code("mech::gear::undercut"),
         severity(warning),
@@ -72,7 +78,9 @@ pub enum GearError {
         span: Span,
     },
     /// The tooth comes to a point.
-    #[error("the teeth of wheel `{wheel}` come to a point: on the tip circle their thickness would be {thickness}")]
+    #[error(
+        "the teeth of wheel `{wheel}` come to a point: on the tip circle their thickness would be {thickness}"
+    )]
     #[diagnostic(code("mech::gear::pointed"), help("take a smaller profile shift, or a smaller addendum"))]
     Pointed {
         /// The wheel.

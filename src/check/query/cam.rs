@@ -65,7 +65,9 @@ impl Context<'_> {
         let Some(angle) = args.get(1) else {
             let written = format!("{}({})", call.name.node, plate.name);
             let help = match part {
-                CamPart::Lift(_) => format!("write `{}.s` with a cam angle: `profile({}, 30 deg).s`", written, plate.name),
+                CamPart::Lift(_) => {
+                    format!("write `{}.s` with a cam angle: `profile({}, 30 deg).s`", written, plate.name)
+                }
                 _ => format!("write `{}({}, 30 deg)` or `max({written})`", call.name.node, plate.name),
             };
             let message = format!("{written} for every cam angle");
@@ -93,7 +95,8 @@ impl Context<'_> {
         if !matches!(part, CamPart::Rate(_)) || plate.speed.is_some() {
             return Some(());
         }
-        let help = format!("add `speed 80 rpm` to the braces of cam `{}`; `.s'`, `.s''` are per radian", plate.name);
+        let help =
+            format!("add `speed 80 rpm` to the braces of cam `{}`; `.s'`, `.s''` are per radian", plate.name);
         let path = "a rate by time of a cam without a speed".to_owned();
         self.error(RequestError::NoValue { path, span: call.span, help: Some(help) });
         None
@@ -144,7 +147,8 @@ impl Context<'_> {
         if let Some(radius) = plate.cam.smallest_base_radius(allowed) {
             return Some(Typed::constant(radius, Dimension::LENGTH));
         }
-        let why = "on no base circle the pressure angle is that small, or it does not hang on the base circle";
+        let why =
+            "on no base circle the pressure angle is that small, or it does not hang on the base circle";
         self.error(UnitsError::NoValue { why, span: call.span });
         None
     }

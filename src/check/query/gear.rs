@@ -132,7 +132,8 @@ impl Context<'_> {
             (false, "v1") => pair.sliding(0),
             (false, "v2") => pair.sliding(1),
             _ => {
-                let parts = if forces { "`.Ft`, `.Fr`, `.Fn`" } else { "`.v1` (at the tip of wheel 1), `.v2`" };
+                let parts =
+                    if forces { "`.Ft`, `.Fr`, `.Fn`" } else { "`.v1` (at the tip of wheel 1), `.v2`" };
                 let help = Some(format!("its parts are {parts}"));
                 self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
                 return None;

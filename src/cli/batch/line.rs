@@ -4,8 +4,9 @@ use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::super::args::BatchFormat;
-use super::job::{Input, Job};
+use super::job::Job;
 use super::layout::Layout;
+use super::rows::Input;
 use crate::Solved;
 use crate::diagnostic::Problems;
 use crate::exercise::table::Fault;
@@ -73,7 +74,7 @@ impl Written<'_> {
             said = sorted(&problems);
         }
         said.unmet = solved.is_some_and(|s| s.outcomes.iter().any(|o| !o.passed));
-        let error = said.failed.is_some().then(|| first_error(&problems)).unwrap_or_default();
+        let error = if said.failed.is_some() { first_error(&problems) } else { String::new() };
         let answers = solved.map(|s| s.answers(Precision::READABLE));
         if self.format == BatchFormat::Jsonl {
             self.json(input, answers.as_ref(), &problems);
@@ -104,8 +105,10 @@ impl Written<'_> {
         line.head(self.job, input);
         for (i, column) in self.job.givens() {
             line.head.push(',');
-            let written = input.written.as_ref().and_then(|cells| cells.get(i)).map(|cell| cell.text.as_ref());
-            match written.filter(|text| text.bytes().all(|b| b.is_ascii_graphic() && b != b',' && b != b'"')) {
+            let written =
+                input.written.as_ref().and_then(|cells| cells.get(i)).map(|cell| cell.text.as_ref());
+            match written.filter(|text| text.bytes().all(|b| b.is_ascii_graphic() && b != b',' && b != b'"'))
+            {
                 Some(text) => line.head.push_str(text),
                 None => {
                     let value = input.row.entries().nth(i).map_or(f64::NAN, |(_, cell)| cell.value);
@@ -118,7 +121,8 @@ impl Written<'_> {
 
     fn json(&mut self, input: &Input<'_>, answers: Option<&Answers<'_>>, problems: &Problems) {
         let views = problems.views(&self.job.source);
-        let variant = (!input.row.is_empty()).then(|| Variant::of(input.number, input.label.clone(), &input.row));
+        let variant =
+            (!input.row.is_empty()).then(|| Variant::of(input.number, input.label.clone(), &input.row));
         let scene = answers.map(|a| a.scene);
         *self.out += &json::render_row(&self.job.source.name, variant, scene.as_ref(), answers, &views);
         self.out.push('\n');
@@ -196,7 +200,9 @@ impl Line<'_> {
         if poses == 0 {
             self.begin("", out);
             match (self.columns, answers) {
-                (Some(columns), Some(answers)) => columns.write_without_pose(answers, self.digits, self.key, out),
+                (Some(columns), Some(answers)) => {
+                    columns.write_without_pose(answers, self.digits, self.key, out)
+                }
                 (Some(columns), None) => columns.write_none(self.key, out),
                 (None, _) => {}
             }

@@ -18,9 +18,7 @@ impl Cam {
             Follower::Translating { shape: Shape::Flat, .. } => None,
             Follower::Translating { offset, .. } => {
                 let tan = libm::tan(allowed);
-                let need = |sign: f64| {
-                    self.greatest_of(|p| sign * (p.lift[1] - offset) / tan - p.lift[0]).1
-                };
+                let need = |sign: f64| self.greatest_of(|p| sign * (p.lift[1] - offset) / tan - p.lift[0]).1;
                 let start = need(1.0).max(need(-1.0)).max(0.0);
                 Some(libm::hypot(start, offset))
             }
@@ -35,9 +33,8 @@ impl Cam {
     }
 
     fn first_allowed(&self, least: f64, most: f64, allowed: f64) -> Option<f64> {
-        let good = |r: f64| {
-            self.on_base(r).is_ok_and(|cam| cam.extreme(Quantity::PressureAngle, true).1 <= allowed)
-        };
+        let good =
+            |r: f64| self.on_base(r).is_ok_and(|cam| cam.extreme(Quantity::PressureAngle, true).1 <= allowed);
         let at = |i: usize| least + (most - least) * i as f64 / LOOKS as f64;
         let first = (1..LOOKS).find(|&i| good(at(i)))?;
         let (mut low, mut high) = (at(first - 1), at(first));

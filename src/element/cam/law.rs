@@ -147,12 +147,7 @@ fn modified_sine(part: usize, x: f64) -> Jet {
         return first_eighth(A, x);
     }
     let (sin, cos) = libm::sincos(K * x + PI / 3.0);
-    [
-        S_1 + A / W * (x - 0.125) - A / (K * K) * (sin - 1.0),
-        A / W - A / K * cos,
-        A * sin,
-        A * K * cos,
-    ]
+    [S_1 + A / W * (x - 0.125) - A / (K * K) * (sin - 1.0), A / W - A / K * cos, A * sin, A * K * cos]
 }
 
 #[cfg(test)]
@@ -203,7 +198,10 @@ mod tests {
                             })
                             .sum();
                         let got = law.on_part(part, x)[n + 1];
-                        assert!((slope - got).abs() < 2e-10 * (1.0 + got.abs()), "{law:?} {n} at {x}: {slope} {got}");
+                        assert!(
+                            (slope - got).abs() < 2e-10 * (1.0 + got.abs()),
+                            "{law:?} {n} at {x}: {slope} {got}"
+                        );
                     }
                 }
             }
@@ -218,7 +216,10 @@ mod tests {
                 let (before, behind) = (law.on_part(i - 1, x), law.on_part(i, x));
                 let continuous = if law == Law::Parabolic { 2 } else { 3 };
                 for n in 0..continuous {
-                    assert!((before[n] - behind[n]).abs() < 1e-13, "{law:?} {n} at {x}: {before:?} {behind:?}");
+                    assert!(
+                        (before[n] - behind[n]).abs() < 1e-13,
+                        "{law:?} {n} at {x}: {before:?} {behind:?}"
+                    );
                 }
             }
         }

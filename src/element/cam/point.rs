@@ -138,11 +138,7 @@ impl Cam {
         let (sin, cos) = libm::sincos(self.start + s);
         let side = if with_cam { 1.0 } else { -1.0 };
         let normal = Vec2::new(sin, side * cos);
-        let h = [
-            distance * sin - offset,
-            distance * cos * v,
-            distance * (cos * a - sin * v * v),
-        ];
+        let h = [distance * sin - offset, distance * cos * v, distance * (cos * a - sin * v * v)];
         let (chi_1, chi_2) = (1.0 - side * v, -side * a);
         let slope = h[1] / chi_1;
         let bend = (h[2] * chi_1 - h[1] * chi_2) / (chi_1 * chi_1 * chi_1);
