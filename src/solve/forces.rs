@@ -3,6 +3,7 @@
 use super::state::{Reaction, Shared, State};
 use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
 use crate::math::{Scalar, V2};
+use crate::plan::step::unit;
 use crate::plan::{Arm, EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 
 impl State {
@@ -119,7 +120,7 @@ impl<S: Scalar> State<S> {
 
     #[inline(always)]
     pub(super) fn direction(&self, way: &Way) -> V2<S> {
-        V2::of(way.direction).turned(self.bodies[way.slider].u)
+        unit(way.direction).turned(self.bodies[way.slider].u)
     }
 
     /// One body on a revolute: the effort is found from the moment about it.
@@ -224,7 +225,7 @@ impl<S: Scalar> State<S> {
 
     #[inline(always)]
     fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way, motion: Option<usize>) -> S {
-        let (group, sine) = self.dyad_rrr(outer, inner, motion);
+        let (group, sine) = self.dyad_rrp(outer, inner, way, motion);
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
         let (p_C, F_2, M_2) = self.load_at(way.body, &inner.second_pin);
         let got = group.reactions(F_1, M_1, F_2, M_2);
