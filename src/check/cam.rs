@@ -1,12 +1,12 @@
 //! Cams and flywheels: names and units are checked, nothing of it can be solved yet.
 
 use super::context::Context;
-use super::element::known;
 use super::error::NameError;
 use super::link::positive;
 use super::lookup::suggestion;
 use super::names::{QuantityKind, ThingKind};
 use super::property::{Spec, Takes, read};
+use super::train::known;
 use crate::syntax::document::{Cam, CamMember, Flywheel, Follower, Name, Property, Statement};
 use crate::units::Dimension;
 

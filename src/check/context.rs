@@ -4,6 +4,7 @@ use super::definition::Definitions;
 use super::hinges::Hinges;
 use super::names::Names;
 use super::overrides::Overrides;
+use super::train::Sizes;
 use super::unit_choice::{self, UnitUse};
 use crate::diagnostic::Problems;
 use crate::model::{Mechanism, Unsupported};
@@ -33,6 +34,10 @@ pub struct Context<'a> {
     pub(super) units: UnitUse,
     /// What `given`, `let` and `find NAME =` are.
     pub(super) definitions: Definitions,
+    /// The sizes of wheels.
+    pub(super) sizes: Sizes<'a>,
+    /// A wheel whose size is left open, of which another is assumed than usual.
+    pub stretched: Option<&'a str>,
     /// Names reported as unknown already, with the list they were looked for in.
     pub(super) reported: IndexSet<(&'static str, String)>,
 }
@@ -50,6 +55,8 @@ impl<'a> Context<'a> {
             hinges: Hinges::default(),
             units: unit_choice::count(doc),
             definitions: Definitions::default(),
+            sizes: Sizes::default(),
+            stretched: None,
             reported: IndexSet::new(),
         }
     }

@@ -2,14 +2,17 @@
 
 use super::context::Context;
 use super::{
-    assemble, balance, cam, drive, element, friction, gravity, link, load, mass, pair, pose, simulation,
-    spring, value,
+    assemble, balance, cam, drive, friction, gravity, link, load, mass, pair, pose, simulation, spring,
+    train, value,
 };
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
 pub(super) fn machine(cx: &mut Context<'_>) {
     link::shapes(cx);
+    train::shafts(cx);
     pair::pairs(cx);
+    train::wheels(cx);
+    train::transmissions(cx);
     pair::groups(cx);
     gravity::gravity(cx);
     mass::masses(cx);
@@ -20,7 +23,6 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     load::loads(cx);
     spring::springs(cx);
     assemble::hints(cx);
-    element::elements(cx);
     cam::cams_and_flywheels(cx);
     simulation::simulation(cx);
     friction::no_motion(cx);

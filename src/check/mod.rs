@@ -12,7 +12,6 @@ mod contact;
 mod context;
 mod definition;
 mod drive;
-mod element;
 pub mod error;
 mod expect;
 pub mod expr;
@@ -39,6 +38,7 @@ mod request;
 mod simulation;
 mod spring;
 mod tolerance;
+mod train;
 mod unit_choice;
 mod value;
 mod variants;
@@ -66,6 +66,16 @@ pub fn check_at(
     value: f64,
 ) -> (Option<Mechanism>, Problems) {
     run(Context { fixed: Some((name, value)), ..Context::new(document, overrides) })
+}
+
+/// As [`check`], with another size assumed of a wheel whose own the document leaves open.
+#[must_use]
+pub fn check_stretched(
+    document: &Document,
+    overrides: &Overrides,
+    wheel: &str,
+) -> (Option<Mechanism>, Problems) {
+    run(Context { stretched: Some(wheel), ..Context::new(document, overrides) })
 }
 
 fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {

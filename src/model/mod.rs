@@ -9,6 +9,7 @@ mod load;
 mod motion;
 mod pair;
 mod request;
+mod train;
 
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
@@ -17,8 +18,9 @@ pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
-pub use pair::{Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
+pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Display, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
+pub use train::{Law, Meeting, Rate, Scale, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;
 
@@ -33,6 +35,10 @@ pub struct Mechanism {
     pub links: Vec<Link>,
     /// All pairs as declared; a pin in several links is one of them.
     pub pairs: Vec<Pair>,
+    /// All wheels.
+    pub wheels: Vec<Wheel>,
+    /// Sizes that are left open and assumed.
+    pub scales: Vec<Scale>,
     /// Asserted structural groups.
     pub groups: Vec<GroupAssertion>,
     /// The drives.

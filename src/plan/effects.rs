@@ -209,5 +209,8 @@ pub fn needs_forces(query: &Query) -> bool {
             | Query::Efficiency
             | Query::Locked
             | Query::Critical(_)
+            | Query::TangentialForce(_)
+            | Query::ToothForce(_)
+            | Query::Tension(..)
     )
 }

@@ -8,6 +8,7 @@ mod geometry;
 mod loads;
 mod motion;
 pub mod step;
+mod train;
 
 pub use effects::{Effects, Level, level_of, needs_forces};
 pub use friction::{FrictionElement, Rub, RubbingGroup};
@@ -16,6 +17,10 @@ pub use loads::LoadStep;
 pub use step::{
     Anchor, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
     OuterJoint, Slide, Way,
+};
+
+pub use train::{
+    LawSite, PlannedLaw, TrainEffort, TrainForces, TrainMember, TrainMotion, TrainSource, TrainSupport,
 };
 
 use crate::math::Vec2;
@@ -35,6 +40,14 @@ pub struct Plan {
     pub motion: Vec<MotionStep>,
     /// Problems of the general steps.
     pub general: Vec<GeneralMotion>,
+    /// Train groups of motion.
+    pub trains: Vec<TrainMotion>,
+    /// Slots of the bodies that turn in train groups: their angles count whole turns.
+    pub turning: Vec<usize>,
+    /// All laws of transmissions.
+    pub laws: Vec<PlannedLaw>,
+    /// Train groups of forces.
+    pub train_forces: Vec<TrainForces>,
     /// Steps that add loads to the bodies.
     pub loads: Vec<LoadStep>,
     /// Steps of forces.
@@ -71,6 +84,7 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
             plan.outer.push((body.0, at, id.index()));
         }
     }
+    plan.laws = train::laws(mechanism, structure);
     motion::plan(structure, &mut plan);
     if plan.effects.forces && structure.force_defect.is_none() {
         plan.loads = loads::plan(mechanism, &plan.effects);

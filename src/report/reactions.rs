@@ -76,6 +76,8 @@ fn entry(view: &View<'_>, pair: PairId, from: LinkId, on: LinkId, scale: f64) ->
         PairKind::Cylinder { to, .. } => entry.at = Some(view.body(to.link).position(to.at)),
         PairKind::Slot(g) => entry.at = Some(view.body(g.slider).position(g.point)),
         PairKind::Contact { .. } => entry.at = view.contact_normal(pair).map(|c| c.0),
+        // forces of transmissions have a table of their own
+        PairKind::Transmission(_) => {}
         PairKind::Prismatic(g) => {
             entry.moment = number(Query::Moment(pair, on));
             // a couple alone crosses the guide nowhere

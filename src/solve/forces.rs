@@ -21,6 +21,7 @@ impl State {
         for (index, step) in plan.forces.iter().enumerate() {
             self.force_sines[index] = match step {
                 ForceStep::Rubbing { plain, .. } => self.force_step(plan, plain),
+                ForceStep::Train { train } => self.force_train(plan, *train, false),
                 plain => self.force_step(plan, plain),
             };
         }
@@ -41,6 +42,7 @@ impl State {
             ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
             ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
             ForceStep::Translation { ways } => self.force_translation(ways),
+            ForceStep::Train { train } => self.force_train(plan, *train, true),
             ForceStep::General { system } => self.force_general(*system, &plan.balance_systems[*system]),
             ForceStep::Sequence(steps) => self.force_sequence(plan, steps),
             // a step with friction holds a plain one

@@ -106,7 +106,7 @@ impl State {
                     }
                     return;
                 }
-                JointKind::Revolute(_) => {}
+                JointKind::Revolute(_) | JointKind::Law(_) => {}
             }
         }
     }

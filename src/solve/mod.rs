@@ -31,6 +31,8 @@ mod state;
 mod substitution;
 mod sweep;
 mod track;
+mod train;
+mod train_view;
 mod view;
 mod words;
 
@@ -42,4 +44,5 @@ pub use friction_error::FrictionError;
 pub use solution::{DriveValue, Pose, PoseOrigin, Residuals, Scene, Solution, Solved};
 pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};
 pub use sweep::{solve, solve_with};
+pub use train::{LawForce, TrainWork};
 pub use view::View;

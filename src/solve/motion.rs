@@ -151,6 +151,7 @@ impl State {
                 self.rpp::<LEVEL>(*branch, base, *pin, inner, outer);
             }
             MotionStep::Translation { branch, slides } => self.translation::<LEVEL>(*branch, slides),
+            MotionStep::Train { branch, train } => self.train::<LEVEL>(*branch, &plan.trains[*train]),
             MotionStep::General { branch, problem } => {
                 self.general::<LEVEL>(*branch, *problem, &plan.general[*problem]);
             }
@@ -189,7 +190,9 @@ impl State {
             }
         };
         self.sines[branch] = 1.0;
+        let way = relative.map_or(input.value, |sign| self.bodies[base.body].way + sign * input.value);
         place::<LEVEL>(&mut self.bodies[body], pin, hinge, u, omega, alpha);
+        self.bodies[body].way = way;
     }
 
     #[inline(never)]

@@ -2,6 +2,7 @@
 
 use super::friction::RubbingWork;
 use super::general::Workspace;
+use super::train::{LawForce, TrainWork};
 use crate::math::Vec2;
 use crate::plan::{ForceStep, Plan};
 
@@ -20,6 +21,8 @@ pub struct BodyState {
     pub a: Vec2,
     /// Angular acceleration, rad/s².
     pub alpha: f64,
+    /// Angle of a body that a drive or a train turns, whole turns included, rad.
+    pub way: f64,
 }
 
 impl BodyState {
@@ -31,6 +34,7 @@ impl BodyState {
         omega: 0.0,
         a: Vec2::new(0.0, 0.0),
         alpha: 0.0,
+        way: 0.0,
     };
 
     /// Position of a point of the body, m.
@@ -138,6 +142,10 @@ pub struct State {
     pub senses: Vec<f64>,
     /// Friction admits no motion: reactions and efforts do not exist.
     pub locked: bool,
+    /// What the laws of transmissions do.
+    pub law_forces: Vec<LawForce>,
+    /// Memory of the train groups of forces.
+    pub train_work: Vec<TrainWork>,
     /// Memory of the groups with friction, by step of forces.
     pub rubbing_work: Vec<Option<RubbingWork>>,
     /// Memory of the general groups of motion.
@@ -165,6 +173,8 @@ impl State {
             frictions: vec![0.0; plan.friction.len()],
             senses: vec![0.0; plan.friction.len()],
             locked: false,
+            law_forces: vec![LawForce::default(); plan.laws.len()],
+            train_work: plan.train_forces.iter().map(TrainWork::new).collect(),
             rubbing_work: plan
                 .forces
                 .iter()

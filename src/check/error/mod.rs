@@ -5,6 +5,7 @@ mod friction;
 mod geometry;
 mod name;
 mod request;
+mod train;
 mod unit;
 
 pub use expect::ExpectError;
@@ -12,4 +13,5 @@ pub use friction::FrictionError;
 pub use geometry::{LinkError, LoadError, MotionError, PairError};
 pub use name::NameError;
 pub use request::RequestError;
+pub use train::TrainError;
 pub use unit::UnitsError;

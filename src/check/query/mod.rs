@@ -73,6 +73,9 @@ impl Context<'_> {
             "efficiency" | "locked" => self.verdict(call),
             "critical" => self.critical(call),
             "frictionless" => self.frictionless(call),
+            "speed" => self.speed(call),
+            "radius" => self.radius_of_wheel(call),
+            "tangential_force" | "tooth_force" | "tension" => self.transmission_force(call),
             "journal_torque" | "thrust_torque" => self.bearing(call),
             name if FUNCTIONS.iter().any(|f| f.name == name) => self.not_yet(call),
             _ => {

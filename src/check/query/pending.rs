@@ -21,14 +21,6 @@ impl Context<'_> {
                 self.one_value(call)?;
                 ("functions over a sweep", ANY)
             }
-            "speed" => {
-                self.element(call, "a slider", |k| matches!(k, ThingKind::Slider))?;
-                ("sliders on ropes", Type::number(Dimension::VELOCITY))
-            }
-            "radius" => {
-                self.element(call, "a wheel", |k| k == ThingKind::Wheel)?;
-                ("wheels", Type::number(Dimension::LENGTH))
-            }
             "profile" | "curvature_radius" => {
                 self.element(call, "a cam", |k| k == ThingKind::Cam)?;
                 let length = call.name.node == "curvature_radius";
@@ -55,7 +47,12 @@ impl Context<'_> {
     }
 
     /// An argument that names a machine element.
-    fn element(&mut self, call: Call<'_>, wanted: &str, fits: impl Fn(ThingKind) -> bool) -> Option<()> {
+    pub(super) fn element(
+        &mut self,
+        call: Call<'_>,
+        wanted: &str,
+        fits: impl Fn(ThingKind) -> bool,
+    ) -> Option<()> {
         let args = self.arguments(call, 1, 1)?;
         let ExprKind::Name(name) = &args[0].kind else {
             self.wrong_argument(call, wanted, args[0].span);

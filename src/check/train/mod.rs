@@ -1,0 +1,14 @@
+//! Shafts, wheels, sliders and what runs between them.
+
+mod carrier;
+mod planet;
+mod property;
+mod rope;
+mod shaft;
+mod size;
+mod transmission;
+
+pub(super) use property::{constant, known, specs};
+pub(super) use shaft::shafts;
+pub(super) use size::{Sizes, wheels};
+pub(super) use transmission::transmissions;
