@@ -307,6 +307,7 @@ const fn force_result(query: &Query) -> Option<&'static str> {
         Query::Critical(_) => Some("a critical value"),
         Query::TangentialForce(_) | Query::ToothForce(_) => Some("a force between teeth"),
         Query::Tension(..) => Some("the pull of a rope"),
+        Query::Flywheel(..) => Some("a flywheel"),
         _ => None,
     }
 }

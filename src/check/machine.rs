@@ -2,8 +2,8 @@
 
 use super::context::Context;
 use super::{
-    assemble, balance, cam, drive, friction, gravity, link, load, mass, pair, pose, simulation, spring,
-    train, value,
+    assemble, balance, cam, drive, flywheel, friction, gravity, link, load, mass, pair, pose, simulation,
+    spring, train, value,
 };
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
@@ -23,7 +23,8 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     load::loads(cx);
     spring::springs(cx);
     assemble::hints(cx);
-    cam::cams_and_flywheels(cx);
+    cam::cams(cx);
+    flywheel::flywheels(cx);
     simulation::simulation(cx);
     friction::no_motion(cx);
 }

@@ -1,13 +1,17 @@
 //! 2-vectors, the scalar trait, exact ratios and small linear solves with their condition.
 
+pub mod chebyshev;
 mod dense;
+pub mod periodic;
 pub mod ratio;
 mod rigid;
+mod root;
 mod scalar;
 mod vec2;
 
 pub use dense::Dense;
 pub use ratio::Ratio;
 pub use rigid::{acceleration_at, velocity_at};
+pub use root::root;
 pub use scalar::Scalar;
 pub use vec2::{V2, Vec2};

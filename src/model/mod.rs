@@ -1,6 +1,7 @@
 //! The mechanism as plain data: SI units, radians, typed ids. What the compiler knows after `check` and before any
 //! structure is found.
 
+mod cycle;
 mod display;
 mod expr;
 mod id;
@@ -9,8 +10,10 @@ mod load;
 mod motion;
 mod pair;
 mod request;
+mod shape;
 mod train;
 
+pub use cycle::{Cycle, CycleFunction, Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };
@@ -63,6 +66,10 @@ pub struct Mechanism {
     pub finds: Vec<Find>,
     /// What the answer key expects.
     pub expects: Vec<Expect>,
+    /// Functions over the sweep, each after those it hangs on.
+    pub cycles: Vec<Cycle>,
+    /// Flywheels that are to be found.
+    pub flywheels: Vec<Flywheel>,
     /// Constructs that are understood but cannot be solved yet.
     pub unsupported: Vec<Unsupported>,
     /// Givens whose critical value is asked for.
@@ -100,6 +107,13 @@ impl Mechanism {
     #[must_use]
     pub fn link(&self, id: LinkId) -> &Link {
         &self.links[id.index()]
+    }
+
+    /// Whether its answers take other solutions of the same text: with other values of a `given`, or with other sizes of
+    /// wheels that are left open.
+    #[must_use]
+    pub fn asks_again(&self) -> bool {
+        !self.criticals.is_empty() || !self.scales.is_empty()
     }
 
     /// The pair with this id.

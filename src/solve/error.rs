@@ -207,6 +207,56 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// A function over a sweep where there is none.
+    #[error("there is no sweep: {why}")]
+    #[diagnostic(code(mech::solve::no_sweep))]
+    NoSweep {
+        /// Why.
+        why: String,
+        /// What to write.
+        #[help]
+        help: String,
+        /// What asks for it, and the drive.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A flywheel that cannot be found.
+    #[error("flywheel `{name}` cannot be found: {why}")]
+    #[diagnostic(code(mech::solve::no_flywheel))]
+    NoFlywheel {
+        /// Its name.
+        name: String,
+        /// Why.
+        why: String,
+        /// What to do.
+        #[help]
+        help: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A flywheel that is not needed.
+    #[error(
+        "flywheel `{name}` is not needed: the links alone run evenly enough, {have} kg m² of {needed} kg m²"
+    )]
+    #[diagnostic(
+        code(mech::solve::needless_flywheel),
+        severity(warning),
+        help(
+            "its moment of inertia is given as 0; ask for a smaller `fluctuation`, or leave the flywheel out"
+        )
+    )]
+    NeedlessFlywheel {
+        /// Its name.
+        name: String,
+        /// Mean reduced moment of inertia of the links.
+        have: String,
+        /// Moment of inertia needed in all.
+        needed: String,
+        /// Its place.
+        #[label("asked for here")]
+        span: miette::SourceSpan,
+    },
     /// An unknown effort that holds nothing.
     #[error("the forces cannot be found{pose}: {why}")]
     #[diagnostic(code(mech::solve::effort_cannot_hold))]
@@ -219,6 +269,73 @@ pub enum SolveError {
         #[help]
         help: String,
         /// The effort and the pairs of the group.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A position that hangs on a drive which has a rate only.
+    #[error("{what} hangs on the position of `{drive}`, which the file does not give")]
+    #[diagnostic(code(mech::train::no_position))]
+    NoPosition {
+        /// What is asked, or what must be known.
+        what: String,
+        /// The drive.
+        drive: String,
+        /// What to write.
+        #[help]
+        help: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A reaction to forces whose places are not known.
+    #[error(
+        "the reaction in `{pair}` is not known: its place, or that of a force that it holds, is left open"
+    )]
+    #[diagnostic(code(mech::train::no_place))]
+    NoPlace {
+        /// The pair.
+        pair: String,
+        /// What to write.
+        #[help]
+        help: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A rope that would have to push.
+    #[error("rope `{name}` would have to push{pose}{more}: its pull is {tension} N")]
+    #[diagnostic(
+        code(mech::train::rope_pushes),
+        severity(warning),
+        help(
+            "a rope only pulls: it would be slack there, and what hangs on it would fall; look at the sense of the load, or add a counterweight"
+        )
+    )]
+    RopePushes {
+        /// The rope.
+        name: String,
+        /// Where it pulls least.
+        pose: String,
+        /// `, and at 3 other poses`
+        more: String,
+        /// Its pull there, N.
+        tension: String,
+        /// Its place.
+        #[label("slack")]
+        span: miette::SourceSpan,
+    },
+    /// Transmissions that the load cannot drive.
+    #[error("the load cannot drive the mechanism{pose}{more}: it is self-locking")]
+    #[diagnostic(code(mech::train::self_locking), severity(warning))]
+    SelfLocking {
+        /// Where.
+        pose: String,
+        /// `, and at 3 other poses`
+        more: String,
+        /// What makes it so.
+        #[help]
+        help: String,
+        /// The transmissions.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },

@@ -1,19 +1,20 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
 use super::error::SolveError;
+use super::extremes::Statics;
 use super::notes;
 use super::positions::Wanted;
 use super::residual::residuals;
-use super::solution::{Residuals, Solved};
+use super::solution::{Residuals, Scene, Solved};
 use super::state::State;
 use super::sweep::Run;
 use super::track::Tracker;
 use super::view::View;
-use crate::model::{PairId, PairKind, Query, Value};
+use crate::model::{LoadId, PairId, PairKind, Query, TransmissionKind, Value};
 use crate::plan::Level;
 
 /// At and below this condition velocities and forces do not exist.
-const DEAD: f64 = 1e-12;
+pub(super) const DEAD: f64 = 1e-12;
 
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
@@ -30,7 +31,7 @@ impl Run<'_, '_> {
         if scene.plan.effects.forces {
             condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
         }
-        let frictionless = scene.plan.effects.friction.then(|| {
+        let frictionless = scene.plan.effects.loses().then(|| {
             let mut state = state.clone();
             state.wrenches.clone_from(&state.applied);
             state.frictions.fill(0.0);
@@ -57,6 +58,7 @@ impl Run<'_, '_> {
         let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
         solved.quantities = View { frictionless: ideal, ..view }.all_quantities();
         self.note_contacts(&solved, pose);
+        self.note_trains(&solved, pose);
         self.note_friction(&solved, pose);
         Ok(solved)
     }
@@ -83,17 +85,7 @@ impl Run<'_, '_> {
 
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
         let scene = self.scene;
-        let view = View::new(scene, state, angles, &self.statics);
-        let motion = view.all_quantities();
-        View { quantities: &motion, ..view }.evaluated_loads(&mut self.evaluated);
-        state.run_loads(scene, &self.evaluated);
-        state.applied.clone_from(&state.wrenches);
-        state.set_lines(scene);
-        state.locked = false;
-        if scene.plan.effects.friction {
-            state.set_senses(scene.plan);
-        }
-        state.run_forces(scene.plan);
+        balanced(scene, &self.statics, state, angles, &mut self.evaluated);
         let mut least = 1.0_f64;
         for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
             let condition = sine.abs();
@@ -104,6 +96,32 @@ impl Run<'_, '_> {
             self.notes.condition(scene, group, (condition, "forces", 2), pose);
         }
         Ok(least)
+    }
+
+    /// Ropes that push, and trains that the load cannot drive.
+    fn note_trains(&mut self, solved: &Solved, pose: &Wanted) {
+        if !self.scene.plan.effects.forces || solved.state.locked {
+            return;
+        }
+        let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
+        let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
+        let view = View { frictionless: ideal, ..view };
+        let mut ropes: Vec<(PairId, f64)> = Vec::new();
+        let greatest = solved.state.law_forces.iter().map(|f| f.multiplier.abs()).fold(0.0, f64::max);
+        for law in &self.scene.plan.laws {
+            let rope = matches!(&self.scene.mechanism.pair(law.pair).kind,
+                PairKind::Transmission(t) if t.kind == TransmissionKind::Rope);
+            let tension = view.tension(law.pair, law.index);
+            if rope && tension < -1e-9 * greatest {
+                ropes.push((law.pair, tension));
+            }
+        }
+        let ideal = view.without_friction().power_of_efforts();
+        let locking = self.scene.plan.effects.losses && ideal < 0.0 && view.power_of_efforts() > 0.0;
+        ropes.into_iter().for_each(|(pair, tension)| self.notes.pushes(self.scene, pair, tension, pose));
+        if locking {
+            self.notes.self_locking(self.scene, pose);
+        }
     }
 
     fn note_contacts(&mut self, solved: &Solved, pose: &Wanted) {
@@ -122,4 +140,25 @@ impl Run<'_, '_> {
             }
         }
     }
+}
+
+/// Loads and forces of a state whose motion is known.
+pub(super) fn balanced(
+    scene: &Scene<'_>,
+    statics: &Statics,
+    state: &mut State,
+    angles: &[f64],
+    evaluated: &mut Vec<(LoadId, Value)>,
+) {
+    let view = View::new(scene, state, angles, statics);
+    let motion = view.all_quantities();
+    View { quantities: &motion, ..view }.evaluated_loads(evaluated);
+    state.run_loads(scene, evaluated);
+    state.applied.clone_from(&state.wrenches);
+    state.set_lines(scene);
+    state.locked = false;
+    if scene.plan.effects.friction {
+        state.set_senses(scene.plan);
+    }
+    state.run_forces(scene.plan);
 }

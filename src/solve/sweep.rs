@@ -6,9 +6,10 @@ use super::extremes::{Statics, statics};
 use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
 use super::notes::Notes;
+use super::open;
 use super::positions::{Wanted, beside, sweep};
 use super::refused;
-use super::solution::{DriveValue, Pose, Scene, Solution, Solved};
+use super::solution::{DriveValue, OpenSizes, Pose, Scene, Solution, Solved};
 use super::state::State;
 use super::track::{Switch, Tracker};
 use super::words::place;
@@ -30,6 +31,9 @@ pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
 pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
     let mut errors = refused::not_supported(scene.mechanism);
     errors.extend(refused::missing_speeds(scene));
+    errors.extend(open::without_position(scene));
+    errors.extend(open::without_place(scene));
+    errors.extend(open::friction_beside(scene));
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -39,6 +43,7 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
     }
     let mut statics = statics(scene).map_err(|e| vec![e])?;
     statics.criticals = criticals;
+    let cycle_warnings = super::cycle::cycles(scene, &mut statics).map_err(|e| vec![e])?;
     let wanted = sweep(scene, &statics);
     let mut run = Run {
         scene,
@@ -52,8 +57,9 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
     let trackers = run.follow(&wanted).map_err(|e| vec![e])?;
     run.beside(&wanted, &trackers);
     let friction = run.friction_problems();
-    let warnings = run.notes.into_warnings(scene, &run.poses);
-    Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction })
+    let mut warnings = run.notes.into_warnings(scene, &run.poses);
+    warnings.extend(cycle_warnings);
+    Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction, open: OpenSizes::default() })
 }
 
 /// Why a position was not reached, and the tracker where it was before.

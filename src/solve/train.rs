@@ -246,15 +246,14 @@ impl State {
         for &law in &train.laws {
             self.law_forces[law].sides = [1.0, 1.0];
         }
-        if losses && !self.with_losses(plan, train, &mut work) {
-            self.locked = true;
-        }
+        // no sense of the flow of power fits: the efforts cannot hold the loads
+        let fits = !losses || self.with_losses(plan, train, &mut work);
         for (unknown, &law) in work.found.iter().zip(&train.laws) {
             self.law_forces[law].multiplier = *unknown;
         }
         self.train_reactions(plan, train, &work);
         self.train_work[index] = work;
-        1.0
+        if fits { 1.0 } else { 0.0 }
     }
 
     /// Loads on the members' coordinates: moments about their hinges, forces along their guides.

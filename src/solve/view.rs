@@ -121,6 +121,8 @@ impl View<'_> {
             Query::TangentialForce(pair) => Value::Scalar(self.tangential_force(*pair)),
             Query::ToothForce(pair) => Value::Scalar(self.tooth_force(*pair)),
             Query::Tension(pair, part) => Value::Scalar(self.tension(*pair, *part)),
+            Query::Cycle(which) => Value::Scalar(self.statics.cycle(*which)),
+            Query::Flywheel(which, part) => Value::Scalar(self.flywheel(*which, *part)),
         }
     }
 

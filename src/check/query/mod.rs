@@ -2,6 +2,8 @@
 
 mod args;
 mod bearing;
+mod cycle;
+mod flywheel;
 mod force;
 mod friction;
 mod motion;
@@ -77,6 +79,8 @@ impl Context<'_> {
             "radius" => self.radius_of_wheel(call),
             "tangential_force" | "tooth_force" | "tension" => self.transmission_force(call),
             "journal_torque" | "thrust_torque" => self.bearing(call),
+            "max" | "min" | "mean" | "integral" | "argmax" => self.over_sweep(call),
+            "fluctuation" | "rim" | "work" | "reduced_torque" | "reduced_inertia" => self.of_flywheel(call),
             name if FUNCTIONS.iter().any(|f| f.name == name) => self.not_yet(call),
             _ => {
                 self.no_function(call);
