@@ -2,7 +2,7 @@
 
 use super::Effects;
 use crate::math::Vec2;
-use crate::model::{Expr, LoadId, LoadKind, Mechanism, Place, SpringId, Value};
+use crate::model::{Bearing, Expr, LoadId, LoadKind, Mechanism, PairKind, Place, SpringId, Value};
 
 /// One load. Numbers that do not change over a sweep are in the step; the rest is evaluated at every position.
 #[derive(Clone, Debug)]
@@ -62,7 +62,7 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
                 centre: m.centre,
                 mass: m.mass,
                 moment_of_inertia: m.inertia,
-                gravity,
+                gravity: if hangs(mechanism, body) { Vec2::new(gravity.norm(), 0.0) } else { gravity },
                 inertia: effects.inertia,
             });
         }
@@ -95,4 +95,11 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
     }
     steps.extend((0..mechanism.springs.len()).map(|i| LoadStep::Spring(SpringId::at(i))));
     steps
+}
+
+/// Whether a link is a slider on a rope: its weight pulls along its way, in the sense in which the rope pays out.
+fn hangs(mechanism: &Mechanism, link: usize) -> bool {
+    mechanism.pairs.iter().any(|p| {
+        matches!(&p.kind, PairKind::Prismatic(g) if p.bearing == Some(Bearing::Open) && g.slider.index() == link)
+    })
 }

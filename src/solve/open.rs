@@ -7,7 +7,8 @@ use super::error::{SolveError, label};
 use super::extremes::every_query;
 use super::solution::Scene;
 use crate::model::{
-    Bearing, Drive, LinkId, LoadKind, PairId, PairKind, PointRef, Positions, Query, TransmissionKind,
+    Bearing, Drive, FindKind, LinkId, LoadKind, PairId, PairKind, PointRef, Positions, Query,
+    TransmissionKind,
 };
 use crate::plan::LawSite;
 use crate::source::Span;
@@ -92,6 +93,15 @@ pub(super) fn without_position(scene: &Scene<'_>) -> Vec<SolveError> {
         if let Some(drive) = of_link(on).filter(|_| !slides) {
             errors.push((drive, "the place of a force", load.span));
         }
+    }
+    let all = mechanism.finds.iter().find(|f| matches!(f.kind, FindKind::Reactions));
+    let element = |l: usize| {
+        let own = |p: &crate::model::Pair| p.bearing.is_some() && p.name == mechanism.links[l].name;
+        mechanism.pairs.iter().any(own)
+    };
+    let linkage = (1..mechanism.links.len()).find_map(|l| open[l].filter(|_| !element(l)));
+    if let (Some(find), Some(drive)) = (all, linkage) {
+        errors.push((drive, "what `find reactions` tells of the links", find.span));
     }
     let mut out: Vec<SolveError> = Vec::new();
     for (drive, what, span) in errors {
