@@ -18,7 +18,7 @@ const EQUAL: f64 = 1e-9;
 pub enum ScaleError {
     /// On the radius of a wheel, or the module of its teeth.
     #[error("`{what}` hangs on the {size} of `{wheel}`, which is not given")]
-    #[diagnostic(code(mech::train::missing_radius), help("{help}"))]
+    #[diagnostic(code(mech::train::missing_radius))]
     MissingRadius {
         /// What is asked.
         what: String,
@@ -27,6 +27,7 @@ pub enum ScaleError {
         /// `radius`, `module`
         size: &'static str,
         /// What to write.
+        #[help]
         help: String,
         /// Where it is asked.
         #[label(primary, "hangs on it")]

@@ -136,14 +136,19 @@ impl Notes {
         let labels = lossy.iter().map(|(p, _)| label("loses more than comes back", p.span)).collect();
         let back = lossy.iter().map(|(p, [there, back])| {
             if there == back {
-                format!("`{}` lets {} through", p.name, four(*back))
+                format!("`{}` lets {} of the power through", p.name, four(*back))
             } else {
-                format!("`{}` lets 2 − 1/{} = {} through backwards", p.name, four(*there), four(*back))
+                format!(
+                    "`{}` lets 2 − 1/{} = {} of the power through backwards",
+                    p.name,
+                    four(*there),
+                    four(*back)
+                )
             }
         });
         let back = back.collect::<Vec<_>>().join(", ");
         let help = format!(
-            "{back}: less than nothing has to be driven in this sense too, and the unknown effort is what drives it"
+            "{back}; where that comes to less than 0, the unknown effort has to drive in this sense too"
         );
         let pose = place(scene, pose);
         self.locking = Some((SolveError::SelfLocking { pose, more: String::new(), help, labels }, 0));

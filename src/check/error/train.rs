@@ -8,7 +8,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum TrainError {
     /// Two wheels of one shaft that are to drive each other.
-    #[error("{what} `{name}` joins `{first}` and `{second}`, which both sit on `{link}`")]
+    #[error("`{name}` joins `{first}` and `{second}`, which both sit on `{link}`")]
     #[diagnostic(
         code("mech::train::same_shaft"),
         help("wheels on one shaft turn as one; {what} joins wheels of two shafts")
@@ -132,11 +132,12 @@ pub enum TrainError {
     },
     /// A rope that runs nowhere.
     #[error("{message}")]
-    #[diagnostic(code("mech::train::rope_end"), help("{help}"))]
+    #[diagnostic(code("mech::train::rope_end"))]
     RopeEnd {
         /// What is wrong.
         message: String,
         /// What to write.
+        #[help]
         help: String,
         /// Place.
         #[label(primary, "here")]

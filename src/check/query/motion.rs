@@ -99,7 +99,7 @@ impl Context<'_> {
             Mover::Link(link) if call.name.node == "dir" => Some(vector(query(link), dimension)),
             Mover::Link(link) => Some(number(query(link), dimension)),
             Mover::Slider => {
-                self.wrong_argument(call, "a link, a shaft or a wheel: a slider does not turn", args[0].span);
+                self.wrong_argument(call, "what turns, and not a slider,", args[0].span);
                 None
             }
         }

@@ -222,10 +222,7 @@ fn wheels(
             distance(cx, [&a, &b], carrier, internal, joint.name.span)?;
         }
         for (planet, other) in [(&a, &b), (&b, &a)] {
-            if carrier != LinkId::GROUND
-                && turns_on(cx, planet.link, carrier)
-                && !turns_on(cx, other.link, carrier)
-            {
+            if is_planet(cx, planet, carrier) && !is_planet(cx, other, carrier) {
                 arm(cx, arms, planet, other, internal, (&joint.name.node, joint.name.span));
             }
         }
@@ -237,6 +234,23 @@ fn wheels(
     let law =
         Law { terms: about(a.link, c_1, b.link, c_2, carrier), force: c_1 / a.radius, efficiency: None };
     Some(Runs { laws: vec![law], links: vec![a.link, b.link], meeting })
+}
+
+/// Whether a wheel turns on a carrier that moves.
+fn is_planet(cx: &Context<'_>, wheel: &Wheel, carrier: LinkId) -> bool {
+    let on = |p: &Pair| match &p.kind {
+        // a shaft stands second, what carries it first
+        PairKind::Revolute(pins) if p.bearing.is_some() => {
+            pins.first().is_some_and(|p| p.link == carrier)
+                && pins.last().is_some_and(|p| p.link == wheel.link)
+        }
+        PairKind::Revolute(pins) => {
+            let has = |link| pins.iter().any(|p| p.link == link);
+            has(wheel.link) && has(carrier) && !has(LinkId::GROUND)
+        }
+        _ => false,
+    };
+    carrier != LinkId::GROUND && wheel.link != LinkId::GROUND && cx.mech.pairs.iter().any(on)
 }
 
 /// Whether a link has a revolute pair with the carrier.
