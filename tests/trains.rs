@@ -2,6 +2,7 @@
 //! points where wheels touch, equilibrium of every shaft, the balance of powers.
 
 #[path = "properties/random.rs"]
+#[allow(dead_code, reason = "other tests use more of it")]
 mod random;
 
 use assur::check::Overrides;

@@ -1,6 +1,7 @@
 //! What the parts of the stage share: the document, the names, the mechanism under construction, the problems.
 
 use super::definition::Definitions;
+use super::gear::Gears;
 use super::hinges::Hinges;
 use super::names::Names;
 use super::overrides::Overrides;
@@ -41,6 +42,8 @@ pub struct Context<'a> {
     pub(super) sizes: Sizes<'a>,
     /// A wheel whose size is left open, of which another is assumed than usual.
     pub stretched: Option<&'a str>,
+    /// The gear pairs whose geometry was asked for.
+    pub(super) gears: Gears,
     /// Names reported as unknown already, with the list they were looked for in.
     pub(super) reported: IndexSet<(&'static str, String)>,
 }
@@ -61,6 +64,7 @@ impl<'a> Context<'a> {
             definitions: Definitions::default(),
             sizes: Sizes::default(),
             stretched: None,
+            gears: Gears::new(),
             reported: IndexSet::new(),
         }
     }

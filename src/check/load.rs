@@ -5,7 +5,7 @@ use super::drive::{Moves, coordinate, negated, on_moving};
 use super::error::LoadError;
 use super::expr::Want;
 use super::names::ThingKind;
-use crate::model::{self, Expr, LinkId, LoadKind, PairId, Place, Query};
+use crate::model::{self, Bearing, Expr, LinkId, LoadKind, PairId, PairKind, Place, Query};
 use crate::source::Span;
 use crate::syntax::document::{self, Load, Name, Site, Statement, Turn};
 use crate::units::Dimension;
@@ -71,6 +71,23 @@ pub(super) fn slider(cx: &Context<'_>, name: &Name) -> Option<PairId> {
     cx.find_pair(&name.node).filter(|_| is_slider)
 }
 
+/// Reports a force on a shaft whose place is left open: it has no arm.
+pub(super) fn of_open_shaft(cx: &mut Context<'_>, name: &Name, what: &str) -> Option<()> {
+    let Some(link) = cx.find_link(&name.node) else { return Some(()) };
+    let open = cx.mech.pairs.iter().any(|p| match &p.kind {
+        PairKind::Revolute(pins) => {
+            p.bearing == Some(Bearing::Open) && pins.last().is_some_and(|pin| pin.link == link)
+        }
+        _ => false,
+    });
+    if !open {
+        return Some(());
+    }
+    let message = format!("the place of `{}` is left open: {what} on it has no arm", name.node);
+    form(cx, message, "write a torque, as in `torque on I = 10 N*m`, or hang the load on a rope", name.span);
+    None
+}
+
 /// A slider moves along one line: a force on it has no place and no direction, but a sign.
 fn on_slider(
     cx: &mut Context<'_>,
@@ -111,6 +128,7 @@ fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::P
     if slider(cx, link).is_some() {
         return on_slider(cx, load, link, at);
     }
+    of_open_shaft(cx, link, "a force")?;
     let on = moving(cx, link, "a force");
     let place = match at {
         Some(at) => on.and_then(|on| place(cx, on, at)),

@@ -55,6 +55,7 @@ impl<'a> Resident<'a> {
         cx.hinges = Hinges::default();
         cx.sizes = Sizes::default();
         cx.reported.clear();
+        cx.gears.clear();
         let (order, results) = std::mem::take(&mut cx.definitions).into_names();
         cx.definitions = Definitions::of_names(order, results);
         meaning(cx);

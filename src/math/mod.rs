@@ -2,6 +2,7 @@
 
 pub mod chebyshev;
 mod dense;
+mod lanes;
 pub mod periodic;
 pub mod ratio;
 mod rigid;
@@ -10,8 +11,9 @@ mod scalar;
 mod vec2;
 
 pub use dense::Dense;
+pub use lanes::Lanes;
 pub use ratio::Ratio;
 pub use rigid::{acceleration_at, velocity_at};
 pub use root::root;
-pub use scalar::Scalar;
+pub use scalar::{Scalar, Truths};
 pub use vec2::{V2, Vec2};

@@ -4,9 +4,9 @@
 
 use super::Plan;
 use super::forces::way;
-use super::geometry::{anchor, pin, slide};
-use super::step::{Anchor, Hinge, Slide, Way};
-use crate::math::{Vec2, ratio};
+use super::geometry::{anchor, pin_arm, slide};
+use super::step::{Anchor, Arm, Hinge, Slide, Way};
+use crate::math::ratio;
 use crate::model::{Mechanism, Meeting, PairId, PairKind};
 use crate::structure::{
     BodyId, BodyRate, Effort, EffortKind, EffortSource, Group, GroupJoint, GroupKind, JointId, JointKind,
@@ -35,8 +35,8 @@ pub enum TrainMember {
         body: usize,
         /// The revolute on the base.
         base: Anchor,
-        /// The revolute in the body's frame, m.
-        pin: Vec2,
+        /// The revolute in the body's frame.
+        pin: Arm,
     },
     /// On a guide.
     Shift(Slide),
@@ -274,7 +274,7 @@ pub(super) fn motion(structure: &Structure, group: &Group, plan: &Plan) -> Train
         if joint.prismatic {
             TrainMember::Shift(slide(replaced, *joint, joint.base))
         } else {
-            let pin = pin(replaced, *joint, joint.body);
+            let pin = pin_arm(replaced, *joint, joint.body);
             TrainMember::Turn { body: joint.body.0, base: anchor(replaced, *joint), pin }
         }
     };
@@ -306,7 +306,7 @@ pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize, pl
             let way = way(structure, *joint, first_slot + i);
             TrainSupport::Shift(way, if way.slider == joint.body.0 { 1.0 } else { -1.0 })
         } else {
-            let pin = pin(replaced, *joint, joint.body);
+            let pin = pin_arm(replaced, *joint, joint.body);
             let hinge = Hinge { body: joint.body.0, pin, base: joint.base.0, slot: first_slot + i };
             TrainSupport::Turn(hinge, group.bodies.iter().position(|b| *b == joint.base))
         }

@@ -30,6 +30,7 @@ pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
 /// As [`solve`].
 pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
     let mut errors = refused::not_supported(scene.mechanism);
+    errors.extend(refused::cams(scene));
     errors.extend(refused::missing_speeds(scene));
     errors.extend(open::without_position(scene));
     errors.extend(open::without_place(scene));

@@ -80,16 +80,16 @@ impl State {
             }
             match member {
                 TrainMember::Turn { body, base, pin } => {
-                    let hinge = point::<LEVEL>(&self.bodies, base);
+                    let hinge = point::<f64, LEVEL>(&self.bodies, base);
                     let u = Vec2::direction(sum.value);
-                    place::<LEVEL>(&mut self.bodies[*body], *pin, hinge, u, sum.rate, sum.second);
+                    place::<f64, LEVEL>(&mut self.bodies[*body], pin, hinge, u, sum.rate, sum.second);
                     self.bodies[*body].way = sum.value;
                 }
                 TrainMember::Shift(slide) => {
                     let guide = line(&self.bodies, slide);
                     let p = guide.origin + guide.along * (slide.sense * sum.value);
                     let (rate, second) = (slide.sense * sum.rate, slide.sense * sum.second);
-                    self.place_slider::<LEVEL>(slide, guide.along, slide.point, p, rate, second);
+                    self.place_slider::<LEVEL>(slide, guide.along, &Some(slide.point), p, rate, second);
                 }
             }
         }
@@ -110,10 +110,10 @@ impl State {
     }
 
     fn slide_coordinate(&self, slide: &Slide) -> Coordinate {
-        let (body, base) = (&self.bodies[slide.body], &self.bodies[slide.base]);
+        let body = &self.bodies[slide.body];
         let guide = line(&self.bodies, slide);
         let p = body.position(slide.point);
-        let beneath: Point = under::<2>(base, p);
+        let beneath: Point<f64> = under::<f64, 2>(&self.bodies, slide.base, p);
         let along = |v: Vec2| v.dot(guide.along) * slide.sense;
         Coordinate {
             value: along(p - guide.origin),
@@ -131,7 +131,7 @@ impl State {
                     if way.slider == way.body { (way.body, way.base) } else { (way.base, way.body) };
                 let body: &BodyState = &self.bodies[slider];
                 let p = body.position(way.point);
-                let beneath: Point = under::<1>(&self.bodies[guide], p);
+                let beneath: Point<f64> = under::<f64, 1>(&self.bodies, guide, p);
                 (body.velocity(way.point) - beneath.v).dot(self.direction(way))
             }
         }
@@ -264,8 +264,7 @@ impl State {
             match member {
                 TrainSupport::Turn(hinge, carrier) => {
                     let body = &self.bodies[hinge.body];
-                    let p = body.position(hinge.pin);
-                    let (force, about) = self.load_about(hinge.body, p);
+                    let (p, force, about) = self.load_at(hinge.body, &hinge.pin);
                     let lever = (body.p - p).cross(more);
                     work.loads[i] = about + moment + lever;
                     if let Some(carrier) = carrier
@@ -406,8 +405,7 @@ impl State {
         for member in train.members.iter().rev() {
             match member {
                 TrainSupport::Turn(hinge, _) => {
-                    let p = self.bodies[hinge.body].position(hinge.pin);
-                    let (force, _) = self.load_about(hinge.body, p);
+                    let (p, force, _) = self.load_at(hinge.body, &hinge.pin);
                     self.hinge_reaction(hinge, p, -force);
                 }
                 TrainSupport::Shift(way, _) => {

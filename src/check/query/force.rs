@@ -152,7 +152,7 @@ impl Context<'_> {
         None
     }
 
-    /// `tangential_force(k)`, `tooth_force(k)`, `tension(a)`; `tension(a, A)` of the part of a rope that ends at A
+    /// `tangential_force(k)`, `normal_force(k)`, `tension(a)`; `tension(a, A)` of the part of a rope that ends at A
     pub(super) fn transmission_force(&mut self, call: Call<'_>) -> Option<Typed> {
         let function = call.name.node.as_str();
         let args = self.arguments(call, 1, if function == "tension" { 2 } else { 1 })?;
@@ -164,11 +164,11 @@ impl Context<'_> {
         let (kind, angle, parts) = (t.kind, t.pressure_angle, t.laws.len());
         let fits = match function {
             "tension" => kind == TransmissionKind::Rope,
-            "tooth_force" => matches!(kind, TransmissionKind::Mesh | TransmissionKind::Rack),
+            "normal_force" => matches!(kind, TransmissionKind::Mesh | TransmissionKind::Rack),
             _ => !matches!(kind, TransmissionKind::Rope | TransmissionKind::Screw),
         };
         let help = match kind {
-            _ if fits && function == "tooth_force" && angle.is_none() => {
+            _ if fits && function == "normal_force" && angle.is_none() => {
                 Some("the line of action is not known: add `{ pressure_angle 20 deg }` to it")
             }
             _ if fits => None,
@@ -181,7 +181,7 @@ impl Context<'_> {
             return None;
         }
         let query = match function {
-            "tooth_force" => Query::ToothForce(pair),
+            "normal_force" => Query::ToothForce(pair),
             "tangential_force" => Query::TangentialForce(pair),
             _ => Query::Tension(pair, self.part_of_rope(call, pair, args.get(1).copied(), parts)?),
         };

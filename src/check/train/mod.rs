@@ -1,5 +1,6 @@
 //! Shafts, wheels, sliders and what runs between them.
 
+mod at_rest;
 mod carrier;
 mod planet;
 mod property;
@@ -8,6 +9,7 @@ mod shaft;
 mod size;
 mod transmission;
 
+pub(super) use at_rest::at_rest;
 pub(super) use property::{constant, known, specs};
 pub(super) use shaft::shafts;
 pub(super) use size::{Sizes, wheels};
