@@ -1,11 +1,11 @@
 //! `flywheel J on O1 for Mb { … }`
 
 use super::context::Context;
-use super::element::known;
 use super::error::{LinkError, NameError, PairError};
 use super::lookup::suggestion;
 use super::names::{QuantityKind, ThingKind};
 use super::property::{Read, Spec, Takes, find, read};
+use super::train::known;
 use crate::model::{self, FlywheelTorque, LinkId, Rim};
 use crate::source::Span;
 use crate::syntax::document::{Flywheel, Name, Statement};

@@ -166,6 +166,15 @@ pub const CODES: &[Code] = codes! {
     "gear" / "pointed",
     "gear" / "contact_ratio",
 
+    "train" / "same_shaft",
+    "train" / "no_carrier",
+    "train" / "sizes",
+    "train" / "internal",
+    "train" / "centre_distance",
+    "train" / "planet_distance",
+    "train" / "rope_end",
+    "train" / "efficiency",
+
     // structure
     "determinacy" / "floating_link",
     "determinacy" / "not_grounded",
@@ -203,10 +212,15 @@ pub const CODES: &[Code] = codes! {
     "solve" / "not_finite",
     "request" / "not_supported_yet",
     "request" / "needs_speed",
+    "train" / "no_position",
+    "train" / "no_place",
+    "train" / "rope_pushes",
+    "train" / "self_locking",
 
     // element
 
     // exercise
+    "train" / "missing_radius",
     "expect" / "mismatch",
     "expect" / "pose_failed",
     "expect" / "undefined",

@@ -15,6 +15,7 @@ pub(super) fn pin(replaced: &Replaced, joint: GroupJoint, body: BodyId) -> Vec2 
                 *through
             }
         }
+        JointKind::Law(_) => Vec2::zero(),
     }
 }
 

@@ -246,6 +246,13 @@ pub enum MotionStep {
         /// The guides.
         slides: [Slide; 2],
     },
+    /// Bodies moved by laws between their rates.
+    Train {
+        /// Group.
+        branch: usize,
+        /// Index into [`super::Plan::trains`].
+        train: usize,
+    },
     /// The follower of a designed cam.
     Cam {
         /// Group.
@@ -394,6 +401,11 @@ pub enum ForceStep {
     Translation {
         /// The guides.
         ways: [Way; 2],
+    },
+    /// Bodies held by laws between their rates.
+    Train {
+        /// Index into [`super::Plan::train_forces`].
+        train: usize,
     },
     /// Anything else: all equations of equilibrium at once.
     General {

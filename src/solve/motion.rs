@@ -153,7 +153,9 @@ impl<S: Scalar> State<S> {
                 self.rpp::<LEVEL>(*branch, base, pin, inner, outer);
             }
             MotionStep::Translation { branch, slides } => self.translation::<LEVEL>(*branch, slides),
-            MotionStep::Cam { branch, .. } | MotionStep::General { branch, .. } => {
+            MotionStep::Cam { branch, .. }
+            | MotionStep::Train { branch, .. }
+            | MotionStep::General { branch, .. } => {
                 self.open.get_or_insert(*branch);
             }
         }
@@ -193,7 +195,12 @@ impl<S: Scalar> State<S> {
             }
         };
         self.sines[branch] = S::one();
+        let way = match relative {
+            None => input.value,
+            Some(sign) => self.bodies[base.body].way + S::of(sign) * input.value,
+        };
         place::<S, LEVEL>(&mut self.bodies[body], pin, hinge, u, omega, alpha);
+        self.bodies[body].way = way;
     }
 
     #[inline(always)]
@@ -430,6 +437,7 @@ impl State {
     #[inline(never)]
     pub fn step<const LEVEL: u8>(&mut self, plan: &Plan, step: &MotionStep) {
         match step {
+            MotionStep::Train { branch, train } => self.train::<LEVEL>(*branch, &plan.trains[*train]),
             MotionStep::Cam { branch, cam } => self.cam::<LEVEL>(*branch, &plan.cams[*cam]),
             MotionStep::General { branch, problem } => {
                 self.general::<LEVEL>(*branch, *problem, &plan.general[*problem]);

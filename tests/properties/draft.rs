@@ -114,6 +114,7 @@ impl Draft {
             span: Span::default(),
             kind,
             friction: None,
+            bearing: None,
         });
         id
     }

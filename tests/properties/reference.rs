@@ -97,6 +97,8 @@ pub fn constraints(mechanism: &Mechanism, bodies: &[Body], driven: bool) -> Vec<
     let body = |link: LinkId| &bodies[link.index()];
     for pair in &mechanism.pairs {
         match &pair.kind {
+            // trains are tested by themselves
+            PairKind::Transmission(_) => {}
             PairKind::Revolute(pins) => {
                 let at = |i: usize| body(pins[i].link).point(pins[i].at);
                 for i in 1..pins.len() {
@@ -150,7 +152,7 @@ pub fn constraints(mechanism: &Mechanism, bodies: &[Body], driven: bool) -> Vec<
                     let r = body(to.link).point(to.at).minus(body(from.link).point(from.at));
                     r.dot(r) - law * law
                 }
-                PairKind::Contact { .. } => Jet::constant(f64::NAN),
+                PairKind::Contact { .. } | PairKind::Transmission(_) => Jet::constant(f64::NAN),
             },
             DriveTarget::Point(..) => Jet::constant(f64::NAN),
         });
