@@ -146,6 +146,64 @@ expect fluctuation(K) = fluctuation(J) within 1e-13
     solved(&text);
 }
 
+/// A torque by a law of its own: the work of M (1 + cos φ) less its mean goes from −M to M.
+#[test]
+fn a_flywheel_evens_out_a_given_torque() {
+    solved(
+        "ground { A (0, 0) }
+        link crank A-B 100 mm
+        revolute A: ground - crank
+        drive crank = 0 deg .. 360 deg in 8 steps at 20 rad/s
+        torque Md on crank = 10 N*m*(1 + cos(angle(crank)))
+        flywheel J on crank for Md { fluctuation 1/50 }
+        flywheel K on crank { fluctuation 1/50 }
+        find J, K
+        expect fluctuation(J) = 20 J within 1e-13
+        expect J = 2.5 kg*m^2 within 1e-13
+        expect K = J within 1e-13
+        expect argmax(work(J)) = 90 deg within 1e-12
+        expect mean(reduced_torque(J)) = 10 N*m within 1e-13
+        ",
+    );
+}
+
+/// Friction changes its sense at the dead positions and with the normal force.
+#[test]
+fn friction_is_split_where_it_changes_its_sense() {
+    let text = ENGINE
+        .replace("ground.guide\n", "ground.guide { friction 0.2 }\n")
+        .replace("12 steps", "14400 steps");
+    let solved = solved(&format!("{text}find Mb, mean(Mb), mean(frictionless(Mb))\n"));
+    let poses = &solved.solution.poses;
+    let sum: f64 = poses.iter().map(|p| p.outcome.as_ref().expect("it moves").state.efforts[0]).sum();
+    let (with, without) = (&solved.solution.statics.cycles[0], &solved.solution.statics.cycles[1]);
+    assert!(with.splits.len() >= 3, "{:?}", with.splits);
+    assert!(with.error < 1e-9, "{with:?}");
+    let brute = sum / 14400.0;
+    assert!(brute > 1.0 && (with.value - brute).abs() < 1e-4 * brute, "{} {brute}", with.value);
+    assert!(without.value.abs() < 1e-9, "{}", without.value);
+}
+
+#[test]
+fn a_mechanism_that_does_not_close_has_no_mean() {
+    let text = "ground { A (0, 0); D (300 mm, 0) }
+        link crank A-B 200 mm
+        link coupler B-C 120 mm
+        link rocker C-D 150 mm
+        revolute A: ground - crank
+        revolute B: crank - coupler
+        revolute C: coupler - rocker
+        revolute D: ground - rocker
+        drive crank = 0 deg .. 90 deg in 3 steps
+        assemble C right of B-D
+        expect mean(angle(rocker)) = 1 rad within 1 rad
+        ";
+    let source = Source::new("test.mech", text.to_owned());
+    let (_, problems) = assur::test_source(&source, &Overrides::none());
+    let said = render(&problems, &source, Style::PLAIN);
+    assert!(said.contains("does not close at crank"), "{said}");
+}
+
 #[test]
 fn a_part_of_a_turn_is_integrated_too() {
     let text = ENGINE.replace("0 deg .. 360 deg in 12 steps", "20 deg .. 110 deg in 3 steps");
