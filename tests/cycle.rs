@@ -167,21 +167,26 @@ fn a_flywheel_evens_out_a_given_torque() {
     );
 }
 
-/// Friction changes its sense at the dead positions and with the normal force.
+/// Friction changes its sense at the dead positions.
 #[test]
 fn friction_is_split_where_it_changes_its_sense() {
     let text = ENGINE
-        .replace("ground.guide\n", "ground.guide { friction 0.2 }\n")
-        .replace("12 steps", "14400 steps");
-    let solved = solved(&format!("{text}find Mb, mean(Mb), mean(frictionless(Mb))\n"));
-    let poses = &solved.solution.poses;
-    let sum: f64 = poses.iter().map(|p| p.outcome.as_ref().expect("it moves").state.efforts[0]).sum();
-    let (with, without) = (&solved.solution.statics.cycles[0], &solved.solution.statics.cycles[1]);
-    assert!(with.splits.len() >= 3, "{:?}", with.splits);
-    assert!(with.error < 1e-9, "{with:?}");
-    let brute = sum / 14400.0;
-    assert!(brute > 1.0 && (with.value - brute).abs() < 1e-4 * brute, "{} {brute}", with.value);
-    assert!(without.value.abs() < 1e-9, "{}", without.value);
+        .replace("ground.guide\n", "ground.guide { friction 0.1 }\n")
+        .replace("mass 2.5 kg at S; inertia 0.03 kg*m^2", "")
+        .replace("; mass 3 kg", "")
+        .replace("gravity 9.81 m/s^2", "force on piston at C = 1 kN against motion")
+        .replace("12 steps", "7200 steps");
+    let source = Source::new("test.mech", format!("{text}find Mb, mean(Mb), mean(frictionless(Mb))\n"));
+    let (solved, _) = assur::solve_source(&source, &Overrides::none());
+    let solution = solved.expect("it is solved").solution;
+    let efforts = solution.poses.iter().map(|p| p.outcome.as_ref().expect("it moves").state.efforts[0]);
+    let brute = efforts.sum::<f64>() / 7200.0;
+    let (with, without) = (&solution.statics.cycles[0], &solution.statics.cycles[1]);
+    assert_eq!(with.splits.len(), 1, "{with:?}");
+    assert!((with.value - brute).abs() < 1e-5 * brute, "{} {brute}", with.value);
+    // 1 kN over 0.2 m, there and back
+    assert!((without.value - 200.0 / PI).abs() < 1e-10, "{}", without.value);
+    assert!(with.value > without.value && with.error < 1e-10 * with.value, "{with:?}");
 }
 
 #[test]
