@@ -67,7 +67,9 @@ fn differs(place: &Place<'_>, alone: &State) -> Option<String> {
     for (slot, b) in alone.bodies.iter().enumerate() {
         let a = place.body(slot);
         pairs.extend([(a.omega, b.omega), (a.alpha, b.alpha)]);
-        [(a.p, b.p), (a.u, b.u), (a.v, b.v), (a.a, b.a)].map(|(a, b)| pairs.extend(vector(a, b)));
+        for (a, b) in [(a.p, b.p), (a.u, b.u), (a.v, b.v), (a.a, b.a)] {
+            pairs.extend(vector(a, b));
+        }
     }
     for (slot, b) in alone.reactions.iter().enumerate() {
         let a = place.reaction(slot);
