@@ -67,6 +67,10 @@ fn kinematics(seed: u64, flat: f64, general: f64) -> Draft {
         6 => draft.add_elbow(),
         _ => draft.add_driven_legs(),
     };
+    // near a dead position some draws come to nothing
+    if draft.mechanism.drives.is_empty() {
+        draft.add_crank();
+    }
     for _ in 0..1 + draft.random.below(5) {
         let several = draft.mechanism.drives.len() > 2;
         let dyads_only = draft.general < 1.0 && !draft.random.chance(draft.general);

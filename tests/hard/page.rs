@@ -1,0 +1,1 @@
+//! docs/stability.md tells what the catalogue measures.
