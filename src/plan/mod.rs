@@ -12,9 +12,9 @@ pub mod step;
 pub use effects::{Effects, Level, level_of, needs_forces};
 pub use friction::{FrictionElement, Rub, RubbingGroup};
 pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
-pub use loads::LoadStep;
+pub use loads::{ForceLine, LoadStep};
 pub use step::{
-    Anchor, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
+    Anchor, Arm, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
     OuterJoint, Slide, Way,
 };
 
@@ -35,8 +35,12 @@ pub struct Plan {
     pub motion: Vec<MotionStep>,
     /// Problems of the general steps.
     pub general: Vec<GeneralMotion>,
+    /// Bodies without mass, the ground among them: they start without load.
+    pub massless: Vec<usize>,
     /// Steps that add loads to the bodies.
     pub loads: Vec<LoadStep>,
+    /// Lines of unknown forces.
+    pub lines: Vec<ForceLine>,
     /// Steps of forces.
     pub forces: Vec<ForceStep>,
     /// Systems of the general steps of forces.
@@ -74,6 +78,11 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
     motion::plan(structure, &mut plan);
     if plan.effects.forces && structure.force_defect.is_none() {
         plan.loads = loads::plan(mechanism, &plan.effects);
+        let heavy = |slot: usize| {
+            plan.loads.iter().any(|l| matches!(l, LoadStep::Mass { body, .. } if *body == slot))
+        };
+        plan.massless = (0..plan.bodies).filter(|&slot| !heavy(slot)).collect();
+        plan.lines = loads::lines(mechanism, structure);
         forces::plan(structure, &mut plan);
         if plan.effects.friction {
             friction::plan(mechanism, structure, &mut plan);
@@ -83,6 +92,17 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
 }
 
 impl Plan {
+    /// Whether every step has a closed form and every load is a number, so that several positions go side by side.
+    #[must_use]
+    pub fn laned(&self) -> bool {
+        let closed = |step: &ForceStep| {
+            !matches!(step, ForceStep::General { .. } | ForceStep::Sequence(_) | ForceStep::Rubbing { .. })
+        };
+        self.general.is_empty()
+            && self.forces.iter().all(closed)
+            && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
+    }
+
     /// Slot of a link's body.
     #[must_use]
     pub fn is_imaginary(structure: &Structure, body: usize) -> bool {

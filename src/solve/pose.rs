@@ -1,19 +1,22 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
 use super::error::SolveError;
+use super::extremes::Statics;
 use super::notes;
 use super::positions::Wanted;
 use super::residual::residuals;
-use super::solution::{Residuals, Solved};
+use super::solution::{Residuals, Scene, Solved};
 use super::state::State;
 use super::sweep::Run;
 use super::track::Tracker;
 use super::view::View;
-use crate::model::{PairId, PairKind, Query, Value};
-use crate::plan::Level;
+use crate::model::{LoadId, PairId, PairKind, Query, Value};
+use crate::plan::{ForceStep, Level};
 
 /// At and below this condition velocities and forces do not exist.
-const DEAD: f64 = 1e-12;
+pub(super) const DEAD: f64 = 1e-12;
+/// Forces without friction over those with it, below which the mechanism is near self-locking.
+const NEAR_LOCKING: f64 = 1e-3;
 
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
@@ -39,6 +42,9 @@ impl Run<'_, '_> {
             let values = View::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
             Box::new((state, values))
         });
+        if let (Some(free), false) = (&frictionless, state.locked) {
+            condition = condition.min(self.near_locking(&state, &free.0, pose));
+        }
         if state.locked {
             state.forget_forces();
         } else if let Some(error) = notes::not_finite(scene, &state, pose) {
@@ -59,6 +65,23 @@ impl Run<'_, '_> {
         self.note_contacts(&solved, pose);
         self.note_friction(&solved, pose);
         Ok(solved)
+    }
+
+    /// 1 unless friction multiplies the forces a thousandfold: near self-locking they go as 1/(1 − f/f_locking), and what
+    /// rounding makes of the coefficient goes with them.
+    fn near_locking(&mut self, state: &State, free: &State, pose: &Wanted) -> f64 {
+        let reactions = |s: &State| s.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
+        let applied = state.applied.iter().map(|w| w.force.norm()).fold(0.0, f64::max);
+        let share = reactions(free).max(applied) / reactions(state);
+        if share.is_nan() || share >= NEAR_LOCKING {
+            return 1.0;
+        }
+        let scene = self.scene;
+        let mut groups = scene.structure.forces.iter().zip(&scene.plan.forces);
+        if let Some((group, _)) = groups.find(|(_, step)| matches!(step, ForceStep::Rubbing { .. })) {
+            self.notes.condition(scene, group, (share, "forces near self-locking", 1), pose);
+        }
+        share
     }
 
     fn motion_condition(&mut self, state: &State, pose: &Wanted) -> Result<f64, SolveError> {
@@ -83,17 +106,7 @@ impl Run<'_, '_> {
 
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
         let scene = self.scene;
-        let view = View::new(scene, state, angles, &self.statics);
-        let motion = view.all_quantities();
-        View { quantities: &motion, ..view }.evaluated_loads(&mut self.evaluated);
-        state.run_loads(scene, &self.evaluated);
-        state.applied.clone_from(&state.wrenches);
-        state.set_lines(scene);
-        state.locked = false;
-        if scene.plan.effects.friction {
-            state.set_senses(scene.plan);
-        }
-        state.run_forces(scene.plan);
+        balanced(scene, &self.statics, state, angles, &mut self.evaluated);
         let mut least = 1.0_f64;
         for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
             let condition = sine.abs();
@@ -122,4 +135,25 @@ impl Run<'_, '_> {
             }
         }
     }
+}
+
+/// Loads and forces of a state whose motion is known.
+pub(super) fn balanced(
+    scene: &Scene<'_>,
+    statics: &Statics,
+    state: &mut State,
+    angles: &[f64],
+    evaluated: &mut Vec<(LoadId, Value)>,
+) {
+    let view = View::new(scene, state, angles, statics);
+    let motion = view.all_quantities();
+    View { quantities: &motion, ..view }.evaluated_loads(evaluated);
+    state.run_loads(scene, evaluated);
+    state.applied.clone_from(&state.wrenches);
+    state.set_lines(scene.plan);
+    state.locked = false;
+    if scene.plan.effects.friction {
+        state.set_senses(scene.plan);
+    }
+    state.run_forces(scene.plan);
 }

@@ -16,6 +16,7 @@ mod matching;
 mod remedy;
 mod repeated;
 mod replace;
+mod roller;
 mod trial;
 
 pub use count::Count;
@@ -59,6 +60,7 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
     let replaced = replace::replace(mechanism);
     let drives = effort::of_drives(mechanism, &replaced);
     errors.extend(effort::outer_link_defects(mechanism, &replaced, &drives));
+    errors.extend(roller::turned(mechanism, &replaced.passive));
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -91,4 +93,18 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
     };
     let (assertion_errors, warnings) = assertion::check(mechanism, &mut structure);
     if assertion_errors.is_empty() { Ok((structure, warnings)) } else { Err(assertion_errors) }
+}
+
+impl Structure {
+    /// The structure of another mechanism of the same text whose values differ from this one's; `None` where that takes
+    /// more than other numbers: a defect, a driven point, or joints of another kind.
+    #[must_use]
+    pub fn with_numbers_of(&self, mechanism: &Mechanism) -> Option<Self> {
+        let points = self.drives.iter().any(|d| matches!(d.kind, EffortKind::Point(_)));
+        if self.force_defect.is_some() || points || !floating::floating(mechanism).is_empty() {
+            return None;
+        }
+        let replaced = replace::replace(mechanism);
+        replaced.is_alike(&self.replaced).then(|| Self { replaced, ..self.clone() })
+    }
 }

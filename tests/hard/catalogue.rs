@@ -86,7 +86,7 @@ fn ran(rows: Vec<Row>) -> Ran {
     let source = Source::new(&name, std::fs::read_to_string(root().join(&name)).expect("an example"));
     let pairs = settings.split_whitespace().filter_map(|s| s.split_once('='));
     let values = pairs.map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
-    let (solved, problems) = assur::solve_source(&source, &Overrides { values });
+    let (solved, problems) = assur::solve_source(&source, &Overrides { values, ..Overrides::none() });
     let told = problems.views(&source).iter().filter_map(|v| v.code.clone()).collect();
     let met = rows.into_iter().map(|row| {
         let solution = solved.as_ref().map(|s| (&s.compiled, &s.solution));
@@ -122,7 +122,13 @@ fn every_error_keeps_its_bound() {
                 None if !ran.told.is_empty() => {}
                 share => wrong.push(format!(
                     "{} {} pose {} {}: error {:?}, condition {:.1e}, share {share:?}, told {:?}",
-                    ran.file, ran.settings, met.row.pose, met.row.quantity, met.error, met.condition, ran.told
+                    ran.file,
+                    ran.settings,
+                    met.row.pose,
+                    met.row.quantity,
+                    met.error,
+                    met.condition,
+                    ran.told
                 )),
             }
         }

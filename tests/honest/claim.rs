@@ -13,7 +13,8 @@ use assur::solve::{SolveError, Solved, View};
 pub const UNWARNED: f64 = 7.0;
 
 /// The kinds of numbers in an answer, with the power of σ in what they lose.
-pub const KINDS: [(&str, i32); 4] = [("positions", 1), ("velocities", 2), ("accelerations", 3), ("forces", 3)];
+pub const KINDS: [(&str, i32); 4] =
+    [("positions", 1), ("velocities", 2), ("accelerations", 3), ("forces", 3)];
 
 /// Relative errors of an answer by kind; `None` for what cannot be judged.
 #[derive(Clone, Copy, Debug)]
@@ -97,9 +98,8 @@ fn forces(
         .iter()
         .map(|r| Rates { v: rounded(r.v), omega: low(r.omega), a: rounded(r.a), alpha: low(r.alpha) })
         .collect();
-    let bodies: Vec<Body> = (0..rates.len())
-        .map(|i| Body::moving(rounded(exact.p[i]), rounded(exact.u[i]), &rates[i]))
-        .collect();
+    let bodies: Vec<Body> =
+        (0..rates.len()).map(|i| Body::moving(rounded(exact.p[i]), rounded(exact.u[i]), &rates[i])).collect();
     let Some(forces) = equilibrium(m, &bodies, &rates) else { return Ok(None) };
     // a load that hangs on the sign of nothing, or a system that f64 does not solve to eight digits
     if forces.doubtful || forces.condition < 1e-7 {

@@ -127,8 +127,11 @@ impl Exact {
                     return false;
                 }
                 for (rates, x) in self.rates[1..].iter_mut().zip(step.as_slice().chunks_exact(3)) {
-                    let (v, turn) =
-                        if second { (&mut rates.a, &mut rates.alpha) } else { (&mut rates.v, &mut rates.omega) };
+                    let (v, turn) = if second {
+                        (&mut rates.a, &mut rates.alpha)
+                    } else {
+                        (&mut rates.v, &mut rates.omega)
+                    };
                     *v = *v - V2::new(Real::of(x[0] * size), Real::of(x[1] * size));
                     *turn = *turn - Real::of(x[2]);
                 }
@@ -151,9 +154,17 @@ fn unit(u: V2<Real>) -> V2<Real> {
 fn directions_are_exact() {
     // cosines and sines as sums of two doubles, from mpmath with 50 digits
     let known = [
-        (1.0, [0.540_302_305_868_139_8, -4.760_954_612_604_417e-17], [0.841_470_984_807_896_5, 1.776_845_092_935_536e-18]),
+        (
+            1.0,
+            [0.540_302_305_868_139_8, -4.760_954_612_604_417e-17],
+            [0.841_470_984_807_896_5, 1.776_845_092_935_536e-18],
+        ),
         (4.0, [-0.6536436208636119, 2.5846614087018284e-17], [-0.7568024953079282, -4.892224089158451e-17]),
-        (-2.7, [-0.904_072_142_017_061_2, -1.508_192_658_397_614_2e-17], [-0.427_379_880_233_829_8, 4.685_701_930_940_738e-18]),
+        (
+            -2.7,
+            [-0.904_072_142_017_061_2, -1.508_192_658_397_614_2e-17],
+            [-0.427_379_880_233_829_8, 4.685_701_930_940_738e-18],
+        ),
     ];
     for (angle, cosine, sine) in known {
         let u = Real::direction(angle);

@@ -68,7 +68,12 @@ fn no_silent_wrong_answer() {
     });
     println!("{}", tally.told());
     let failures = tally.failures();
-    assert!(failures.is_empty(), "{} wrong\n{}", failures.len(), failures[..failures.len().min(40)].join("\n"));
+    assert!(
+        failures.is_empty(),
+        "{} wrong\n{}",
+        failures.len(),
+        failures[..failures.len().min(40)].join("\n")
+    );
     // the cases are hard and easy, and most of them have an answer to be judged
     assert!(tally.judged * 2 > cases && tally.refused * 50 > cases && tally.warned * 50 > cases);
 }

@@ -150,7 +150,11 @@ pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driv
     for drive in &mechanism.drives {
         if let DriveTarget::Point(link, at) = drive.target {
             let [place, v, a] = point_law(drive);
-            let law = if driven { Moving::new(V2::of(place), V2::of(v), V2::of(a)) } else { Moving::constant(place) };
+            let law = if driven {
+                Moving::new(V2::of(place), V2::of(v), V2::of(a))
+            } else {
+                Moving::constant(place)
+            };
             let apart = body(link).point(at).minus(law);
             out.extend([apart.x, apart.y, body(link).u.cross(Moving::constant(Vec2::new(1.0, 0.0)))]);
             continue;

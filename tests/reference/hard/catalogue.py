@@ -42,7 +42,7 @@ def dead_centre():
         theta = asin(r * sin(p) / l)
         F = -w / v  # the moment of 1 N m and the force have no power together
         for name, value, scale, k in [("phi", p, 1, 1), ("w", w, w, 2), ("al", al, al, 3), ("F", F, F, 2),
-                                      ("N", F * tan(theta), F, 2)]:
+                                      ("N", -F * tan(theta), F, 2)]:
             row("dead-centre", f"d={d}mm", 0, name, value, scale, k)
 
 
