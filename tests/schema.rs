@@ -48,21 +48,26 @@ fn holds(folder: &str) -> usize {
         validate(&schema, &schema, &value, "", &mut wrong);
         assert!(wrong.is_empty(), "{}: {}", value["file"], wrong.join("\n"));
     }
-    json.lines().count()
+    // a file with variants has a line per row
+    let mut names: Vec<String> =
+        json.lines().map(|l| l.split("\"file\":").nth(1).unwrap().to_owned()).collect();
+    names.iter_mut().for_each(|name| name.truncate(name.find("\",").unwrap()));
+    names.dedup();
+    names.len()
 }
 
 #[test]
 fn every_example_fits() {
     let mut all = Vec::new();
     files(&root().join("examples"), &mut all);
-    assert_eq!(holds("examples"), all.len(), "one line per file");
+    assert_eq!(holds("examples"), all.len(), "every file has its lines");
 }
 
 #[test]
 fn wrong_files_fit() {
     let mut all = Vec::new();
     files(&root().join("tests/errors"), &mut all);
-    assert_eq!(holds("tests/errors"), all.len(), "one line per file");
+    assert_eq!(holds("tests/errors"), all.len(), "every file has its lines");
 }
 
 /// Reactions of a locked position do not exist and are left out; those of the other positions stand.

@@ -1,5 +1,6 @@
 //! Structure → Plan: a flat list of steps with slots, in the order of solution, with the effects that the file calls for.
 
+mod cam;
 mod effects;
 mod forces;
 mod friction;
@@ -9,6 +10,8 @@ mod loads;
 mod motion;
 pub mod step;
 
+pub use cam::CamStep;
+pub(crate) use cam::{contact_in, is_follower};
 pub use effects::{Effects, Level, level_of, needs_forces};
 pub use friction::{FrictionElement, Rub, RubbingGroup};
 pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
@@ -33,6 +36,10 @@ pub struct Plan {
     pub outer: Vec<(usize, Vec2, usize)>,
     /// Steps of motion.
     pub motion: Vec<MotionStep>,
+    /// Followers of designed cams.
+    pub cams: Vec<CamStep>,
+    /// Number of contacts of designed cams.
+    pub cam_contacts: usize,
     /// Problems of the general steps.
     pub general: Vec<GeneralMotion>,
     /// Bodies without mass, the ground among them: they start without load.
@@ -66,6 +73,7 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
         drives: mechanism.drives.len(),
         efforts: structure.efforts.len(),
         effects,
+        cam_contacts: mechanism.cam_contacts.len(),
         ..Plan::default()
     };
     for effort in &structure.drives {
@@ -75,7 +83,7 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
             plan.outer.push((body.0, at, id.index()));
         }
     }
-    motion::plan(structure, &mut plan);
+    motion::plan(mechanism, structure, &mut plan);
     if plan.effects.forces && structure.force_defect.is_none() {
         plan.loads = loads::plan(mechanism, &plan.effects);
         let heavy = |slot: usize| {
@@ -99,6 +107,7 @@ impl Plan {
             !matches!(step, ForceStep::General { .. } | ForceStep::Sequence(_) | ForceStep::Rubbing { .. })
         };
         self.general.is_empty()
+            && self.cams.is_empty()
             && self.forces.iter().all(closed)
             && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
     }

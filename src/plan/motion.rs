@@ -5,10 +5,15 @@ use super::geometry::{anchor, arm, leg, pin, pin_arm, slide};
 use super::step::{DrivenJoint, DrivenLeg, MotionStep};
 use crate::group::rrr::Sides;
 use crate::math::Vec2;
+use crate::model::Mechanism;
 use crate::structure::{Dyad, EffortKind, EffortSource, Group, GroupKind, Structure};
 
-pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
+pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
     for (branch, group) in structure.motion.iter().enumerate() {
+        if let Some(step) = super::cam::step(mechanism, structure, group, branch, plan) {
+            plan.motion.push(step);
+            continue;
+        }
         let step = match group.kind {
             GroupKind::Driven => driven(structure, group, branch),
             GroupKind::Dyad(kind) => Some(dyad(structure, group, branch, kind)),

@@ -214,6 +214,13 @@ pub enum MotionStep {
         /// The guides.
         slides: [Slide; 2],
     },
+    /// The follower of a designed cam.
+    Cam {
+        /// Group.
+        branch: usize,
+        /// Index into [`super::Plan::cams`].
+        cam: usize,
+    },
     /// Anything else, by Newton's method.
     General {
         /// Group.

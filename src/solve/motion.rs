@@ -152,7 +152,7 @@ impl<S: Scalar> State<S> {
                 self.rpp::<LEVEL>(*branch, base, pin, inner, outer);
             }
             MotionStep::Translation { branch, slides } => self.translation::<LEVEL>(*branch, slides),
-            MotionStep::General { branch, .. } => {
+            MotionStep::Cam { branch, .. } | MotionStep::General { branch, .. } => {
                 self.open.get_or_insert(*branch);
             }
         }
@@ -435,6 +435,7 @@ impl State {
     #[inline(never)]
     pub fn step<const LEVEL: u8>(&mut self, plan: &Plan, step: &MotionStep) {
         match step {
+            MotionStep::Cam { branch, cam } => self.cam::<LEVEL>(*branch, &plan.cams[*cam]),
             MotionStep::General { branch, problem } => {
                 self.general::<LEVEL>(*branch, *problem, &plan.general[*problem]);
             }

@@ -139,6 +139,8 @@ pub struct State<S = f64> {
     pub branches: Vec<Branch>,
     /// Signed condition figures of the groups of motion.
     pub sines: Vec<S>,
+    /// Where designed cams touch their followers, by contact: place, m, and unit common normal into the follower.
+    pub touches: Vec<(Vec2, Vec2)>,
     /// The first group that does not close.
     pub open: Option<usize>,
     /// What the dyads RRR and RRP of motion leave for forces.
@@ -178,6 +180,7 @@ impl<S: Scalar + Default> State<S> {
             inputs: vec![DriveInput::default(); plan.drives],
             branches: vec![Branch::FIRST; plan.motion.len()],
             sines: vec![S::one(); plan.motion.len()],
+            touches: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.cam_contacts],
             open: None,
             shared: vec![Shared::default(); plan.motion.len()],
             applied: vec![Wrench::default(); plan.bodies],

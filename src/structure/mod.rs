@@ -105,6 +105,8 @@ impl Structure {
             return None;
         }
         let replaced = replace::replace(mechanism);
-        replaced.is_alike(&self.replaced).then(|| Self { replaced, ..self.clone() })
+        // a roller that turns freely may have got what turns it
+        let sound = roller::turned(mechanism, &replaced.passive).is_empty();
+        (sound && replaced.is_alike(&self.replaced)).then(|| Self { replaced, ..self.clone() })
     }
 }

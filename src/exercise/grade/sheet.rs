@@ -142,7 +142,7 @@ impl Sheet {
         let again = column.name.span;
         if let Some(i) = self.place(name, unit.dimension) {
             let first = &self.quantities[i];
-            if key.is_some() || first.unit.text == unit.text {
+            if first.unit.text == unit.text {
                 return Err(TableError::Twice { name: name.clone(), first: first.span, again });
             }
             return Ok(Role::Quantity(i, unit));
