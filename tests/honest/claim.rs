@@ -63,7 +63,7 @@ pub fn judge(run: &Run, solved: &Solved) -> Result<Judged, String> {
     for k in 0..3 {
         out.errors[k] = Some(errors[k] / most[k]);
     }
-    out.errors[3] = forces(run, &exact, size, &rounded)?;
+    out.errors[3] = forces(run, &exact, size, most[1], &rounded)?;
     Ok(out)
 }
 
@@ -90,6 +90,7 @@ fn forces(
     run: &Run,
     exact: &Exact,
     size: f64,
+    turning: f64,
     rounded: &impl Fn(V2<Real>) -> Vec2,
 ) -> Result<Option<f64>, String> {
     let m = &run.mechanism;
@@ -105,7 +106,10 @@ fn forces(
     if forces.doubtful || forces.condition < 1e-7 {
         return Ok(None);
     }
-    let most = forces.most.0.max(forces.most.1 / size).max(f64::MIN_POSITIVE);
+    // where nothing acts, what rounding makes of the inertia is judged relative to the masses in motion
+    let masses: f64 = m.links.iter().filter_map(|l| Some(l.mass?.mass)).sum();
+    let floor = 1e-6 * masses * size * turning * turning;
+    let most = forces.most.0.max(forces.most.1 / size).max(floor).max(f64::MIN_POSITIVE);
     Ok(Some(off(run, &run.view(0)?, &forces, size) / most))
 }
 
