@@ -203,6 +203,7 @@ pub const CODES: &[Code] = codes! {
     "assembly" / "branch_switch",
     "solve" / "dead_position",
     "solve" / "ill_conditioned",
+    "solve" / "way_too_long",
     "solve" / "contact_pulls",
     "solve" / "no_extreme",
     "solve" / "no_sweep",

@@ -79,6 +79,21 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// A position too far from the one before.
+    #[error("the way to this position is too long to be followed{pose}")]
+    #[diagnostic(
+        code(mech::solve::way_too_long),
+        help(
+            "a motion is followed in steps of two degrees, at most 2 million of them (11,111 turns) from one position to the next: ask for positions in between"
+        )
+    )]
+    WayTooLong {
+        /// Where.
+        pose: String,
+        /// The drives.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
     /// Near a dead position.
     #[error("near a dead position{pose}: about {digits} digits are left in the {what} of {links}")]
     #[diagnostic(

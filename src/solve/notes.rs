@@ -80,11 +80,7 @@ impl Notes {
     ) {
         let digits = f64::from(power) * condition.max(f64::MIN_POSITIVE).log10() - f64::EPSILON.log10();
         // what is no number is reported by itself
-        if condition.is_nan()
-            || digits >= FEW_DIGITS
-            || power == 1
-            || self.fewest.as_ref().is_some_and(|f| f.0 <= digits)
-        {
+        if condition.is_nan() || digits >= FEW_DIGITS || self.fewest.as_ref().is_some_and(|f| f.0 <= digits) {
             return;
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 0 and 7

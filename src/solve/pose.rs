@@ -11,10 +11,12 @@ use super::sweep::Run;
 use super::track::Tracker;
 use super::view::View;
 use crate::model::{LoadId, PairId, PairKind, Query, TransmissionKind, Value};
-use crate::plan::Level;
+use crate::plan::{ForceStep, Level};
 
 /// At and below this condition velocities and forces do not exist.
 pub(super) const DEAD: f64 = 1e-12;
+/// Forces without friction over those with it, below which the mechanism is near self-locking.
+const NEAR_LOCKING: f64 = 1e-3;
 
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
@@ -40,6 +42,9 @@ impl Run<'_, '_> {
             let values = View::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
             Box::new((state, values))
         });
+        if let (Some(free), false) = (&frictionless, state.locked) {
+            condition = condition.min(self.near_locking(&state, &free.0, pose));
+        }
         if state.locked {
             state.forget_forces();
         } else if let Some(error) = notes::not_finite(scene, &state, pose) {
@@ -61,6 +66,23 @@ impl Run<'_, '_> {
         self.note_trains(&solved, pose);
         self.note_friction(&solved, pose);
         Ok(solved)
+    }
+
+    /// 1 unless friction multiplies the forces a thousandfold: near self-locking they go as 1/(1 − f/f_locking), and what
+    /// rounding makes of the coefficient goes with them.
+    fn near_locking(&mut self, state: &State, free: &State, pose: &Wanted) -> f64 {
+        let reactions = |s: &State| s.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
+        let applied = state.applied.iter().map(|w| w.force.norm()).fold(0.0, f64::max);
+        let share = reactions(free).max(applied) / reactions(state);
+        if share.is_nan() || share >= NEAR_LOCKING {
+            return 1.0;
+        }
+        let scene = self.scene;
+        let mut groups = scene.structure.forces.iter().zip(&scene.plan.forces);
+        if let Some((group, _)) = groups.find(|(_, step)| matches!(step, ForceStep::Rubbing { .. })) {
+            self.notes.condition(scene, group, (share, "forces near self-locking", 1), pose);
+        }
+        share
     }
 
     fn motion_condition(&mut self, state: &State, pose: &Wanted) -> Result<f64, SolveError> {

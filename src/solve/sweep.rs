@@ -1,7 +1,7 @@
 //! Solves all positions of a file.
 
 use super::assemble::{assemble, does_not_close};
-use super::error::SolveError;
+use super::error::{SolveError, label};
 use super::extremes::{Statics, statics};
 use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
@@ -118,7 +118,7 @@ impl Run<'_, '_> {
                         return Err(error);
                     }
                     first_error.get_or_insert(error.clone());
-                    if !self.notes.in_gap() {
+                    if is_open(&error) && !self.notes.in_gap() {
                         let limit = back.clone().map(|t| t.limit(self.scene, &self.rates, &pose.drives));
                         self.notes.gap_begins(limit);
                     }
@@ -168,6 +168,12 @@ impl Run<'_, '_> {
 
     fn moved(&self, tracker: &mut Tracker, pose: &Wanted) -> Result<Way, Box<Stuck>> {
         let before = tracker.clone();
+        if tracker.is_too_long(self.scene, &pose.drives) {
+            let labels =
+                self.scene.mechanism.drives.iter().map(|d| label("driven that far", d.span)).collect();
+            let error = SolveError::WayTooLong { pose: place(self.scene, pose), labels };
+            return Err(Box::new(Stuck { error, back: Some(before) }));
+        }
         if let Ok(switched) = tracker.go(self.scene, &self.rates, &pose.drives) {
             return Ok(Way::Followed(switched));
         }

@@ -3,7 +3,8 @@
 //!
 //! The way is divided into steps of at most two degrees of a turning drive. Where a group comes near a singular position
 //! (|σ| small) both its assemblies are tried, and that is taken which lies nearer to where its bodies would be if they
-//! went on as they came: the parabola through their last three places. Elsewhere the sign of the root stays.
+//! went on as they came: the parabola through three places well apart, the present one and two before. Elsewhere the sign
+//! of the root stays.
 
 use super::inputs::Rates;
 use super::solution::{DriveValue, Scene};
@@ -15,11 +16,29 @@ use crate::structure::{BodyId, JointKind};
 const CAREFUL: f64 = 0.3;
 /// The largest step of a turning drive, rad.
 const LARGEST_TURN: f64 = 2.0 * std::f64::consts::PI / 180.0;
-/// A way is divided into this many steps at the most.
-const MOST_STEPS: f64 = 20_000.0;
+/// A longer way is not followed: 11,111 turns.
+const MOST_STEPS: f64 = 2e6;
+
+/// A group whose |σ| stays above this on its way keeps its assembly: between two places it passes no change point. The
+/// rounding of lengths alone makes it about the root of the unit roundoff.
+const CHANGES: f64 = 3e-7;
+/// Golden section's share.
+const GOLDEN: f64 = 0.381_966_011_250_105;
+
+/// Places nearer to each other than this share of the largest step make no parabola: rounding would bend it.
+const APART: f64 = 0.25;
+/// So many places before the present one are kept.
+const KEPT: usize = 4;
 
 /// Pose of a body: origin and direction.
 type Pose = (Vec2, Vec2);
+
+/// A place of the mechanism before the present one.
+#[derive(Clone, Debug)]
+struct Place {
+    values: Vec<DriveValue>,
+    poses: Vec<Pose>,
+}
 
 /// A change to the other assembly.
 #[derive(Clone, Debug)]
@@ -38,9 +57,8 @@ pub(super) struct Tracker {
     /// Continuous angles of the bodies, rad.
     pub angles: Vec<f64>,
     values: Vec<DriveValue>,
-    /// Poses before the present ones, the last first, at equal steps.
-    history: Vec<Vec<Pose>>,
-    spacing: f64,
+    /// Places before the present one, the last first, each well apart from the next.
+    history: Vec<Place>,
     extent: f64,
 }
 
@@ -59,14 +77,7 @@ impl Tracker {
         for &body in &scene.plan.turning {
             angles[body] = state.bodies[body].way;
         }
-        Self {
-            state,
-            angles,
-            values: values.to_vec(),
-            history: Vec::new(),
-            spacing: 0.0,
-            extent: extent(scene),
-        }
+        Self { state, angles, values: values.to_vec(), history: Vec::new(), extent: extent(scene) }
     }
 
     /// Moves to other drive values. Returns the groups whose assembly changed on the way, with the values where; on failure
@@ -81,10 +92,6 @@ impl Tracker {
         let mut switched: Vec<Switch> = Vec::new();
         let steps = steps(scene, self.extent, &self.values, target);
         let start = self.values.clone();
-        if (self.spacing - 1.0 / steps).abs() > 1e-9 || start.is_empty() {
-            self.history.clear();
-        }
-        self.spacing = 1.0 / steps;
         let mut done = 0.0;
         while done < steps {
             done += 1.0;
@@ -104,6 +111,11 @@ impl Tracker {
         // what changed back is as it was
         switched.retain(|s| first[s.group].root * self.state.branches[s.group].root < 0.0);
         Ok(switched)
+    }
+
+    /// Whether the way to other drive values is too long to be followed: its angles would be guesses.
+    pub(super) fn is_too_long(&self, scene: &Scene<'_>, target: &[DriveValue]) -> bool {
+        ways(scene, self.extent, &self.values, target).iter().any(|way| way.abs() > MOST_STEPS)
     }
 
     /// How far the way to other drive values closes: the last values that do.
@@ -142,13 +154,14 @@ impl Tracker {
             if near
                 && next.has_two_roots(step)
                 && next.open.is_none()
-                && let Some(predicted) = predicted.get_or_insert_with(|| self.predicted())
+                && let Some(predicted) = predicted.get_or_insert_with(|| self.predicted(scene, &values))
             {
                 let bodies = &scene.structure.motion[group].bodies;
                 let kept = distance(&next, predicted, bodies, self.extent);
                 next.branches[group].root = -next.branches[group].root;
                 next.step::<0>(scene.plan, step);
-                if distance(&next, predicted, bodies, self.extent) >= kept {
+                let other_is_farther = distance(&next, predicted, bodies, self.extent) >= kept;
+                if other_is_farther || !self.passes_change_point(scene, rates, &values, group) {
                     next.branches[group].root = -next.branches[group].root;
                     next.step::<0>(scene.plan, step);
                 }
@@ -157,8 +170,7 @@ impl Tracker {
                 return Err(open);
             }
         }
-        self.history.insert(0, self.state.bodies.iter().map(|b| (b.p, b.u)).collect());
-        self.history.truncate(2);
+        self.remember(scene);
         for (angle, (old, new)) in self.angles.iter_mut().zip(self.state.bodies.iter().zip(&next.bodies)) {
             *angle = continued(*angle, old.u, new.u);
         }
@@ -171,16 +183,89 @@ impl Tracker {
         Ok(())
     }
 
-    /// Where the bodies would be next: the parabola through the last three places.
-    fn predicted(&self) -> Option<Vec<Pose>> {
-        let [last, one_before] = self.history.as_slice() else { return None };
+    /// Whether |σ| of a group vanishes on the way to these values: found by golden section.
+    fn passes_change_point(
+        &self,
+        scene: &Scene<'_>,
+        rates: &Rates,
+        target: &[DriveValue],
+        group: usize,
+    ) -> bool {
+        let mut state = self.state.clone();
+        let mut sigma = |part: f64| {
+            let values: Vec<DriveValue> =
+                self.values.iter().zip(target).map(|(a, b)| between(*a, *b, part)).collect();
+            rates.at(&values, &mut state.inputs);
+            state.start(scene.plan);
+            for step in &scene.plan.motion[..=group] {
+                state.step::<0>(scene.plan, step);
+            }
+            state.sines[group].abs()
+        };
+        // what falls on to the very end comes near a change point, but does not pass it
+        let vanishes = CHANGES.min(0.5 * sigma(1.0));
+        if sigma(0.0) <= vanishes {
+            return true;
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        let mut inner = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
+        let mut values = inner.map(&mut sigma);
+        for _ in 0..60 {
+            if values[0].min(values[1]) <= vanishes {
+                return true;
+            }
+            if values[0] < values[1] {
+                (high, inner[1], values[1]) = (inner[1], inner[0], values[0]);
+                inner[0] = low + GOLDEN * (high - low);
+                values[0] = sigma(inner[0]);
+            } else {
+                (low, inner[0], values[0]) = (inner[0], inner[1], values[1]);
+                inner[1] = high - GOLDEN * (high - low);
+                values[1] = sigma(inner[1]);
+            }
+        }
+        false
+    }
+
+    /// Keeps the present place, if it is well apart from the last one kept.
+    fn remember(&mut self, scene: &Scene<'_>) {
+        let way = |last: &Place| length(&ways(scene, self.extent, &last.values, &self.values));
+        if self.history.first().is_none_or(|last| way(last) >= APART) {
+            let poses = self.state.bodies.iter().map(|b| (b.p, b.u)).collect();
+            self.history.insert(0, Place { values: self.values.clone(), poses });
+            self.history.truncate(KEPT);
+        }
+    }
+
+    /// Where the bodies would be at these values: the parabola through the present place and two others on the line of
+    /// the way.
+    fn predicted(&self, scene: &Scene<'_>, target: &[DriveValue]) -> Option<Vec<Pose>> {
+        let way = ways(scene, self.extent, &self.values, target);
+        let t = length(&way);
+        if t == 0.0 {
+            return None;
+        }
+        let mut chosen: Vec<(f64, &Place)> = Vec::with_capacity(2);
+        for place in &self.history {
+            let back = ways(scene, self.extent, &self.values, &place.values);
+            let along = back.iter().zip(&way).map(|(a, b)| a * b).sum::<f64>() / t;
+            let off = back.iter().zip(&way).map(|(a, b)| (a - b * along / t).abs()).fold(0.0, f64::max);
+            let apart = along.abs() >= APART && chosen.iter().all(|c| (c.0 - along).abs() >= APART);
+            if off <= 1e-6 * along.abs() && apart && chosen.len() < 2 {
+                chosen.push((along, place));
+            }
+        }
+        let [(t_1, one), (t_2, two)] = chosen.as_slice() else { return None };
+        // Lagrange's form on the nodes 0, t_1, t_2
+        let share = [
+            (t - t_1) * (t - t_2) / (t_1 * t_2),
+            t * (t - t_2) / (t_1 * (t_1 - t_2)),
+            t * (t - t_1) / (t_2 * (t_2 - t_1)),
+        ];
         let now = self.state.bodies.iter().map(|b| (b.p, b.u));
-        let next = |x: Vec2, y: Vec2, z: Vec2| (x - y) * 3.0 + z;
-        Some(
-            now.zip(last.iter().zip(one_before))
-                .map(|(x, (y, z))| (next(x.0, y.0, z.0), next(x.1, y.1, z.1)))
-                .collect(),
-        )
+        let next = |x: Vec2, y: Vec2, z: Vec2| x * share[0] + y * share[1] + z * share[2];
+        let before = one.poses.iter().zip(&two.poses);
+        Some(now.zip(before).map(|(x, (y, z))| (next(x.0, y.0, z.0), next(x.1, y.1, z.1))).collect())
     }
 
     /// Puts the tracker at other values without following the way: after a gap in a sweep. The assembly stays.
@@ -235,19 +320,34 @@ pub(super) fn between(a: DriveValue, b: DriveValue, part: f64) -> DriveValue {
     }
 }
 
+/// The way between drive values, component by component, in largest steps.
+fn ways(scene: &Scene<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> Vec<f64> {
+    let mut ways = Vec::with_capacity(from.len());
+    for ((drive, from), to) in scene.mechanism.drives.iter().zip(from).zip(to) {
+        match (from, to) {
+            (DriveValue::Scalar(a), DriveValue::Scalar(b)) if super::positions::turns(scene, drive) => {
+                ways.push((b - a) / LARGEST_TURN);
+            }
+            (DriveValue::Scalar(a), DriveValue::Scalar(b)) => ways.push((b - a) / (0.02 * extent)),
+            (DriveValue::Point(a), DriveValue::Point(b)) => {
+                let way = (*b - *a) / (0.02 * extent);
+                ways.extend([way.x, way.y]);
+            }
+            _ => {}
+        }
+    }
+    ways
+}
+
+fn length(way: &[f64]) -> f64 {
+    way.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
 pub(super) fn steps(scene: &Scene<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> f64 {
     let mut steps = 1.0_f64;
-    for ((drive, from), to) in scene.mechanism.drives.iter().zip(from).zip(to) {
-        let way = match (from, to) {
-            (DriveValue::Scalar(a), DriveValue::Scalar(b)) if super::positions::turns(scene, drive) => {
-                (b - a).abs() / LARGEST_TURN
-            }
-            (DriveValue::Scalar(a), DriveValue::Scalar(b)) => (b - a).abs() / (0.02 * extent),
-            (DriveValue::Point(a), DriveValue::Point(b)) => (*b - *a).norm() / (0.02 * extent),
-            _ => 0.0,
-        };
+    for way in ways(scene, extent, from, to) {
         // a step that is a whole number of largest steps but for rounding takes no step more
-        steps = steps.max((way - 1e-9).ceil());
+        steps = steps.max((way.abs() - 1e-9).ceil());
     }
     if steps.is_finite() { steps.min(MOST_STEPS) } else { 1.0 }
 }

@@ -58,6 +58,10 @@ pub struct Draft {
     pub outer: Vec<(LinkId, Vec2)>,
     /// Pairs whose coordinate is driven.
     pub driven: Vec<PairId>,
+    /// The share of groups drawn near their dead positions.
+    pub flat: f64,
+    /// The share of groups that take a general step which are drawn as such; the others become dyads.
+    pub general: f64,
 }
 
 impl Draft {
@@ -72,6 +76,8 @@ impl Draft {
             rollers: Vec::new(),
             outer: Vec::new(),
             driven: Vec::new(),
+            flat: 0.0,
+            general: 1.0,
         }
     }
 

@@ -8,7 +8,13 @@ use assur::source::Span;
 
 /// The mechanism of this number.
 pub fn mechanism(seed: u64) -> Draft {
-    let mut draft = kinematics(seed);
+    with_dead(seed, 0.0, 1.0)
+}
+
+/// The mechanism of this number, the first share of its groups near their dead positions, the second of its general
+/// groups kept.
+pub fn with_dead(seed: u64, flat: f64, general: f64) -> Draft {
+    let mut draft = kinematics(seed, flat, general);
     finish(&mut draft);
     if draft.random.chance(0.6) {
         for _ in 0..6 {
@@ -52,16 +58,22 @@ fn finish(draft: &mut Draft) {
     });
 }
 
-fn kinematics(seed: u64) -> Draft {
+fn kinematics(seed: u64, flat: f64, general: f64) -> Draft {
     let mut draft = Draft::new(Random::new(seed));
+    (draft.flat, draft.general) = (flat, general);
     match draft.random.below(8) {
         0..=4 => draft.add_crank(),
         5 => draft.add_driven_slider(),
         6 => draft.add_elbow(),
         _ => draft.add_driven_legs(),
     };
+    // near a dead position some draws come to nothing
+    if draft.mechanism.drives.is_empty() {
+        draft.add_crank();
+    }
     for _ in 0..1 + draft.random.below(5) {
         let several = draft.mechanism.drives.len() > 2;
+        let dyads_only = draft.general < 1.0 && !draft.random.chance(draft.general);
         match draft.random.below(40) {
             0..=5 => draft.add_rrr(),
             6..=9 => draft.add_rrp(),
@@ -72,6 +84,7 @@ fn kinematics(seed: u64) -> Draft {
             23..=26 => draft.add_contact(),
             27..=29 => draft.add_sliding_follower(),
             30 | 31 => draft.add_cylinder(),
+            32 | 35 if dyads_only => draft.add_rrr(),
             32 => draft.add_roller(),
             33 | 34 => draft.add_wedge(),
             35 => draft.add_triad(),

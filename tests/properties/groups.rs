@@ -115,7 +115,27 @@ impl Draft {
         }
     }
 
+    /// Now and then the condition figure that the next group is drawn with: anything down to rounding.
+    fn near_dead(&mut self) -> Option<f64> {
+        if self.flat <= 0.0 || !self.random.chance(self.flat) {
+            return None;
+        }
+        Some(libm::exp10(self.random.within(-16.0, -0.5)))
+    }
+
     fn triangle(&mut self) -> Option<(Anchor, Anchor, Vec2)> {
+        if let Some(height) = self.near_dead() {
+            let (a, b) = self.draw(|d| {
+                let (a, b) = (d.anchor(), d.anchor());
+                ((a.at - b.at).norm() > 0.2).then_some((a, b))
+            })?;
+            // between the pins: stretched; beyond one of them: folded
+            let (along, across) = (self.random.within(-1.0, 2.0), height * self.random.sign());
+            let r = b.at - a.at;
+            let c = a.at + r * along + r.perp() * across;
+            let far = (c - a.at).norm() > 0.05 && (c - b.at).norm() > 0.05;
+            return far.then_some((a, b, c));
+        }
         self.draw(|d| {
             let (a, b, c) = (d.anchor(), d.anchor(), d.spot());
             let far = (c - a.at).norm() > 0.3 && (c - b.at).norm() > 0.3 && (a.at - b.at).norm() > 0.2;
@@ -144,7 +164,19 @@ impl Draft {
         Some(())
     }
 
+    /// A direction across another but for a small angle.
+    fn across(&mut self, r: Vec2, angle: f64) -> Vec2 {
+        let u = r / r.norm();
+        let d = u.perp() + u * (angle * self.random.sign());
+        d / d.norm()
+    }
+
     fn leg_and_line(&mut self) -> Option<(Anchor, Vec2, Vec2)> {
+        if let Some(angle) = self.near_dead() {
+            let (a, c) = (self.anchor(), self.spot());
+            let d = self.across(c - a.at, angle);
+            return ((c - a.at).norm() > 0.05).then_some((a, c, d));
+        }
         self.draw(|x| {
             let (a, c, d) = (x.anchor(), x.spot(), x.random.direction());
             ((c - a.at).norm() > 0.3 && cosine(c - a.at, d) > MARGIN).then_some((a, c, d))
@@ -152,6 +184,11 @@ impl Draft {
     }
 
     fn two_pins_and_line(&mut self) -> Option<(Anchor, Anchor, Vec2)> {
+        if let Some(angle) = self.near_dead() {
+            let (a, b) = (self.anchor(), self.anchor());
+            let d = self.across(b.at - a.at, angle);
+            return ((b.at - a.at).norm() > 0.05).then_some((a, b, d));
+        }
         self.draw(|x| {
             let (a, b, d) = (x.anchor(), x.anchor(), x.random.direction());
             ((b.at - a.at).norm() > 0.3 && cosine(b.at - a.at, d) > MARGIN).then_some((a, b, d))
@@ -192,6 +229,11 @@ impl Draft {
 
     /// Two lines that cross well.
     fn two_lines(&mut self) -> Option<(Vec2, Vec2)> {
+        if let Some(angle) = self.near_dead() {
+            let d = self.random.direction();
+            let e = self.across(d.perp(), angle);
+            return Some((d, e));
+        }
         self.draw(|x| {
             let (d, e) = (x.random.direction(), x.random.direction());
             (sine(d, e) > MARGIN).then_some((d, e))

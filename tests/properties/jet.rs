@@ -1,66 +1,76 @@
 //! A number with its first and second derivative in time.
 
-use assur::math::Vec2;
+use assur::math::{Scalar, V2, Vec2};
 use std::ops::{Add, Mul, Sub};
 
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Jet {
-    pub value: f64,
-    pub rate: f64,
-    pub second: f64,
+pub struct Jet<S = f64> {
+    pub value: S,
+    pub rate: S,
+    pub second: S,
 }
 
-impl Jet {
-    pub const fn constant(value: f64) -> Self {
-        Self { value, rate: 0.0, second: 0.0 }
+impl<S: Scalar> Jet<S> {
+    pub fn constant(value: S) -> Self {
+        Self { value, rate: S::zero(), second: S::zero() }
+    }
+
+    /// The same numbers of another kind.
+    pub fn of(x: Jet) -> Self {
+        Self { value: S::of(x.value), rate: S::of(x.rate), second: S::of(x.second) }
     }
 }
 
-impl Add for Jet {
+impl<S: Scalar> Add for Jet<S> {
     type Output = Self;
     fn add(self, o: Self) -> Self {
         Self { value: self.value + o.value, rate: self.rate + o.rate, second: self.second + o.second }
     }
 }
 
-impl Sub for Jet {
+impl<S: Scalar> Sub for Jet<S> {
     type Output = Self;
     fn sub(self, o: Self) -> Self {
-        self + o * Jet::constant(-1.0)
+        Self { value: self.value - o.value, rate: self.rate - o.rate, second: self.second - o.second }
     }
 }
 
-impl Mul for Jet {
+impl<S: Scalar> Mul for Jet<S> {
     type Output = Self;
     fn mul(self, o: Self) -> Self {
+        let both = self.rate * o.rate;
         Self {
             value: self.value * o.value,
             rate: self.rate * o.value + self.value * o.rate,
-            second: self.second * o.value + 2.0 * self.rate * o.rate + self.value * o.second,
+            second: self.second * o.value + (both + both) + self.value * o.second,
         }
     }
 }
 
 /// A moving vector.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Moving {
-    pub x: Jet,
-    pub y: Jet,
+pub struct Moving<S = f64> {
+    pub x: Jet<S>,
+    pub y: Jet<S>,
 }
 
-impl Moving {
+impl<S: Scalar> Moving<S> {
     pub fn constant(v: Vec2) -> Self {
+        Self::fixed(V2::of(v))
+    }
+
+    pub fn fixed(v: V2<S>) -> Self {
         Self { x: Jet::constant(v.x), y: Jet::constant(v.y) }
     }
 
     /// A vector that moves with these derivatives.
-    pub fn new(p: Vec2, v: Vec2, a: Vec2) -> Self {
+    pub fn new(p: V2<S>, v: V2<S>, a: V2<S>) -> Self {
         let jet = |value, rate, second| Jet { value, rate, second };
         Self { x: jet(p.x, v.x, a.x), y: jet(p.y, v.y, a.y) }
     }
 
     /// The direction `u` that turns with this rate.
-    pub fn direction(u: Vec2, omega: f64, alpha: f64) -> Self {
+    pub fn direction(u: V2<S>, omega: S, alpha: S) -> Self {
         Self::new(u, u.perp() * omega, u.perp() * alpha - u * (omega * omega))
     }
 
@@ -72,11 +82,11 @@ impl Moving {
         Self { x: self.x - o.x, y: self.y - o.y }
     }
 
-    pub fn dot(self, o: Self) -> Jet {
+    pub fn dot(self, o: Self) -> Jet<S> {
         self.x * o.x + self.y * o.y
     }
 
-    pub fn cross(self, o: Self) -> Jet {
+    pub fn cross(self, o: Self) -> Jet<S> {
         self.x * o.y - self.y * o.x
     }
 
@@ -85,15 +95,15 @@ impl Moving {
         Self { x: self.x * u.x - self.y * u.y, y: self.x * u.y + self.y * u.x }
     }
 
-    pub fn value(self) -> Vec2 {
-        Vec2::new(self.x.value, self.y.value)
+    pub fn value(self) -> V2<S> {
+        V2::new(self.x.value, self.y.value)
     }
 
-    pub fn rate(self) -> Vec2 {
-        Vec2::new(self.x.rate, self.y.rate)
+    pub fn rate(self) -> V2<S> {
+        V2::new(self.x.rate, self.y.rate)
     }
 
-    pub fn second(self) -> Vec2 {
-        Vec2::new(self.x.second, self.y.second)
+    pub fn second(self) -> V2<S> {
+        V2::new(self.x.second, self.y.second)
     }
 }

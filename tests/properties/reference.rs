@@ -6,43 +6,64 @@
 use crate::draft::Frame;
 use crate::equilibrium::{Forces, equilibrium};
 use crate::jet::{Jet, Moving};
-use assur::math::Vec2;
+use assur::math::{Scalar, V2, Vec2};
 use assur::model::{
     Drive, DriveTarget, Expr, Guide, LinkId, Mechanism, PairKind, Positions, Profile, ProfileShape, Value,
 };
 use nalgebra::{DMatrix, DVector};
 
 /// Motion of a body: rates and second rates of the origin and the angle.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Rates {
-    pub v: Vec2,
-    pub omega: f64,
-    pub a: Vec2,
-    pub alpha: f64,
+#[derive(Clone, Copy, Debug)]
+pub struct Rates<S = f64> {
+    pub v: V2<S>,
+    pub omega: S,
+    pub a: V2<S>,
+    pub alpha: S,
+}
+
+impl<S: Scalar> Default for Rates<S> {
+    fn default() -> Self {
+        Self { v: V2::zero(), omega: S::zero(), a: V2::zero(), alpha: S::zero() }
+    }
 }
 
 /// A body in motion.
 #[derive(Clone, Copy, Debug)]
-pub struct Body {
-    pub p: Moving,
-    pub u: Moving,
+pub struct Body<S = f64> {
+    pub p: Moving<S>,
+    pub u: Moving<S>,
 }
 
 impl Body {
     fn new(frame: &Frame, rates: &Rates) -> Self {
-        Self {
-            p: Moving::new(frame.p, rates.v, rates.a),
-            u: Moving::direction(frame.u, rates.omega, rates.alpha),
-        }
+        Self::moving(frame.p, frame.u, rates)
+    }
+}
+
+impl<S: Scalar> Body<S> {
+    /// With its origin at `p` and its x axis along `u`.
+    pub fn moving(p: V2<S>, u: V2<S>, rates: &Rates<S>) -> Self {
+        Self { p: Moving::new(p, rates.v, rates.a), u: Moving::direction(u, rates.omega, rates.alpha) }
     }
 
     /// A point of the body.
-    pub fn point(&self, at: Vec2) -> Moving {
+    pub fn point(&self, at: Vec2) -> Moving<S> {
         self.p.plus(Moving::constant(at).turned(self.u))
     }
 
-    pub fn axis(&self, d: Vec2) -> Moving {
+    pub fn axis(&self, d: Vec2) -> Moving<S> {
         Moving::constant(d).turned(self.u)
+    }
+}
+
+/// The direction of an angle.
+pub trait Direction: Scalar {
+    fn direction(angle: f64) -> V2<Self>;
+}
+
+impl Direction for f64 {
+    fn direction(angle: f64) -> Vec2 {
+        Vec2::direction(angle)
     }
 }
 
@@ -92,7 +113,7 @@ fn law(drive: &Drive) -> Jet {
 }
 
 /// All constraints; zero where they hold. With `driven` false the drives stand still.
-pub fn constraints(mechanism: &Mechanism, bodies: &[Body], driven: bool) -> Vec<Jet> {
+pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driven: bool) -> Vec<Jet<S>> {
     let mut out = Vec::new();
     let body = |link: LinkId| &bodies[link.index()];
     for pair in &mechanism.pairs {
@@ -126,12 +147,16 @@ pub fn constraints(mechanism: &Mechanism, bodies: &[Body], driven: bool) -> Vec<
     }
     for link in rollers(mechanism) {
         let angle = body(link).u.value().perp();
-        out.push(body(link).u.dot(Moving::constant(angle)));
+        out.push(body(link).u.dot(Moving::fixed(angle)));
     }
     for drive in &mechanism.drives {
         if let DriveTarget::Point(link, at) = drive.target {
             let [place, v, a] = point_law(drive);
-            let law = if driven { Moving::new(place, v, a) } else { Moving::constant(place) };
+            let law = if driven {
+                Moving::new(V2::of(place), V2::of(v), V2::of(a))
+            } else {
+                Moving::constant(place)
+            };
             let apart = body(link).point(at).minus(law);
             out.extend([apart.x, apart.y, body(link).u.cross(Moving::constant(Vec2::new(1.0, 0.0)))]);
             continue;
@@ -146,15 +171,15 @@ pub fn constraints(mechanism: &Mechanism, bodies: &[Body], driven: bool) -> Vec<
                 PairKind::Revolute(pins) => turned_by(body(pins[0].link).u, body(pins[1].link).u, law),
                 PairKind::Prismatic(g) | PairKind::Slot(g) => {
                     let from = body(g.slider).point(g.point).minus(body(g.guide).point(g.through));
-                    from.dot(body(g.guide).axis(g.along)) - law
+                    from.dot(body(g.guide).axis(g.along)) - Jet::of(law)
                 }
                 PairKind::Cylinder { from, to, .. } => {
                     let r = body(to.link).point(to.at).minus(body(from.link).point(from.at));
-                    r.dot(r) - law * law
+                    r.dot(r) - Jet::of(law) * Jet::of(law)
                 }
-                PairKind::Contact { .. } | PairKind::Transmission(_) => Jet::constant(f64::NAN),
+                PairKind::Contact { .. } | PairKind::Transmission(_) => Jet::constant(S::of(f64::NAN)),
             },
-            DriveTarget::Point(..) => Jet::constant(f64::NAN),
+            DriveTarget::Point(..) => Jet::constant(S::of(f64::NAN)),
         });
     }
     out
@@ -170,18 +195,18 @@ fn point_law(drive: &Drive) -> [Vec2; 3] {
     [place, of(&drive.speed), of(&drive.acceleration)]
 }
 
-fn turned_by(from: Moving, to: Moving, law: Jet) -> Jet {
-    let u = Moving::direction(Vec2::direction(law.value), law.rate, law.second);
+fn turned_by<S: Direction>(from: Moving<S>, to: Moving<S>, law: Jet) -> Jet<S> {
+    let u = Moving::direction(S::direction(law.value), S::of(law.rate), S::of(law.second));
     u.turned(from).cross(to)
 }
 
 /// Height of the point over the line.
-fn height(g: &Guide, bodies: &[Body]) -> Jet {
+fn height<S: Scalar>(g: &Guide, bodies: &[Body<S>]) -> Jet<S> {
     let (slider, guide) = (&bodies[g.slider.index()], &bodies[g.guide.index()]);
     guide.axis(g.along).cross(slider.point(g.point).minus(guide.point(g.through)))
 }
 
-fn contact(first: &Profile, second: &Profile, internal: bool, bodies: &[Body]) -> Jet {
+fn contact<S: Scalar>(first: &Profile, second: &Profile, internal: bool, bodies: &[Body<S>]) -> Jet<S> {
     let body = |p: &Profile| &bodies[p.link.index()];
     let round = |p: &Profile| match p.shape {
         ProfileShape::Point(c) => Some((body(p).point(c), 0.0)),
@@ -189,22 +214,23 @@ fn contact(first: &Profile, second: &Profile, internal: bool, bodies: &[Body]) -
         // cams are tested by themselves
         ProfileShape::Line(..) | ProfileShape::Rim(_) => None,
     };
-    let straight = |p: &Profile, c: Moving, r: f64| match p.shape {
+    let straight = |p: &Profile, c: Moving<S>, r: f64| match p.shape {
         ProfileShape::Line(q, d) => {
             let height = body(p).axis(d).cross(c.minus(body(p).point(q)));
-            height - Jet::constant(r.copysign(height.value))
+            let r = S::of(r);
+            height - Jet::constant(S::select(height.value.lt(S::zero()), -r, r))
         }
-        _ => Jet::constant(f64::NAN),
+        _ => Jet::constant(S::of(f64::NAN)),
     };
     match (round(first), round(second)) {
         (Some((p, r)), Some((q, s))) => {
             let apart = p.minus(q);
-            let distance = if internal { r - s } else { r + s };
+            let distance = if internal { S::of(r) - S::of(s) } else { S::of(r) + S::of(s) };
             apart.dot(apart) - Jet::constant(distance * distance)
         }
         (Some((c, r)), None) => straight(second, c, r),
         (None, Some((c, r))) => straight(first, c, r),
-        (None, None) => Jet::constant(f64::NAN),
+        (None, None) => Jet::constant(S::of(f64::NAN)),
     }
 }
 

@@ -1,13 +1,9 @@
-//! The hard cases, with the accuracy each reaches, against double-double arithmetic on the same numbers.
-#![allow(non_snake_case, reason = "names carry the notation of the field: p_A, l_1")]
+//! The closed forms of the groups, with the accuracy each reaches, against double-double arithmetic on the same numbers.
 
-#[path = "hard/double_double.rs"]
-mod double_double;
-
+use crate::double_double::DoubleDouble;
 use assur::group::general::{Constraint, General, Point, Pose};
 use assur::group::{rrp, rrr};
 use assur::math::{Scalar, V2, Vec2};
-use double_double::DoubleDouble;
 
 const ROWS: [f64; 4] = [1e-1, 1e-5, 1e-9, 1e-13];
 const DYADS: usize = 300;
