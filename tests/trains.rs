@@ -28,7 +28,7 @@ fn answers(text: &str) -> BTreeMap<String, f64> {
             Value::Scalar(x) => Some((find.name.clone(), x)),
             _ => None,
         },
-        FindKind::Reactions => None,
+        FindKind::Reactions | FindKind::Table(_) => None,
     });
     finds.collect()
 }

@@ -120,6 +120,7 @@ pub fn constraints(mechanism: &Mechanism, bodies: &[Body], driven: bool) -> Vec<
                 out.push(tube.u.cross(rod.p.minus(tube.p)));
                 out.push(tube.u.cross(rod.u));
             }
+            PairKind::Transmission(_) => {}
         }
     }
     for link in rollers(mechanism) {
@@ -150,7 +151,7 @@ pub fn constraints(mechanism: &Mechanism, bodies: &[Body], driven: bool) -> Vec<
                     let r = body(to.link).point(to.at).minus(body(from.link).point(from.at));
                     r.dot(r) - law * law
                 }
-                PairKind::Contact { .. } => Jet::constant(f64::NAN),
+                PairKind::Contact { .. } | PairKind::Transmission(_) => Jet::constant(f64::NAN),
             },
             DriveTarget::Point(..) => Jet::constant(f64::NAN),
         });

@@ -27,7 +27,7 @@ pub fn roughen(draft: &mut Draft) {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {
                 Some(Friction::Coefficient(coefficient))
             }
-            PairKind::Cylinder { .. } => None,
+            PairKind::Cylinder { .. } | PairKind::Transmission(_) => None,
         };
     }
 }
@@ -117,6 +117,7 @@ impl Check<'_> {
                     }
                     continue;
                 }
+                PairKind::Transmission(_) => continue,
             };
             for (link, p) in points {
                 sums[link.index()].add(Wrench::at(p, self.reaction(i, link)));
@@ -195,7 +196,7 @@ impl Check<'_> {
                     let force = self.reaction(i, first.link);
                     self.law(i, force.dot(n.perp()), speed, f * force.dot(n).abs());
                 }
-                (PairKind::Cylinder { .. }, _) => {}
+                (PairKind::Cylinder { .. } | PairKind::Transmission(_), _) => {}
             }
         }
     }
