@@ -2,6 +2,7 @@
 
 pub mod chebyshev;
 mod dense;
+mod double;
 mod lanes;
 pub mod periodic;
 pub mod ratio;
@@ -11,6 +12,7 @@ mod scalar;
 mod vec2;
 
 pub use dense::Dense;
+pub use double::Double;
 pub use lanes::Lanes;
 pub use ratio::Ratio;
 pub use rigid::{acceleration_at, velocity_at};

@@ -55,6 +55,11 @@ fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &
     match step {
         MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("as {} says", with.join(", ")),
         MotionStep::Train { train, .. } => train_in_words(scene, &scene.plan.trains[*train]),
+        MotionStep::Cam { cam, .. } => {
+            let index = scene.plan.cams.get(*cam).map_or(0, |c| c.contact.cam);
+            let name = scene.mechanism.cams.get(index).map_or("", |c| c.name.as_str());
+            format!("the law of cam {name}")
+        }
         MotionStep::General { .. } => {
             format!("Newton's method, {} links at once", link_names(scene, group).len())
         }
