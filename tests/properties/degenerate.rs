@@ -127,6 +127,7 @@ fn numbers(m: &mut Mechanism) -> Vec<&mut f64> {
                 vector(&mut from.at, &mut out);
                 vector(&mut to.at, &mut out);
             }
+            PairKind::Transmission(_) => {}
         }
     }
     for drive in &mut m.drives {

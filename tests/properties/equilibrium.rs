@@ -188,6 +188,7 @@ impl System<'_> {
                 self.force(id, *rod, *barrel, p, n);
                 self.couple(id, *rod, *barrel);
             }
+            PairKind::Transmission(_) => {}
         }
     }
 
@@ -268,7 +269,7 @@ impl System<'_> {
                 let unit = Wrench::at(self.body(*rod).p.value(), self.body(*rod).u.value());
                 vec![(*rod, unit), (*barrel, unit.times(-1.0))]
             }
-            PairKind::Contact { .. } => Vec::new(),
+            PairKind::Contact { .. } | PairKind::Transmission(_) => Vec::new(),
         }
     }
 

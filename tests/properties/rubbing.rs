@@ -118,6 +118,7 @@ impl Check<'_> {
                     }
                     continue;
                 }
+                PairKind::Transmission(_) => continue,
             };
             for (link, p) in points {
                 sums[link.index()].add(Wrench::at(p, self.reaction(i, link)));
