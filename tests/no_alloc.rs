@@ -64,6 +64,14 @@ fn friction_allocates_nothing() {
 }
 
 #[test]
+fn a_cam_allocates_nothing() {
+    let text = include_str!("../examples/cams/lever.mech");
+    let source = assur::source::Source::new("lever.mech", text);
+    let (mechanism, _) = assur::check_source(&source, &assur::check::Overrides::none());
+    assert_eq!(allocations(&mechanism.expect("the example is sound")), 0);
+}
+
+#[test]
 fn the_count_counts() {
     let counted = allocation_counter::measure(|| drop(std::hint::black_box(vec![1_u8])));
     assert_eq!(counted.count_total, 1);
