@@ -36,7 +36,7 @@ pub struct Compiled {
     pub structure: Structure,
     /// How it is solved.
     pub plan: Plan,
-    /// What it was compiled from, where a critical value asks for other values of a `given`.
+    /// What it was compiled from, where its answers take other solutions: see [`Mechanism::asks_again`].
     pub origin: Option<Origin>,
 }
 
@@ -75,8 +75,8 @@ pub fn check_source(source: &Source, overrides: &Overrides) -> (Option<Mechanism
 pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Problems) {
     let (mechanism, problems) = check_source(source, overrides);
     let Some(mechanism) = mechanism else { return (None, problems) };
-    let origin = (!mechanism.criticals.is_empty())
-        .then(|| Origin { source: source.clone(), overrides: overrides.clone() });
+    let origin =
+        mechanism.asks_again().then(|| Origin { source: source.clone(), overrides: overrides.clone() });
     plan_mechanism(mechanism, None, problems, origin)
 }
 
@@ -119,6 +119,13 @@ pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
             return (Err(compiled), problems);
         }
     };
+    if let Some(origin) = &compiled.origin {
+        let hang = exercise::scales(&scene, &mut solution, origin);
+        if !hang.is_empty() {
+            problems.extend(hang);
+            return (Err(compiled), problems);
+        }
+    }
     problems.extend(std::mem::take(&mut solution.warnings));
     problems.extend(std::mem::take(&mut solution.friction));
     problems.extend(solution.failures());

@@ -146,6 +146,69 @@ expect fluctuation(K) = fluctuation(J) within 1e-13
     solved(&text);
 }
 
+/// A torque by a law of its own: the work of M (1 + cos φ) less its mean goes from −M to M.
+#[test]
+fn a_flywheel_evens_out_a_given_torque() {
+    solved(
+        "ground { A (0, 0) }
+        link crank A-B 100 mm
+        revolute A: ground - crank
+        drive crank = 0 deg .. 360 deg in 8 steps at 20 rad/s
+        torque Md on crank = 10 N*m*(1 + cos(angle(crank)))
+        flywheel J on crank for Md { fluctuation 1/50 }
+        flywheel K on crank { fluctuation 1/50 }
+        find J, K
+        expect fluctuation(J) = 20 J within 1e-13
+        expect J = 2.5 kg*m^2 within 1e-13
+        expect K = J within 1e-13
+        expect argmax(work(J)) = 90 deg within 1e-12
+        expect mean(reduced_torque(J)) = 10 N*m within 1e-13
+        ",
+    );
+}
+
+/// Friction changes its sense at the dead positions.
+#[test]
+fn friction_is_split_where_it_changes_its_sense() {
+    let text = ENGINE
+        .replace("ground.guide\n", "ground.guide { friction 0.1 }\n")
+        .replace("mass 2.5 kg at S; inertia 0.03 kg*m^2", "")
+        .replace("; mass 3 kg", "")
+        .replace("gravity 9.81 m/s^2", "force on piston at C = 1 kN against motion")
+        .replace("12 steps", "7200 steps");
+    let source = Source::new("test.mech", format!("{text}find Mb, mean(Mb), mean(frictionless(Mb))\n"));
+    let (solved, _) = assur::solve_source(&source, &Overrides::none());
+    let solution = solved.expect("it is solved").solution;
+    let efforts = solution.poses.iter().map(|p| p.outcome.as_ref().expect("it moves").state.efforts[0]);
+    let brute = efforts.sum::<f64>() / 7200.0;
+    let (with, without) = (&solution.statics.cycles[0], &solution.statics.cycles[1]);
+    assert_eq!(with.splits.len(), 1, "{with:?}");
+    assert!((with.value - brute).abs() < 1e-5 * brute, "{} {brute}", with.value);
+    // 1 kN over 0.2 m, there and back
+    assert!((without.value - 200.0 / PI).abs() < 1e-10, "{}", without.value);
+    assert!(with.value > without.value && with.error < 1e-10 * with.value, "{with:?}");
+}
+
+#[test]
+fn a_mechanism_that_does_not_close_has_no_mean() {
+    let text = "ground { A (0, 0); D (300 mm, 0) }
+        link crank A-B 200 mm
+        link coupler B-C 120 mm
+        link rocker C-D 150 mm
+        revolute A: ground - crank
+        revolute B: crank - coupler
+        revolute C: coupler - rocker
+        revolute D: ground - rocker
+        drive crank = 0 deg .. 90 deg in 3 steps
+        assemble C right of B-D
+        expect mean(angle(rocker)) = 1 rad within 1 rad
+        ";
+    let source = Source::new("test.mech", text.to_owned());
+    let (_, problems) = assur::test_source(&source, &Overrides::none());
+    let said = render(&problems, &source, Style::PLAIN);
+    assert!(said.contains("does not close at crank"), "{said}");
+}
+
 #[test]
 fn a_part_of_a_turn_is_integrated_too() {
     let text = ENGINE.replace("0 deg .. 360 deg in 12 steps", "20 deg .. 110 deg in 3 steps");

@@ -183,7 +183,7 @@ fn rubbing(draft: &Draft, factor: impl Fn(usize) -> f64) -> Mechanism {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {
                 Some(Friction::Coefficient(factor(i)))
             }
-            PairKind::Cylinder { .. } => None,
+            PairKind::Cylinder { .. } | PairKind::Transmission(_) => None,
         };
     }
     mechanism

@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::error::LoadError;
 use super::expr::Want;
-use super::load::{effort, example, form, frame, moving, no_place, place};
+use super::load::{effort, example, form, frame, moving, no_place, of_open_shaft, place, slider};
 use crate::math::Vec2;
 use crate::model::{self, BalanceKind};
 use crate::syntax::document::{self, Balance, LoadKind, Name, Site, Statement};
@@ -54,6 +54,11 @@ fn force(
     link: &Name,
     at: Option<&document::Place>,
 ) -> Option<BalanceKind> {
+    if let Some(pair) = slider(cx, link) {
+        undirected(cx, balance, "a slider moves along one line")?;
+        return Some(BalanceKind::InPair(pair));
+    }
+    of_open_shaft(cx, link, "an unknown force")?;
     let on = moving(cx, link, "a force");
     let name = &balance.name.node;
     let site = match at {

@@ -6,6 +6,7 @@ use super::hinges::Hinges;
 use super::names::Names;
 use super::overrides::Overrides;
 use super::row::Row;
+use super::train::Sizes;
 use super::unit_choice::{self, UnitUse};
 use crate::diagnostic::Problems;
 use crate::model::{Mechanism, Unsupported};
@@ -37,6 +38,10 @@ pub struct Context<'a> {
     pub(super) units: UnitUse,
     /// What `given`, `let` and `find NAME =` are.
     pub(super) definitions: Definitions,
+    /// The sizes of wheels.
+    pub(super) sizes: Sizes<'a>,
+    /// A wheel whose size is left open, of which another is assumed than usual.
+    pub stretched: Option<&'a str>,
     /// The gear pairs whose geometry was asked for.
     pub(super) gears: Gears,
     /// Names reported as unknown already, with the list they were looked for in.
@@ -57,6 +62,8 @@ impl<'a> Context<'a> {
             hinges: Hinges::default(),
             units: unit_choice::count(doc),
             definitions: Definitions::default(),
+            sizes: Sizes::default(),
+            stretched: None,
             gears: Gears::new(),
             reported: IndexSet::new(),
         }

@@ -164,6 +164,28 @@ impl Context<'_> {
         })
     }
 
+    /// As [`Context::first_result`], but calls of this function are no such part.
+    pub fn first_result_beside(&self, expr: &Expr, function: &str) -> Option<(Span, String)> {
+        let mut first = None;
+        values(expr, &mut |part| {
+            let call = matches!(&part.kind, ExprKind::Call { function: f, .. } if f.node == function);
+            let plain = matches!(&part.kind, ExprKind::Call { .. } | ExprKind::Name(_));
+            if first.is_none() && !call && plain {
+                first = match &part.kind {
+                    ExprKind::Call { function, args } if self.is_result(&function.node, args) => {
+                        Some((part.span, format!("`{}(…)`", function.node)))
+                    }
+                    ExprKind::Name(name) => self.root_of(name).map(|(root, via)| {
+                        let text = via.map_or(root.clone(), |via| format!("`{via}`, which hangs on {root}"));
+                        (part.span, text)
+                    }),
+                    _ => None,
+                };
+            }
+        });
+        first
+    }
+
     /// The first such part, what it comes down to, and the name it is hidden behind.
     fn first_root(&self, expr: &Expr) -> Option<(Span, String, Option<String>)> {
         let mut first = None;

@@ -89,10 +89,7 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
         cx.error(MotionError::WithoutPosition { name, example: example.into(), span });
         return None;
     }
-    let Some(target) = target else {
-        cx.unsupported("a drive of a shaft or slider", span);
-        return None;
-    };
+    let target = target?;
     once.then_some(model::Drive { name, span, target, positions, speed, acceleration, sense })
 }
 
@@ -101,7 +98,7 @@ pub(super) fn zero(moves: Moves, order: usize) -> String {
     if moves == Moves::Freely { "(0, 0)".into() } else { told(0.0, moves.dimension(order)) }
 }
 
-/// What is driven, and how it moves; no target for shafts and sliders.
+/// What is driven, and how it moves; no target where a slider has an error.
 pub(super) fn target(cx: &mut Context<'_>, path: &Path, what: &str) -> Option<(Option<DriveTarget>, Moves)> {
     if path.tail.is_some() {
         let (link, at) = link_point(cx, path, what)?;
@@ -110,8 +107,7 @@ pub(super) fn target(cx: &mut Context<'_>, path: &Path, what: &str) -> Option<(O
     }
     let name = &path.head;
     match cx.names.things.get(&name.node).map(|d| d.what) {
-        Some(ThingKind::Shaft | ThingKind::Wheel) => Some((None, Moves::Turning)),
-        Some(ThingKind::Slider) => Some((None, Moves::Sliding)),
+        Some(ThingKind::Slider) => Some((cx.find_pair(&name.node).map(DriveTarget::Pair), Moves::Sliding)),
         Some(ThingKind::Joint(kind)) if is_linkage_pair(kind) => {
             let (pair, moves) = coordinate(cx, name)?;
             Some((Some(DriveTarget::Pair(pair)), moves))
@@ -164,6 +160,7 @@ pub(super) fn coordinate(cx: &mut Context<'_>, name: &Name) -> Option<(PairId, M
             (format!("one pin in {} links", pins.len()), format!("name one of the links {links}"))
         }
         PairKind::Contact { .. } => ("a contact".into(), "name one of the two links".into()),
+        PairKind::Transmission(t) => (t.kind.phrase().into(), "name one of the shafts or sliders".into()),
     };
     cx.error(MotionError::NoCoordinate { name: name.node.clone(), is, help, span: name.span });
     None

@@ -1,11 +1,11 @@
 //! `flywheel J on O1 for Mb { … }`
 
 use super::context::Context;
-use super::element::known;
 use super::error::{LinkError, NameError, PairError};
 use super::lookup::suggestion;
 use super::names::{QuantityKind, ThingKind};
 use super::property::{Read, Spec, Takes, find, read};
+use super::train::known;
 use crate::model::{self, FlywheelTorque, LinkId, Rim};
 use crate::source::Span;
 use crate::syntax::document::{Flywheel, Name, Statement};
@@ -90,12 +90,11 @@ fn flywheel(cx: &mut Context<'_>, flywheel: &Flywheel) -> Option<model::Flywheel
 }
 
 fn link(cx: &mut Context<'_>, on: &Name) -> Option<LinkId> {
-    if cx.names.things.get(&on.node).is_some_and(|d| d.what == ThingKind::Shaft) {
-        cx.unsupported("a flywheel on a shaft", on.span);
-        return None;
-    }
     if cx.find_link(&on.node).is_none() {
         known(cx, on, "shaft or link", &[ThingKind::Shaft, ThingKind::Link]);
+        if cx.names.things.get(&on.node).is_some_and(|d| d.what == ThingKind::Shaft) {
+            cx.unsupported("a flywheel on a shaft", on.span);
+        }
         return None;
     }
     let link = cx.link(on)?;

@@ -123,6 +123,17 @@ fn circle_of(
 /// A constant that must be greater than zero.
 pub(super) fn positive(cx: &mut Context<'_>, expr: &Expr, dimension: Dimension, what: &str) -> Option<f64> {
     let value = cx.scalar_constant(expr, &Want(dimension), what)?;
+    positive_value(cx, value, expr, dimension, what)
+}
+
+/// Reports a value that is not greater than zero.
+pub(super) fn positive_value(
+    cx: &mut Context<'_>,
+    value: f64,
+    expr: &Expr,
+    dimension: Dimension,
+    what: &str,
+) -> Option<f64> {
     if value > 0.0 && value.is_finite() {
         return Some(value);
     }

@@ -4,7 +4,8 @@ use super::context::Context;
 use super::drive::{Moves, coordinate, negated, on_moving};
 use super::error::LoadError;
 use super::expr::Want;
-use crate::model::{self, Expr, LinkId, LoadKind, PairId, Place, Query};
+use super::names::ThingKind;
+use crate::model::{self, Bearing, Expr, LinkId, LoadKind, PairId, PairKind, Place, Query};
 use crate::source::Span;
 use crate::syntax::document::{self, Load, Name, Site, Statement, Turn};
 use crate::units::Dimension;
@@ -64,7 +65,70 @@ const fn kind_word(kind: document::LoadKind) -> &'static str {
     }
 }
 
+/// The pair of a slider on a rope, if the name is that of one.
+pub(super) fn slider(cx: &Context<'_>, name: &Name) -> Option<PairId> {
+    let is_slider = cx.names.things.get(&name.node).is_some_and(|d| d.what == ThingKind::Slider);
+    cx.find_pair(&name.node).filter(|_| is_slider)
+}
+
+/// Reports a force on a shaft whose place is left open: it has no arm.
+pub(super) fn of_open_shaft(cx: &mut Context<'_>, name: &Name, what: &str) -> Option<()> {
+    let Some(link) = cx.find_link(&name.node) else { return Some(()) };
+    let open = cx.mech.pairs.iter().any(|p| match &p.kind {
+        PairKind::Revolute(pins) => {
+            p.bearing == Some(Bearing::Open) && pins.last().is_some_and(|pin| pin.link == link)
+        }
+        _ => false,
+    });
+    if !open {
+        return Some(());
+    }
+    let message = format!("the place of `{}` is left open: {what} on it has no arm", name.node);
+    form(cx, message, "write a torque, as in `torque on I = 10 N*m`, or hang the load on a rope", name.span);
+    None
+}
+
+/// A slider moves along one line: a force on it has no place and no direction, but a sign.
+fn on_slider(
+    cx: &mut Context<'_>,
+    load: &Load,
+    link: &Name,
+    at: Option<&document::Place>,
+) -> Option<LoadKind> {
+    let on = cx.link(link)?;
+    if let Some(sense) = &load.value.sense {
+        let message = "a force has no sense of turning".into();
+        form(cx, message, "write a minus before the value instead", sense.span);
+        return None;
+    }
+    if let Some(at) = at {
+        let span = match at {
+            document::Place::Point(name) => name.span,
+            document::Place::Ground(expr) => expr.span,
+        };
+        form(cx, "a slider moves along one line, wherever it is pulled".into(), "leave `at` out", span);
+        return None;
+    }
+    let source = &load.value.value;
+    if cx.is_vector(source)? {
+        let help = "write the part along its way: `100 N`, positive where the rope pays out";
+        form(cx, "a slider's direction is left open".into(), help, source.span);
+        return None;
+    }
+    let value = value(cx, load, false, Dimension::FORCE)?;
+    let at = Place::Local(crate::math::Vec2::zero());
+    if load.against_motion.is_some() {
+        return Some(LoadKind::ForceAgainstMotion { on, at, value });
+    }
+    let value = super::expr::fold::pair(value, Expr::number(0.0));
+    Some(LoadKind::Force { on, at, value, frame: None })
+}
+
 fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::Place>) -> Option<LoadKind> {
+    if slider(cx, link).is_some() {
+        return on_slider(cx, load, link, at);
+    }
+    of_open_shaft(cx, link, "a force")?;
     let on = moving(cx, link, "a force");
     let place = match at {
         Some(at) => on.and_then(|on| place(cx, on, at)),
@@ -259,6 +323,8 @@ const fn force_result(query: &Query) -> Option<&'static str> {
         Query::Friction(..) => Some("a friction force"),
         Query::Efficiency | Query::Locked => Some("the efficiency"),
         Query::Critical(_) => Some("a critical value"),
+        Query::TangentialForce(_) | Query::ToothForce(_) => Some("a force between teeth"),
+        Query::Tension(..) => Some("the pull of a rope"),
         Query::Flywheel(..) => Some("a flywheel"),
         _ => None,
     }

@@ -262,7 +262,7 @@ pub fn place_of_pair(kind: &PairKind) -> Option<(LinkId, Vec2)> {
         PairKind::Prismatic(Guide { slider, point, .. }) | PairKind::Slot(Guide { slider, point, .. }) => {
             Some((*slider, *point))
         }
-        PairKind::Contact { .. } | PairKind::Cylinder { .. } => None,
+        PairKind::Contact { .. } | PairKind::Cylinder { .. } | PairKind::Transmission(_) => None,
     }
 }
 

@@ -22,10 +22,15 @@ pub(super) fn masses(cx: &mut Context<'_>) {
         let (link, body) = match &statement.node {
             Statement::Ground(g) if !std::mem::replace(&mut ground, true) => (Some(LinkId::GROUND), &g.body),
             Statement::Link(l) => (cx.own_link(&l.name), &l.body),
+            // the mass of a shaft lies on its axis
+            Statement::Shaft(s) => (cx.own_link(&s.name), &s.body),
+            Statement::Slider(s) => (cx.own_link(&s.name), &s.body),
             _ => continue,
         };
         if let Some(link) = link {
-            let mass = mass(cx, link, body, turning[link.index()]);
+            let element = !matches!(statement.node, Statement::Link(_) | Statement::Ground(_));
+            let turning = if element { Turning::No } else { turning[link.index()] };
+            let mass = mass(cx, link, body, turning);
             cx.mech.links[link.index()].mass = mass;
         }
     }

@@ -11,7 +11,6 @@ mod contact;
 mod context;
 mod definition;
 mod drive;
-mod element;
 pub mod error;
 mod expect;
 pub mod expr;
@@ -45,6 +44,7 @@ mod row;
 mod simulation;
 mod spring;
 mod tolerance;
+mod train;
 mod unit_choice;
 mod value;
 mod variants;
@@ -75,6 +75,16 @@ pub fn check_at(
     value: f64,
 ) -> (Option<Mechanism>, Problems) {
     run(Context { fixed: Some((name, value)), ..Context::new(document, overrides) })
+}
+
+/// As [`check`], with another size assumed of a wheel whose own the document leaves open.
+#[must_use]
+pub fn check_stretched(
+    document: &Document,
+    overrides: &Overrides,
+    wheel: &str,
+) -> (Option<Mechanism>, Problems) {
+    run(Context { stretched: Some(wheel), ..Context::new(document, overrides) })
 }
 
 /// The columns of a table of variants for a document: its own, or one beside it, whose spans are those of the table's
@@ -118,6 +128,7 @@ fn meaning(cx: &mut Context<'_>) {
     machine::machine(cx);
     request::finds(cx);
     expect::expects(cx);
+    train::at_rest(cx);
     variants::variants(cx);
     load_cycle::load_cycles(cx);
 }

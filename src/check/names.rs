@@ -213,12 +213,10 @@ fn things(cx: &mut Context<'_>, statement: &Statement, span: Span) {
             members(cx, id, &link.body);
         }
         Statement::Shaft(shaft) => {
-            thing(cx, &shaft.name, ThingKind::Shaft);
-            wheels(cx, &shaft.body);
+            element(cx, &shaft.name, ThingKind::Shaft, &shaft.body);
         }
         Statement::Slider(slider) => {
-            thing(cx, &slider.name, ThingKind::Slider);
-            wheels(cx, &slider.body);
+            element(cx, &slider.name, ThingKind::Slider, &slider.body);
         }
         Statement::Joint(joint) => joint_names(cx, joint),
         Statement::Spring(spring) => {
@@ -236,6 +234,15 @@ fn things(cx: &mut Context<'_>, statement: &Statement, span: Span) {
             }
         }
         _ => {}
+    }
+}
+
+/// A shaft or a slider: a link too.
+fn element(cx: &mut Context<'_>, name: &Name, kind: ThingKind, body: &Body) {
+    if thing(cx, name, kind) {
+        let id = cx.add_link(name.node.clone(), None, name.span);
+        cx.names.inside.push(Inside::default());
+        members(cx, id, body);
     }
 }
 

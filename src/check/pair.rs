@@ -5,13 +5,13 @@ use super::error::{NameError, PairError};
 use super::lookup::is_linkage_pair;
 use super::pair_property::{Shared, phrase, properties, shared};
 use super::prismatic::{Held, guide};
-use super::{contact, element, friction};
+use super::{contact, friction};
 use crate::math::Vec2;
 use crate::model::{Friction, GroupAssertion, LinkId, Pair, PairId, PairKind, Pin};
 use crate::source::{Span, Spanned};
 use crate::syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
 
-/// Enters all pairs of the linkage into the mechanism; transmissions are checked and noted.
+/// Enters all pairs of the linkage into the mechanism.
 pub(super) fn pairs(cx: &mut Context<'_>) {
     let doc = cx.doc;
     let shared = shared(cx);
@@ -22,13 +22,14 @@ pub(super) fn pairs(cx: &mut Context<'_>) {
             continue;
         }
         if !is_linkage_pair(joint.kind.node) {
-            element::transmission(cx, joint, statement.span);
-        } else if let Some((kind, friction)) = pair(cx, joint, &shared, &mut held) {
+            continue;
+        }
+        if let Some((kind, friction)) = pair(cx, joint, &shared, &mut held) {
             let id = PairId::at(cx.mech.pairs.len());
             cx.hinges.enter(&kind, id);
             let (name, span) = (joint.name.node.clone(), joint.name.span);
             cx.names.pairs.entry(name.clone()).or_insert(id);
-            cx.mech.pairs.push(Pair { name, span, kind, friction });
+            cx.mech.pairs.push(Pair { name, span, kind, friction, bearing: None });
         }
     }
 }
@@ -63,7 +64,12 @@ impl Context<'_> {
         let is_pair = |s: &Statement| matches!(s, Statement::Joint(j) if is_linkage_pair(j.kind.node));
         let is_bad = |s: &Statement| matches!(s, Statement::Bad(_));
         let statements = || self.doc.statements.iter().map(|s| &s.node);
-        statements().filter(|s| is_pair(s)).count() == self.mech.pairs.len() && !statements().any(is_bad)
+        let joined = self
+            .mech
+            .pairs
+            .iter()
+            .filter(|p| p.bearing.is_none() && !matches!(p.kind, PairKind::Transmission(_)));
+        statements().filter(|s| is_pair(s)).count() == joined.count() && !statements().any(is_bad)
     }
 }
 

@@ -1,9 +1,9 @@
 //! Properties of pairs.
 
 use super::context::Context;
-use super::element;
 use super::error::PairError;
 use super::property::{Read, Spec, Takes, Value, find, read};
+use super::train;
 use crate::syntax::document::{Joint, JointKind, Statement};
 use crate::units::Dimension;
 
@@ -52,7 +52,7 @@ pub(super) const fn specs(kind: JointKind) -> &'static [Spec] {
         JointKind::Slot => &[FRICTION],
         JointKind::Contact => CONTACT,
         JointKind::Cylinder => &[],
-        kind => element::specs(kind),
+        kind => train::specs(kind),
     }
 }
 

@@ -1,12 +1,12 @@
 //! Plate cams: what stands in their braces, and whether a follower can follow it.
 
 use super::context::Context;
-use super::element::known;
 use super::error::{CamError, NameError, PairError};
 use super::link::positive;
 use super::lookup::suggestion;
 use super::names::ThingKind;
 use super::property::{Read, Spec, Takes, find, read};
+use super::train::known;
 use super::{amount, plate_fault};
 use crate::element::cam::{Cam, Follower, Law, Program, Shape};
 use crate::model::PlateCam;

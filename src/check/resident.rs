@@ -7,6 +7,7 @@ use super::context::Context;
 use super::definition::Definitions;
 use super::hinges::Hinges;
 use super::row::Row;
+use super::train::Sizes;
 use super::{Overrides, definitions, meaning};
 use crate::diagnostic::Problems;
 use crate::model::{Display, Mechanism};
@@ -52,6 +53,7 @@ impl<'a> Resident<'a> {
         cx.names.links.truncate(self.fresh.links);
         cx.names.inside.truncate(self.fresh.inside);
         cx.hinges = Hinges::default();
+        cx.sizes = Sizes::default();
         cx.reported.clear();
         cx.gears.clear();
         let (order, results) = std::mem::take(&mut cx.definitions).into_names();

@@ -2,8 +2,8 @@
 
 use super::context::Context;
 use super::drive::{target, value};
-use super::element::constant;
 use super::expr::typed::Type;
+use super::train::constant;
 use crate::model::{Drive, Positions};
 use crate::source::Span;
 use crate::syntax::document::{Start, Statement, Until};

@@ -151,6 +151,29 @@ pub const CODES: &[Code] = codes! {
     "expect" / "list_at_pose",
     "expect" / "unknown_pose",
     "friction" / "no_motion",
+    "cam" / "turn_exceeded",
+    "cam" / "does_not_return",
+    "cam" / "below_base",
+    "cam" / "base_radius",
+    "cam" / "undercut",
+    "cam" / "pointed",
+    "cam" / "shock",
+    "cam" / "other_follower",
+    "gear" / "incomplete",
+    "gear" / "no_mesh",
+    "gear" / "undercut",
+    "gear" / "interference",
+    "gear" / "pointed",
+    "gear" / "contact_ratio",
+
+    "train" / "same_shaft",
+    "train" / "no_carrier",
+    "train" / "sizes",
+    "train" / "internal",
+    "train" / "centre_distance",
+    "train" / "planet_distance",
+    "train" / "rope_end",
+    "train" / "efficiency",
 
     // structure
     "determinacy" / "floating_link",
@@ -190,10 +213,15 @@ pub const CODES: &[Code] = codes! {
     "solve" / "not_finite",
     "request" / "not_supported_yet",
     "request" / "needs_speed",
+    "train" / "no_position",
+    "train" / "no_place",
+    "train" / "rope_pushes",
+    "train" / "self_locking",
 
     // element
 
     // exercise
+    "train" / "missing_radius",
     "expect" / "mismatch",
     "expect" / "pose_failed",
     "expect" / "undefined",

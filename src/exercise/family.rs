@@ -33,8 +33,8 @@ impl<'a> Family<'a> {
         };
         let Some(mechanism) = mechanism else { return (None, problems) };
         let alike = self.structure.as_ref().and_then(|s| s.with_numbers_of(&mechanism));
-        let origin = (!mechanism.criticals.is_empty())
-            .then(|| Origin { source: self.source.clone(), overrides: origin });
+        let origin =
+            mechanism.asks_again().then(|| Origin { source: self.source.clone(), overrides: origin });
         let known = alike.is_some();
         let (compiled, problems) = crate::plan_mechanism(mechanism, alike, problems, origin);
         if let Some(compiled) = &compiled

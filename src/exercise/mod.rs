@@ -8,6 +8,7 @@ mod family;
 pub mod grade;
 mod in_row;
 mod own_rows;
+mod scales;
 pub mod table;
 mod undefined;
 
@@ -17,4 +18,5 @@ pub use expect::{Outcome, evaluate};
 pub use family::Family;
 pub use in_row::InRow;
 pub use own_rows::{OwnRows, SolvedRow, row_words};
+pub use scales::{ScaleError, scales};
 pub use undefined::why_undefined;

@@ -1,16 +1,20 @@
-//! 2-vectors, the scalar trait and small linear solves with their condition.
+//! 2-vectors, the scalar trait, exact ratios and small linear solves with their condition.
 
 pub mod chebyshev;
 mod dense;
+mod double;
 mod lanes;
 pub mod periodic;
+pub mod ratio;
 mod rigid;
 mod root;
 mod scalar;
 mod vec2;
 
 pub use dense::Dense;
+pub use double::Double;
 pub use lanes::Lanes;
+pub use ratio::Ratio;
 pub use rigid::{acceleration_at, velocity_at};
 pub use root::root;
 pub use scalar::{Scalar, Truths};

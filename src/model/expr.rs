@@ -208,6 +208,12 @@ pub enum Query {
     Stroke(PairId),
     /// The longer way over the shorter. Needs no pose.
     TimeRatio(PairId),
+    /// Tangential force of a mesh, rack, worm or screw, or the pull of a belt or chain, N, ≥ 0.
+    TangentialForce(PairId),
+    /// Force along the line of action of a mesh or rack, N, ≥ 0.
+    ToothForce(PairId),
+    /// Pull in a rope, N; that of this part of it, counted from 0.
+    Tension(PairId, usize),
     /// Drive value where the coordinate is least (1) or greatest (2), in [0, one turn). Needs no pose.
     Dead(PairId, u8),
     /// A function over the sweep: index into [`super::Mechanism::cycles`]. Needs no pose.

@@ -13,6 +13,7 @@ mod motion;
 mod pair;
 mod request;
 mod shape;
+mod train;
 
 pub use cam_part::{CAM_PARTS, CamPart};
 pub use cycle::{Cycle, CycleFunction, Flywheel, FlywheelPart, FlywheelTorque, Rim};
@@ -24,8 +25,9 @@ pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
-pub use pair::{Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
+pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Display, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
+pub use train::{Law, Meeting, Rate, Scale, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;
 
@@ -40,6 +42,10 @@ pub struct Mechanism {
     pub links: Vec<Link>,
     /// All pairs as declared; a pin in several links is one of them.
     pub pairs: Vec<Pair>,
+    /// All wheels.
+    pub wheels: Vec<Wheel>,
+    /// Sizes that are left open and assumed.
+    pub scales: Vec<Scale>,
     /// Asserted structural groups.
     pub groups: Vec<GroupAssertion>,
     /// The drives.
@@ -109,6 +115,13 @@ impl Mechanism {
     #[must_use]
     pub fn link(&self, id: LinkId) -> &Link {
         &self.links[id.index()]
+    }
+
+    /// Whether its answers take other solutions of the same text: with other values of a `given`, or with other sizes of
+    /// wheels that are left open.
+    #[must_use]
+    pub fn asks_again(&self) -> bool {
+        !self.criticals.is_empty() || !self.scales.is_empty()
     }
 
     /// The pair with this id.

@@ -1,6 +1,6 @@
 //! Kinematic pairs as declared.
 
-use super::LinkId;
+use super::{LinkId, Transmission};
 use crate::math::Vec2;
 use crate::source::Span;
 
@@ -15,6 +15,17 @@ pub struct Pair {
     pub kind: PairKind,
     /// Friction in it, where declared.
     pub friction: Option<Friction>,
+    /// It belongs to a shaft or a slider, which brings it along.
+    pub bearing: Option<Bearing>,
+}
+
+/// The pair of a shaft or a slider.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bearing {
+    /// Its place is left open.
+    Open,
+    /// Its place is known.
+    Placed,
 }
 
 /// The law of friction of a pair. It opposes the relative velocity; where that is nothing there is none.
@@ -58,6 +69,8 @@ pub enum PairKind {
         /// Where the rod is hinged.
         to: Pin,
     },
+    /// What runs between wheels and sliders. As many higher pairs as it has laws.
+    Transmission(Transmission),
 }
 
 /// A point of a link where a hinge stands.
@@ -130,6 +143,7 @@ impl PairKind {
             Self::Prismatic(g) | Self::Slot(g) => vec![g.slider, g.guide],
             Self::Contact { first, second, .. } => vec![first.link, second.link],
             Self::Cylinder { from, to, .. } => vec![from.link, to.link],
+            Self::Transmission(t) => t.links.clone(),
         }
     }
 
@@ -140,13 +154,17 @@ impl PairKind {
             Self::Revolute(pins) => pins.len().saturating_sub(1),
             Self::Prismatic(_) => 1,
             Self::Cylinder { .. } => 3,
-            Self::Slot(_) | Self::Contact { .. } => 0,
+            Self::Slot(_) | Self::Contact { .. } | Self::Transmission(_) => 0,
         }
     }
 
     /// Number of higher pairs it counts for.
     #[must_use]
     pub fn higher(&self) -> usize {
-        usize::from(matches!(self, Self::Slot(_) | Self::Contact { .. }))
+        match self {
+            Self::Slot(_) | Self::Contact { .. } => 1,
+            Self::Transmission(t) => t.laws.len(),
+            Self::Revolute(_) | Self::Prismatic(_) | Self::Cylinder { .. } => 0,
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The effects that a file calls for. An effect that nothing calls for has no step in the plan.
 
-use crate::model::{Expr, FindKind, FlywheelPart, LoadKind, Mechanism, Query, Relation};
+use crate::model::{Expr, FindKind, FlywheelPart, LoadKind, Mechanism, PairKind, Query, Relation};
 
 /// How far motion is followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,6 +33,8 @@ pub struct Effects {
     pub springs: bool,
     /// Friction in the pairs.
     pub friction: bool,
+    /// Transmissions that lose power.
+    pub losses: bool,
 }
 
 impl Effects {
@@ -46,6 +48,7 @@ impl Effects {
         let inertia = forces && timed && has_mass && !mechanism.ignore_inertia;
         let rubs = mechanism.pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some()));
         let friction = forces && moving && rubs;
+        let losses = forces && moving && loses(mechanism);
         let damped = mechanism.springs.iter().any(|s| s.damping > 0.0);
         if forces {
             wanted.loads(mechanism);
@@ -53,7 +56,7 @@ impl Effects {
         let mut level = wanted.level;
         if inertia {
             level = Level::Accelerations;
-        } else if forces && moving && (damped || friction) {
+        } else if forces && moving && (damped || friction || losses) {
             level = level.max(Level::Velocities);
         }
         if !timed {
@@ -71,7 +74,14 @@ impl Effects {
             gravity: forces && mechanism.gravity.is_some() && has_mass,
             springs: forces && !mechanism.springs.is_empty(),
             friction,
+            losses,
         }
+    }
+
+    /// Whether forces differ from those of the same mechanism without losses.
+    #[must_use]
+    pub const fn loses(&self) -> bool {
+        self.friction || self.losses
     }
 
     /// The physical effects that the file calls for.
@@ -82,6 +92,7 @@ impl Effects {
             (self.gravity, "gravity"),
             (self.springs, "springs"),
             (self.friction, "friction"),
+            (self.losses, "losses"),
         ];
         all.into_iter().filter(|(on, _)| *on).map(|(_, name)| name).collect()
     }
@@ -102,6 +113,14 @@ impl Effects {
         }
         names
     }
+}
+
+/// Whether a transmission has an efficiency.
+fn loses(mechanism: &Mechanism) -> bool {
+    mechanism.pairs.iter().any(|p| match &p.kind {
+        PairKind::Transmission(t) => t.laws.iter().any(|l| l.efficiency.is_some()),
+        _ => false,
+    })
 }
 
 #[derive(Default)]
@@ -216,6 +235,9 @@ pub fn needs_forces(query: &Query) -> bool {
             | Query::Efficiency
             | Query::Locked
             | Query::Critical(_)
+            | Query::TangentialForce(_)
+            | Query::ToothForce(_)
+            | Query::Tension(..)
             | Query::Flywheel(
                 _,
                 FlywheelPart::Inertia

@@ -17,7 +17,11 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
                 ways: [0, 1].map(|i| way(structure, group.joints[i], first + i)),
             }),
             GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
-            GroupKind::General => None,
+            GroupKind::Train => {
+                plan.train_forces.push(super::train::forces(structure, group, first, plan));
+                Some(ForceStep::Train { train: plan.train_forces.len() - 1 })
+            }
+            GroupKind::General | GroupKind::MixedTrain => None,
         };
         let step = step.unwrap_or_else(|| {
             plan.balance_systems.push(super::general::balance_system(structure, group, first));
@@ -39,7 +43,7 @@ fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
 pub(super) fn way(structure: &Structure, joint: GroupJoint, slot: usize) -> Way {
     let (slider, point, direction) = match structure.replaced.joint(joint.joint).kind {
         JointKind::Prismatic { slider, point, direction, .. } => (slider, point, direction),
-        JointKind::Revolute(_) => (joint.body, Vec2::zero(), Vec2::new(1.0, 0.0)),
+        JointKind::Revolute(_) | JointKind::Law(_) => (joint.body, Vec2::zero(), Vec2::new(1.0, 0.0)),
     };
     Way { body: joint.body.0, base: joint.base.0, slider: slider.0, point, direction, slot }
 }

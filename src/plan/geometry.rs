@@ -15,6 +15,7 @@ pub(super) fn pin(replaced: &Replaced, joint: GroupJoint, body: BodyId) -> Vec2 
                 *through
             }
         }
+        JointKind::Law(_) => Vec2::zero(),
     }
 }
 
@@ -90,5 +91,6 @@ pub(super) fn leg(replaced: &Replaced, outer: GroupJoint, inner: GroupJoint) -> 
         direction,
         length,
         turn: direction / length,
+        arm: to - from,
     }
 }

@@ -4,7 +4,9 @@ use super::Effects;
 use super::geometry::arm;
 use super::step::{Anchor, Arm};
 use crate::math::Vec2;
-use crate::model::{BalanceKind, Expr, LoadId, LoadKind, Mechanism, Place, SpringId, Value};
+use crate::model::{
+    BalanceKind, Bearing, Expr, LoadId, LoadKind, Mechanism, PairKind, Place, SpringId, Value,
+};
 use crate::structure::{Effort, EffortKind, EffortSource, Structure};
 
 /// One load. Numbers that do not change over a sweep are in the step; the rest is evaluated at every position.
@@ -112,7 +114,8 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
                 centre: arm(m.centre),
                 mass: m.mass,
                 moment_of_inertia: m.inertia,
-                weight: gravity * m.mass,
+                weight: if hangs(mechanism, body) { Vec2::new(gravity.norm(), 0.0) } else { gravity }
+                    * m.mass,
                 inertia: effects.inertia,
             });
         }
@@ -151,4 +154,11 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
         damping: s.damping,
     }));
     steps
+}
+
+/// Whether a link is a slider on a rope: its weight pulls along its way, in the sense in which the rope pays out.
+fn hangs(mechanism: &Mechanism, link: usize) -> bool {
+    mechanism.pairs.iter().any(|p| {
+        matches!(&p.kind, PairKind::Prismatic(g) if p.bearing == Some(Bearing::Open) && g.slider.index() == link)
+    })
 }

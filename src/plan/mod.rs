@@ -9,6 +9,7 @@ mod geometry;
 mod loads;
 mod motion;
 pub mod step;
+mod train;
 
 pub use cam::CamStep;
 pub(crate) use cam::{contact_in, is_follower};
@@ -19,6 +20,10 @@ pub use loads::{ForceLine, LoadStep};
 pub use step::{
     Anchor, Arm, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
     OuterJoint, Slide, Way,
+};
+
+pub use train::{
+    LawSite, PlannedLaw, TrainEffort, TrainForces, TrainMember, TrainMotion, TrainSource, TrainSupport,
 };
 
 use crate::math::Vec2;
@@ -42,6 +47,14 @@ pub struct Plan {
     pub cam_contacts: usize,
     /// Problems of the general steps.
     pub general: Vec<GeneralMotion>,
+    /// Train groups of motion.
+    pub trains: Vec<TrainMotion>,
+    /// Slots of the bodies that turn in train groups: their angles count whole turns.
+    pub turning: Vec<usize>,
+    /// All laws of transmissions.
+    pub laws: Vec<PlannedLaw>,
+    /// Train groups of forces.
+    pub train_forces: Vec<TrainForces>,
     /// Bodies without mass, the ground among them: they start without load.
     pub massless: Vec<usize>,
     /// Steps that add loads to the bodies.
@@ -83,6 +96,7 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
             plan.outer.push((body.0, at, id.index()));
         }
     }
+    plan.laws = train::laws(mechanism, structure);
     motion::plan(mechanism, structure, &mut plan);
     if plan.effects.forces && structure.force_defect.is_none() {
         plan.loads = loads::plan(mechanism, &plan.effects);
@@ -108,6 +122,7 @@ impl Plan {
         };
         self.general.is_empty()
             && self.cams.is_empty()
+            && self.laws.is_empty()
             && self.forces.iter().all(closed)
             && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
     }

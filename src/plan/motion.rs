@@ -1,8 +1,8 @@
 //! Steps of motion, one per structural group.
 
-use super::Plan;
 use super::geometry::{anchor, arm, leg, pin, pin_arm, slide};
 use super::step::{DrivenJoint, DrivenLeg, MotionStep};
+use super::{Plan, TrainMember};
 use crate::group::rrr::Sides;
 use crate::math::Vec2;
 use crate::model::Mechanism;
@@ -22,7 +22,18 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
                 slides: [0, 1].map(|i| slide(&structure.replaced, group.joints[i], group.joints[i].base)),
             }),
             GroupKind::DrivenLegs(kind) => driven_legs(structure, group, branch, kind),
-            GroupKind::General => None,
+            GroupKind::Train => {
+                let train = super::train::motion(structure, group, plan);
+                let bodies = train.members.iter().filter_map(|m| match m {
+                    TrainMember::Turn { body, .. } => Some(*body),
+                    TrainMember::Shift(_) => None,
+                });
+                plan.turning.extend(bodies);
+                plan.trains.push(train);
+                Some(MotionStep::Train { branch, train: plan.trains.len() - 1 })
+            }
+            // the structure refuses a mixed train
+            GroupKind::General | GroupKind::MixedTrain => None,
         };
         let step = step.unwrap_or_else(|| {
             plan.general.push(super::general::problem(structure, group));

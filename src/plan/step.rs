@@ -2,7 +2,7 @@
 
 use super::friction::RubbingGroup;
 use crate::group::rrr::Sides;
-use crate::math::Vec2;
+use crate::math::{Scalar, V2, Vec2};
 
 /// A point in a body's frame, m; `None` at its origin, where there is nothing to turn.
 pub type Arm = Option<Vec2>;
@@ -54,6 +54,38 @@ pub struct Leg {
     pub length: f64,
     /// The direction over the distance, 1/m.
     pub turn: Vec2,
+    /// From the outer revolute to the inner one, m.
+    pub arm: Vec2,
+}
+
+impl Leg {
+    /// Distance of the two revolutes, m.
+    #[inline(always)]
+    pub fn length<S: Scalar>(&self) -> S {
+        if S::WIDE { V2::of(self.arm).norm() } else { S::of(self.length) }
+    }
+
+    /// The direction from one to the other over the distance, 1/m.
+    #[inline(always)]
+    pub fn turn<S: Scalar>(&self) -> V2<S> {
+        let arm = V2::of(self.arm);
+        if S::WIDE { arm / arm.dot(arm) } else { V2::of(self.turn) }
+    }
+}
+
+/// A unit direction of the plan.
+#[inline(always)]
+pub fn unit<S: Scalar>(direction: Vec2) -> V2<S> {
+    let direction = V2::of(direction);
+    if S::WIDE { direction / direction.norm() } else { direction }
+}
+
+impl Slide {
+    /// Direction of the sliding body against the base.
+    #[inline(always)]
+    pub fn turn<S: Scalar>(&self) -> V2<S> {
+        if S::WIDE { unit(self.along).turned_back(unit(self.direction)) } else { V2::of(self.turn) }
+    }
 }
 
 /// A link of a dyad that may consist of two bodies with a driven joint between them.
@@ -214,6 +246,13 @@ pub enum MotionStep {
         /// The guides.
         slides: [Slide; 2],
     },
+    /// Bodies moved by laws between their rates.
+    Train {
+        /// Group.
+        branch: usize,
+        /// Index into [`super::Plan::trains`].
+        train: usize,
+    },
     /// The follower of a designed cam.
     Cam {
         /// Group.
@@ -362,6 +401,11 @@ pub enum ForceStep {
     Translation {
         /// The guides.
         ways: [Way; 2],
+    },
+    /// Bodies held by laws between their rates.
+    Train {
+        /// Index into [`super::Plan::train_forces`].
+        train: usize,
     },
     /// Anything else: all equations of equilibrium at once.
     General {

@@ -122,7 +122,9 @@ impl<'a> Answers<'a> {
             };
             EffortEntry { name, of_drive, display: mechanism.display_of(dimension), slot }
         };
-        self.scene.structure.efforts.iter().enumerate().map(entry).collect()
+        let all = self.scene.structure.efforts.iter().enumerate();
+        // what hangs on sizes that are left open is not told
+        all.filter(|(slot, _)| !self.solution.open.efforts.contains(slot)).map(entry).collect()
     }
 }
 

@@ -1,6 +1,7 @@
 //! Mobility and structural groups.
 
 use super::document::{Block, Column, Report, Section, Table};
+use super::train::kind_name;
 use crate::model::BalanceKind;
 use crate::solve::Scene;
 use crate::structure::{BodyId, BodyOrigin, Effort, EffortSource, Group, GroupKind, Structure};
@@ -21,9 +22,10 @@ impl GroupCount {
     pub fn of(structure: &Structure, group: &Group) -> Self {
         let imaginary =
             |body: &BodyId| matches!(structure.replaced.bodies[body.0].origin, BodyOrigin::Imaginary(_));
-        let higher = group.bodies.iter().filter(|b| imaginary(b)).count();
+        let replaced = group.bodies.iter().filter(|b| imaginary(b)).count();
+        let higher = replaced + group.laws.len();
         let lower = group.joints.iter().filter(|j| !imaginary(&j.body) && !imaginary(&j.base)).count();
-        Self { n: group.bodies.len() - higher, lower, higher }
+        Self { n: group.bodies.len() - replaced, lower, higher }
     }
 
     /// The count in figures, as `3·2 − 2·3 = 0`; a body between two guides does not turn, so that 2n = P_L counts.
@@ -55,7 +57,7 @@ pub(super) fn summary(scene: &Scene<'_>, report: &mut Report) {
         .structure
         .motion
         .iter()
-        .map(|g| format!("{} ({}, {})", link_names(scene, g).join(", "), g.class_name(), g.kind_name()))
+        .map(|g| format!("{} ({}, {})", link_names(scene, g).join(", "), g.class_name(), kind_name(scene, g)))
         .collect();
     let mut facts = vec![("mobility".to_owned(), format!("F = {}", scene.structure.count.formula()))];
     if !groups.is_empty() {
@@ -111,9 +113,9 @@ fn groups(scene: &Scene<'_>, groups: &[Group], efforts: &[Effort]) -> Table {
         let count = GroupCount::of(scene.structure, group);
         let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
         let kind = match (group.kind, with.as_slice()) {
-            (_, []) => group.kind_name().to_owned(),
+            (_, []) => kind_name(scene, group).to_owned(),
             (GroupKind::Driven, _) => format!("with {}", with.join(", ")),
-            _ => format!("{} ({})", group.kind_name(), with.join(", ")),
+            _ => format!("{} ({})", kind_name(scene, group), with.join(", ")),
         };
         table.row(vec![
             (i + 1).to_string(),
@@ -135,8 +137,8 @@ fn groups(scene: &Scene<'_>, groups: &[Group], efforts: &[Effort]) -> Table {
 
 fn pair_names(scene: &Scene<'_>, group: &Group) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
-    for joint in &group.joints {
-        let pair = scene.structure.replaced.joint(joint.joint).pair;
+    for joint in group.joints.iter().map(|j| j.joint).chain(group.laws.iter().copied()) {
+        let pair = scene.structure.replaced.joint(joint).pair;
         let name = &scene.mechanism.pair(pair).name;
         if !names.contains(name) {
             names.push(name.clone());

@@ -24,6 +24,7 @@ mod results;
 pub mod rows;
 mod scale;
 pub mod text;
+mod train;
 
 pub use answers::{Answers, Precision};
 pub use element::full as full_table;
@@ -41,6 +42,7 @@ pub fn of_structure(source: &Source, scene: &Scene<'_>) -> Report {
         mobility::sections(scene, &mut report);
     }
     replacement::section(scene, &mut report);
+    train::laws(scene, &mut report);
     element::cams(scene, &mut report);
     plan::sections(source, scene, &mut report);
     report
@@ -57,6 +59,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     results::sections(answers, &mut report);
     element::tables(answers, &mut report);
     reactions::sections(answers, &mut report);
+    train::section(answers, &mut report);
     friction::section(answers, &mut report);
     cycle::flywheels(answers, &mut report);
     expectations::section(answers, &mut report);

@@ -24,6 +24,7 @@ pub(super) fn pair_text(mechanism: &Mechanism, kind: &PairKind) -> String {
         PairKind::Cylinder { from, to, .. } => {
             format!("{}.{} - {}.{}", name(from.link), from.name, name(to.link), to.name)
         }
+        PairKind::Transmission(t) => t.ends.join(" - "),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::document::{Report, Section, Table};
 use super::mobility::{link_names, source_name};
+use super::train::motion_in_words as train_in_words;
 use crate::diagnostic::place;
 use crate::model::{LinkId, LoadKind, Unsupported};
 use crate::plan::{ForceStep, LoadStep, MotionStep};
@@ -53,6 +54,12 @@ fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &
     let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
     match step {
         MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("as {} says", with.join(", ")),
+        MotionStep::Cam { cam, .. } => {
+            let index = scene.plan.cams.get(*cam).map_or(0, |c| c.contact.cam);
+            let name = scene.mechanism.cams.get(index).map_or("", |c| c.name.as_str());
+            format!("the law of cam {name}")
+        }
+        MotionStep::Train { train, .. } => train_in_words(scene, &scene.plan.trains[*train]),
         MotionStep::General { .. } => {
             format!("Newton's method, {} links at once", link_names(scene, group).len())
         }
@@ -64,6 +71,7 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
     let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
     match step {
         ForceStep::Turn { .. } | ForceStep::Shift { .. } => format!("equilibrium, with {}", with.join(", ")),
+        ForceStep::Train { .. } => train_forces(scene, group, &with),
         ForceStep::General { .. } if with.is_empty() => "all equations of equilibrium at once".to_owned(),
         ForceStep::General { .. } => {
             format!("all equations of equilibrium at once, with {}", with.join(", "))
@@ -79,6 +87,19 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
         }
         _ => closed_form(group, &with),
     }
+}
+
+/// `equilibrium, with k and balance M`: with the forces of transmissions and the efforts found there.
+fn train_forces(scene: &Scene<'_>, group: &Group, with: &[String]) -> String {
+    let mut found: Vec<String> = Vec::new();
+    for law in &group.laws {
+        let name = &scene.mechanism.pair(scene.structure.replaced.joint(*law).pair).name;
+        if !found.contains(name) {
+            found.push(name.clone());
+        }
+    }
+    found.extend(with.iter().cloned());
+    format!("equilibrium, with {}", found.join(", "))
 }
 
 /// `closed form, dyad RRR (drive c1)`: with a driven joint inside a link.

@@ -4,7 +4,7 @@ use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
 use crate::math::Vec2;
 use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Query, Value};
-use crate::solve::{Solved, View};
+use crate::solve::{Solved, View, unplaced_reactions};
 use crate::units::Dimension;
 
 /// The reaction between two links of a pair, SI.
@@ -44,8 +44,12 @@ pub fn reactions(answers: &Answers<'_>, solved: &Solved) -> Vec<ReactionEntry> {
     let view = answers.solution.view(&answers.scene, solved);
     let forces = solved.state.reactions.iter().map(|r| r.force.norm());
     let scale = forces.fold(0.0, f64::max);
+    let unplaced = unplaced_reactions(&answers.scene);
     let mut entries = Vec::new();
     for (i, pair) in answers.scene.mechanism.pairs.iter().enumerate() {
+        if unplaced[i] {
+            continue;
+        }
         let links = pair.kind.links();
         let Some((&from, others)) = links.split_first() else { continue };
         entries.extend(others.iter().map(|&on| entry(&view, PairId::at(i), from, on, scale)));
@@ -76,6 +80,10 @@ fn entry(view: &View<'_>, pair: PairId, from: LinkId, on: LinkId, scale: f64) ->
         PairKind::Cylinder { to, .. } => entry.at = Some(view.body(to.link).position(to.at)),
         PairKind::Slot(g) => entry.at = Some(view.body(g.slider).position(g.point)),
         PairKind::Contact { .. } => entry.at = view.contact_normal(pair).map(|c| c.0),
+        PairKind::Transmission(_) => {
+            entry.moment = number(Query::Moment(pair, on));
+            entry.at = view.pitch_point(pair);
+        }
         PairKind::Prismatic(g) => {
             entry.moment = number(Query::Moment(pair, on));
             // a couple alone crosses the guide nowhere
@@ -112,7 +120,9 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     let mut section = Section::new("Reactions");
     section.table(forces(answers, &poses));
     section.table(normals(answers, &poses));
-    section.list(remarks(answers.scene.mechanism, answers));
+    if !answers.scene.plan.reactions.is_empty() {
+        section.list(remarks(answers.scene.mechanism, answers));
+    }
     section.list(locked(answers));
     report.section(section);
 }
@@ -193,15 +203,23 @@ fn normals(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
 }
 
 fn remarks(mechanism: &Mechanism, answers: &Answers<'_>) -> Vec<String> {
+    let mut remarks = Vec::new();
     let undetermined = answers.scene.structure.undetermined_couples.iter();
     let names: Vec<&str> = undetermined.map(|p| mechanism.pair(*p).name.as_str()).collect();
-    if names.is_empty() {
-        return Vec::new();
+    if !names.is_empty() {
+        remarks.push(format!(
+            "the couples in {} are not determined: the pairs close a chain of prismatic pairs",
+            names.join(", ")
+        ));
     }
-    vec![format!(
-        "the couples in {} are not determined: the pairs close a chain of prismatic pairs",
-        names.join(", ")
-    )]
+    let unplaced = unplaced_reactions(&answers.scene);
+    let pairs = mechanism.pairs.iter().zip(unplaced);
+    let bearing = |p: &crate::model::Pair| !matches!(p.kind, PairKind::Transmission(_));
+    let open: Vec<&str> = pairs.filter(|(p, u)| *u && bearing(p)).map(|(p, _)| p.name.as_str()).collect();
+    if !open.is_empty() {
+        remarks.push(format!("the reactions in {} are not known: a place is left open", open.join(", ")));
+    }
+    remarks
 }
 
 /// Poses without reactions.

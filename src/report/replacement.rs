@@ -17,7 +17,10 @@ pub(super) fn section(scene: &Scene<'_>, report: &mut Report) {
                 point(scene, g.guide, &g.line_name)
             ),
             PairKind::Contact { first, second, internal } => contact(scene, first, second, *internal),
-            PairKind::Revolute(_) | PairKind::Prismatic(_) | PairKind::Cylinder { .. } => continue,
+            PairKind::Revolute(_)
+            | PairKind::Prismatic(_)
+            | PairKind::Cylinder { .. }
+            | PairKind::Transmission(_) => continue,
         };
         table.row(vec![pair.name.clone(), pair_text(scene.mechanism, &pair.kind), by]);
     }

@@ -106,7 +106,7 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
             JointKind::Revolute(members) => {
                 members.iter().find(|m| m.0 == joint.body).map(|m| state.bodies[joint.body.0].position(m.1))
             }
-            JointKind::Prismatic { .. } => None,
+            JointKind::Prismatic { .. } | JointKind::Law(_) => None,
         }
     };
     match dyad {

@@ -23,7 +23,7 @@ impl View<'_> {
                 contacts: None,
                 guide_first: true,
             })),
-            PairKind::Revolute(_) | PairKind::Contact { .. } => None,
+            PairKind::Revolute(_) | PairKind::Contact { .. } | PairKind::Transmission(_) => None,
         }
     }
 

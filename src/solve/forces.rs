@@ -3,6 +3,7 @@
 use super::state::{Reaction, Shared, State};
 use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
 use crate::math::{Scalar, V2};
+use crate::plan::step::unit;
 use crate::plan::{Arm, EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 
 impl State {
@@ -11,7 +12,9 @@ impl State {
         for (index, step) in plan.forces.iter().enumerate() {
             self.force_sines[index] = match step {
                 ForceStep::Rubbing { plain, group } => self.force_rubbing(plan, index, plain, group),
-                ForceStep::General { .. } | ForceStep::Sequence(_) => self.force_step(plan, step),
+                ForceStep::General { .. } | ForceStep::Sequence(_) | ForceStep::Train { .. } => {
+                    self.force_step(plan, step)
+                }
                 closed => self.closed_force(closed),
             };
         }
@@ -22,6 +25,7 @@ impl State {
         for (index, step) in plan.forces.iter().enumerate() {
             self.force_sines[index] = match step {
                 ForceStep::Rubbing { plain, .. } => self.force_step(plan, plain),
+                ForceStep::Train { train } => self.force_train(plan, *train, false),
                 plain => self.force_step(plan, plain),
             };
         }
@@ -31,6 +35,7 @@ impl State {
     #[inline(never)]
     pub(super) fn force_step(&mut self, plan: &Plan, step: &ForceStep) -> f64 {
         match step {
+            ForceStep::Train { train } => self.force_train(plan, *train, true),
             ForceStep::General { system } => self.force_general(*system, &plan.balance_systems[*system]),
             ForceStep::Sequence(steps) => self.force_sequence(plan, steps),
             closed => self.closed_force(closed),
@@ -64,7 +69,10 @@ impl<S: Scalar> State<S> {
             ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
             ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
             ForceStep::Translation { ways } => self.force_translation(ways),
-            ForceStep::General { .. } | ForceStep::Sequence(_) | ForceStep::Rubbing { .. } => S::zero(),
+            ForceStep::Train { .. }
+            | ForceStep::General { .. }
+            | ForceStep::Sequence(_)
+            | ForceStep::Rubbing { .. } => S::zero(),
         }
     }
 
@@ -119,7 +127,7 @@ impl<S: Scalar> State<S> {
 
     #[inline(always)]
     pub(super) fn direction(&self, way: &Way) -> V2<S> {
-        V2::of(way.direction).turned(self.bodies[way.slider].u)
+        unit(way.direction).turned(self.bodies[way.slider].u)
     }
 
     /// One body on a revolute: the effort is found from the moment about it.

@@ -72,7 +72,7 @@ impl View<'_> {
                 let n = if first.link == link { into_first } else { -into_first };
                 -force.dot(n.perp())
             }
-            PairKind::Revolute(_) | PairKind::Cylinder { .. } => f64::NAN,
+            PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => f64::NAN,
         }
     }
 

@@ -28,7 +28,7 @@ pub(super) struct FrictionNotes {
 impl Run<'_, '_> {
     /// Looks at the friction of a position.
     pub(super) fn note_friction(&mut self, solved: &Solved, pose: &Wanted) {
-        if solved.frictionless.is_none() {
+        if !self.scene.plan.effects.friction {
             return;
         }
         let place = place(self.scene, pose);

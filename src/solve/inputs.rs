@@ -39,7 +39,8 @@ impl Rates {
                     input.place = Vec2::direction(*x);
                 }
                 DriveValue::Point(p) => input.place = *p,
-                DriveValue::None => input.place = Vec2::new(f64::NAN, f64::NAN),
+                // rates only: what is asked does not hang on the position
+                DriveValue::None => input.place = Vec2::new(1.0, 0.0),
             }
         }
     }

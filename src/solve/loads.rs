@@ -133,7 +133,7 @@ impl State {
                     }
                     return;
                 }
-                JointKind::Revolute(_) => {}
+                JointKind::Revolute(_) | JointKind::Law(_) => {}
             }
         }
     }

@@ -37,6 +37,9 @@ pub(super) struct Notes {
     /// The fewest digits left, with their warning.
     fewest: Option<(f64, SolveError)>,
     pulls: Vec<Pull>,
+    /// Ropes that push, with their pull in place of the normal force.
+    slack: Vec<Pull>,
+    locking: Option<(SolveError, usize)>,
 }
 
 impl Notes {
@@ -105,15 +108,65 @@ impl Notes {
         }
     }
 
+    pub(super) fn pushes(&mut self, scene: &Scene<'_>, pair: PairId, normal: f64, pose: &Wanted) {
+        match self.slack.iter_mut().find(|p| p.pair == pair) {
+            Some(pull) => {
+                pull.poses += 1;
+                if normal < pull.normal {
+                    (pull.normal, pull.place) = (normal, place(scene, pose));
+                }
+            }
+            None => self.slack.push(Pull { pair, normal, place: place(scene, pose), poses: 1 }),
+        }
+    }
+
+    /// The load cannot drive the mechanism.
+    pub(super) fn self_locking(&mut self, scene: &Scene<'_>, pose: &Wanted) {
+        if let Some((_, more)) = &mut self.locking {
+            *more += 1;
+            return;
+        }
+        let lossy =
+            scene.plan.laws.iter().filter_map(|l| Some((scene.mechanism.pair(l.pair), l.efficiency?)));
+        let lossy: Vec<_> = lossy.collect();
+        let labels = lossy.iter().map(|(p, _)| label("loses more than comes back", p.span)).collect();
+        let back = lossy.iter().map(|(p, [there, back])| {
+            if there == back {
+                format!("`{}` lets {} of the power through", p.name, four(*back))
+            } else {
+                format!(
+                    "`{}` lets 2 − 1/{} = {} of the power through backwards",
+                    p.name,
+                    four(*there),
+                    four(*back)
+                )
+            }
+        });
+        let back = back.collect::<Vec<_>>().join(", ");
+        let help = format!(
+            "{back}; where that comes to less than 0, the unknown effort has to drive in this sense too"
+        );
+        let pose = place(scene, pose);
+        self.locking = Some((SolveError::SelfLocking { pose, more: String::new(), help, labels }, 0));
+    }
+
     pub(super) fn into_warnings(self, scene: &Scene<'_>, poses: &[Pose]) -> Vec<SolveError> {
         let mut warnings = self.switches;
+        if let Some((mut error, count)) = self.locking {
+            if let SolveError::SelfLocking { more, .. } = &mut error {
+                *more = and_at(count);
+            }
+            warnings.push(error);
+        }
+        for pull in self.slack {
+            let pair = scene.mechanism.pair(pull.pair);
+            let (name, span) = (pair.name.clone(), pair.span.into());
+            let (tension, pose, more) = (four(pull.normal), pull.place, and_at(pull.poses - 1));
+            warnings.push(SolveError::RopePushes { name, pose, more, tension, span });
+        }
         for pull in self.pulls {
             let pair = scene.mechanism.pair(pull.pair);
-            let more = match pull.poses - 1 {
-                0 => String::new(),
-                1 => ", and at 1 other pose".to_owned(),
-                n => format!(", and at {n} other poses"),
-            };
+            let more = and_at(pull.poses - 1);
             let (normal, pose) = (four(pull.normal), pull.place);
             let name = pair.name.clone();
             warnings.push(SolveError::ContactPulls { name, pose, normal, more, span: pair.span.into() });
@@ -121,6 +174,15 @@ impl Notes {
         warnings.extend(partial_sweep(scene, poses, &self.gaps));
         warnings.extend(self.fewest.map(|f| f.1));
         warnings
+    }
+}
+
+/// `, and at 3 other poses`
+fn and_at(more: usize) -> String {
+    match more {
+        0 => String::new(),
+        1 => ", and at 1 other pose".to_owned(),
+        n => format!(", and at {n} other poses"),
     }
 }
 

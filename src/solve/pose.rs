@@ -10,7 +10,7 @@ use super::state::State;
 use super::sweep::Run;
 use super::track::Tracker;
 use super::view::View;
-use crate::model::{LoadId, PairId, PairKind, Query, Value};
+use crate::model::{LoadId, PairId, PairKind, Query, TransmissionKind, Value};
 use crate::plan::{ForceStep, Level};
 
 /// At and below this condition velocities and forces do not exist.
@@ -33,7 +33,7 @@ impl Run<'_, '_> {
         if scene.plan.effects.forces {
             condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
         }
-        let frictionless = scene.plan.effects.friction.then(|| {
+        let frictionless = scene.plan.effects.loses().then(|| {
             let mut state = state.clone();
             state.wrenches.clone_from(&state.applied);
             state.frictions.fill(0.0);
@@ -63,6 +63,7 @@ impl Run<'_, '_> {
         let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
         solved.quantities = View { frictionless: ideal, ..view }.all_quantities();
         self.note_contacts(&solved, pose);
+        self.note_trains(&solved, pose);
         self.note_friction(&solved, pose);
         Ok(solved)
     }
@@ -117,6 +118,32 @@ impl Run<'_, '_> {
             self.notes.condition(scene, group, (condition, "forces", 2), pose);
         }
         Ok(least)
+    }
+
+    /// Ropes that push, and trains that the load cannot drive.
+    fn note_trains(&mut self, solved: &Solved, pose: &Wanted) {
+        if !self.scene.plan.effects.forces || solved.state.locked {
+            return;
+        }
+        let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
+        let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
+        let view = View { frictionless: ideal, ..view };
+        let mut ropes: Vec<(PairId, f64)> = Vec::new();
+        let greatest = solved.state.law_forces.iter().map(|f| f.multiplier.abs()).fold(0.0, f64::max);
+        for law in &self.scene.plan.laws {
+            let rope = matches!(&self.scene.mechanism.pair(law.pair).kind,
+                PairKind::Transmission(t) if t.kind == TransmissionKind::Rope);
+            let tension = view.tension(law.pair, law.index);
+            if rope && tension < -1e-9 * greatest {
+                ropes.push((law.pair, tension));
+            }
+        }
+        let ideal = view.without_friction().power_of_efforts();
+        let locking = self.scene.plan.effects.losses && ideal < 0.0 && view.power_of_efforts() > 0.0;
+        ropes.into_iter().for_each(|(pair, tension)| self.notes.pushes(self.scene, pair, tension, pose));
+        if locking {
+            self.notes.self_locking(self.scene, pose);
+        }
     }
 
     fn note_contacts(&mut self, solved: &Solved, pose: &Wanted) {

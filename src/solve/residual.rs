@@ -48,6 +48,7 @@ fn closure(scene: &Scene<'_>, state: &State) -> f64 {
                 worst = worst.max((direction.turned(s.u) - d).norm() * extent);
                 size = size.max(extent).max(s.p.norm());
             }
+            JointKind::Law(_) => {}
         }
     }
     worst / size
@@ -72,10 +73,14 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
                 state.bodies[joint.body.0].position(at)
             }
             JointKind::Prismatic { slider, point, .. } => state.bodies[slider.0].position(*point),
+            JointKind::Law(_) => continue,
         };
         let reaction = state.reactions[slot];
         add(joint.body.0, p, reaction.force, reaction.couple);
         add(joint.base.0, p, -reaction.force, -reaction.couple);
+    }
+    for (slot, law) in scene.plan.laws.iter().enumerate() {
+        state.forces_of_law(law, slot, &mut add);
     }
     for (element, &value) in scene.plan.friction.iter().zip(&state.frictions) {
         match state.rubbing_line(element) {
@@ -165,6 +170,9 @@ fn power(scene: &Scene<'_>, state: &State) -> f64 {
     for (element, &value) in scene.plan.friction.iter().zip(&state.frictions) {
         add(value * state.rubbing_speed(element));
     }
+    for (slot, law) in scene.plan.laws.iter().enumerate() {
+        add(state.law_power(law, slot));
+    }
     sum.abs() / most_power(scene, state)
 }
 
@@ -179,6 +187,7 @@ fn most_power(scene: &Scene<'_>, state: &State) -> f64 {
             JointKind::Prismatic { slider, point, guide, through, .. } => {
                 vec![(*slider, *point), (*guide, *through)]
             }
+            JointKind::Law(_) => Vec::new(),
         };
         for (body, at) in points {
             speed = speed.max(state.bodies[body.0].velocity(at).norm());

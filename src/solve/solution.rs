@@ -32,6 +32,19 @@ pub struct Solution {
     pub warnings: Vec<SolveError>,
     /// What is to be said of friction.
     pub friction: Vec<FrictionError>,
+    /// What hangs on sizes that the file leaves open: nothing of it is reported.
+    pub open: OpenSizes,
+}
+
+/// Results that hang on sizes of wheels that the file leaves open.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct OpenSizes {
+    /// Links whose rates do.
+    pub links: Vec<usize>,
+    /// Unknown efforts that do.
+    pub efforts: Vec<usize>,
+    /// Laws of transmissions whose forces do.
+    pub laws: Vec<usize>,
 }
 
 /// One position.

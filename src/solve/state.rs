@@ -2,6 +2,7 @@
 
 use super::friction::RubbingWork;
 use super::general::Workspace;
+use super::train::{LawForce, TrainWork};
 use crate::group::general::General;
 use crate::math::{Scalar, V2, Vec2};
 use crate::plan::{Arm, ForceStep, Plan};
@@ -21,6 +22,8 @@ pub struct BodyState<S = f64> {
     pub a: V2<S>,
     /// Angular acceleration, rad/s².
     pub alpha: S,
+    /// Angle of a body that a drive or a train turns, whole turns included, rad.
+    pub way: S,
 }
 
 impl<S: Scalar> BodyState<S> {
@@ -28,7 +31,7 @@ impl<S: Scalar> BodyState<S> {
     #[must_use]
     pub fn rest() -> Self {
         let (zero, none) = (S::zero(), V2::zero());
-        Self { p: none, u: V2::new(S::one(), zero), v: none, omega: zero, a: none, alpha: zero }
+        Self { p: none, u: V2::new(S::one(), zero), v: none, omega: zero, a: none, alpha: zero, way: zero }
     }
 
     /// Position of a point of the body, m.
@@ -163,6 +166,10 @@ pub struct State<S = f64> {
     pub senses: Vec<f64>,
     /// Friction admits no motion: reactions and efforts do not exist.
     pub locked: bool,
+    /// What the laws of transmissions do.
+    pub law_forces: Vec<LawForce>,
+    /// Memory of the train groups of forces.
+    pub train_work: Vec<TrainWork>,
     /// Memory of the groups with friction, by step of forces.
     pub rubbing_work: Vec<Option<RubbingWork>>,
     /// Memory of the general groups of motion.
@@ -192,6 +199,8 @@ impl<S: Scalar + Default> State<S> {
             frictions: vec![0.0; plan.friction.len()],
             senses: vec![0.0; plan.friction.len()],
             locked: false,
+            law_forces: vec![LawForce::default(); plan.laws.len()],
+            train_work: Vec::new(),
             rubbing_work: Vec::new(),
             motion_work: Vec::new(),
             force_work: Vec::new(),
@@ -211,6 +220,7 @@ impl State {
             _ => None,
         });
         Self {
+            train_work: plan.train_forces.iter().map(TrainWork::new).collect(),
             rubbing_work: rubbing.collect(),
             motion_work: plan.general.iter().map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
             force_work: plan

@@ -6,9 +6,10 @@ use super::extremes::{Statics, statics};
 use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
 use super::notes::Notes;
+use super::open;
 use super::positions::{Wanted, beside, sweep};
 use super::refused;
-use super::solution::{DriveValue, Pose, Scene, Solution, Solved};
+use super::solution::{DriveValue, OpenSizes, Pose, Scene, Solution, Solved};
 use super::state::State;
 use super::track::{Switch, Tracker};
 use super::words::place;
@@ -31,6 +32,9 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
     let mut errors = refused::not_supported(scene.mechanism);
     errors.extend(refused::cams(scene));
     errors.extend(refused::missing_speeds(scene));
+    errors.extend(open::without_position(scene));
+    errors.extend(open::without_place(scene));
+    errors.extend(open::friction_beside(scene));
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -56,7 +60,7 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
     let friction = run.friction_problems();
     let mut warnings = run.notes.into_warnings(scene, &run.poses);
     warnings.extend(cycle_warnings);
-    Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction })
+    Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction, open: OpenSizes::default() })
 }
 
 /// Why a position was not reached, and the tracker where it was before.

@@ -74,6 +74,9 @@ impl Tracker {
                 angles[body.0] = *value;
             }
         }
+        for &body in &scene.plan.turning {
+            angles[body] = state.bodies[body].way;
+        }
         Self { state, angles, values: values.to_vec(), history: Vec::new(), extent: extent(scene) }
     }
 
@@ -170,6 +173,10 @@ impl Tracker {
         self.remember(scene);
         for (angle, (old, new)) in self.angles.iter_mut().zip(self.state.bodies.iter().zip(&next.bodies)) {
             *angle = continued(*angle, old.u, new.u);
+        }
+        // a train turns further in one step than a direction tells
+        for &body in &scene.plan.turning {
+            self.angles[body] = next.bodies[body].way;
         }
         self.state = next;
         self.values = values;
@@ -299,6 +306,7 @@ pub(super) fn extent(scene: &Scene<'_>) -> f64 {
     let points = scene.structure.replaced.joints.iter().flat_map(|j| match &j.kind {
         JointKind::Revolute(members) => members.iter().map(|m| m.1.norm()).collect(),
         JointKind::Prismatic { point, through, offset, .. } => vec![point.norm(), through.norm(), *offset],
+        JointKind::Law(_) => Vec::new(),
     });
     let extent = points.fold(0.0, f64::max);
     if extent > 0.0 { extent } else { 1.0 }

@@ -118,6 +118,9 @@ impl View<'_> {
             Query::Stroke(pair) => Value::Scalar(self.statics.stroke(*pair)),
             Query::TimeRatio(pair) => Value::Scalar(self.statics.time_ratio(*pair)),
             Query::Dead(pair, which) => Value::Scalar(self.statics.dead(*pair, *which)),
+            Query::TangentialForce(pair) => Value::Scalar(self.tangential_force(*pair)),
+            Query::ToothForce(pair) => Value::Scalar(self.tooth_force(*pair)),
+            Query::Tension(pair, part) => Value::Scalar(self.tension(*pair, *part)),
             Query::Cycle(which) => Value::Scalar(self.statics.cycle(*which)),
             Query::Flywheel(which, part) => Value::Scalar(self.flywheel(*which, *part)),
         }
@@ -209,6 +212,9 @@ impl View<'_> {
     /// The reaction's force on a link in a pair: all joints that stand for the pair.
     #[must_use]
     pub fn reaction(&self, pair: PairId, link: LinkId) -> Vec2 {
+        if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
+            return self.mesh_force(pair, link);
+        }
         let rubbing = self.friction_force(pair, link);
         self.slots(pair, link)
             .fold(rubbing, |sum, (slot, sign)| sum + self.state.reactions[slot].force * sign)
@@ -219,6 +225,9 @@ impl View<'_> {
     pub fn moment(&self, pair: PairId, link: LinkId) -> f64 {
         if self.structure.undetermined_couples.contains(&pair) {
             return f64::NAN;
+        }
+        if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
+            return self.transmission_moment(pair, link);
         }
         let couples = self.slots(pair, link).map(|(slot, sign)| self.state.reactions[slot].couple * sign);
         couples.sum::<f64>() + self.friction_couple(pair, link)
@@ -256,7 +265,7 @@ impl View<'_> {
         let replaced = &self.structure.replaced;
         replaced.joints_of(pair).find_map(|j| match replaced.joint(j).kind {
             JointKind::Prismatic { slider, .. } => Some(slider),
-            JointKind::Revolute(_) => None,
+            JointKind::Revolute(_) | JointKind::Law(_) => None,
         })
     }
 
@@ -268,7 +277,7 @@ impl View<'_> {
                 let Some((_, into_first)) = self.contact_normal(pair) else { return f64::NAN };
                 force.dot(if first.link == link { into_first } else { -into_first })
             }
-            PairKind::Revolute(_) | PairKind::Cylinder { .. } => f64::NAN,
+            PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => f64::NAN,
         }
     }
 

@@ -159,6 +159,7 @@ impl Pairs {
                 PairKind::Cylinder { .. } => {}
                 PairKind::Prismatic(_) => this.lower.push(id),
                 PairKind::Slot(_) | PairKind::Contact { .. } => this.higher.push(id),
+                PairKind::Transmission(t) => this.higher.extend(std::iter::repeat_n(id, t.laws.len())),
             }
             this.prismatic &= matches!(pair.kind, PairKind::Prismatic(_));
         }

@@ -5,7 +5,7 @@
 //! group; this is the fine decomposition of Dulmage and Mendelsohn, so that the groups are the smallest possible.
 
 use super::effort::Effort;
-use super::group::{Group, GroupJoint};
+use super::group::{Group, GroupJoint, Inside};
 use super::incidence::{Defect, Incidence, Owner};
 use super::joint::{BodyId, JointId, JointKind, Replaced};
 use super::matching::{Matching, components, match_all};
@@ -33,7 +33,7 @@ pub(super) fn decompose(
     let order = order(&incidence, &matching, side);
     let members = Members::new(replaced, &order, side);
     let mut joints = members.joints(replaced);
-    let mut inside = efforts_inside(&incidence, &matching, &order);
+    let mut inside = inside(replaced, &incidence, &matching, &order);
     let groups = (0..order.len()).filter_map(|rank| {
         let bodies = members.bodies(rank)?;
         let (joints, inside) = (std::mem::take(&mut joints[rank]), std::mem::take(&mut inside[rank]));
@@ -62,16 +62,27 @@ fn order(incidence: &Incidence, matching: &Matching, side: Side) -> Vec<Vec<usiz
     components(&successors)
 }
 
-/// The efforts of every group, by rank.
-fn efforts_inside(incidence: &Incidence, matching: &Matching, order: &[Vec<usize>]) -> Vec<Vec<usize>> {
+/// The efforts and the laws of every group, by rank.
+fn inside(
+    replaced: &Replaced,
+    incidence: &Incidence,
+    matching: &Matching,
+    order: &[Vec<usize>],
+) -> Vec<Inside> {
     let mut rank_of = vec![0; incidence.vertex(incidence.capacity.len())];
     for (rank, vertices) in order.iter().enumerate() {
         vertices.iter().for_each(|&v| rank_of[v] = rank);
     }
-    let mut inside = vec![Vec::new(); order.len()];
+    let mut inside = vec![Inside::default(); order.len()];
     for (owner, node) in incidence.owners.iter().zip(&matching.node_of) {
-        if let (Owner::Effort(effort), Some(node)) = (owner, node) {
-            inside[rank_of[incidence.vertex(*node)]].push(*effort);
+        let Some(node) = node else { continue };
+        let inside = &mut inside[rank_of[incidence.vertex(*node)]];
+        match owner {
+            Owner::Effort(effort) => inside.efforts.push(*effort),
+            Owner::Joint(joint) if matches!(replaced.joint(*joint).kind, JointKind::Law(_)) => {
+                inside.laws.push(*joint);
+            }
+            Owner::Joint(_) | Owner::Passive => {}
         }
     }
     inside
@@ -122,6 +133,9 @@ impl<'a> Members<'a> {
     fn joints(&self, replaced: &Replaced) -> Vec<Vec<GroupJoint>> {
         let mut out = vec![Vec::new(); self.order.len()];
         for (i, joint) in replaced.joints.iter().enumerate() {
+            if matches!(joint.kind, JointKind::Law(_)) {
+                continue;
+            }
             let bodies = joint.bodies();
             let Some(hub) = (0..bodies.len()).min_by_key(|&m| self.depth(bodies[m])) else { continue };
             let base = bodies[hub];

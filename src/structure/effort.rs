@@ -73,7 +73,7 @@ pub(super) fn in_pair(mechanism: &Mechanism, replaced: &Replaced, pair: PairId) 
             }),
             _ => None,
         },
-        PairKind::Contact { .. } => None,
+        PairKind::Contact { .. } | PairKind::Transmission(_) => None,
         _ => joints
             .find(|&j| matches!(replaced.joint(j).kind, JointKind::Prismatic { .. }))
             .map(EffortKind::Coordinate),
@@ -136,6 +136,7 @@ pub(super) fn outer_link_defects(
             let at_point = match &joint.kind {
                 JointKind::Revolute(members) => members.iter().all(|m| m.0 != outer || same(m.1, point)),
                 JointKind::Prismatic { slider, guide, .. } => *slider != outer && *guide != outer,
+                JointKind::Law(_) => !joint.bodies().contains(&outer),
             };
             if !at_point {
                 let pair = mechanism.pair(joint.pair);

@@ -14,12 +14,21 @@ pub struct Group {
     pub joints: Vec<GroupJoint>,
     /// Drives or efforts inside it: indices into [`super::Structure::drives`] or `efforts`.
     pub efforts: Vec<usize>,
+    /// Laws inside it; on the side of forces, those whose multipliers are found in it.
+    pub laws: Vec<JointId>,
     /// What it is.
     pub kind: GroupKind,
     /// Class after Artobolevsky: I for a driven link, II for a dyad, III and higher for the rest.
     pub class: u8,
     /// Order: the number of outer joints.
     pub order: usize,
+}
+
+/// What belongs to a group beside its bodies and joints.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Inside {
+    pub efforts: Vec<usize>,
+    pub laws: Vec<JointId>,
 }
 
 /// A joint of a group, reduced to two bodies.
@@ -50,6 +59,11 @@ pub enum GroupKind {
     DrivenLegs(Dyad),
     /// One body between two prismatic pairs, its angle fixed by either.
     Translation,
+    /// Bodies each on one revolute or prismatic pair, moved by laws between their rates. Bodies in an order in which each
+    /// stands on one before it or outside; joints in the same order.
+    Train,
+    /// Laws between rates together with closed chains of links: not solved yet.
+    MixedTrain,
     /// Anything else.
     General,
 }
@@ -88,14 +102,20 @@ impl Group {
     pub(super) fn new(
         bodies: Vec<BodyId>,
         joints: Vec<GroupJoint>,
-        efforts: Vec<usize>,
+        Inside { efforts, laws }: Inside,
         all_efforts: &[Effort],
         replaced: &Replaced,
     ) -> Self {
         let order = joints.iter().filter(|j| !j.inner).count();
         let class = super::class::class(&bodies, &joints, &efforts);
-        let mut group = Self { name: None, bodies, joints, efforts, kind: GroupKind::General, class, order };
-        if group.is_driven(all_efforts, replaced) {
+        let mut group =
+            Self { name: None, bodies, joints, efforts, laws, kind: GroupKind::General, class, order };
+        if !group.laws.is_empty() {
+            let train = group.arrange_train(all_efforts, replaced);
+            group.kind = if train.is_some() { GroupKind::Train } else { GroupKind::MixedTrain };
+            group.order += group.outer_laws(replaced);
+            group.class = group.class.max(2);
+        } else if group.is_driven(all_efforts, replaced) {
             group.kind = GroupKind::Driven;
         } else if group.is_translation(replaced) {
             group.kind = GroupKind::Translation;
@@ -189,7 +209,7 @@ impl Group {
         let ([first, second], [middle]) = (outer.as_slice(), inner.as_slice()) else { return None };
         let simple = |j: &GroupJoint| match replaced.joint(j.joint).kind {
             JointKind::Prismatic { angle_redundant, offset, .. } => !angle_redundant && offset == 0.0,
-            JointKind::Revolute(_) => true,
+            JointKind::Revolute(_) | JointKind::Law(_) => true,
         };
         if middle.prismatic || first.prismatic && second.prismatic || !self.joints.iter().all(simple) {
             return None;
@@ -221,6 +241,60 @@ impl Group {
         Some(dyad)
     }
 
+    /// How many laws join the group to bodies outside it.
+    fn outer_laws(&self, replaced: &Replaced) -> usize {
+        let outer = |law: &&JointId| match &replaced.joint(**law).kind {
+            JointKind::Law(terms) => {
+                let bodies = replaced.bodies_of_law(terms);
+                bodies.iter().any(|b| !self.bodies.contains(b))
+            }
+            _ => false,
+        };
+        self.laws.iter().filter(outer).count()
+    }
+
+    /// Puts bodies and joints in an order in which each body stands by its one joint on the ground, on a body outside, or
+    /// on one before it. `None` where they form a closed chain, or where an effort acts along a line that turns.
+    fn arrange_train(&mut self, efforts: &[Effort], replaced: &Replaced) -> Option<()> {
+        let simple = |j: &GroupJoint| match replaced.joint(j.joint).kind {
+            JointKind::Prismatic { offset, angle_redundant, guide, .. } => {
+                offset == 0.0 && !angle_redundant && (guide == j.base || guide == j.body)
+            }
+            JointKind::Revolute(_) | JointKind::Law(_) => true,
+        };
+        let constant = |e: &usize| !matches!(efforts[*e].kind, EffortKind::Line(_) | EffortKind::Point(_));
+        if self.joints.len() != self.bodies.len()
+            || !self.joints.iter().all(simple)
+            || !self.efforts.iter().all(constant)
+        {
+            return None;
+        }
+        let mut left = std::mem::take(&mut self.joints);
+        let mut placed: Vec<BodyId> = Vec::new();
+        while !left.is_empty() {
+            let stands = |b: BodyId| !self.bodies.contains(&b) || placed.contains(&b);
+            let next = left.iter().position(|j| stands(j.base) != stands(j.body));
+            let Some(next) = next else {
+                self.joints.extend(left);
+                return None;
+            };
+            let mut joint = left.remove(next);
+            if stands(joint.body) {
+                std::mem::swap(&mut joint.body, &mut joint.base);
+            }
+            // sliders measure from a guide that does not turn with the train
+            if joint.prismatic && self.bodies.contains(&joint.base) {
+                self.joints.push(joint);
+                self.joints.extend(left);
+                return None;
+            }
+            placed.push(joint.body);
+            self.joints.push(joint);
+        }
+        self.bodies = placed;
+        Some(())
+    }
+
     /// The kind as it is printed: `RRR`, `driven`, `translation`, `general`.
     #[must_use]
     pub fn kind_name(&self) -> &'static str {
@@ -229,6 +303,7 @@ impl Group {
             GroupKind::Dyad(dyad) => dyad.name(),
             GroupKind::DrivenLegs(dyad) => dyad.name(),
             GroupKind::Translation => "PP",
+            GroupKind::Train | GroupKind::MixedTrain => "train",
             GroupKind::General => "general",
         }
     }

@@ -2,7 +2,7 @@
 //! unknowns over equations of equilibrium).
 
 use super::effort::{Effort, EffortKind};
-use super::joint::{BodyId, BodyOrigin, Joint, JointId, JointKind, Replaced};
+use super::joint::{BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
 use super::matching::{Condition, Matching, match_all};
 use crate::model::PairId;
 
@@ -124,6 +124,15 @@ impl Incidence {
                     self.add(Owner::Joint(id), Self::angles(replaced, &joint.bodies()));
                 }
                 self.add(Owner::Joint(id), Self::place_and_angle(replaced, &joint.bodies()));
+            }
+            JointKind::Law(terms) => {
+                let nodes = terms.iter().flat_map(|(rate, _)| match rate {
+                    BodyRate::Turn(body) => Self::angles(replaced, &[*body]),
+                    BodyRate::Slide(joint) => {
+                        Self::place_and_angle(replaced, &replaced.joint(*joint).bodies())
+                    }
+                });
+                self.add(Owner::Joint(id), nodes.collect());
             }
         }
     }

@@ -70,6 +70,17 @@ pub enum JointKind {
         /// The joint closes a chain of prismatic pairs: its couple is not determined.
         in_chain: bool,
     },
+    /// A law between rates with constant coefficients: Σ coefficient × rate = 0. One condition.
+    Law(Vec<(BodyRate, f64)>),
+}
+
+/// What a law speaks of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyRate {
+    /// Angular velocity of a body.
+    Turn(BodyId),
+    /// Rate of the coordinate of a prismatic joint.
+    Slide(JointId),
 }
 
 /// The mechanism with every higher pair replaced.
@@ -84,12 +95,19 @@ pub struct Replaced {
 }
 
 impl Joint {
-    /// The bodies it joins.
+    /// The bodies it joins; of a law those that turn.
     #[must_use]
     pub fn bodies(&self) -> Vec<BodyId> {
         match &self.kind {
             JointKind::Revolute(members) => members.iter().map(|m| m.0).collect(),
             JointKind::Prismatic { slider, guide, .. } => vec![*slider, *guide],
+            JointKind::Law(terms) => {
+                let turning = |rate: &BodyRate| match rate {
+                    BodyRate::Turn(body) => Some(*body),
+                    BodyRate::Slide(_) => None,
+                };
+                terms.iter().filter_map(|(rate, _)| turning(rate)).collect()
+            }
         }
     }
 }
@@ -114,12 +132,26 @@ impl JointKind {
                     == (other_slider, other_guide, other_redundant, other_chain)
                     && (*offset > 0.0) == (*other_offset > 0.0)
             }
+            (Self::Law(a), Self::Law(b)) => a.iter().map(|t| t.0).eq(b.iter().map(|t| t.0)),
             _ => false,
         }
     }
 }
 
 impl Replaced {
+    /// The bodies that a law speaks of.
+    #[must_use]
+    pub fn bodies_of_law(&self, law: &[(BodyRate, f64)]) -> Vec<BodyId> {
+        let bodies = law.iter().flat_map(|(rate, _)| match rate {
+            BodyRate::Turn(body) => vec![*body],
+            BodyRate::Slide(joint) => self.joint(*joint).bodies(),
+        });
+        let mut bodies: Vec<BodyId> = bodies.collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        bodies
+    }
+
     /// Whether bodies and joints are the same but for their numbers.
     pub(super) fn is_alike(&self, other: &Self) -> bool {
         let bodies = |r: &Self| r.bodies.iter().map(|b| (b.origin, b.known)).collect::<Vec<_>>();

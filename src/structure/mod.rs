@@ -23,7 +23,7 @@ pub use count::Count;
 pub use effort::{Effort, EffortKind, EffortSource};
 pub use error::StructureError;
 pub use group::{Dyad, Group, GroupJoint, GroupKind};
-pub use joint::{Body, BodyId, BodyOrigin, Joint, JointId, JointKind, Replaced};
+pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
 
 use crate::model::{LinkId, Mechanism, PairId};
 
@@ -72,9 +72,22 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
             return Err(vec![diagnose::of_motion(trial, &count, &defect)]);
         }
     };
+    if let Some(error) =
+        mixed_train(mechanism, &replaced, &motion, "drive the crank or the wheel that moves the chain")
+    {
+        return Err(vec![error]);
+    }
     let efforts = effort::of_balances(mechanism, &replaced);
     let (forces, force_defect) = match decompose::decompose(&replaced, &efforts, decompose::Side::Forces) {
-        Ok(groups) => (groups, None),
+        Ok(groups) => match mixed_train(
+            mechanism,
+            &replaced,
+            &groups,
+            "put the unknown effort on the link that is driven",
+        ) {
+            Some(error) => (Vec::new(), Some(error)),
+            None => (groups, None),
+        },
         Err(defect) => {
             let trial = trial::Trial { mechanism, replaced: &replaced, efforts: &efforts };
             (Vec::new(), Some(diagnose::of_forces(trial, &count, &defect)))
@@ -93,6 +106,21 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
     };
     let (assertion_errors, warnings) = assertion::check(mechanism, &mut structure);
     if assertion_errors.is_empty() { Ok((structure, warnings)) } else { Err(assertion_errors) }
+}
+
+/// Laws between rates within closed chains of links.
+fn mixed_train(
+    mechanism: &Mechanism,
+    replaced: &Replaced,
+    groups: &[Group],
+    help: &'static str,
+) -> Option<StructureError> {
+    let group = groups.iter().find(|g| g.kind == GroupKind::MixedTrain)?;
+    let names: Vec<String> =
+        group.bodies.iter().map(|b| format!("`{}`", replaced.body_name(mechanism, *b))).collect();
+    let pairs = group.laws.iter().map(|l| mechanism.pair(replaced.joint(*l).pair));
+    let labels = pairs.map(|p| error::label("within a closed chain of links", p.span)).collect();
+    Some(StructureError::MixedTrain { links: error::listed(&names, "and"), help, labels })
 }
 
 impl Structure {

@@ -23,12 +23,13 @@ pub(super) fn links<'a>(replaced: &'a Replaced, part: &'a Part) -> impl Iterator
 /// A pair as its statement begins: `slot E`.
 pub(super) fn statement(mechanism: &Mechanism, pair: PairId) -> String {
     let pair = mechanism.pair(pair);
-    let word = match pair.kind {
+    let word = match &pair.kind {
         PairKind::Revolute(_) => "revolute",
         PairKind::Prismatic(_) => "prismatic",
         PairKind::Slot(_) => "slot",
         PairKind::Contact { .. } => "contact",
         PairKind::Cylinder { .. } => "cylinder",
+        PairKind::Transmission(t) => t.kind.word(),
     };
     format!("`{word} {}`", pair.name)
 }
@@ -202,7 +203,7 @@ fn is_used(mechanism: &Mechanism, link: LinkId, line: &str) -> bool {
         PairKind::Contact { first, second, .. } => {
             [first, second].iter().any(|f| f.link == link && f.name == line)
         }
-        PairKind::Revolute(_) | PairKind::Cylinder { .. } => false,
+        PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => false,
     })
 }
 

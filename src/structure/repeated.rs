@@ -37,7 +37,7 @@ fn repeated_guide(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<St
                 Some((j.pair, [slider, guide], direction))
             }
             JointKind::Prismatic { slider, guide, along, .. } => Some((j.pair, [guide, slider], along)),
-            JointKind::Revolute(_) => None,
+            JointKind::Revolute(_) | JointKind::Law(_) => None,
         })
         .collect();
     for (i, (pair, ends, along)) in guides.iter().enumerate().rev() {

@@ -5,9 +5,11 @@
 //! between the centres. For circular and straight profiles the replacement holds for every position, not for one
 //! instant only, because the curvature is constant.
 
-use super::joint::{Body, BodyId, BodyOrigin, Joint, JointKind, Replaced};
+use super::joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
 use crate::math::Vec2;
-use crate::model::{DriveTarget, Guide, LinkId, Mechanism, PairId, PairKind, Pin, Profile, ProfileShape};
+use crate::model::{
+    DriveTarget, Guide, Law, LinkId, Mechanism, PairId, PairKind, Pin, Profile, ProfileShape, Rate,
+};
 
 const X_AXIS: Vec2 = Vec2::new(1.0, 0.0);
 const ORIGIN: Vec2 = Vec2::new(0.0, 0.0);
@@ -25,9 +27,11 @@ pub(super) fn replace(mechanism: &Mechanism) -> Replaced {
             replaced.bodies[link.index()].known = true;
         }
     }
-    for (i, pair) in mechanism.pairs.iter().enumerate() {
-        replaced.add_pair(PairId::at(i), &pair.kind);
-    }
+    let pairs = || mechanism.pairs.iter().enumerate().map(|(i, p)| (PairId::at(i), &p.kind));
+    let is_law = |kind: &PairKind| matches!(kind, PairKind::Transmission(_));
+    // laws speak of the joints of other pairs
+    pairs().filter(|p| !is_law(p.1)).for_each(|(id, kind)| replaced.add_pair(id, kind));
+    pairs().filter(|p| is_law(p.1)).for_each(|(id, kind)| replaced.add_pair(id, kind));
     mark_chains(&mut replaced);
     replaced
 }
@@ -48,7 +52,25 @@ impl Replaced {
             PairKind::Slot(g) => self.block(pair, (body(g.slider), g.point), g, 0.0),
             PairKind::Contact { first, second, internal } => self.contact(pair, first, second, *internal),
             PairKind::Cylinder { barrel, rod, from, to } => self.cylinder(pair, *barrel, *rod, from, to),
+            PairKind::Transmission(t) => t.laws.iter().for_each(|law| self.law(pair, law)),
         }
+    }
+
+    fn law(&mut self, pair: PairId, law: &Law) {
+        let terms = law.terms.iter().filter_map(|(rate, coefficient)| {
+            let rate = match rate {
+                Rate::Turn(link) => BodyRate::Turn(body(*link)),
+                Rate::Slide(pair) => BodyRate::Slide(self.slide_of(*pair)?),
+            };
+            Some((rate, *coefficient))
+        });
+        let kind = JointKind::Law(terms.collect());
+        self.joints.push(Joint { pair, kind });
+    }
+
+    /// The prismatic joint of a pair.
+    fn slide_of(&self, pair: PairId) -> Option<JointId> {
+        self.joints_of(pair).find(|j| matches!(self.joint(*j).kind, JointKind::Prismatic { .. }))
     }
 
     fn revolute(&mut self, pair: PairId, members: Vec<(BodyId, Vec2)>) {
@@ -226,7 +248,7 @@ pub(super) fn mark_chains(replaced: &mut Replaced) {
         .enumerate()
         .filter_map(|(i, j)| match j.kind {
             JointKind::Prismatic { slider, guide, .. } => Some((i, slider.0, guide.0)),
-            JointKind::Revolute(_) => None,
+            JointKind::Revolute(_) | JointKind::Law(_) => None,
         })
         .collect();
     let kept = spanning_forest(replaced.bodies.len(), &edges);

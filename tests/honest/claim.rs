@@ -78,7 +78,7 @@ fn size(m: &Mechanism, poses: &[(Vec2, Vec2)]) -> f64 {
         let at = match &pair.kind {
             PairKind::Revolute(pins) => pins.iter().map(|p| p.at.norm()).fold(0.0, f64::max),
             PairKind::Prismatic(g) | PairKind::Slot(g) => g.point.norm().max(g.through.norm()),
-            PairKind::Contact { .. } => 0.0,
+            PairKind::Contact { .. } | PairKind::Transmission(_) => 0.0,
             PairKind::Cylinder { from, to, .. } => from.at.norm().max(to.at.norm()),
         };
         size = size.max(at);

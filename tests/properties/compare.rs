@@ -149,7 +149,10 @@ impl Comparison<'_> {
                     let coriolis = d.perp() * (2.0 * rates.omega * coordinate.rate);
                     Some((coordinate.rate, coordinate.second, coriolis))
                 }
-                PairKind::Cylinder { .. } | PairKind::Contact { .. } | PairKind::Revolute(_) => None,
+                PairKind::Cylinder { .. }
+                | PairKind::Contact { .. }
+                | PairKind::Revolute(_)
+                | PairKind::Transmission(_) => None,
             };
             let Some((rate, second, coriolis)) = want else { continue };
             let got = scalar(&view, &Query::RelativeVelocity(id));

@@ -120,6 +120,7 @@ impl Draft {
             span: Span::default(),
             kind,
             friction: None,
+            bearing: None,
         });
         id
     }

@@ -98,6 +98,8 @@ impl Draft {
     /// Coordinate of a pair as it stands: the difference of angles, or the place along the line.
     pub fn coordinate(&self, pair: PairId) -> f64 {
         match &self.mechanism.pair(pair).kind {
+            // trains are tested by themselves
+            PairKind::Transmission(_) => f64::NAN,
             PairKind::Revolute(pins) => {
                 let (a, b) = (self.frame(pins[0].link).u, self.frame(pins[1].link).u);
                 b.turned_back(a).angle()

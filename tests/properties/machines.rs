@@ -37,7 +37,7 @@ pub fn bar(m: &mut Mechanism, name: &str, length: f64) -> LinkId {
 }
 
 pub fn pair(m: &mut Mechanism, name: &str, kind: PairKind) -> PairId {
-    m.pairs.push(Pair { name: name.into(), span: Span::default(), kind, friction: None });
+    m.pairs.push(Pair { name: name.into(), span: Span::default(), kind, friction: None, bearing: None });
     PairId::at(m.pairs.len() - 1)
 }
 

@@ -118,6 +118,8 @@ pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driv
     let body = |link: LinkId| &bodies[link.index()];
     for pair in &mechanism.pairs {
         match &pair.kind {
+            // trains are tested by themselves
+            PairKind::Transmission(_) => {}
             PairKind::Revolute(pins) => {
                 let at = |i: usize| body(pins[i].link).point(pins[i].at);
                 for i in 1..pins.len() {
@@ -175,7 +177,7 @@ pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driv
                     let r = body(to.link).point(to.at).minus(body(from.link).point(from.at));
                     r.dot(r) - Jet::of(law) * Jet::of(law)
                 }
-                PairKind::Contact { .. } => Jet::constant(S::of(f64::NAN)),
+                PairKind::Contact { .. } | PairKind::Transmission(_) => Jet::constant(S::of(f64::NAN)),
             },
             DriveTarget::Point(..) => Jet::constant(S::of(f64::NAN)),
         });

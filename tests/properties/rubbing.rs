@@ -27,7 +27,7 @@ pub fn roughen(draft: &mut Draft) {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {
                 Some(Friction::Coefficient(coefficient))
             }
-            PairKind::Cylinder { .. } => None,
+            PairKind::Cylinder { .. } | PairKind::Transmission(_) => None,
         };
     }
 }
@@ -96,6 +96,7 @@ impl Check<'_> {
         let mut owner: Vec<usize> = (0..sums.len()).collect();
         for (i, pair) in m.pairs.iter().enumerate() {
             let points: Vec<(LinkId, Vec2)> = match &pair.kind {
+                PairKind::Transmission(_) => Vec::new(),
                 PairKind::Revolute(pins) => {
                     pins.iter().map(|p| (p.link, self.body(p.link).point(p.at).value())).collect()
                 }
@@ -195,7 +196,7 @@ impl Check<'_> {
                     let force = self.reaction(i, first.link);
                     self.law(i, force.dot(n.perp()), speed, f * force.dot(n).abs());
                 }
-                (PairKind::Cylinder { .. }, _) => {}
+                (PairKind::Cylinder { .. } | PairKind::Transmission(_), _) => {}
             }
         }
     }

@@ -7,6 +7,7 @@ mod gear;
 mod geometry;
 mod name;
 mod request;
+mod train;
 mod unit;
 
 pub use cam::CamError;
@@ -16,4 +17,5 @@ pub use gear::GearError;
 pub use geometry::{LinkError, LoadError, MotionError, PairError};
 pub use name::NameError;
 pub use request::RequestError;
+pub use train::TrainError;
 pub use unit::UnitsError;

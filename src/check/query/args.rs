@@ -9,12 +9,12 @@ use crate::model::{LinkId, PairId, PairKind};
 use crate::source::{Span, Spanned};
 use crate::syntax::document::{Expr, ExprKind, Name};
 
-/// What turns or moves: a link of the linkage, or a shaft, wheel or slider.
+/// What turns or moves.
 pub enum Mover {
-    /// A link.
+    /// A link, a shaft, or the link or shaft of a wheel.
     Link(LinkId),
-    /// A shaft, a wheel, or a slider on a rope.
-    Element,
+    /// A slider on a rope.
+    Slider,
 }
 
 /// `a.b.c` as its names.
@@ -36,15 +36,13 @@ fn joined(head: &Name, tail: &Name) -> Name {
 }
 
 impl Context<'_> {
-    /// An argument that names a link; a shaft, wheel or slider is noted as not supported yet.
+    /// An argument that names what moves.
     pub(super) fn mover(&mut self, call: Call<'_>, expr: &Expr) -> Option<Mover> {
         let names = path(expr);
         match names.as_deref() {
             Some([name]) => {
-                let element =
-                    |k: ThingKind| matches!(k, ThingKind::Shaft | ThingKind::Wheel | ThingKind::Slider);
-                if self.names.things.get(&name.node).is_some_and(|d| element(d.what)) {
-                    return Some(Mover::Element);
+                if self.names.things.get(&name.node).is_some_and(|d| d.what == ThingKind::Slider) {
+                    return Some(Mover::Slider);
                 }
                 self.link(name).map(Mover::Link)
             }
@@ -60,10 +58,7 @@ impl Context<'_> {
     pub(super) fn link_argument(&mut self, call: Call<'_>, expr: &Expr) -> Option<LinkId> {
         match self.mover(call, expr)? {
             Mover::Link(link) => Some(link),
-            Mover::Element => {
-                self.wrong_argument(call, "a link of the linkage", expr.span);
-                None
-            }
+            Mover::Slider => self.find_link(&path(expr)?.first()?.node),
         }
     }
 
@@ -151,5 +146,6 @@ pub const fn kind_phrase(kind: &PairKind) -> &'static str {
         PairKind::Slot(_) => "a slot",
         PairKind::Contact { .. } => "a contact",
         PairKind::Cylinder { .. } => "a cylinder",
+        PairKind::Transmission(t) => t.kind.phrase(),
     }
 }

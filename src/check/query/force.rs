@@ -8,7 +8,7 @@ use crate::check::expr::Sign;
 use crate::check::expr::typed::{Type, Typed};
 use crate::check::lookup::suggestion;
 use crate::check::names::QuantityKind;
-use crate::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query};
+use crate::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query, TransmissionKind};
 use crate::syntax::document::{Expr, Member, Name, Statement};
 use crate::units::Dimension;
 
@@ -36,6 +36,7 @@ impl Context<'_> {
             PairKind::Revolute(_) => matches!(function, "reaction" | "moment"),
             PairKind::Slot(_) | PairKind::Contact { .. } => function != "moment",
             PairKind::Cylinder { .. } => function == "reaction",
+            PairKind::Transmission(_) => matches!(function, "reaction" | "moment"),
         };
         if !fits {
             self.not_of_this_pair(call, pair, Some("`reaction(…)` is defined for every pair"));
@@ -149,6 +150,75 @@ impl Context<'_> {
             self.error(RequestError::NoMass { link, span: call.span, declared });
         }
         None
+    }
+
+    /// `tangential_force(k)`, `normal_force(k)`, `tension(a)`; `tension(a, A)` of the part of a rope that ends at A
+    pub(super) fn transmission_force(&mut self, call: Call<'_>) -> Option<Typed> {
+        let function = call.name.node.as_str();
+        let args = self.arguments(call, 1, if function == "tension" { 2 } else { 1 })?;
+        let pair = self.pair_argument(call, args[0])?;
+        let PairKind::Transmission(t) = &self.mech.pair(pair).kind else {
+            self.not_of_this_pair(call, pair, Some("it is defined for meshes, ropes and their like"));
+            return None;
+        };
+        let (kind, angle, parts) = (t.kind, t.pressure_angle, t.laws.len());
+        let fits = match function {
+            "tension" => kind == TransmissionKind::Rope,
+            "normal_force" => matches!(kind, TransmissionKind::Mesh | TransmissionKind::Rack),
+            _ => !matches!(kind, TransmissionKind::Rope | TransmissionKind::Screw),
+        };
+        let help = match kind {
+            _ if fits && function == "normal_force" && angle.is_none() => {
+                Some("the line of action is not known: add `{ pressure_angle 20 deg }` to it")
+            }
+            _ if fits => None,
+            TransmissionKind::Rope => Some("ask for the pull in it: `tension(…)`"),
+            TransmissionKind::Screw => Some("ask for its torque: `moment(…, …)`"),
+            _ => Some("ask for the force along its circles: `tangential_force(…)`"),
+        };
+        if help.is_some() {
+            self.not_of_this_pair(call, pair, help);
+            return None;
+        }
+        let query = match function {
+            "normal_force" => Query::ToothForce(pair),
+            "tangential_force" => Query::TangentialForce(pair),
+            _ => Query::Tension(pair, self.part_of_rope(call, pair, args.get(1).copied(), parts)?),
+        };
+        Some(number(query, Dimension::FORCE))
+    }
+
+    /// Which part of a rope is meant: the one that ends at what is named.
+    fn part_of_rope(
+        &mut self,
+        call: Call<'_>,
+        pair: PairId,
+        end: Option<&Expr>,
+        parts: usize,
+    ) -> Option<usize> {
+        let PairKind::Transmission(t) = &self.mech.pair(pair).kind else { return None };
+        let outer = [t.ends.first().cloned()?, t.ends.last().cloned()?];
+        let rope = self.mech.pair(pair).name.clone();
+        let Some(end) = end else {
+            if parts == 1 {
+                return Some(0);
+            }
+            let usage = format!("tension({rope}, {})` or `tension({rope}, {})", outer[0], outer[1]);
+            let function = call.name.node.clone();
+            let wanted = "also the end of the rope, as wheels on the way part it,".to_owned();
+            self.error(RequestError::Argument { function, wanted, span: call.span, usage });
+            return None;
+        };
+        let named = path(end).map(|p| p.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join("."));
+        match named {
+            Some(name) if name == outer[0] => Some(0),
+            Some(name) if name == outer[1] => Some(parts - 1),
+            _ => {
+                let wanted = format!("one end of the rope: `{}` or `{}`", outer[0], outer[1]);
+                self.wrong_argument(call, &wanted, end.span);
+                None
+            }
+        }
     }
 
     /// `effort(crank)`

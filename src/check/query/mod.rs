@@ -4,12 +4,12 @@ mod args;
 mod bearing;
 mod cam;
 mod cycle;
+mod element;
 mod flywheel;
 mod force;
 mod friction;
 mod gear;
 mod motion;
-mod pending;
 mod substitution;
 mod table;
 
@@ -90,10 +90,12 @@ impl Context<'_> {
             "efficiency" | "locked" => self.verdict(call),
             "critical" => self.critical(call),
             "frictionless" => self.frictionless(call),
+            "speed" => self.speed(call),
+            "radius" => self.radius_of_wheel(call),
+            "tangential_force" | "normal_force" | "tension" => self.transmission_force(call),
             "journal_torque" | "thrust_torque" => self.bearing(call),
             "max" | "min" | "mean" | "integral" | "argmax" => self.over_sweep(call),
             "fluctuation" | "rim" | "work" | "reduced_torque" | "reduced_inertia" => self.of_flywheel(call),
-            name if FUNCTIONS.iter().any(|f| f.name == name) => self.not_yet(call),
             _ => {
                 self.no_function(call);
                 None

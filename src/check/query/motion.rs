@@ -4,9 +4,10 @@ use super::Call;
 use super::args::Mover;
 use crate::check::context::Context;
 use crate::check::error::RequestError;
+use crate::check::expr::fold;
 use crate::check::expr::typed::{Type, Typed};
 use crate::check::names::ThingKind;
-use crate::model::{Expr as ModelExpr, PairId, PairKind, PointRef, Query};
+use crate::model::{Expr as ModelExpr, Function, PairId, PairKind, PointRef, Query};
 use crate::source::Spanned;
 use crate::syntax::document::{Drive, Expr, ExprKind, JointKind, Statement};
 use crate::units::Dimension;
@@ -30,9 +31,13 @@ impl Context<'_> {
         let args = self.arguments(call, 1, 2)?;
         let point = match args[..] {
             [one] => {
-                if self.is_slider(one) {
-                    self.unsupported("sliders on ropes", call.span);
-                    return Some(Typed::pending(Type::number(dimension)));
+                if let Some(pair) = self.slider(one) {
+                    let query = match call.name.node.as_str() {
+                        "position" => Query::Displacement(pair),
+                        "velocity" => Query::RelativeVelocity(pair),
+                        _ => Query::RelativeAcceleration(pair),
+                    };
+                    return Some(number(query, dimension));
                 }
                 let (link, at) = self.point_argument(call, one)?;
                 PointRef::Fixed(link, at)
@@ -52,9 +57,32 @@ impl Context<'_> {
         Some(vector(query, dimension))
     }
 
-    fn is_slider(&self, expr: &Expr) -> bool {
-        let ExprKind::Name(name) = &expr.kind else { return false };
-        self.names.things.get(name).is_some_and(|d| d.what == ThingKind::Slider)
+    /// The pair of a slider on a rope.
+    fn slider(&self, expr: &Expr) -> Option<PairId> {
+        let ExprKind::Name(name) = &expr.kind else { return None };
+        let is_slider = self.names.things.get(name).is_some_and(|d| d.what == ThingKind::Slider);
+        self.find_pair(name).filter(|_| is_slider)
+    }
+
+    /// `speed(A)`: the magnitude of a slider's velocity.
+    pub(super) fn speed(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let Some(pair) = self.slider(args[0]) else {
+            self.element(call, "a slider", |k| k == ThingKind::Slider)?;
+            return None;
+        };
+        let velocity = ModelExpr::Query(Query::RelativeVelocity(pair));
+        let speed = fold::call(Function::Abs, vec![velocity]);
+        Some(Typed::new(speed, Type::number(Dimension::VELOCITY)))
+    }
+
+    /// `radius(w1)`: of a gear wheel that of its pitch circle.
+    pub(super) fn radius_of_wheel(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        self.element(call, "a wheel", |k| k == ThingKind::Wheel)?;
+        let ExprKind::Name(name) = &args[0].kind else { return None };
+        let radius = self.wheel_radius(&Spanned::new(name.clone(), args[0].span))?;
+        Some(Typed::constant(radius, Dimension::LENGTH))
     }
 
     /// `angle`, `omega`, `alpha`, `dir` of a link
@@ -70,9 +98,9 @@ impl Context<'_> {
         match mover {
             Mover::Link(link) if call.name.node == "dir" => Some(vector(query(link), dimension)),
             Mover::Link(link) => Some(number(query(link), dimension)),
-            Mover::Element => {
-                self.unsupported("shafts and wheels", call.span);
-                Some(Typed::pending(Type::number(dimension)))
+            Mover::Slider => {
+                self.wrong_argument(call, "what turns, and not a slider,", args[0].span);
+                None
             }
         }
     }
@@ -120,7 +148,7 @@ impl Context<'_> {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => {
                 Some(vector(Query::Coriolis(pair), Dimension::ACCELERATION))
             }
-            PairKind::Revolute(_) | PairKind::Contact { .. } => {
+            PairKind::Revolute(_) | PairKind::Contact { .. } | PairKind::Transmission(_) => {
                 self.not_of_this_pair(call, pair, Some("it is defined where a point slides along a line"));
                 None
             }
@@ -140,8 +168,8 @@ impl Context<'_> {
             }
             PairKind::Revolute(_) => Some(Dimension::ANGLE),
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => Some(Dimension::LENGTH),
-            PairKind::Contact { .. } => {
-                self.not_of_this_pair(call, pair, Some("a contact has no coordinate"));
+            PairKind::Contact { .. } | PairKind::Transmission(_) => {
+                self.not_of_this_pair(call, pair, Some("it has no coordinate"));
                 None
             }
         }
@@ -169,9 +197,15 @@ impl Context<'_> {
         let head = self.names.things.get(&drive.target.head.node).map(|d| d.what);
         match (head, &drive.target.tail) {
             (_, Some(_)) => Dimension::LENGTH,
-            (Some(ThingKind::Joint(JointKind::Revolute) | ThingKind::Link | ThingKind::Shaft), None) => {
-                Dimension::ANGLE
-            }
+            (
+                Some(
+                    ThingKind::Joint(JointKind::Revolute)
+                    | ThingKind::Link
+                    | ThingKind::Shaft
+                    | ThingKind::Wheel,
+                ),
+                None,
+            ) => Dimension::ANGLE,
             (Some(ThingKind::Joint(_) | ThingKind::Slider), None) => Dimension::LENGTH,
             _ => Dimension::ANGLE,
         }
@@ -194,7 +228,7 @@ impl Context<'_> {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {
                 Some(number(Query::PressureAngle(pair), Dimension::ANGLE))
             }
-            PairKind::Revolute(_) | PairKind::Cylinder { .. } => {
+            PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => {
                 self.not_of_this_pair(call, pair, None);
                 None
             }

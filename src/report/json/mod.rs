@@ -5,6 +5,7 @@ mod cycle;
 mod entries;
 mod pose;
 mod structure;
+mod train;
 
 use serde::Serialize;
 

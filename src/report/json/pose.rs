@@ -6,6 +6,7 @@ use serde::Serialize;
 use super::super::answers::Answers;
 use super::super::reactions::{ReactionEntry, reactions};
 use super::entries::{Entries, Number, Pair, Reading};
+use super::train::{PartView, ShaftView, SliderView, elements, is_element, transmissions};
 use crate::math::Vec2;
 use crate::model::{DriveTarget, Link, LinkId};
 use crate::plan::{Effects, Level};
@@ -22,7 +23,13 @@ pub(super) struct PoseView<'a> {
     #[serde(skip_serializing_if = "Entries::is_empty")]
     points: Entries<PointView>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
+    shafts: Entries<ShaftView>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    sliders: Entries<SliderView>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
     reactions: Entries<Vec<ReactionView<'a>>>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    transmissions: Entries<Vec<PartView>>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
     balances: Entries<Number>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
@@ -104,7 +111,10 @@ impl<'a> PoseView<'a> {
             error: None,
             links: Entries(Vec::new()),
             points: Entries(Vec::new()),
+            shafts: Entries(Vec::new()),
+            sliders: Entries(Vec::new()),
             reactions: Entries(Vec::new()),
+            transmissions: Entries(Vec::new()),
             balances: Entries(Vec::new()),
             quantities: Entries(Vec::new()),
             residuals: None,
@@ -121,7 +131,9 @@ impl<'a> PoseView<'a> {
         if answers.wants_reactions() {
             self.links.0 = links(answers, solved);
             self.points.0 = points(answers, solved);
+            (self.shafts.0, self.sliders.0) = elements(answers, solved);
             self.reactions.0 = all_reactions(answers, solved);
+            self.transmissions.0 = transmissions(answers, solved);
             let efforts = answers.efforts().into_iter();
             self.balances.0 =
                 efforts.filter_map(|e| Some((e.name.clone(), Number::of(e.value(solved)?)?))).collect();
@@ -153,7 +165,9 @@ fn turning_links<'a>(answers: &Answers<'a>) -> impl Iterator<Item = (LinkId, &'a
         scene.mechanism.drives.iter().any(|d| matches!(d.target, DriveTarget::Point(link, _) if link == id))
     };
     let links = scene.mechanism.links.iter().enumerate().skip(1).map(|(i, l)| (LinkId::at(i), l));
-    links.filter(move |(id, _)| !outer(*id) && !scene.structure.passive.contains(id))
+    links.filter(move |(id, _)| {
+        !outer(*id) && !scene.structure.passive.contains(id) && !is_element(scene.mechanism, *id)
+    })
 }
 
 fn links(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, LinkView)> {

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::super::mobility::{GroupCount, link_names};
+use super::super::train::kind_name;
 use crate::solve::Scene;
 use crate::structure::{Group, GroupKind};
 
@@ -49,7 +50,7 @@ impl<'a> GroupView<'a> {
             name: group.name.as_deref(),
             links: link_names(scene, group),
             class: group.class_name(),
-            kind: group.kind_name(),
+            kind: kind_name(scene, group),
             n: count.n,
             pl: count.lower,
             ph: count.higher,

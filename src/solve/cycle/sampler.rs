@@ -39,7 +39,7 @@ impl Need {
         let forces = hangs_on_forces(scene.mechanism, expr);
         Self {
             forces,
-            ideal: forces && scene.plan.effects.friction && asks_for_ideal(scene.mechanism),
+            ideal: forces && scene.plan.effects.loses() && asks_for_ideal(scene.mechanism),
             quantities: names_quantity(expr),
         }
     }

@@ -173,7 +173,7 @@ impl<'a> Switches<'a> {
                 }
             }
             PairKind::Slot(_) | PairKind::Cylinder { .. } => self.add(number(Query::RelativeVelocity(id))),
-            PairKind::Contact { .. } => {}
+            PairKind::Contact { .. } | PairKind::Transmission(_) => {}
         }
     }
 }

@@ -1,0 +1,16 @@
+//! Shafts, wheels, sliders and what runs between them.
+
+mod at_rest;
+mod carrier;
+mod planet;
+mod property;
+mod rope;
+mod shaft;
+mod size;
+mod transmission;
+
+pub(super) use at_rest::at_rest;
+pub(super) use property::{constant, known, specs};
+pub(super) use shaft::shafts;
+pub(super) use size::{Sizes, wheels};
+pub(super) use transmission::transmissions;

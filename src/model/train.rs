@@ -1,0 +1,146 @@
+//! Wheels, and what runs between wheels and sliders: laws between rates with constant coefficients.
+
+use super::{LinkId, PairId};
+use crate::math::Vec2;
+use crate::source::Span;
+
+/// A wheel of a link.
+#[derive(Clone, Debug)]
+pub struct Wheel {
+    /// Name.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// The link it belongs to.
+    pub link: LinkId,
+    /// Its axis in the link's frame, m; `None` on a shaft whose place is left open.
+    pub centre: Option<Vec2>,
+    /// Radius, of a gear wheel that of its pitch circle, m. Where it is not given it is assumed, see [`Scale`].
+    pub radius: f64,
+    /// Number of teeth.
+    pub teeth: Option<f64>,
+}
+
+/// A size that the file leaves open and that is assumed: no answer may hang on it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scale {
+    /// The wheel.
+    pub wheel: String,
+    /// Its place.
+    pub span: Span,
+    /// The number of teeth is known, and the module is not.
+    pub teeth: bool,
+}
+
+/// What a law speaks of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rate {
+    /// Angular velocity of a link.
+    Turn(LinkId),
+    /// Rate of a prismatic pair's coordinate.
+    Slide(PairId),
+}
+
+/// Σ coefficient × rate = 0. The generalized force on each rate is the multiplier times its coefficient.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Law {
+    /// The rates with their coefficients, m for rad/s and 1 for m/s (or both over a common length). Of a law with an
+    /// efficiency the two sides come first, the carrier that they are counted from third.
+    pub terms: Vec<(Rate, f64)>,
+    /// The tangential force, or the pull of the rope, is the multiplier times this.
+    pub force: f64,
+    /// Part of the power that gets through, from the first side to the second and back.
+    pub efficiency: Option<[f64; 2]>,
+}
+
+/// A transmission between wheels, shafts and sliders.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Transmission {
+    /// Which.
+    pub kind: TransmissionKind,
+    /// What it joins, as written: `w1`, `over(C)`.
+    pub ends: Vec<String>,
+    /// The links joined, in the order written.
+    pub links: Vec<LinkId>,
+    /// Its laws: one; of a rope one for each part between wheels that it does not slip on.
+    pub laws: Vec<Law>,
+    /// The two wheels that meet, where the places of their axes and the pressure angle are known.
+    pub meeting: Option<Meeting>,
+    /// Pressure angle, rad.
+    pub pressure_angle: Option<f64>,
+}
+
+/// The kinds of transmission.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TransmissionKind {
+    /// Two gear wheels.
+    Mesh,
+    /// A rope.
+    Rope,
+    /// A belt.
+    Belt,
+    /// A chain.
+    Chain,
+    /// A gear wheel on a toothed line.
+    Rack,
+    /// A worm and its wheel.
+    Worm,
+    /// A spindle and its nut.
+    Screw,
+}
+
+/// Two wheels whose teeth meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    /// The links.
+    pub links: [LinkId; 2],
+    /// The axes in the frames of the links, m.
+    pub centres: [Vec2; 2],
+    /// Pitch radii, m.
+    pub radii: [f64; 2],
+    /// One wheel lies within the other.
+    pub internal: bool,
+    /// Tangent of the pressure angle.
+    pub tangent: f64,
+}
+
+impl TransmissionKind {
+    /// The statement's word.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Mesh => "mesh",
+            Self::Rope => "rope",
+            Self::Belt => "belt",
+            Self::Chain => "chain",
+            Self::Rack => "rack",
+            Self::Worm => "worm",
+            Self::Screw => "screw",
+        }
+    }
+
+    /// What it is, with its article.
+    #[must_use]
+    pub const fn phrase(self) -> &'static str {
+        match self {
+            Self::Mesh => "a mesh",
+            Self::Rope => "a rope",
+            Self::Belt => "a belt",
+            Self::Chain => "a chain",
+            Self::Rack => "a rack",
+            Self::Worm => "a worm",
+            Self::Screw => "a screw",
+        }
+    }
+}
+
+impl Rate {
+    /// The link that turns.
+    #[must_use]
+    pub const fn turning(self) -> Option<LinkId> {
+        match self {
+            Self::Turn(link) => Some(link),
+            Self::Slide(_) => None,
+        }
+    }
+}

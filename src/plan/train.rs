@@ -1,0 +1,370 @@
+//! Trains of wheels, ropes and sliders. Their laws are linear in the rates with constant coefficients, so that each group
+//! is solved once, here: every member's rate is a sum of constants times rates that are known before it. The forces obey
+//! the transposed system: with the law Σ c_i q̇_i = 0 and its multiplier λ, the generalized force on q_i is λ c_i.
+
+use super::Plan;
+use super::forces::way;
+use super::geometry::{anchor, pin_arm, slide};
+use super::step::{Anchor, Arm, Hinge, Slide, Way};
+use crate::math::ratio;
+use crate::model::{Mechanism, Meeting, PairId, PairKind};
+use crate::structure::{
+    BodyId, BodyRate, Effort, EffortKind, EffortSource, Group, GroupJoint, GroupKind, JointId, JointKind,
+    Structure,
+};
+
+/// A train group of motion.
+#[derive(Clone, Debug)]
+pub struct TrainMotion {
+    /// Its bodies, each after those it stands on.
+    pub members: Vec<TrainMember>,
+    /// The rates that it hangs on.
+    pub sources: Vec<TrainSource>,
+    /// One row per member, one column per source.
+    pub coefficients: Vec<f64>,
+    /// Whether the laws determine it.
+    pub regular: bool,
+}
+
+/// A body of a train.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TrainMember {
+    /// On a revolute.
+    Turn {
+        /// Slot of the body.
+        body: usize,
+        /// The revolute on the base.
+        base: Anchor,
+        /// The revolute in the body's frame.
+        pin: Arm,
+    },
+    /// On a guide.
+    Shift(Slide),
+}
+
+/// A rate that is known before a train is solved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TrainSource {
+    /// A body that turns; its angle is kept, or followed by its direction.
+    Turn {
+        /// Slot of the body.
+        body: usize,
+        /// By its direction.
+        followed: bool,
+    },
+    /// The coordinate of a guide.
+    Slide(Slide),
+    /// A drive.
+    Drive(usize),
+}
+
+/// A law as the forces see it.
+#[derive(Clone, Debug)]
+pub struct PlannedLaw {
+    /// The transmission.
+    pub pair: PairId,
+    /// Its place among the laws of the transmission.
+    pub index: usize,
+    /// What it acts on, with the coefficients.
+    pub terms: Vec<(LawSite, f64)>,
+    /// Part of the power that gets through, from the first side to the second and back.
+    pub efficiency: Option<[f64; 2]>,
+    /// Tangential force per unit of the multiplier.
+    pub force: f64,
+    /// The wheels whose teeth meet at a known place.
+    pub meeting: Option<Meeting>,
+}
+
+/// What a law acts on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LawSite {
+    /// A couple on a body: its slot.
+    Turn(usize),
+    /// A force along a guide, on its slider and back on its base.
+    Slide(Way),
+}
+
+/// A train group of forces.
+#[derive(Clone, Debug)]
+pub struct TrainForces {
+    /// Its bodies, each after those it stands on.
+    pub members: Vec<TrainSupport>,
+    /// Laws whose multipliers are found here: slots.
+    pub laws: Vec<usize>,
+    /// Unknown efforts: slot, and the bodies they act on with signs.
+    pub efforts: Vec<TrainEffort>,
+    /// Row by row, one row per member, one column per unknown: laws, then efforts.
+    pub matrix: Vec<f64>,
+    /// Its inverse: the unknowns are this times the loads with the opposite sign. Empty where it is singular.
+    pub inverse: Vec<f64>,
+}
+
+/// How a body of a train is held.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TrainSupport {
+    /// By a revolute. The member that carries it, if one does.
+    Turn(Hinge, Option<usize>),
+    /// By a guide; +1 where the body is the slider, −1 where it carries the line.
+    Shift(Way, f64),
+}
+
+/// An unknown effort of a train.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TrainEffort {
+    /// A torque: slot, the body, the other body.
+    Torque(usize, usize, usize),
+    /// A force along a guide: slot, guide.
+    Along(usize, Way),
+}
+
+fn guide_of(structure: &Structure, joint: JointId) -> Option<GroupJoint> {
+    match structure.replaced.joint(joint).kind {
+        JointKind::Prismatic { slider, guide, .. } => {
+            Some(GroupJoint { joint, body: slider, base: guide, inner: false, prismatic: true })
+        }
+        _ => None,
+    }
+}
+
+/// All laws, in the order of their joints.
+pub(super) fn laws(mechanism: &Mechanism, structure: &Structure) -> Vec<PlannedLaw> {
+    let mut laws: Vec<PlannedLaw> = Vec::new();
+    for joint in &structure.replaced.joints {
+        let (JointKind::Law(terms), PairKind::Transmission(t)) =
+            (&joint.kind, &mechanism.pair(joint.pair).kind)
+        else {
+            continue;
+        };
+        let index = laws.iter().filter(|l| l.pair == joint.pair).count();
+        let site = |rate: &BodyRate| match rate {
+            BodyRate::Turn(body) => Some(LawSite::Turn(body.0)),
+            BodyRate::Slide(joint) => {
+                guide_of(structure, *joint).map(|j| LawSite::Slide(way(structure, j, usize::MAX)))
+            }
+        };
+        laws.push(PlannedLaw {
+            pair: joint.pair,
+            index,
+            terms: terms.iter().filter_map(|(rate, c)| Some((site(rate)?, *c))).collect(),
+            efficiency: t.laws[index].efficiency,
+            force: t.laws[index].force,
+            meeting: t.meeting,
+        });
+    }
+    laws
+}
+
+/// The place of a law's joint among all laws.
+fn slot_of(structure: &Structure, law: JointId) -> usize {
+    let before = &structure.replaced.joints[..law.0];
+    before.iter().filter(|j| matches!(j.kind, JointKind::Law(_))).count()
+}
+
+/// Bodies whose angle is known as a number, whole turns included.
+fn counted_turns(structure: &Structure, plan: &Plan) -> Vec<bool> {
+    let mut counted = vec![false; plan.bodies];
+    counted[0] = true;
+    for group in &structure.motion {
+        let base = group.joints.first().map_or(0, |j| j.base.0);
+        let sound = match group.kind {
+            GroupKind::Driven => group.efforts.iter().all(|&e| match structure.drives[e].kind {
+                EffortKind::Angle(_) => true,
+                EffortKind::RelativeAngle { .. } => counted[base],
+                _ => false,
+            }),
+            GroupKind::Train => true,
+            _ => false,
+        };
+        for joint in group.joints.iter().filter(|j| sound && !j.prismatic) {
+            counted[joint.body.0] = true;
+        }
+    }
+    counted
+}
+
+/// A row of the system: coefficients of members and of sources.
+struct Rows<'a> {
+    structure: &'a Structure,
+    group: &'a Group,
+    counted: Vec<bool>,
+    sources: Vec<TrainSource>,
+    members: Vec<Vec<f64>>,
+    known: Vec<Vec<(usize, f64)>>,
+}
+
+impl Rows<'_> {
+    fn source(&mut self, source: TrainSource) -> usize {
+        let found = self.sources.iter().position(|s| *s == source);
+        found.unwrap_or_else(|| {
+            self.sources.push(source);
+            self.sources.len() - 1
+        })
+    }
+
+    fn add(&mut self, terms: &[(BodyRate, f64)], drive: Option<usize>) {
+        let mut row = vec![0.0; self.group.bodies.len()];
+        let mut known = Vec::new();
+        for &(rate, coefficient) in terms {
+            let (member, source) = match rate {
+                BodyRate::Turn(BodyId::GROUND) => continue,
+                BodyRate::Turn(body) => (
+                    self.group.joints.iter().position(|j| j.body == body && !j.prismatic),
+                    Some(TrainSource::Turn { body: body.0, followed: !self.counted[body.0] }),
+                ),
+                BodyRate::Slide(joint) => (
+                    self.group.joints.iter().position(|j| j.joint == joint),
+                    guide_of(self.structure, joint)
+                        .map(|j| TrainSource::Slide(slide(&self.structure.replaced, j, j.base))),
+                ),
+            };
+            match (member, source) {
+                (Some(member), _) => row[member] += coefficient,
+                (None, Some(source)) => known.push((self.source(source), coefficient)),
+                (None, None) => {}
+            }
+        }
+        if let Some(drive) = drive {
+            known.push((self.source(TrainSource::Drive(drive)), -1.0));
+        }
+        self.members.push(row);
+        self.known.push(known);
+    }
+
+    /// Members' rates as sums of sources' rates.
+    fn solved(&self) -> Option<Vec<f64>> {
+        let n = self.group.bodies.len();
+        if self.members.len() != n {
+            return None;
+        }
+        let mut right = vec![0.0; n * self.sources.len()];
+        for (i, known) in self.known.iter().enumerate() {
+            for (source, coefficient) in known {
+                right[i * self.sources.len() + source] -= coefficient;
+            }
+        }
+        if self.sources.is_empty() {
+            return ratio::solve(&self.members.concat(), &vec![0.0; n], n).map(|_| Vec::new());
+        }
+        ratio::solve(&self.members.concat(), &right, n)
+    }
+}
+
+pub(super) fn motion(structure: &Structure, group: &Group, plan: &Plan) -> TrainMotion {
+    let mut rows = Rows {
+        structure,
+        group,
+        counted: counted_turns(structure, plan),
+        sources: Vec::new(),
+        members: Vec::new(),
+        known: Vec::new(),
+    };
+    for law in &group.laws {
+        if let JointKind::Law(terms) = &structure.replaced.joint(*law).kind {
+            rows.add(terms, None);
+        }
+    }
+    for &index in &group.efforts {
+        let effort = &structure.drives[index];
+        let EffortSource::Drive(drive) = effort.source else { continue };
+        let terms = driven_terms(effort);
+        rows.add(&terms, Some(drive.index()));
+    }
+    let replaced = &structure.replaced;
+    let member = |joint: &GroupJoint| {
+        if joint.prismatic {
+            TrainMember::Shift(slide(replaced, *joint, joint.base))
+        } else {
+            let pin = pin_arm(replaced, *joint, joint.body);
+            TrainMember::Turn { body: joint.body.0, base: anchor(replaced, *joint), pin }
+        }
+    };
+    let solved = rows.solved();
+    TrainMotion {
+        members: group.joints.iter().map(member).collect(),
+        regular: solved.is_some(),
+        coefficients: solved.unwrap_or_else(|| vec![0.0; group.bodies.len() * rows.sources.len()]),
+        sources: rows.sources,
+    }
+}
+
+fn driven_terms(effort: &Effort) -> Vec<(BodyRate, f64)> {
+    match effort.kind {
+        EffortKind::Angle(body) => vec![(BodyRate::Turn(body), 1.0)],
+        EffortKind::RelativeAngle { first, second, .. } => {
+            vec![(BodyRate::Turn(second), 1.0), (BodyRate::Turn(first), -1.0)]
+        }
+        EffortKind::Coordinate(joint) => vec![(BodyRate::Slide(joint), 1.0)],
+        EffortKind::Line(_) | EffortKind::Point(_) => Vec::new(),
+    }
+}
+
+pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize, plan: &Plan) -> TrainForces {
+    let replaced = &structure.replaced;
+    let n = group.bodies.len();
+    let support = |(i, joint): (usize, &GroupJoint)| {
+        if joint.prismatic {
+            let way = way(structure, *joint, first_slot + i);
+            TrainSupport::Shift(way, if way.slider == joint.body.0 { 1.0 } else { -1.0 })
+        } else {
+            let pin = pin_arm(replaced, *joint, joint.body);
+            let hinge = Hinge { body: joint.body.0, pin, base: joint.base.0, slot: first_slot + i };
+            TrainSupport::Turn(hinge, group.bodies.iter().position(|b| *b == joint.base))
+        }
+    };
+    let members: Vec<TrainSupport> = group.joints.iter().enumerate().map(support).collect();
+    let laws: Vec<usize> = group.laws.iter().map(|l| slot_of(structure, *l)).collect();
+    let efforts: Vec<TrainEffort> =
+        group.efforts.iter().filter_map(|&e| effort(structure, e, &structure.efforts[e])).collect();
+    let mut matrix = vec![0.0; n * (laws.len() + efforts.len())];
+    let columns = laws.len() + efforts.len();
+    let row = |site: &LawSite| match site {
+        LawSite::Turn(body) => group.joints.iter().position(|j| j.body.0 == *body && !j.prismatic),
+        LawSite::Slide(way) => group.joints.iter().position(|j| {
+            j.prismatic
+                && [j.body.0, j.base.0].contains(&way.body)
+                && [j.body.0, j.base.0].contains(&way.base)
+        }),
+    };
+    for (column, &law) in laws.iter().enumerate() {
+        for (site, coefficient) in &plan.laws[law].terms {
+            if let Some(row) = row(site) {
+                matrix[row * columns + column] += coefficient;
+            }
+        }
+    }
+    for (i, effort) in efforts.iter().enumerate() {
+        let acts = match effort {
+            TrainEffort::Torque(_, body, base) => {
+                vec![(LawSite::Turn(*body), 1.0), (LawSite::Turn(*base), -1.0)]
+            }
+            TrainEffort::Along(_, way) => vec![(LawSite::Slide(*way), 1.0)],
+        };
+        for (site, sign) in acts {
+            if let Some(row) = row(&site) {
+                matrix[row * columns + laws.len() + i] += sign;
+            }
+        }
+    }
+    let inverse = inverse(&matrix, n, columns);
+    TrainForces { members, laws, efforts, matrix, inverse }
+}
+
+fn inverse(matrix: &[f64], n: usize, columns: usize) -> Vec<f64> {
+    if columns != n {
+        return Vec::new();
+    }
+    let mut unit = vec![0.0; n * n];
+    (0..n).for_each(|i| unit[i * n + i] = 1.0);
+    ratio::solve(matrix, &unit, n).unwrap_or_default()
+}
+
+fn effort(structure: &Structure, slot: usize, effort: &Effort) -> Option<TrainEffort> {
+    match effort.kind {
+        EffortKind::Angle(body) => Some(TrainEffort::Torque(slot, body.0, 0)),
+        EffortKind::RelativeAngle { first, second, .. } => Some(TrainEffort::Torque(slot, second.0, first.0)),
+        EffortKind::Coordinate(joint) => {
+            guide_of(structure, joint).map(|j| TrainEffort::Along(slot, way(structure, j, usize::MAX)))
+        }
+        EffortKind::Line(_) | EffortKind::Point(_) => None,
+    }
+}

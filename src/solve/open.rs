@@ -1,0 +1,216 @@
+//! What the file leaves open: drives without position, shafts and sliders without place. What hangs on it is not
+//! answered.
+
+use miette::LabeledSpan;
+
+use super::error::{SolveError, label};
+use super::extremes::every_query;
+use super::solution::Scene;
+use crate::model::{
+    Bearing, Drive, FindKind, LinkId, LoadKind, PairId, PairKind, PointRef, Positions, Query,
+    TransmissionKind,
+};
+use crate::plan::LawSite;
+use crate::source::Span;
+use crate::structure::{EffortSource, GroupKind};
+
+/// For each body, the first drive without position that its motion hangs on.
+fn unplaced(scene: &Scene<'_>) -> Vec<Option<usize>> {
+    let mut open: Vec<Option<usize>> = vec![None; scene.plan.bodies];
+    for group in &scene.structure.motion {
+        let drives = group.efforts.iter().filter_map(|&e| match scene.structure.drives[e].source {
+            EffortSource::Drive(id) => Some(id.index()),
+            EffortSource::Balance(_) => None,
+        });
+        let mut found =
+            drives.into_iter().find(|d| matches!(scene.mechanism.drives[*d].positions, Positions::None));
+        for joint in group.joints.iter().filter(|j| !j.inner) {
+            found = found.or(open[joint.base.0]);
+        }
+        for law in &group.laws {
+            if let crate::structure::JointKind::Law(terms) = &scene.structure.replaced.joint(*law).kind {
+                for body in scene.structure.replaced.bodies_of_law(terms) {
+                    found = found.or(open[body.0]);
+                }
+            }
+        }
+        group.bodies.iter().for_each(|b| open[b.0] = found);
+    }
+    open
+}
+
+/// Positions that hang on a drive which has none.
+pub(super) fn without_position(scene: &Scene<'_>) -> Vec<SolveError> {
+    let mechanism = scene.mechanism;
+    if !mechanism.drives.iter().any(|d| matches!(d.positions, Positions::None)) {
+        return Vec::new();
+    }
+    let open = unplaced(scene);
+    let closed = scene.structure.motion.iter().find(|g| {
+        !matches!(g.kind, GroupKind::Driven | GroupKind::Train)
+            && g.bodies.first().is_some_and(|b| open[b.0].is_some())
+    });
+    if let Some(group) = closed {
+        let drive = group.bodies.first().and_then(|b| open[b.0]).unwrap_or(0);
+        let what = format!("how {} stand", super::words::links(scene, group));
+        let labels = super::words::labels(scene, group, "moves with it");
+        return vec![no_position(&mechanism.drives[drive], what, labels)];
+    }
+    let of_link = |l: LinkId| open[l.index()];
+    let of_pair = |p: PairId| mechanism.pair(p).kind.links().into_iter().find_map(|l| open[l.index()]);
+    let mut errors: Vec<(usize, &'static str, Span)> = Vec::new();
+    every_query(mechanism, &mut |query, span| {
+        let found = match query {
+            Query::Position(PointRef::Fixed(l, _) | PointRef::Under(l, _)) => {
+                of_link(*l).map(|d| (d, "a position"))
+            }
+            Query::Velocity(PointRef::Fixed(l, _) | PointRef::Under(l, _)) => {
+                of_link(*l).map(|d| (d, "the velocity of a point"))
+            }
+            Query::Acceleration(PointRef::Fixed(l, _) | PointRef::Under(l, _)) | Query::InertiaForce(l) => {
+                of_link(*l).map(|d| (d, "the acceleration of a point"))
+            }
+            Query::Angle(l) | Query::LinkDirection(l) => of_link(*l).map(|d| (d, "an angle")),
+            Query::Displacement(p) | Query::Travel(p) => of_pair(*p).map(|d| (d, "a position")),
+            _ => None,
+        };
+        if let Some((drive, what)) = found
+            && !errors.iter().any(|e| e.2 == span)
+        {
+            errors.push((drive, what, span));
+        }
+    });
+    for load in mechanism.loads.iter().filter(|_| scene.plan.effects.forces) {
+        let on = match &load.kind {
+            LoadKind::Force { on, .. } | LoadKind::ForceAgainstMotion { on, .. } => *on,
+            LoadKind::Torque { .. } | LoadKind::InPair { .. } => continue,
+        };
+        let slides = mechanism.pairs.iter().any(|p| {
+            p.bearing.is_some()
+                && p.name == mechanism.link(on).name
+                && matches!(p.kind, PairKind::Prismatic(_))
+        });
+        if let Some(drive) = of_link(on).filter(|_| !slides) {
+            errors.push((drive, "the place of a force", load.span));
+        }
+    }
+    let all = mechanism.finds.iter().find(|f| matches!(f.kind, FindKind::Reactions));
+    let element = |l: usize| {
+        let own = |p: &crate::model::Pair| p.bearing.is_some() && p.name == mechanism.links[l].name;
+        mechanism.pairs.iter().any(own)
+    };
+    let linkage = (1..mechanism.links.len()).find_map(|l| open[l].filter(|_| !element(l)));
+    if let (Some(find), Some(drive)) = (all, linkage) {
+        errors.push((drive, "what `find reactions` tells of the links", find.span));
+    }
+    let mut out: Vec<SolveError> = Vec::new();
+    for (drive, what, span) in errors {
+        let labels = vec![label("hangs on the position", span)];
+        out.push(no_position(&mechanism.drives[drive], what.to_owned(), labels));
+    }
+    out
+}
+
+fn no_position(drive: &Drive, what: String, mut labels: Vec<LabeledSpan>) -> SolveError {
+    labels.push(label("a rate, and no position", drive.span));
+    let example = match drive.target {
+        crate::model::DriveTarget::Link(_) => "0 deg",
+        _ => "0 m",
+    };
+    let help = format!(
+        "write the position before the speed: `drive {} = {example} at …`; the angles and ways of a train are all zero together",
+        drive.name
+    );
+    SolveError::NoPosition { what, drive: drive.name.clone(), help, labels }
+}
+
+/// For each pair, whether its reaction is not known: something that acts on its links has no place.
+#[must_use]
+pub fn unplaced_reactions(scene: &Scene<'_>) -> Vec<bool> {
+    let (mechanism, structure) = (scene.mechanism, scene.structure);
+    let mut pairs: Vec<bool> = mechanism.pairs.iter().map(|p| p.bearing == Some(Bearing::Open)).collect();
+    let mut bodies = vec![false; scene.plan.bodies];
+    for law in scene.plan.laws.iter().filter(|l| l.meeting.is_none()) {
+        for (site, _) in &law.terms {
+            match site {
+                LawSite::Turn(body) => bodies[*body] = true,
+                LawSite::Slide(way) => {
+                    bodies[way.body] = true;
+                    bodies[way.base] = true;
+                }
+            }
+        }
+        pairs[law.pair.index()] = true;
+    }
+    bodies[0] = false;
+    for group in &structure.forces {
+        if !group.bodies.iter().any(|b| bodies[b.0]) {
+            continue;
+        }
+        for joint in &group.joints {
+            pairs[structure.replaced.joint(joint.joint).pair.index()] = true;
+            bodies[joint.base.0] |= joint.base.0 != 0;
+        }
+    }
+    pairs
+}
+
+/// Reactions that are asked for and have no place.
+pub(super) fn without_place(scene: &Scene<'_>) -> Vec<SolveError> {
+    let mechanism = scene.mechanism;
+    if scene.plan.laws.is_empty() {
+        return Vec::new();
+    }
+    let unknown = unplaced_reactions(scene);
+    let mut errors: Vec<(PairId, Span)> = Vec::new();
+    every_query(mechanism, &mut |query, span| {
+        let pair = match query {
+            Query::Moment(p, _) if matches!(mechanism.pair(*p).kind, PairKind::Transmission(_)) => return,
+            Query::Reaction(p, _)
+            | Query::Moment(p, _)
+            | Query::Normal(p, _)
+            | Query::ContactForce(p, _)
+            | Query::LineOffset(p) => *p,
+            _ => return,
+        };
+        if unknown[pair.index()] && !errors.contains(&(pair, span)) {
+            errors.push((pair, span));
+        }
+    });
+    let error = |(pair, span): (PairId, Span)| {
+        let declared = mechanism.pair(pair);
+        let mut labels = vec![label("asked for here", span), label("this pair", declared.span)];
+        let unplaced = |p: &&crate::model::Pair| match &p.kind {
+            PairKind::Transmission(t) => t.meeting.is_none(),
+            _ => false,
+        };
+        if let Some(law) = mechanism.pairs.iter().find(unplaced)
+            && law.span != declared.span
+        {
+            labels.push(label("its force has no place", law.span));
+        }
+        let mesh = mechanism.pairs.iter().any(|p| match &p.kind {
+            PairKind::Transmission(t) => t.kind == TransmissionKind::Mesh && t.meeting.is_none(),
+            _ => false,
+        });
+        let help = if mesh {
+            "a mesh pulls where its wheels touch: place the axes, `wheel w1 … at O1` with a point of what carries the shaft, and give \
+             the mesh a `pressure_angle`; the torques are known without: `moment(k, I)`"
+        } else {
+            "only meshes have a place so far; the torques are known: `moment(b, I)`"
+        };
+        SolveError::NoPlace { pair: declared.name.clone(), help: help.to_owned(), labels }
+    };
+    errors.into_iter().map(error).collect()
+}
+
+/// Friction in pairs beside transmissions.
+pub(super) fn friction_beside(scene: &Scene<'_>) -> Option<SolveError> {
+    if !scene.plan.effects.friction || scene.plan.laws.is_empty() {
+        return None;
+    }
+    let rubs = scene.mechanism.pairs.iter().filter(|p| p.friction.is_some_and(|f| f.is_some()));
+    let labels = rubs.map(|p| label("not supported yet", p.span)).collect();
+    let what = "friction in pairs of a mechanism with wheels or ropes".to_owned();
+    Some(SolveError::NotSupportedYet { what, labels })
+}
