@@ -73,13 +73,13 @@ impl View<'_> {
                 let p = self.place(*on, at);
                 let body = self.body(*on);
                 let v = body.v + (p - body.p).perp() * body.omega;
-                let fastest = self.state.bodies.iter().map(|b| b.v.norm()).fold(0.0, f64::max);
+                let fastest = self.fastest().0;
                 let direction = v.unit().filter(|_| v.norm() > STILL * fastest);
                 Value::Vector(direction.map_or(Vec2::zero(), |d| d * -self.scalar(value)))
             }
             LoadKind::Torque { on, value, against_motion } => {
                 let omega = self.body(*on).omega;
-                let fastest = self.state.bodies.iter().map(|b| b.omega.abs()).fold(0.0, f64::max);
+                let fastest = self.fastest().1;
                 let sign = match *against_motion {
                     false => 1.0,
                     true if omega.abs() <= STILL * fastest => 0.0,
@@ -89,6 +89,15 @@ impl View<'_> {
             }
             LoadKind::InPair { value, .. } => Value::Scalar(self.scalar(value)),
         }
+    }
+
+    /// The greatest velocity and the greatest angular velocity, each at least what the other makes of it over the size of
+    /// the mechanism: where all links only shift, their angular velocities are rounding.
+    fn fastest(&self) -> (f64, f64) {
+        let most =
+            |of: fn(&super::state::BodyState) -> f64| self.state.bodies.iter().map(of).fold(0.0, f64::max);
+        let (v, omega, size) = (most(|b| b.v.norm()), most(|b| b.omega.abs()), most(|b| b.p.norm()));
+        if size > 0.0 { (v.max(omega * size), omega.max(v / size)) } else { (v, omega) }
     }
 
     pub(super) fn load_power(&self, index: usize) -> f64 {
