@@ -16,6 +16,7 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
                 ways: [0, 1].map(|i| way(structure, group.joints[i], first + i)),
             }),
             GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
+            GroupKind::Triad => super::triad::forces(structure, group, first),
             GroupKind::General => None,
         };
         let step = step.unwrap_or_else(|| {
@@ -26,7 +27,7 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
     }
 }
 
-fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
+pub(super) fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
     Hinge { body: joint.body.0, pin: pin(&structure.replaced, joint, joint.body), base: joint.base.0, slot }
 }
 

@@ -8,6 +8,7 @@ mod geometry;
 mod loads;
 mod motion;
 pub mod step;
+mod triad;
 
 pub use effects::{Effects, Level, level_of, needs_forces};
 pub use friction::{FrictionElement, Rub, RubbingGroup};
@@ -17,6 +18,7 @@ pub use step::{
     Anchor, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
     OuterJoint, Slide, Way,
 };
+pub use triad::{TriadForceLeg, TriadForces, TriadLeg, TriadMotion};
 
 use crate::math::Vec2;
 use crate::model::Mechanism;

@@ -16,6 +16,7 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
                 slides: [0, 1].map(|i| slide(&structure.replaced, group.joints[i], group.joints[i].base)),
             }),
             GroupKind::DrivenLegs(kind) => driven_legs(structure, group, branch, kind),
+            GroupKind::Triad => super::triad::motion(structure, group, branch),
             GroupKind::General => None,
         };
         let step = step.unwrap_or_else(|| {

@@ -1,6 +1,7 @@
 //! The steps of a plan: plain numbers and slots, nothing to look up.
 
 use super::friction::RubbingGroup;
+use super::triad::{TriadForces, TriadMotion};
 use crate::math::Vec2;
 
 /// A point of a body.
@@ -206,6 +207,13 @@ pub enum MotionStep {
         /// The guides.
         slides: [Slide; 2],
     },
+    /// A link on three legs.
+    Triad {
+        /// Group.
+        branch: usize,
+        /// Its links.
+        triad: Box<TriadMotion>,
+    },
     /// Anything else, by Newton's method.
     General {
         /// Group.
@@ -348,6 +356,8 @@ pub enum ForceStep {
         /// The guides.
         ways: [Way; 2],
     },
+    /// A link on three legs.
+    Triad(Box<TriadForces>),
     /// Anything else: all equations of equilibrium at once.
     General {
         /// Index into [`super::Plan::balance_systems`].

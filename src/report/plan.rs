@@ -53,6 +53,7 @@ fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &
     let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
     match step {
         MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("as {} says", with.join(", ")),
+        MotionStep::Triad { .. } => "triad: all assemblies by a sextic, then followed with a certificate".to_owned(),
         MotionStep::General { .. } => {
             format!("Newton's method, {} links at once", link_names(scene, group).len())
         }
@@ -86,6 +87,7 @@ fn closed_form(group: &Group, with: &[String]) -> String {
     let inside = if with.is_empty() { String::new() } else { format!(" ({})", with.join(", ")) };
     match group.kind {
         GroupKind::Translation => "closed form, between two guides".to_owned(),
+        GroupKind::Triad => "closed form, triad: three equations".to_owned(),
         _ => format!("closed form, dyad {}{inside}", group.kind_name()),
     }
 }

@@ -29,6 +29,7 @@ struct Candidate {
 struct Way {
     branch: Branch,
     sine: f64,
+    certificate: f64,
     bodies: Vec<BodyState>,
     /// Memory of a general group that stands so.
     work: Option<(usize, Workspace)>,
@@ -43,13 +44,15 @@ impl Way {
             _ => None,
         };
         let bodies = scene.structure.motion[index].bodies.iter().map(|b| state.bodies[b.0]).collect();
-        Self { branch: state.branches[index], sine: state.sines[index], bodies, work }
+        let (sine, certificate) = (state.sines[index], state.certificates[index]);
+        Self { branch: state.branches[index], sine, certificate, bodies, work }
     }
 
     /// Puts the group of a state this way.
     fn put(&self, scene: &Scene<'_>, state: &mut State, index: usize) {
         state.branches[index] = self.branch;
         state.sines[index] = self.sine;
+        state.certificates[index] = self.certificate;
         state.open = None;
         for (body, stands) in scene.structure.motion[index].bodies.iter().zip(&self.bodies) {
             state.bodies[body.0] = *stands;
@@ -105,6 +108,10 @@ fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize) -> Vec<Way> {
     if let MotionStep::General { problem, .. } = step {
         let mut found = super::general::assemblies(state, index, *problem, &scene.plan.general[*problem]);
         found.retain(|state| cylinders_are_positive(scene, state, index));
+        return found.iter().map(|state| Way::of(scene, state, index)).collect();
+    }
+    if let MotionStep::Triad { triad, .. } = step {
+        let found = super::triad::assemblies(state, index, triad);
         return found.iter().map(|state| Way::of(scene, state, index)).collect();
     }
     let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };

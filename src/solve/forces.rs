@@ -41,6 +41,7 @@ impl State {
             ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
             ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
             ForceStep::Translation { ways } => self.force_translation(ways),
+            ForceStep::Triad(triad) => self.force_triad(triad),
             ForceStep::General { system } => self.force_general(*system, &plan.balance_systems[*system]),
             ForceStep::Sequence(steps) => self.force_sequence(plan, steps),
             // a step with friction holds a plain one

@@ -31,6 +31,7 @@ mod state;
 mod substitution;
 mod sweep;
 mod track;
+mod triad;
 mod view;
 mod words;
 

@@ -151,6 +151,7 @@ impl State {
                 self.rpp::<LEVEL>(*branch, base, *pin, inner, outer);
             }
             MotionStep::Translation { branch, slides } => self.translation::<LEVEL>(*branch, slides),
+            MotionStep::Triad { branch, triad } => self.triad::<LEVEL>(*branch, triad),
             MotionStep::General { branch, problem } => {
                 self.general::<LEVEL>(*branch, *problem, &plan.general[*problem]);
             }

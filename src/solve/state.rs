@@ -118,6 +118,9 @@ pub struct State {
     pub branches: Vec<Branch>,
     /// Signed condition figures of the groups of motion.
     pub sines: Vec<f64>,
+    /// Figures h of Newton and Kantorovich of the groups of motion that are solved by iteration: at most 1/2 where the
+    /// position is certified.
+    pub certificates: Vec<f64>,
     /// The first group that does not close.
     pub open: Option<usize>,
     /// Loads on the bodies before reactions are added, kept for the residuals.
@@ -155,6 +158,7 @@ impl State {
             inputs: vec![DriveInput::default(); plan.drives],
             branches: vec![Branch::FIRST; plan.motion.len()],
             sines: vec![1.0; plan.motion.len()],
+            certificates: vec![0.0; plan.motion.len()],
             open: None,
             applied: vec![Wrench::default(); plan.bodies],
             wrenches: vec![Wrench::default(); plan.bodies],

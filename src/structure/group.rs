@@ -50,6 +50,10 @@ pub enum GroupKind {
     DrivenLegs(Dyad),
     /// One body between two prismatic pairs, its angle fixed by either.
     Translation,
+    /// A link with three revolutes to bodies each of which hangs on one outer pair, at least one of these a revolute.
+    /// Bodies: the three legs, those with an outer revolute first, then the link; joints: outer, outer, outer, inner,
+    /// inner, inner, leg by leg.
+    Triad,
     /// Anything else.
     General,
 }
@@ -104,6 +108,8 @@ impl Group {
         } else if let Some(dyad) = group.arrange_driven_legs(all_efforts, replaced) {
             group.kind = GroupKind::DrivenLegs(dyad);
             group.class = 2;
+        } else if group.arrange_triad(replaced) {
+            group.kind = GroupKind::Triad;
         }
         group
     }
@@ -221,7 +227,34 @@ impl Group {
         Some(dyad)
     }
 
-    /// The kind as it is printed: `RRR`, `driven`, `translation`, `general`.
+    /// Looks whether three legs carry one body by revolutes.
+    fn arrange_triad(&mut self, replaced: &Replaced) -> bool {
+        let (inner, mut outer): (Vec<GroupJoint>, Vec<GroupJoint>) = self.joints.iter().partition(|j| j.inner);
+        let shape = (self.bodies.len(), inner.len(), outer.len(), self.efforts.len());
+        let simple = |j: &GroupJoint| match replaced.joint(j.joint).kind {
+            JointKind::Prismatic { angle_redundant, offset, .. } => !angle_redundant && offset == 0.0,
+            JointKind::Revolute(_) => true,
+        };
+        if shape != (4, 3, 3, 0) || inner.iter().any(|j| j.prismatic) || !outer.iter().all(simple) {
+            return false;
+        }
+        outer.sort_by_key(|j| j.prismatic);
+        let legs: Vec<BodyId> = outer.iter().map(|j| j.body).collect();
+        let Some(&plate) = self.bodies.iter().find(|b| !legs.contains(b)) else { return false };
+        let holds = |leg: BodyId| {
+            inner.iter().copied().find(|j| [[leg, plate], [plate, leg]].contains(&[j.body, j.base]))
+        };
+        let held: Vec<GroupJoint> = legs.iter().filter_map(|&leg| holds(leg)).collect();
+        let apart = legs[0] != legs[1] && legs[1] != legs[2] && legs[2] != legs[0];
+        if held.len() != 3 || !apart || outer[0].prismatic {
+            return false;
+        }
+        self.bodies = [legs, vec![plate]].concat();
+        self.joints = [outer, held].concat();
+        true
+    }
+
+    /// The kind as it is printed: `RRR`, `driven`, `translation`, `triad`, `general`.
     #[must_use]
     pub fn kind_name(&self) -> &'static str {
         match self.kind {
@@ -229,6 +262,7 @@ impl Group {
             GroupKind::Dyad(dyad) => dyad.name(),
             GroupKind::DrivenLegs(dyad) => dyad.name(),
             GroupKind::Translation => "PP",
+            GroupKind::Triad => "triad",
             GroupKind::General => "general",
         }
     }

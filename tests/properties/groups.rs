@@ -385,6 +385,7 @@ impl Draft {
         })?;
         let plate = self.link(pins[0]);
         let mut links = vec![plate];
+        let mut sliders = 0;
         for (anchor, pin) in anchors.into_iter().zip(pins) {
             let leg = self.link(anchor.at);
             links.push(leg);
@@ -395,10 +396,12 @@ impl Draft {
                 // a slider that moves across the leg it stands for
                 let d = (pin - anchor.at).perp() / (pin - anchor.at).norm();
                 self.prismatic(leg, anchor.host, pin, d);
+                sliders += 1;
             }
             self.revolute(plate, leg, pin);
         }
-        self.made(links, "general");
+        // three sliders have no sextic
+        self.made(links, if sliders < 3 { "triad" } else { "general" });
         Some(())
     }
 
