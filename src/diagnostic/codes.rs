@@ -177,6 +177,7 @@ pub const CODES: &[Code] = codes! {
     "assembly" / "branch_switch",
     "solve" / "dead_position",
     "solve" / "ill_conditioned",
+    "solve" / "not_certified",
     "solve" / "contact_pulls",
     "solve" / "no_extreme",
     "solve" / "effort_cannot_hold",

@@ -26,9 +26,10 @@ struct Candidate {
 
 /// A way in which a group can stand.
 #[derive(Clone)]
-struct Way {
+pub(super) struct Way {
     branch: Branch,
-    sine: f64,
+    /// Signed condition figure.
+    pub sine: f64,
     certificate: f64,
     bodies: Vec<BodyState>,
     /// Memory of a general group that stands so.
@@ -36,7 +37,7 @@ struct Way {
 }
 
 impl Way {
-    fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
+    pub(super) fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
         let work = match &scene.plan.motion[index] {
             MotionStep::General { problem, .. } => {
                 state.motion_work.get(*problem).cloned().flatten().map(|work| (*problem, work))
@@ -49,7 +50,7 @@ impl Way {
     }
 
     /// Puts the group of a state this way.
-    fn put(&self, scene: &Scene<'_>, state: &mut State, index: usize) {
+    pub(super) fn put(&self, scene: &Scene<'_>, state: &mut State, index: usize) {
         state.branches[index] = self.branch;
         state.sines[index] = self.sine;
         state.certificates[index] = self.certificate;
@@ -62,7 +63,7 @@ impl Way {
         }
     }
 
-    fn is_same(&self, other: &Self, extent: f64) -> bool {
+    pub(super) fn is_same(&self, other: &Self, extent: f64) -> bool {
         let mut bodies = self.bodies.iter().zip(&other.bodies);
         bodies.all(|(x, y)| (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME)
     }
@@ -78,12 +79,7 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
     for (index, hints) in hints.iter().enumerate() {
         let mut ways: Vec<(usize, Way)> = Vec::new();
         for (i, candidate) in candidates.iter_mut().enumerate() {
-            let first = ways.len();
-            for way in assemblies(scene, &mut candidate.state, index) {
-                if !ways[first..].iter().any(|(_, w)| w.is_same(&way, extent)) {
-                    ways.push((i, way));
-                }
-            }
+            ways.extend(every_way(scene, &mut candidate.state, index, extent).into_iter().map(|way| (i, way)));
         }
         if ways.is_empty() {
             let state = candidates.swap_remove(0).state;
@@ -100,6 +96,17 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
         }
     }
     nearest(scene, candidates)
+}
+
+/// All ways in which a group can stand, each once.
+pub(super) fn every_way(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64) -> Vec<Way> {
+    let mut ways: Vec<Way> = Vec::new();
+    for way in assemblies(scene, state, index) {
+        if !ways.iter().any(|w| w.is_same(&way, extent)) {
+            ways.push(way);
+        }
+    }
+    ways
 }
 
 /// All ways in which a group can stand; leaves it in one of them.

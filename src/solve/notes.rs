@@ -37,6 +37,9 @@ pub(super) struct Notes {
     /// The fewest digits left, with their warning.
     fewest: Option<(f64, SolveError)>,
     pulls: Vec<Pull>,
+    /// The greatest figure h beyond 1/2, with its warning, and how many positions have one.
+    uncertified: Option<(f64, SolveError)>,
+    uncertified_poses: usize,
 }
 
 impl Notes {
@@ -96,6 +99,26 @@ impl Notes {
         self.fewest = Some((digits, warning));
     }
 
+    /// The figure h of Newton and Kantorovich of a group that was solved by iteration.
+    pub(super) fn certificate(&mut self, scene: &Scene<'_>, group: &Group, h: f64, sigma: f64, pose: &Wanted) {
+        if h <= 0.5 {
+            return;
+        }
+        self.uncertified_poses += 1;
+        if self.uncertified.as_ref().is_some_and(|worst| h <= worst.0) {
+            return;
+        }
+        let warning = SolveError::NotCertified {
+            pose: place(scene, pose),
+            links: links(scene, group),
+            figure: format!("{h:.1e}"),
+            condition: sigma,
+            more: String::new(),
+            labels: labels(scene, group, "this group"),
+        };
+        self.uncertified = Some((h, warning));
+    }
+
     pub(super) fn pulls(&mut self, scene: &Scene<'_>, pair: PairId, normal: f64, pose: &Wanted) {
         let here = || place(scene, pose);
         match self.pulls.iter_mut().find(|p| p.pair == pair) {
@@ -113,18 +136,29 @@ impl Notes {
         let mut warnings = self.switches;
         for pull in self.pulls {
             let pair = scene.mechanism.pair(pull.pair);
-            let more = match pull.poses - 1 {
-                0 => String::new(),
-                1 => ", and at 1 other pose".to_owned(),
-                n => format!(", and at {n} other poses"),
-            };
+            let more = at_others(pull.poses);
             let (normal, pose) = (four(pull.normal), pull.place);
             let name = pair.name.clone();
             warnings.push(SolveError::ContactPulls { name, pose, normal, more, span: pair.span.into() });
         }
         warnings.extend(partial_sweep(scene, poses, &self.gaps));
         warnings.extend(self.fewest.map(|f| f.1));
+        if let Some((_, mut warning)) = self.uncertified {
+            if let SolveError::NotCertified { more, .. } = &mut warning {
+                *more = at_others(self.uncertified_poses);
+            }
+            warnings.push(warning);
+        }
         warnings
+    }
+}
+
+/// How many poses there are beside the one named.
+fn at_others(poses: usize) -> String {
+    match poses.saturating_sub(1) {
+        0 => String::new(),
+        1 => ", and at 1 other pose".to_owned(),
+        n => format!(", and at {n} other poses"),
     }
 }
 
