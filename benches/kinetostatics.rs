@@ -5,7 +5,7 @@
 mod machines;
 
 use assur::math::Vec2;
-use assur::model::Mechanism;
+use assur::model::{Friction, Mechanism, PairKind};
 use assur::plan::Plan;
 use assur::solve::{DriveInput, Scene, State, solve};
 use assur::structure::Structure;
@@ -67,11 +67,14 @@ impl Bench {
                 Stage::Velocities => state.run_motion::<1>(&self.plan),
                 _ => state.run_motion::<2>(&self.plan),
             }
-            if matches!(stage, Stage::Loads | Stage::Forces) {
+            if matches!(stage, Stage::Loads | Stage::Forces | Stage::Friction) {
                 state.run_loads(&scene, &[]);
             }
-            if matches!(stage, Stage::Forces) {
+            if matches!(stage, Stage::Forces | Stage::Friction) {
                 state.set_lines(&scene);
+                if matches!(stage, Stage::Friction) {
+                    state.set_senses(&self.plan);
+                }
                 state.run_forces(&self.plan);
             }
             sum += state.efforts[0] + state.bodies[2].p.x;
@@ -87,6 +90,7 @@ enum Stage {
     Accelerations,
     Loads,
     Forces,
+    Friction,
 }
 
 fn machine(name: &str) -> Mechanism {
@@ -97,6 +101,18 @@ fn machine(name: &str) -> Mechanism {
         "six-bar" => machines::six_bar(start),
         _ => machines::triad(start),
     }
+}
+
+/// The machine with friction in every pair: journals of 2 mm friction circle, guides of 0.1.
+fn rough(name: &str) -> Mechanism {
+    let mut m = machine(name);
+    for pair in &mut m.pairs {
+        pair.friction = Some(match pair.kind {
+            PairKind::Revolute(_) => Friction::Circle(0.002),
+            _ => Friction::Coefficient(0.1),
+        });
+    }
+    m
 }
 
 fn measure(bencher: Bencher, name: &str, stage: Stage) {
@@ -129,6 +145,15 @@ fn d_loads(bencher: Bencher, name: &str) {
 #[divan::bench(args = MACHINES)]
 fn e_forces(bencher: Bencher, name: &str) {
     measure(bencher, name, Stage::Forces);
+}
+
+/// Against `e_forces`: what friction in every pair costs.
+#[divan::bench(args = MACHINES)]
+fn g_friction_in_every_pair(bencher: Bencher, name: &str) {
+    let mut bench = Bench::new(rough(name));
+    bencher
+        .counter(ItemsCount::new(POSITIONS))
+        .bench_local(|| black_box(bench.revolution(black_box(Stage::Friction))));
 }
 
 /// The four-bar written out by hand: what there is to gain at the most.

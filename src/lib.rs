@@ -19,7 +19,7 @@ pub mod units;
 
 use check::Overrides;
 use diagnostic::Problems;
-use exercise::Outcome;
+use exercise::{Outcome, OwnRows};
 use model::Mechanism;
 use plan::Plan;
 use solve::{Scene, Solution};
@@ -72,15 +72,26 @@ pub fn check_source(source: &Source, overrides: &Overrides) -> (Option<Mechanism
 /// looked at even where the problems hold an error: that forces are asked for which are not determined.
 #[must_use]
 pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Problems) {
-    let (mechanism, mut problems) = check_source(source, overrides);
+    let (mechanism, problems) = check_source(source, overrides);
     let Some(mechanism) = mechanism else { return (None, problems) };
-    match structure::structure(&mechanism) {
+    let origin = (!mechanism.criticals.is_empty())
+        .then(|| Origin { source: source.clone(), overrides: overrides.clone() });
+    plan_mechanism(mechanism, None, problems, origin)
+}
+
+/// Structure and plan of a mechanism; the structure is known where another row of the same text has the same.
+fn plan_mechanism(
+    mechanism: Mechanism,
+    known: Option<Structure>,
+    mut problems: Problems,
+    origin: Option<Origin>,
+) -> (Option<Compiled>, Problems) {
+    let found = known.map_or_else(|| structure::structure(&mechanism), |known| Ok((known, Vec::new())));
+    match found {
         Ok((structure, warnings)) => {
             problems.extend(warnings);
             let plan = plan::plan(&mechanism, &structure);
             problems.extend(structure.force_defect.clone().filter(|_| plan.effects.forces));
-            let origin = (!mechanism.criticals.is_empty())
-                .then(|| Origin { source: source.clone(), overrides: overrides.clone() });
             (Some(Compiled { mechanism, structure, plan, origin }), problems)
         }
         Err(errors) => {
@@ -126,9 +137,22 @@ pub fn solve_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, 
     (solved.ok(), problems)
 }
 
-/// Text → [`Solved`], with all that was found on the way, failed expectations among it.
+/// Text → [`Solved`], with all that was found on the way, failed expectations among it. A text with variants is tested
+/// with every row; the solution is that of the first row that has one.
 #[must_use]
 pub fn test_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {
+    let (document, mut problems) = syntax::parse(source);
+    if let (false, Some(rows)) = (problems.has_errors(), OwnRows::of(source, &document, overrides)) {
+        let mut first = None;
+        match rows {
+            Ok(rows) => rows.solve(true).for_each(|row| {
+                problems.append(row.problems);
+                first = first.take().or(row.solved);
+            }),
+            Err(found) => problems.append(found),
+        }
+        return (first, problems);
+    }
     let (solved, mut problems) = solve_source(source, overrides);
     problems.extend(solved.iter().flat_map(|s| &s.outcomes).filter_map(Outcome::mismatch));
     (solved, problems)

@@ -56,7 +56,7 @@ fn said(source: &Source, stage: &str) -> String {
     }
     let set = source.text.lines().next().and_then(|line| line.strip_prefix("// --set ")?.split_once('='));
     let values = set.into_iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
-    let overrides = Overrides { values };
+    let overrides = Overrides::set(values);
     let problems = match stage {
         "name" | "unit" | "geometry" => assur::check_source(source, &overrides).1,
         _ => assur::test_source(source, &overrides).1,

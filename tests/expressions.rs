@@ -21,7 +21,7 @@ assemble C ahead of B
 fn read(text: &str, set: &[(&str, &str)]) -> Result<Mechanism, String> {
     let source = Source::new("text.mech", text);
     let values = set.iter().map(|(n, v)| ((*n).to_owned(), (*v).to_owned())).collect();
-    let (mechanism, problems) = assur::check_source(&source, &Overrides { values });
+    let (mechanism, problems) = assur::check_source(&source, &Overrides::set(values));
     mechanism.ok_or_else(|| render(&problems, &source, Style::PLAIN))
 }
 

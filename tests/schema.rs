@@ -65,6 +65,25 @@ fn wrong_files_fit() {
     assert_eq!(holds("tests/errors"), all.len(), "one line per file");
 }
 
+/// Reactions of a locked position do not exist and are left out; those of the other positions stand.
+#[test]
+fn a_locked_pose_fits_and_has_no_reactions() {
+    let file = "tests/errors/friction/no_effort/reactions.mech";
+    assert_eq!(holds(file), 1);
+    let value: Value = serde_json::from_str(&json_of(file)).unwrap();
+    let [moves, locked] = value["poses"].as_array().unwrap().as_slice() else { panic!("two poses") };
+    assert_eq!(moves["reactions"].as_object().unwrap().len(), 4);
+    // X (1 - f tan β) = 1000 N, sin β = sin 20° / 1.3
+    let rod = moves["reactions"]["C"][0]["force"][0].as_f64().unwrap();
+    assert!((rod + 1692.188_161).abs() < 1e-6, "{rod}");
+    for absent in ["reactions", "balances", "residuals", "error"] {
+        assert!(locked.get(absent).is_none(), "{absent} in {locked}");
+    }
+    let told: Vec<&str> =
+        value["diagnostics"].as_array().unwrap().iter().filter_map(|d| d["code"].as_str()).collect();
+    assert_eq!(told, ["mech::friction::locked", "mech::friction::no_effort"]);
+}
+
 #[test]
 fn the_validator_finds_what_does_not_fit() {
     let schema = schema();

@@ -4,6 +4,7 @@ use super::definition::Definitions;
 use super::hinges::Hinges;
 use super::names::Names;
 use super::overrides::Overrides;
+use super::row::Row;
 use super::unit_choice::{self, UnitUse};
 use crate::diagnostic::Problems;
 use crate::model::{Mechanism, Unsupported};
@@ -18,6 +19,8 @@ pub struct Context<'a> {
     pub doc: &'a Document,
     /// Values from outside.
     pub overrides: &'a Overrides,
+    /// The row of variants that is checked.
+    pub row: Row,
     /// A `given` with the SI value it has instead of any other.
     pub fixed: Option<(&'a str, f64)>,
     /// All that was found wrong.
@@ -43,6 +46,7 @@ impl<'a> Context<'a> {
         Self {
             doc,
             overrides,
+            row: overrides.row.clone(),
             fixed: None,
             problems: Problems::new(),
             mech: Mechanism::default(),

@@ -37,6 +37,18 @@ pub struct Definitions {
     pub(super) kept: Vec<(bool, usize)>,
 }
 
+impl Definitions {
+    /// What hangs on no value: the order, and what hangs on results.
+    pub(super) fn into_names(self) -> (Vec<String>, IndexMap<String, String>) {
+        (self.order, self.results)
+    }
+
+    /// Definitions of which none has been read.
+    pub(super) fn of_names(order: Vec<String>, results: IndexMap<String, String>) -> Self {
+        Self { order, results, ..Self::default() }
+    }
+}
+
 /// Finds the order of the definitions; reports those that hang on themselves.
 pub fn order(cx: &mut Context<'_>) {
     // By the place of a name among the quantities; nothing where it is no definition.
@@ -82,7 +94,7 @@ fn definition(kind: QuantityKind<'_>) -> Option<&Expr> {
         QuantityKind::Find(item) => Some(&item.value),
         QuantityKind::Load(..)
         | QuantityKind::Balance(..)
-        | QuantityKind::Flywheel
+        | QuantityKind::Flywheel(_)
         | QuantityKind::Column(_) => None,
     }
 }
@@ -172,7 +184,7 @@ impl Context<'_> {
 
     fn root_of(&self, name: &str) -> Option<(String, Option<String>)> {
         match self.names.quantities.get(name).map(|d| d.what) {
-            Some(QuantityKind::Load(..) | QuantityKind::Balance(..) | QuantityKind::Flywheel) => {
+            Some(QuantityKind::Load(..) | QuantityKind::Balance(..) | QuantityKind::Flywheel(_)) => {
                 Some((format!("`{name}`"), None))
             }
             Some(_) => self.definitions.results.get(name).map(|root| (root.clone(), Some(name.to_owned()))),

@@ -259,6 +259,7 @@ const fn force_result(query: &Query) -> Option<&'static str> {
         Query::Friction(..) => Some("a friction force"),
         Query::Efficiency | Query::Locked => Some("the efficiency"),
         Query::Critical(_) => Some("a critical value"),
+        Query::Flywheel(..) => Some("a flywheel"),
         _ => None,
     }
 }

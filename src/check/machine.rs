@@ -2,8 +2,8 @@
 
 use super::context::Context;
 use super::{
-    assemble, balance, cam, drive, element, friction, gravity, link, load, mass, pair, pose, simulation,
-    spring, value,
+    assemble, balance, cam, drive, element, flywheel, friction, gravity, link, load, mass, pair, pose,
+    simulation, spring, value,
 };
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
@@ -21,7 +21,8 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     spring::springs(cx);
     assemble::hints(cx);
     element::elements(cx);
-    cam::cams_and_flywheels(cx);
+    cam::cams(cx);
+    flywheel::flywheels(cx);
     simulation::simulation(cx);
     friction::no_motion(cx);
 }

@@ -16,6 +16,7 @@ mod element;
 pub mod error;
 mod expect;
 pub mod expr;
+mod flywheel;
 mod friction;
 mod gravity;
 mod head;
@@ -36,6 +37,8 @@ mod prismatic;
 mod property;
 mod query;
 mod request;
+mod resident;
+mod row;
 mod simulation;
 mod spring;
 mod tolerance;
@@ -45,10 +48,13 @@ mod variants;
 mod walk;
 
 pub use overrides::Overrides;
+pub use resident::Resident;
+pub use row::{ColumnUse, Row, RowCell, RowColumn};
+pub use variants::{FileRow, file_rows, table};
 
 use crate::diagnostic::Problems;
 use crate::model::Mechanism;
-use crate::syntax::document::Document;
+use crate::syntax::document::{Document, Variants};
 use context::Context;
 
 /// Checks a document. The mechanism is absent where the problems hold an error.
@@ -68,16 +74,47 @@ pub fn check_at(
     run(Context { fixed: Some((name, value)), ..Context::new(document, overrides) })
 }
 
-fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {
-    names::declare(&mut cx);
-    alike::look_alikes(&mut cx);
-    head::head(&mut cx);
-    definition::order(&mut cx);
+/// The columns of a table of variants for a document: its own, or one beside it, whose spans are those of the table's
+/// text. Nothing comes out where one of them has an error, or the `given` that it replaces.
+#[must_use]
+pub fn columns(
+    document: &Document,
+    overrides: &Overrides,
+    table: &Variants,
+) -> (Option<Vec<RowColumn>>, Problems) {
+    let mut cx = Context::new(document, overrides);
+    definitions(&mut cx);
     value::constants(&mut cx);
-    machine::machine(&mut cx);
-    request::finds(&mut cx);
-    expect::expects(&mut cx);
-    variants::variants(&mut cx);
-    load_cycle::load_cycles(&mut cx);
+    // those are told by `check`
+    cx.problems = Problems::new();
+    let columns = variants::columns(&mut cx, table);
+    if variants::table(document) != Some(table) {
+        variants::missing_keys(&mut cx, table);
+    }
+    variants::rows(&mut cx, table);
+    (columns.filter(|_| !cx.problems.has_errors()), cx.problems)
+}
+
+fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {
+    definitions(&mut cx);
+    meaning(&mut cx);
     cx.finish()
+}
+
+/// What hangs on no value.
+fn definitions(cx: &mut Context<'_>) {
+    names::declare(cx);
+    alike::look_alikes(cx);
+    head::head(cx);
+    definition::order(cx);
+}
+
+/// All else.
+fn meaning(cx: &mut Context<'_>) {
+    value::constants(cx);
+    machine::machine(cx);
+    request::finds(cx);
+    expect::expects(cx);
+    variants::variants(cx);
+    load_cycle::load_cycles(cx);
 }

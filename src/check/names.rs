@@ -32,8 +32,8 @@ pub enum QuantityKind<'a> {
     Load(LoadId, &'a Load),
     /// An unknown effort, and its place among the balances of the file.
     Balance(BalanceId, &'a Balance),
-    /// A flywheel: the moment of inertia found.
-    Flywheel,
+    /// A flywheel, the moment of inertia found: its place among the flywheels of the file.
+    Flywheel(usize),
     /// A column of variants that no `given` declares: for an `expect`.
     Column(&'a Column),
 }
@@ -47,7 +47,7 @@ impl QuantityKind<'_> {
             Self::Find(_) => "what is to be found",
             Self::Load(..) => "a load",
             Self::Balance(..) => "an unknown effort",
-            Self::Flywheel => "a flywheel",
+            Self::Flywheel(_) => "a flywheel",
             Self::Column(_) => "a column of variants",
         }
     }
@@ -131,7 +131,7 @@ pub struct Names<'a> {
 pub fn declare(cx: &mut Context<'_>) {
     cx.add_link("ground".into(), None, Span::default());
     cx.names.inside.push(Inside::default());
-    let (mut loads, mut balances) = (0, 0);
+    let (mut loads, mut balances, mut flywheels) = (0, 0, 0);
     for statement in &cx.doc.statements {
         match &statement.node {
             Statement::Given(d) => quantity(cx, &d.name, QuantityKind::Given(&d.value)),
@@ -146,7 +146,10 @@ pub fn declare(cx: &mut Context<'_>) {
                 quantity(cx, &b.name, QuantityKind::Balance(BalanceId::at(balances), b));
                 balances += 1;
             }
-            Statement::Flywheel(f) => quantity(cx, &f.name, QuantityKind::Flywheel),
+            Statement::Flywheel(f) => {
+                quantity(cx, &f.name, QuantityKind::Flywheel(flywheels));
+                flywheels += 1;
+            }
             Statement::Find(find) => {
                 for item in &find.items {
                     if let Some(name) = &item.name {

@@ -5,14 +5,18 @@ use super::error::RequestError;
 use super::expr::typed::{Dim, Type, Typed, phrase};
 use super::lookup::suggestion;
 use super::names::QuantityKind;
+use super::row::Row;
 use crate::model::Expr;
 use crate::units::{Dimension, lookup};
 
-/// Values that replace those of `given` statements, in the order given; a later one wins.
+/// Values that replace those of `given` statements. A row of variants replaces what the file says, values set from
+/// outside replace both.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overrides {
-    /// Name and value as text, as in `--set r=120mm`.
+    /// Name and value as text, as in `--set r=120mm`, in the order given; a later one wins.
     pub values: Vec<(String, String)>,
+    /// The row of variants.
+    pub row: Row,
 }
 
 impl Overrides {
@@ -20,6 +24,12 @@ impl Overrides {
     #[must_use]
     pub fn none() -> Self {
         Self::default()
+    }
+
+    /// Values set from outside, as in `--set r=120mm`.
+    #[must_use]
+    pub fn set(values: Vec<(String, String)>) -> Self {
+        Self { values, row: Row::default() }
     }
 }
 
@@ -57,7 +67,10 @@ pub(super) fn replaced(cx: &mut Context<'_>, name: &str, written: Typed) -> Opti
         return Some(Typed { expr: Expr::number(value), ..written });
     }
     let Some((_, text)) = cx.overrides.values.iter().rev().find(|(n, _)| n == name) else {
-        return Some(written);
+        return match cx.row.find(name) {
+            Some((column, cell)) => Some(Typed::constant(cell.value, column.dimension)),
+            None => Some(written),
+        };
     };
     let declared = cx.names.quantities.get(name).filter(|d| matches!(d.what, QuantityKind::Given(_)));
     let Some(declared) = declared.map(|d| d.span) else { return Some(written) };

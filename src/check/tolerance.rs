@@ -128,6 +128,9 @@ fn last_digit(cx: &Context<'_>, expr: &Expr, depth: usize) -> Option<f64> {
             Some(digit.max(value.abs() * factor * turned))
         }
         ExprKind::Name(name) if depth < DEPTH => {
+            if let Some(digit) = cx.digit_in_row(name) {
+                return Some(digit);
+            }
             let declared = cx.names.quantities.get(name)?;
             match declared.what {
                 QuantityKind::Given(_) => last_digit(cx, cx.given_as_written(name)?, depth + 1),
@@ -139,7 +142,7 @@ fn last_digit(cx: &Context<'_>, expr: &Expr, depth: usize) -> Option<f64> {
 }
 
 /// `0.350` mm is good to 0.001 mm, `1.5e3` to 100.
-fn digit_of(number: &Number) -> Option<f64> {
+pub(super) fn digit_of(number: &Number) -> Option<f64> {
     let (mantissa, exponent) = match number.text.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
         None => (number.text.as_str(), 0),

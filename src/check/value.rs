@@ -6,6 +6,7 @@ use super::error::{NameError, RequestError, UnitsError};
 use super::expr::typed::{Type, Typed};
 use super::names::QuantityKind;
 use super::overrides;
+use super::row::ColumnUse;
 use super::unit_choice::display_in;
 use super::walk;
 use crate::diagnostic::did_you_mean;
@@ -114,7 +115,7 @@ impl Context<'_> {
     /// The value a name stands for.
     pub(super) fn named(&mut self, name: &Name) -> Option<Typed> {
         let Some(declared) = self.names.quantities.get(&name.node) else {
-            return self.undeclared(name);
+            return self.key(&name.node).or_else(|| self.undeclared(name));
         };
         match declared.what {
             QuantityKind::Load(id, load) => {
@@ -128,9 +129,9 @@ impl Context<'_> {
                 Some(Typed::new(model::Expr::Query(model::Query::Balance(id)), ty))
             }
             QuantityKind::Column(column) => self.column(column, name),
-            QuantityKind::Flywheel => {
-                self.unsupported("a flywheel", name.span);
-                Some(Typed::pending(Type::number(Dimension::INERTIA)))
+            QuantityKind::Flywheel(index) => {
+                let query = model::Query::Flywheel(index, model::FlywheelPart::Inertia);
+                Some(Typed::new(model::Expr::Query(query), Type::number(Dimension::INERTIA)))
             }
             QuantityKind::Given(_) | QuantityKind::Let(_) | QuantityKind::Find(_) => {
                 match self.definitions.settled.get(&name.node)? {
@@ -145,6 +146,9 @@ impl Context<'_> {
 
     /// A name that has its values in a table of variants alone: an answer key per row.
     fn column(&mut self, column: &Column, name: &Name) -> Option<Typed> {
+        if let Some(value) = self.key(&name.node) {
+            return Some(value);
+        }
         let dimension = match &column.unit {
             Some(word) => self.unit(word)?.dimension,
             None => Dimension::NUMBER,
@@ -161,6 +165,12 @@ impl Context<'_> {
             self.error(NameError::Unknown { kind: "quantity", name, place: String::new(), span, help });
         }
         None
+    }
+
+    /// What the row of variants says of a name that has its values there alone.
+    fn key(&self, name: &str) -> Option<Typed> {
+        let (column, cell) = self.row.find(name).filter(|(c, _)| c.what == ColumnUse::Key)?;
+        Some(Typed::constant(cell.value, column.dimension))
     }
 
     /// Whether nothing but expectations use this name.
@@ -236,7 +246,8 @@ impl Context<'_> {
                             | model::Query::TimeRatio(_)
                             | model::Query::Dead(..)
                             | model::Query::Critical(_)
-                    )
+                            | model::Query::Cycle(_)
+                    ) || matches!(q, model::Query::Flywheel(_, part) if part.needs_no_pose())
                 }
                 _ => true,
             };
@@ -265,21 +276,26 @@ impl Context<'_> {
 
     /// Calls `visit` on every result the expression hangs on, those behind other quantities included.
     pub fn queries_behind(&self, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
-        let mut found: IndexSet<QuantityId> = IndexSet::new();
-        let mut look = |expr: &model::Expr, found: &mut IndexSet<QuantityId>| {
-            expr.parts(&mut |part| match part {
-                model::Expr::Query(query) => visit(query),
-                model::Expr::Quantity(id) => {
-                    found.insert(*id);
+        let mut found = Behind::default();
+        found.look(expr, visit);
+        let (mut quantities, mut cycles) = (0, 0);
+        loop {
+            let quantity = found.quantities.get_index(quantities).map(|id| id.index());
+            let cycle = found.cycles.get_index(cycles).copied();
+            let next = match (quantity, cycle) {
+                (Some(index), _) => {
+                    quantities += 1;
+                    self.mech.quantities.get(index).map(|q| &q.expr)
                 }
-                _ => {}
-            });
-        };
-        look(expr, &mut found);
-        let mut next = 0;
-        while let Some(quantity) = found.get_index(next).and_then(|id| self.mech.quantities.get(id.index())) {
-            look(&quantity.expr, &mut found);
-            next += 1;
+                (None, Some(index)) => {
+                    cycles += 1;
+                    self.mech.cycles.get(index).map(|c| &c.expr)
+                }
+                (None, None) => return,
+            };
+            if let Some(next) = next {
+                found.look(next, visit);
+            }
         }
     }
 
@@ -304,9 +320,42 @@ impl Context<'_> {
     /// The definition of a `given`, where nothing replaces it.
     pub(super) fn given_as_written(&self, name: &str) -> Option<&Expr> {
         match self.names.quantities.get(name)?.what {
-            QuantityKind::Given(e) if self.overrides.values.iter().all(|(n, _)| n != name) => Some(e),
+            QuantityKind::Given(e) if !self.is_set(name) => Some(e),
             _ => None,
         }
+    }
+
+    fn is_set(&self, name: &str) -> bool {
+        self.overrides.values.iter().any(|(n, _)| n == name)
+    }
+
+    /// One unit in the last digit of a name in the row of variants, SI, where nothing replaces it.
+    pub(super) fn digit_in_row(&self, name: &str) -> Option<f64> {
+        self.row.find(name).filter(|_| !self.is_set(name)).map(|(_, cell)| cell.digit)
+    }
+}
+
+/// What an expression hangs on: quantities and functions over the sweep.
+#[derive(Default)]
+struct Behind {
+    quantities: IndexSet<QuantityId>,
+    cycles: IndexSet<usize>,
+}
+
+impl Behind {
+    fn look(&mut self, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
+        expr.parts(&mut |part| match part {
+            model::Expr::Query(query) => {
+                visit(query);
+                if let model::Query::Cycle(index) = query {
+                    self.cycles.insert(*index);
+                }
+            }
+            model::Expr::Quantity(id) => {
+                self.quantities.insert(*id);
+            }
+            _ => {}
+        });
     }
 }
 

@@ -1,4 +1,4 @@
-//! `variants`: names and units of the columns.
+//! `variants`: names and units of the columns, and rows as numbers.
 
 use super::context::Context;
 use super::definition::Settled;
@@ -6,43 +6,136 @@ use super::error::{NameError, RequestError, UnitsError};
 use super::expr::typed::{Dim, Type, mend, phrase};
 use super::lookup::suggestion;
 use super::names::QuantityKind;
-use crate::syntax::document::{Column, Statement, Variants};
+use super::row::{ColumnUse, Row, RowCell, RowColumn};
+use super::tolerance;
+use crate::source::Span;
+use crate::syntax::document::{Column, Document, Number, Statement, Variants};
 use crate::units::{Dimension, Unit};
+use indexmap::IndexSet;
+use std::sync::Arc;
 
-/// Checks the table of variants, and notes that it cannot be run yet.
+/// The name of a column that names its rows.
+const LABEL: &str = "variant";
+
+/// A row of a file's own table.
+#[derive(Clone, Debug)]
+pub struct FileRow {
+    /// Its numbers.
+    pub row: Row,
+    /// What the column `variant` calls it.
+    pub label: Option<String>,
+    /// Its place.
+    pub span: Span,
+}
+
+/// The table of a document, where there is one.
+#[must_use]
+pub fn table(document: &Document) -> Option<&Variants> {
+    document.statements.iter().find_map(|statement| match &statement.node {
+        Statement::Variants(table) => Some(table),
+        _ => None,
+    })
+}
+
+/// The rows of a table whose columns are checked; of those that are as long as the header.
+#[must_use]
+pub fn file_rows(table: &Variants, columns: &Arc<[RowColumn]>) -> Vec<FileRow> {
+    let fits = table.rows.iter().filter(|row| row.cells.len() == columns.len());
+    let rows = fits.map(|row| {
+        let label = columns.iter().position(|c| c.what == ColumnUse::Label);
+        let cell = |(number, column): (&Number, &RowColumn)| RowCell {
+            value: column.unit.to_si(number.value),
+            digit: tolerance::digit_of(number).map_or(0.0, |digit| column.unit.to_si(digit)),
+        };
+        let numbers = row.cells.iter().map(|c| &c.node);
+        FileRow {
+            row: Row::new(columns.clone(), numbers.zip(columns.iter()).map(cell).collect()),
+            label: label.map(|i| row.cells[i].node.text.clone()),
+            span: row.span,
+        }
+    });
+    rows.collect()
+}
+
+/// Checks the table of variants of a document; nothing where a row of it is checked.
 pub(super) fn variants(cx: &mut Context<'_>) {
+    if !cx.row.is_empty() {
+        return;
+    }
+    let mut first = None;
     for statement in &cx.doc.statements {
         let Statement::Variants(table) = &statement.node else { continue };
-        for (i, column) in table.columns.iter().enumerate() {
-            match table.columns[..i].iter().find(|c| c.name.node == column.name.node) {
-                Some(first) => cx.error(NameError::duplicate(&column.name, first.name.span)),
-                None => check_column(cx, column),
-            }
+        if let Some(first) = first {
+            super::drive::stated_twice(cx, "variants", statement.span, first);
+            continue;
         }
+        first = Some(statement.span);
+        columns(cx, table);
         rows(cx, table);
-        cx.unsupported("variants", statement.span);
     }
 }
 
-fn check_column(cx: &mut Context<'_>, column: &Column) {
-    let unit = match &column.unit {
-        Some(word) => {
-            let Some(unit) = cx.unit(word) else { return };
-            unit
+/// The columns of a table, of the document or beside it; nothing where one has an error.
+pub(super) fn columns(cx: &mut Context<'_>, table: &Variants) -> Option<Vec<RowColumn>> {
+    let mut all = Vec::new();
+    for (i, column) in table.columns.iter().enumerate() {
+        match table.columns[..i].iter().find(|c| c.name.node == column.name.node) {
+            Some(first) => {
+                cx.error(NameError::duplicate(&column.name, first.name.span));
+                all.push(None);
+            }
+            None => all.push(check_column(cx, column)),
         }
+    }
+    all.into_iter().collect()
+}
+
+/// Reports names that an `expect` uses, and that neither the file nor a table beside it gives a value.
+pub(super) fn missing_keys(cx: &mut Context<'_>, table: &Variants) {
+    let header = table.columns.iter().map(|c| c.name.span).reduce(|a, b| a.to(b)).unwrap_or_default();
+    let own = self::table(cx.doc).map_or(&[][..], |own| &own.columns);
+    let has = |name: &str| table.columns.iter().any(|c| c.name.node == name);
+    let mut names: IndexSet<&str> = IndexSet::new();
+    for column in own {
+        let declared = cx.names.quantities.get(&column.name.node).map(|d| d.what);
+        if matches!(declared, Some(QuantityKind::Column(_)))
+            && !has(&column.name.node)
+            && cx.used_by_expect(&column.name.node)
+        {
+            names.insert(&column.name.node);
+        }
+    }
+    for name in names {
+        cx.error(RequestError::KeyColumn { name: name.to_owned(), span: header });
+    }
+}
+
+fn check_column(cx: &mut Context<'_>, column: &Column) -> Option<RowColumn> {
+    let unit = match &column.unit {
+        Some(word) => cx.unit(word)?,
         None => Unit::si(Dimension::NUMBER),
     };
     let name = &column.name;
+    let checked = |what, dimension, unit: Unit| {
+        Some(RowColumn { name: name.node.clone(), unit, dimension, what })
+    };
+    let of_expect = |cx: &Context<'_>| cx.used_by_expect(&name.node);
     match cx.names.quantities.get(&name.node).map(|d| d.what) {
         Some(QuantityKind::Given(_)) => {
-            let Some(Settled::Constant(t)) = cx.settled(&name.node) else { return };
+            let Some(Settled::Constant(t)) = cx.settled(&name.node) else { return None };
             let ty = t.ty;
-            fits(cx, column, ty, &unit);
+            let dimension = fits(cx, column, ty, &unit)?;
+            checked(ColumnUse::Given, dimension, unit)
         }
-        Some(QuantityKind::Column(_)) => {
-            if !cx.used_by_expect(&name.node) {
-                unknown(cx, column);
-            }
+        Some(QuantityKind::Column(_)) | None if of_expect(cx) => {
+            checked(ColumnUse::Key, unit.dimension, unit)
+        }
+        Some(QuantityKind::Column(_)) | None if name.node == LABEL && column.unit.is_none() => {
+            checked(ColumnUse::Label, unit.dimension, unit)
+        }
+        Some(QuantityKind::Column(_)) | None => {
+            unknown(cx, column);
+            None
         }
         Some(kind) => {
             let is = kind.phrase().to_owned();
@@ -54,8 +147,8 @@ fn check_column(cx: &mut Context<'_>, column: &Column) {
                 declared: cx.names.quantities.get(&name.node).map(|d| d.span),
                 help: Some("a row of variants replaces the values of `given`".into()),
             });
+            None
         }
-        None => unknown(cx, column),
     }
 }
 
@@ -72,29 +165,31 @@ fn unknown(cx: &mut Context<'_>, column: &Column) {
     cx.error(NameError::Unknown { kind: "given", name, place: String::new(), span, help });
 }
 
-fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) {
+/// The dimension that the column's values have in the file.
+fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<Dimension> {
     let name = &column.name.node;
     let span = column.unit.as_ref().map_or(column.name.span, |u| u.span);
     let Type::Number(dim) = ty else {
         cx.shape(&format!("`{name}` of a table"), "a number", ty, span, None);
-        return;
+        return None;
     };
-    if dim.unify(Dim::Of(unit.dimension)).is_some() {
-        return;
+    if let Some(dim) = dim.unify(Dim::Of(unit.dimension)) {
+        return Some(if column.unit.is_none() { Dimension::NUMBER } else { dim.known() });
     }
     let (what, want) = (format!("column `{name}`"), dim.known());
     if column.unit.is_none() {
         let example = format!("`{name} [{}]`", cx.usual_unit(want));
         cx.error(UnitsError::Missing { what, want, span, example });
-        return;
+        return None;
     }
     let help = mend(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.usual_unit(want)));
     let found = phrase(unit.dimension);
     cx.error(UnitsError::Mismatch { what, want: phrase(want), found, span, help });
+    None
 }
 
 /// Reports rows that are longer or shorter than the header.
-fn rows(cx: &mut Context<'_>, table: &Variants) {
+pub(super) fn rows(cx: &mut Context<'_>, table: &Variants) {
     let columns = table.columns.len();
     let header = table.columns.iter().map(|c| c.name.span).reduce(|a, b| a.to(b));
     for row in table.rows.iter().filter(|row| row.cells.len() != columns) {

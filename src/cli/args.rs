@@ -28,6 +28,9 @@ Examples:
   assur solve examples --format json        one object per file and line
   assur solve engine.mech --set r=120mm     with another crank
   assur test 'homework/**/*.mech'           the answer key
+  assur batch engine.mech --variants T.csv --out answers.csv
+  assur batch homework --key key.csv        solve an exercise set and write its answer key
+  assur grade key.csv answers.csv           mark answers
   assur explain mech::assembly::ambiguous   what a diagnostic means
 
 Exit status:
@@ -44,8 +47,10 @@ pub enum Command {
     Solve(Solve),
     /// Hold the solution against the file's own answer key
     Test(Problem),
-    /// Solve once per row of a table of variants
+    /// Solve once per row of a table of variants, in parallel
     Batch(Batch),
+    /// Mark given answers by an answer key
+    Grade(Grade),
     /// Show what accuracy costs in time
     Accuracy(Problem),
     /// Explain a diagnostic by its code
@@ -91,9 +96,91 @@ pub struct Batch {
     /// What to solve
     #[command(flatten)]
     pub problem: Problem,
-    /// A table of variants: names with units in the header, plain numbers below
+    /// A table of variants instead of the files' own: names with units in the header, plain numbers below
     #[arg(long, value_name = "TABLE.csv")]
     pub variants: Option<String>,
+    /// How to print the answers [default: by the ending of --out, else table]
+    #[arg(long, value_enum)]
+    pub format: Option<BatchFormat>,
+    /// Write the answers to this file, which appears once it is whole
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<String>,
+    /// Write the answer key for `assur grade` to this file
+    #[arg(long, value_name = "KEY.csv")]
+    pub key: Option<String>,
+    /// How many threads to use [default: all]
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
+}
+
+impl Batch {
+    /// As wanted, else as the name of the file says.
+    #[must_use]
+    pub fn format(&self) -> BatchFormat {
+        let ending = self.out.as_deref().and_then(|name| name.rsplit_once('.')).map(|(_, ending)| ending);
+        self.format.unwrap_or(match ending {
+            Some("csv") => BatchFormat::Csv,
+            Some("jsonl" | "ndjson") => BatchFormat::Jsonl,
+            _ => BatchFormat::Table,
+        })
+    }
+}
+
+/// How the answers of a batch are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum BatchFormat {
+    /// Tables to read, in the author's units
+    Table,
+    /// One line per row and pose, in the author's units, with all digits
+    Csv,
+    /// One object per row and line, SI and radians
+    Jsonl,
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    match text.parse::<usize>() {
+        Ok(n) if (1..=1024).contains(&n) => Ok(n),
+        _ => Err("write a number from 1 to 1024".to_owned()),
+    }
+}
+
+/// Arguments of `grade`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Grade {
+    /// The answer key, as `assur batch --key` writes it
+    #[arg(value_name = "KEY.csv")]
+    pub key: String,
+    /// The answers: quantities by name with their units in the header, rows by number or variant
+    #[arg(value_name = "ANSWERS.csv")]
+    pub answers: String,
+    /// The greatest difference allowed, as a part of the value
+    #[arg(long, value_name = "TOLERANCE", default_value = "3%", value_parser = tolerance)]
+    pub within: f64,
+    /// How to print the marks
+    #[arg(long, value_enum, default_value_t = GradeFormat::Table)]
+    pub format: GradeFormat,
+}
+
+/// How marks are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum GradeFormat {
+    /// What is not right, and totals
+    Table,
+    /// One line per answer
+    Csv,
+    /// One object, SI and radians
+    Json,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let (number, part) = match text.trim().strip_suffix('%') {
+        Some(number) => (number.trim(), 0.01),
+        None => (text.trim(), 1.0),
+    };
+    match number.parse::<f64>() {
+        Ok(x) if x > 0.0 && x * part < 1.0 => Ok(x * part),
+        _ => Err("write a part of the value, as 3% or 0.03".to_owned()),
+    }
 }
 
 /// Arguments of `explain`.
@@ -135,7 +222,7 @@ impl Problem {
     /// The values from outside.
     #[must_use]
     pub fn overrides(&self) -> Overrides {
-        Overrides { values: self.settings.clone() }
+        Overrides::set(self.settings.clone())
     }
 }
 

@@ -61,6 +61,38 @@ pub enum CliError {
         #[help]
         help: &'static str,
     },
+    /// Results that cannot be written.
+    #[error("`{name}` cannot be written: {why}")]
+    #[diagnostic(help("what stood there is as it was"))]
+    Unwritable {
+        /// As given.
+        name: String,
+        /// What the system says.
+        why: String,
+    },
+    /// Results in the place of what they are made from.
+    #[error("`{name}` is read and written at once")]
+    #[diagnostic(help("give the results a file of their own"))]
+    Overwrites {
+        /// As given.
+        name: String,
+    },
+    /// Ctrl-C.
+    #[error("interrupted after {rows} rows")]
+    #[diagnostic(help("{}", if kept.is_empty() { "all rows printed are whole".to_owned() }
+        else { format!("these rows are kept in {kept}") }))]
+    Interrupted {
+        /// How many are done.
+        rows: usize,
+        /// Where they are.
+        kept: String,
+    },
+    /// No threads.
+    #[error("the threads cannot be started: {why}")]
+    Threads {
+        /// What the system says.
+        why: String,
+    },
     /// No such code.
     #[error("there is no diagnostic `{code}`")]
     UnknownCode {

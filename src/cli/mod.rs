@@ -7,6 +7,7 @@ mod check;
 mod error;
 mod explain;
 mod files;
+mod grade;
 mod reply;
 mod screen;
 mod solve;
@@ -36,6 +37,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Solve(args) => solve::run(&args, &screen),
         Command::Test(args) => test::run(&args, &screen),
         Command::Batch(args) => batch::run(&args, &screen),
+        Command::Grade(args) => grade::run(&args, &screen),
         Command::Accuracy(args) => accuracy::run(&args, &screen),
         Command::Explain(args) => explain::run(&args, &screen),
     };

@@ -95,7 +95,7 @@ fn guarded(source: &Source, screen: &Screen, work: impl Fn(&Source) -> Reply) ->
 }
 
 /// An internal error is reported once, as a diagnostic.
-fn quiet_panics() {
+pub fn quiet_panics() {
     if std::env::var_os("RUST_BACKTRACE").is_none() {
         std::panic::set_hook(Box::new(|_| {}));
     }

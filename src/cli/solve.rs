@@ -4,8 +4,14 @@ use super::args::{Format, Solve};
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
 use crate::diagnostic::Problems;
-use crate::report::{self, Precision};
+use crate::check::RowColumn;
+use crate::exercise::{OwnRows, SolvedRow};
+use crate::report::document::{Column, Table};
+use crate::report::json::Variant;
+use crate::report::{self, Answers, Precision};
 use crate::source::Source;
+use crate::syntax;
+use crate::units::significant;
 use crate::{Compiled, Solved};
 
 /// Prints the answers.
@@ -17,6 +23,16 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
         Format::Table | Format::Markdown => "\n",
     };
     for_each_file(&args.problem.files, screen, apart, |source| {
+        let (document, found) = syntax::parse(source);
+        match OwnRows::of(source, &document, &overrides) {
+            Some(Ok(rows)) if !found.has_errors() => {
+                return of_rows(args.format, apart, source, rows, found, screen);
+            }
+            Some(Err(problems)) if !found.has_errors() => {
+                return Reply::new(String::new(), &problems, source, screen);
+            }
+            _ => {}
+        }
         let (compiled, mut problems) = crate::compile(source, &overrides);
         let solved = match compiled {
             Some(compiled) if !problems.has_errors() => {
@@ -34,6 +50,69 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
         };
         Reply::new(results, &problems, source, screen)
     })
+}
+
+/// All rows of a table of variants, one below the other.
+fn of_rows(
+    format: Format,
+    apart: &str,
+    source: &Source,
+    rows: OwnRows<'_>,
+    mut problems: Problems,
+    screen: &Screen,
+) -> Reply {
+    let columns = rows.columns().to_vec();
+    let mut results = Vec::new();
+    let mut table = Table::default();
+    for row in rows.solve(false) {
+        let solved = row.solved.as_ref().map(|s| s.answers(Precision::READABLE));
+        match (format, &solved) {
+            (Format::Csv, solved) => csv_row(&mut table, &columns, &row, solved.as_ref()),
+            (Format::Json, solved) => {
+                let variant = Some(Variant::of(row.number, row.row.label.clone(), &row.row.row));
+                let views = row.problems.views(source);
+                let scene = solved.as_ref().map(|s| s.scene);
+                let line = report::json::render_row(&source.name, variant, scene.as_ref(), solved.as_ref(), &views);
+                results.push(line + "\n");
+            }
+            (Format::Table | Format::Markdown, Some(solved)) => {
+                let mut report = report::of_answers(&source.name, solved);
+                report.title = format!("{}: {}", report.title, row.row.words(row.number));
+                results.push(match format {
+                    Format::Markdown => report::markdown::render(&report),
+                    _ => report::text::render(&report, screen.look()),
+                });
+            }
+            (Format::Table | Format::Markdown, None) => {}
+        }
+        problems.append(row.problems);
+    }
+    if format == Format::Csv {
+        results.push(report::csv::render(&table));
+    }
+    Reply::new(results.join(apart), &problems, source, screen)
+}
+
+/// The poses of a row behind its number and its givens; a row without solution has no answers.
+fn csv_row(table: &mut Table, columns: &[RowColumn], row: &SolvedRow, solved: Option<&Answers<'_>>) {
+    let cells = row.row.row.entries().map(|(c, cell)| significant(c.unit.from_si(cell.value), report::rows::FULL));
+    let head: Vec<String> = std::iter::once(row.number.to_string()).chain(cells).collect();
+    let poses = solved.map(report::table_of_poses).unwrap_or_default();
+    if table.columns.len() <= head.len() {
+        table.columns = std::iter::once(Column::words("row"))
+            .chain(columns.iter().map(|c| Column::numbers(c.header())))
+            .chain(poses.columns)
+            .collect();
+        // rows without solution came before
+        let width = table.columns.len();
+        table.rows.iter_mut().for_each(|row| row.resize(width, String::new()));
+    }
+    if poses.rows.is_empty() {
+        table.row(head.clone());
+    }
+    for pose in poses.rows {
+        table.row(head.iter().cloned().chain(pose).collect());
+    }
 }
 
 fn answers(format: Format, source: &Source, solved: &Solved, screen: &Screen) -> String {

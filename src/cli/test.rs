@@ -3,12 +3,19 @@
 use super::args::Problem;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
-use crate::exercise::Outcome;
+use crate::diagnostic::Problems;
+use crate::exercise::{Outcome, OwnRows};
+use crate::source::Source;
+use crate::syntax;
 
 /// Holds solutions against their answer keys: one line per file, and a diagnostic per expectation that fails.
 pub fn run(args: &Problem, screen: &Screen) -> Status {
     let overrides = args.overrides();
     for_each_file(&args.files, screen, "", |source| {
+        let (document, found) = syntax::parse(source);
+        if let (false, Some(Ok(rows))) = (found.has_errors(), OwnRows::of(source, &document, &overrides)) {
+            return of_rows(rows, source, found, screen);
+        }
         let (solved, problems) = crate::test_source(source, &overrides);
         let outcomes = solved.as_ref().map_or(&[][..], |s| &s.outcomes);
         let errors = problems.errors() - outcomes.iter().filter(|o| !o.passed).count();
@@ -17,9 +24,40 @@ pub fn run(args: &Problem, screen: &Screen) -> Status {
     })
 }
 
+/// One line for all rows of a table of variants.
+fn of_rows(rows: OwnRows<'_>, source: &Source, mut problems: Problems, screen: &Screen) -> Reply {
+    let (mut met, mut failed, mut unsolved, mut errors, mut count) = (0, 0, 0, 0, 0);
+    for row in rows.solve(true) {
+        count += 1;
+        unsolved += usize::from(row.solved.is_none());
+        let outcomes = row.solved.as_ref().map_or(&[][..], |s| &s.outcomes);
+        let passed = outcomes.iter().filter(|o| o.passed).count();
+        met += passed;
+        failed += outcomes.len() - passed;
+        errors += row.problems.errors() - (outcomes.len() - passed);
+        problems.append(row.problems);
+    }
+    let mut parts = vec![format!("{} met", plural(met, "expectation"))];
+    let more = [
+        (failed, format!("{failed} failed")),
+        (unsolved, format!("{} not solved", plural(unsolved, "row"))),
+        (errors, plural(errors, "error")),
+    ];
+    parts.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(_, words)| words));
+    let line = format!("{}: {} in {}\n", source.name, parts.join(", "), plural(count, "row"));
+    let mut reply = Reply::new(line, &problems, source, screen);
+    if count == 0 {
+        reply.status = Status::Wrong;
+    }
+    reply
+}
+
+fn plural(n: usize, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
+}
+
 fn summary(solved: bool, errors: usize, outcomes: &[Outcome]) -> String {
     let failed = outcomes.iter().filter(|o| !o.passed).count();
-    let plural = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
     let mut parts = Vec::new();
     if !solved {
         parts.push("not solved".to_owned());

@@ -2,8 +2,9 @@
 
 use super::Problems;
 use crate::source::Source;
-use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource};
-use miette::{NarratableReportHandler, ReportHandler, Severity, SourceCode};
+use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError};
+use miette::{MietteSpanContents, NarratableReportHandler, ReportHandler, Severity, SourceCode};
+use miette::{SourceSpan, SpanContents};
 use std::fmt::{self, Display, Write};
 
 /// How diagnostics are drawn.
@@ -31,13 +32,13 @@ pub fn render(problems: &Problems, source: &Source, style: Style) -> String {
     if problems.is_empty() {
         return String::new();
     }
-    let named = NamedSource::new(&source.name, showable(&source.text));
+    let text = Text { text: showable(&source.text), source };
     let mut out = String::new();
     for problem in problems.sorted() {
         if !out.is_empty() {
             out.push('\n');
         }
-        let shown = Shown { problem: Located { inner: problem, source: &named }, style };
+        let shown = Shown { problem: Located { inner: problem, source: &text }, style };
         // Writing to a String fails only if a diagnostic's own Display does.
         if write!(out, "{shown}").is_err() {
             out.push_str(&problem.to_string());
@@ -95,7 +96,32 @@ impl Display for Shown<'_> {
 /// A diagnostic with the text it speaks of.
 struct Located<'a> {
     inner: &'a (dyn Diagnostic + Send + Sync + 'static),
-    source: &'a NamedSource<String>,
+    source: &'a Text<'a>,
+}
+
+/// A text under its name, with the lines counted from the beginning of its file.
+struct Text<'a> {
+    text: String,
+    source: &'a Source,
+}
+
+impl SourceCode for Text<'_> {
+    fn read_span<'b>(
+        &'b self,
+        span: &SourceSpan,
+        before: usize,
+        after: usize,
+    ) -> Result<Box<dyn SpanContents<'b> + 'b>, MietteError> {
+        let inner = self.text.read_span(span, before, after)?;
+        Ok(Box::new(MietteSpanContents::new_named(
+            self.source.name.clone(),
+            inner.data(),
+            *inner.span(),
+            inner.line() + self.source.lines_before,
+            inner.column(),
+            inner.line_count(),
+        )))
+    }
 }
 
 impl fmt::Debug for Located<'_> {

@@ -87,8 +87,14 @@ fn view(problem: &dyn Diagnostic, source: &Source) -> DiagnosticView {
 fn span_view(label: &LabeledSpan, source: &Source) -> SpanView {
     SpanView {
         file: source.name.clone(),
-        start: place(&source.text, label.offset()),
-        end: place(&source.text, label.offset() + label.len()),
+        start: in_file(source, label.offset()),
+        end: in_file(source, label.offset() + label.len()),
         label: label.label().map(str::to_owned),
     }
+}
+
+/// A place with the lines of its file that stand before the text.
+fn in_file(source: &Source, byte: usize) -> Place {
+    let place = place(&source.text, byte);
+    Place { line: place.line + source.lines_before, ..place }
 }

@@ -148,6 +148,8 @@ fn first_pose_alone(mut mechanism: Mechanism) -> Mechanism {
     }
     mechanism.poses.clear();
     mechanism.expects.clear();
+    mechanism.cycles.clear();
+    mechanism.flywheels.clear();
     let kind = FindKind::Value {
         expr: Expr::Query(Query::Efficiency),
         display: Display::default(),

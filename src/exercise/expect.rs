@@ -2,7 +2,7 @@
 
 use super::compare::{bound, equal, is_within};
 use super::error::ExpectError;
-use super::undefined::why_undefined;
+use super::undefined::{why_undefined, without_cycle};
 use crate::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
 use crate::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution, State, View, compare};
 use crate::source::Span;
@@ -153,7 +153,9 @@ impl<'a> Key<'a> {
                 return Ok(value);
             }
             let locked = || "friction locks the mechanism, and no effort moves it".to_owned();
-            let why = why_undefined(self.scene, expr).or_else(|| view.state.locked.then(locked));
+            let why = why_undefined(self.scene, expr)
+                .or_else(|| without_cycle(self.scene, self.solution, expr))
+                .or_else(|| view.state.locked.then(locked));
             Err(ExpectError::no_value(expect, place.clone(), why))
         };
         let got = value(&expect.expr)?;

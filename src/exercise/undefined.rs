@@ -1,7 +1,7 @@
 //! Why a value does not exist.
 
 use crate::model::{Expr, Query};
-use crate::solve::Scene;
+use crate::solve::{Scene, Solution};
 
 /// Why an expression has no value, where the structure says so.
 #[must_use]
@@ -25,6 +25,25 @@ pub fn why_undefined(scene: &Scene<'_>, expr: &Expr) -> Option<String> {
                 "the couple in `{name}` is not determined: it closes a chain of prismatic pairs"
             ));
         }
+    });
+    why
+}
+
+/// Why a function over the sweep in an expression has no value.
+pub(super) fn without_cycle(scene: &Scene<'_>, solution: &Solution, expr: &Expr) -> Option<String> {
+    let mut why = None;
+    expr.parts(&mut |part| {
+        let found = match part {
+            Expr::Quantity(id) => {
+                let quantity = scene.mechanism.quantities.get(id.index());
+                quantity.and_then(|q| without_cycle(scene, solution, &q.expr))
+            }
+            Expr::Query(Query::Cycle(index)) => {
+                solution.statics.cycles.get(*index).and_then(|c| c.why.clone())
+            }
+            _ => None,
+        };
+        why = why.take().or(found);
     });
     why
 }

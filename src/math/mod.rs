@@ -1,11 +1,15 @@
 //! 2-vectors, the scalar trait and small linear solves with their condition.
 
+pub mod chebyshev;
 mod dense;
+pub mod periodic;
 mod rigid;
+mod root;
 mod scalar;
 mod vec2;
 
 pub use dense::Dense;
 pub use rigid::{acceleration_at, velocity_at};
+pub use root::root;
 pub use scalar::Scalar;
 pub use vec2::{V2, Vec2};

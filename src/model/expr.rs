@@ -1,6 +1,6 @@
 //! Typed expressions over results: what a `find`, an `expect`, a load or a condition computes at a pose.
 
-use super::{BalanceId, Display, DriveId, LinkId, LoadId, PairId, QuantityId};
+use super::{BalanceId, Display, DriveId, FlywheelPart, LinkId, LoadId, PairId, QuantityId};
 use crate::math::Vec2;
 use crate::source::Span;
 
@@ -210,6 +210,10 @@ pub enum Query {
     TimeRatio(PairId),
     /// Drive value where the coordinate is least (1) or greatest (2), in [0, one turn). Needs no pose.
     Dead(PairId, u8),
+    /// A function over the sweep: index into [`super::Mechanism::cycles`]. Needs no pose.
+    Cycle(usize),
+    /// Something of a flywheel: index into [`super::Mechanism::flywheels`].
+    Flywheel(usize, FlywheelPart),
 }
 
 /// Parts of a mass substitution.

@@ -1,6 +1,7 @@
 //! The mechanism as plain data: SI units, radians, typed ids. What the compiler knows after `check` and before any
 //! structure is found.
 
+mod cycle;
 mod display;
 mod expr;
 mod id;
@@ -9,7 +10,9 @@ mod load;
 mod motion;
 mod pair;
 mod request;
+mod shape;
 
+pub use cycle::{Cycle, CycleFunction, Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };
@@ -57,6 +60,10 @@ pub struct Mechanism {
     pub finds: Vec<Find>,
     /// What the answer key expects.
     pub expects: Vec<Expect>,
+    /// Functions over the sweep, each after those it hangs on.
+    pub cycles: Vec<Cycle>,
+    /// Flywheels that are to be found.
+    pub flywheels: Vec<Flywheel>,
     /// Constructs that are understood but cannot be solved yet.
     pub unsupported: Vec<Unsupported>,
     /// Givens whose critical value is asked for.

@@ -1,6 +1,6 @@
 //! The effects that a file calls for. An effect that nothing calls for has no step in the plan.
 
-use crate::model::{Expr, FindKind, LoadKind, Mechanism, Query, Relation};
+use crate::model::{Expr, FindKind, FlywheelPart, LoadKind, Mechanism, Query, Relation};
 
 /// How far motion is followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -131,6 +131,11 @@ impl Wanted {
             }
         }
         mechanism.quantities.iter().for_each(|q| self.expr(&q.expr));
+        mechanism.cycles.iter().for_each(|c| self.expr(&c.expr));
+        if !mechanism.flywheels.is_empty() {
+            self.forces = true;
+            self.level = self.level.max(Level::Velocities);
+        }
     }
 
     fn loads(&mut self, mechanism: &Mechanism) {
@@ -175,7 +180,8 @@ pub fn level_of(query: &Query) -> Level {
         | Query::FrictionPower(_)
         | Query::Efficiency
         | Query::Locked
-        | Query::EffortPower(_) => Level::Velocities,
+        | Query::EffortPower(_)
+        | Query::Flywheel(..) => Level::Velocities,
         Query::Acceleration(_)
         | Query::Alpha(_)
         | Query::RelativeAcceleration(_)
@@ -209,5 +215,15 @@ pub fn needs_forces(query: &Query) -> bool {
             | Query::Efficiency
             | Query::Locked
             | Query::Critical(_)
+            | Query::Flywheel(
+                _,
+                FlywheelPart::Inertia
+                    | FlywheelPart::Fluctuation
+                    | FlywheelPart::RimWidth
+                    | FlywheelPart::RimHeight
+                    | FlywheelPart::RimMass
+                    | FlywheelPart::Torque
+                    | FlywheelPart::Work
+            )
     )
 }

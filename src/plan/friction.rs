@@ -1,7 +1,7 @@
 //! Which joints rub, and how: one element per sliding or turning contact, each in the group that finds its reaction.
 
 use super::Plan;
-use super::step::{ForceStep, Way};
+use super::step::{EffortLine, ForceStep, Way};
 use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
 use crate::structure::{BodyId, Group, JointKind, Structure};
 
@@ -14,6 +14,9 @@ pub struct FrictionElement {
     pub body: usize,
     /// Slot of the other body.
     pub base: usize,
+    /// Slot of the body through which the effort reaches `body`: the block that stands for a pin in a slot, or `body`
+    /// itself. The link of the pin may have been solved before the block.
+    pub through: usize,
     /// Slot of the reaction.
     pub slot: usize,
     /// The law.
@@ -71,6 +74,38 @@ pub struct RubbingGroup {
     pub elements: Vec<usize>,
     /// Slots of its reactions.
     pub slots: Vec<usize>,
+    /// The elements in its joints, where the laws reduce to the force in the inner hinge of a dyad, or to nothing unknown.
+    pub reduced: Option<[Option<usize>; 3]>,
+}
+
+/// The elements by joint where [`RubbingGroup::reduced`] holds: circles in the hinges of a dyad RRR, or of a dyad RRP whose
+/// guide rubs by its normal force; the one joint of a link whose effort acts in that joint.
+fn reduced(step: &ForceStep, elements: &[FrictionElement], from: usize) -> Option<[Option<usize>; 3]> {
+    let joints: &[(usize, bool)] = match step {
+        ForceStep::Rrr { outer: [one, two], inner, .. } => {
+            &[(one.slot, false), (inner.slot, false), (two.slot, false)]
+        }
+        ForceStep::Rrp { outer, inner, way, .. } => {
+            &[(outer.slot, false), (inner.slot, false), (way.slot, true)]
+        }
+        ForceStep::Turn { hinge, effort: EffortLine::Torque { .. }, .. } => &[(hinge.slot, false)],
+        ForceStep::Shift { way, effort: EffortLine::Along(_), .. } => &[(way.slot, true)],
+        _ => return None,
+    };
+    let mut found = [None; 3];
+    for (index, element) in elements.iter().enumerate() {
+        let joint = joints.iter().position(|(slot, _)| *slot == element.slot)?;
+        let fits = match element.kind {
+            Rub::Circle { .. } => !joints[joint].1,
+            Rub::Guide { .. } => joints[joint].1,
+            Rub::BothEnds { .. } | Rub::Contact { .. } => false,
+        };
+        if !fits || element.pin.is_some() || found[joint].is_some() {
+            return None;
+        }
+        found[joint] = Some(from + index);
+    }
+    Some(found)
 }
 
 /// Turns the steps of groups with friction into steps that solve it.
@@ -97,13 +132,14 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
         if plan.friction.len() == from || !foreign.is_empty() {
             continue;
         }
+        let plain = std::mem::replace(&mut plan.forces[index], ForceStep::Sequence(Vec::new()));
         let rubbing = RubbingGroup {
+            reduced: reduced(&plain, &plan.friction[from..], from),
             bodies: group.bodies.iter().map(|b| b.0).collect(),
             bases: bases(group),
             elements: (from..plan.friction.len()).collect(),
             slots,
         };
-        let plain = std::mem::replace(&mut plan.forces[index], ForceStep::Sequence(Vec::new()));
         plan.forces[index] = ForceStep::Rubbing { plain: Box::new(plain), group: Box::new(rubbing) };
     }
     if !foreign.is_empty() {
@@ -150,6 +186,7 @@ fn pin(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan, id: PairId
             pair: id,
             body: link,
             base: pins[0].link.index(),
+            through: link,
             slot: *slot,
             kind: Rub::Circle { radius },
             pin: Some((from, plan.pin_slots.len())),
@@ -166,6 +203,7 @@ fn together(plan: &mut Plan) {
         bases: vec![0],
         elements: (0..plan.friction.len()).collect(),
         slots: (0..plan.reactions.len()).collect(),
+        reduced: None,
     };
     if let Some(last) = plan.forces.last_mut() {
         *last = ForceStep::Rubbing { plain: Box::new(ForceStep::Sequence(steps)), group: Box::new(group) };
@@ -197,6 +235,7 @@ fn element(
         pair: id,
         body: body.0,
         base: base.0,
+        through: body.0,
         slot,
         kind,
         pin: None,
@@ -225,8 +264,11 @@ fn element(
                 internal: false,
             };
             let body = |l: crate::model::LinkId| BodyId(l.index());
-            (prismatic && friction.coefficient() > 0.0)
-                .then(|| at(body(guide.slider), body(guide.guide), kind))
+            let block = if joint.base == body(guide.guide) { joint.body } else { joint.base };
+            (prismatic && friction.coefficient() > 0.0).then(|| FrictionElement {
+                through: block.0,
+                ..at(body(guide.slider), body(guide.guide), kind)
+            })
         }
         (PairKind::Contact { first, second, internal }, friction) => {
             let kind = Rub::Contact {

@@ -27,6 +27,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     }
     let mut section = Section::new("Accuracy: residuals of independent equations, condition (1 is best)");
     section.table(table);
+    section.table(super::cycle::accuracy(answers, |r| order_of(r, precision)));
     report.section(section);
 }
 

@@ -1,6 +1,10 @@
 //! Tables as comma-separated values, RFC 4180.
 
 use super::document::Table;
+use std::borrow::Cow;
+
+/// The end of a line.
+pub const LINE_END: &str = "\r\n";
 
 /// The table with its header; lines end in CR LF.
 #[must_use]
@@ -14,14 +18,16 @@ pub fn render(table: &Table) -> String {
 }
 
 fn record<'a>(fields: impl Iterator<Item = &'a str>) -> String {
-    fields.map(field).collect::<Vec<_>>().join(",") + "\r\n"
+    fields.map(field).collect::<Vec<_>>().join(",") + LINE_END
 }
 
-fn field(text: &str) -> String {
+/// A cell, in quotes where it needs them.
+#[must_use]
+pub fn field(text: &str) -> Cow<'_, str> {
     if text.contains([',', '"', '\r', '\n']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
+        Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
     } else {
-        text.to_owned()
+        Cow::Borrowed(text)
     }
 }
 

@@ -3,6 +3,10 @@
 use super::answers::{Answers, NONE};
 use super::document::{Column, Report, Section, Table};
 use crate::exercise::Outcome;
+use crate::units::significant;
+
+/// A difference that is shown though the key allows it, in parts of the expected value.
+const VISIBLE: f64 = 0.01;
 
 /// How many expectations hold, and a table of those that do not.
 pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
@@ -16,7 +20,36 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
         (all, failed) => section.text(format!("{failed} of {all} FAIL:")),
     }
     section.table(table(&failed, answers.precision.digits));
+    let off: Vec<&Outcome> = outcomes.iter().filter(|o| o.passed && is_off(o)).collect();
+    if !off.is_empty() {
+        section.text("Within what the key allows, but off by more than 1 %:");
+        section.table(deviations(&off, answers.precision.digits));
+    }
     report.section(section);
+}
+
+/// Whether an equality holds by its tolerance only: published values that were read off a drawing.
+fn is_off(outcome: &Outcome) -> bool {
+    let expected = outcome.expected.magnitude();
+    outcome.within.is_some() && expected > 0.0 && outcome.difference().magnitude() > VISIBLE * expected
+}
+
+/// Expected values beside what was got, with the difference in parts of the value got.
+fn deviations(off: &[&Outcome], digits: usize) -> Table {
+    let mut columns = ["expectation", "pose"].map(Column::words).to_vec();
+    columns.extend(["expected", "got", "expected is off by"].map(Column::right));
+    let mut table = Table::new(columns, 2);
+    for outcome in off {
+        let apart = 100.0 * outcome.difference().magnitude() / outcome.got.magnitude();
+        table.row(vec![
+            outcome.text.clone(),
+            outcome.pose.clone().unwrap_or_else(|| NONE.to_owned()),
+            outcome.display.text(outcome.expected, digits),
+            outcome.display.text(outcome.got, digits),
+            if apart.is_finite() { format!("{} %", significant(apart, 2)) } else { NONE.to_owned() },
+        ]);
+    }
+    table
 }
 
 fn table(failed: &[&Outcome], digits: usize) -> Table {

@@ -6,9 +6,11 @@ mod accuracy;
 mod answers;
 mod columns;
 pub mod csv;
+mod cycle;
 pub mod document;
 mod expectations;
 mod friction;
+pub mod grade;
 pub mod json;
 pub mod markdown;
 mod mobility;
@@ -18,6 +20,7 @@ mod plan;
 mod reactions;
 mod replacement;
 mod results;
+pub mod rows;
 mod scale;
 pub mod text;
 
@@ -55,6 +58,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     results::sections(answers, &mut report);
     reactions::sections(answers, &mut report);
     friction::section(answers, &mut report);
+    cycle::flywheels(answers, &mut report);
     expectations::section(answers, &mut report);
     accuracy::section(answers, &mut report);
     report

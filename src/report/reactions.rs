@@ -35,10 +35,10 @@ pub struct ContactEntry {
     pub normal: f64,
 }
 
-/// All reactions of a pose, pair by pair as declared. Empty where forces are not solved.
+/// All reactions of a pose, pair by pair as declared. Empty where forces are not solved, and where friction locks.
 #[must_use]
 pub fn reactions(answers: &Answers<'_>, solved: &Solved) -> Vec<ReactionEntry> {
-    if answers.scene.plan.reactions.is_empty() {
+    if answers.scene.plan.reactions.is_empty() || solved.state.locked {
         return Vec::new();
     }
     let view = answers.solution.view(&answers.scene, solved);
@@ -108,12 +108,12 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     let poses: Vec<_> = answers
         .poses()
         .filter_map(|p| Some((p.name.as_str(), reactions(answers, p.outcome.as_ref().ok()?))))
-        .filter(|(_, entries)| !entries.is_empty())
         .collect();
     let mut section = Section::new("Reactions");
     section.table(forces(answers, &poses));
     section.table(normals(answers, &poses));
     section.list(remarks(answers.scene.mechanism, answers));
+    section.list(locked(answers));
     report.section(section);
 }
 
@@ -202,4 +202,18 @@ fn remarks(mechanism: &Mechanism, answers: &Answers<'_>) -> Vec<String> {
         "the couples in {} are not determined: the pairs close a chain of prismatic pairs",
         names.join(", ")
     )]
+}
+
+/// Poses without reactions.
+fn locked(answers: &Answers<'_>) -> Vec<String> {
+    let locks = |solved: &Solved| solved.state.locked;
+    let poses = answers.poses().filter(|p| p.outcome.as_ref().is_ok_and(locks));
+    let names: Vec<&str> = poses.map(|p| p.name.as_str()).collect();
+    let at = match names.as_slice() {
+        [] => return Vec::new(),
+        [name] => format!("pose {name}"),
+        [first, second] => format!("poses {first} and {second}"),
+        [first, .., last] => format!("{} poses from {first} to {last}", names.len()),
+    };
+    vec![format!("no reactions at {at}: friction locks the mechanism")]
 }

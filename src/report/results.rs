@@ -152,6 +152,7 @@ fn reaction_quantities(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<Quantity> 
     let mechanism = answers.scene.mechanism;
     let entries: Vec<Option<Vec<ReactionEntry>>> =
         poses.iter().map(|p| Some(reactions(answers, p.outcome.as_ref().ok()?))).collect();
+    let entries: Vec<_> = entries.into_iter().map(|e| e.filter(|e| !e.is_empty())).collect();
     let Some(pattern) = entries.iter().flatten().next() else { return Vec::new() };
     let mut quantities = Vec::new();
     for (i, entry) in pattern.iter().enumerate() {

@@ -231,6 +231,56 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// A function over a sweep where there is none.
+    #[error("there is no sweep: {why}")]
+    #[diagnostic(code(mech::solve::no_sweep))]
+    NoSweep {
+        /// Why.
+        why: String,
+        /// What to write.
+        #[help]
+        help: String,
+        /// What asks for it, and the drive.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A flywheel that cannot be found.
+    #[error("flywheel `{name}` cannot be found: {why}")]
+    #[diagnostic(code(mech::solve::no_flywheel))]
+    NoFlywheel {
+        /// Its name.
+        name: String,
+        /// Why.
+        why: String,
+        /// What to do.
+        #[help]
+        help: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A flywheel that is not needed.
+    #[error(
+        "flywheel `{name}` is not needed: the links alone run evenly enough, {have} kg m² of {needed} kg m²"
+    )]
+    #[diagnostic(
+        code(mech::solve::needless_flywheel),
+        severity(warning),
+        help(
+            "its moment of inertia is given as 0; ask for a smaller `fluctuation`, or leave the flywheel out"
+        )
+    )]
+    NeedlessFlywheel {
+        /// Its name.
+        name: String,
+        /// Mean reduced moment of inertia of the links.
+        have: String,
+        /// Moment of inertia needed in all.
+        needed: String,
+        /// Its place.
+        #[label("asked for here")]
+        span: miette::SourceSpan,
+    },
     /// An unknown effort that holds nothing.
     #[error("the forces cannot be found{pose}: {why}")]
     #[diagnostic(code(mech::solve::effort_cannot_hold))]

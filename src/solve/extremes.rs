@@ -1,6 +1,7 @@
 //! Dead positions, strokes and time ratios: the extremes of a pair's coordinate over one turn of the drive.
 
 use super::assemble::assemble;
+use super::cycle::{CycleAnswer, FlywheelAnswer};
 use super::error::{SolveError, label};
 use super::inputs::Rates;
 use super::solution::{DriveValue, Scene};
@@ -18,6 +19,10 @@ pub struct Statics {
     extremes: Vec<(PairId, Extremes)>,
     /// Values at which locking begins, by index into [`Mechanism::criticals`].
     pub criticals: Vec<f64>,
+    /// Functions over the sweep, by index into [`Mechanism::cycles`].
+    pub cycles: Vec<CycleAnswer>,
+    /// Flywheels, by index into [`Mechanism::flywheels`].
+    pub flywheels: Vec<FlywheelAnswer>,
 }
 
 /// Extremes of one coordinate over a turn.
@@ -35,7 +40,8 @@ pub struct Extremes {
 
 impl Statics {
     /// Nothing asked for.
-    pub const EMPTY: Self = Self { extremes: Vec::new(), criticals: Vec::new() };
+    pub const EMPTY: Self =
+        Self { extremes: Vec::new(), criticals: Vec::new(), cycles: Vec::new(), flywheels: Vec::new() };
 
     fn of(&self, pair: PairId) -> Option<&Extremes> {
         self.extremes.iter().find(|(p, _)| *p == pair).map(|(_, e)| e)
@@ -63,6 +69,12 @@ impl Statics {
     #[must_use]
     pub fn critical(&self, which: usize) -> f64 {
         self.criticals.get(which).copied().unwrap_or(f64::NAN)
+    }
+
+    /// Value of a function over the sweep; NaN where it has none.
+    #[must_use]
+    pub fn cycle(&self, which: usize) -> f64 {
+        self.cycles.get(which).map_or(f64::NAN, |c| c.value)
     }
 
     /// The longer way between the extremes over the shorter.
@@ -121,7 +133,7 @@ pub(super) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
         })?;
         out.push((ask.pair, extremes));
     }
-    Ok(Statics { extremes: out, criticals: Vec::new() })
+    Ok(Statics { extremes: out, ..Statics::EMPTY })
 }
 
 fn none(
@@ -181,6 +193,7 @@ pub(super) fn every_query(mechanism: &Mechanism, look: &mut impl FnMut(&Query, S
         pose.at.iter().for_each(|(_, e)| ask(e, pose.span));
     }
     mechanism.quantities.iter().for_each(|q| ask(&q.expr, q.span));
+    mechanism.cycles.iter().for_each(|c| ask(&c.expr, c.span));
     for load in &mechanism.loads {
         load.when.iter().for_each(|e| ask(e, load.span));
         match &load.kind {
@@ -293,8 +306,7 @@ impl Turn {
     }
 }
 
-/// The root of the derivative between two samples, by the Illinois variant of regula falsi within a bracket; drive value
-/// and coordinate.
+/// The root of the derivative between two samples: drive value and coordinate.
 fn refine(scene: &Scene<'_>, a: &Sample, end: f64, rate_a: f64, rate_b: f64, pair: PairId) -> (f64, f64) {
     let rates = Rates::unit(scene);
     let mut state = a.state.clone();
@@ -310,28 +322,6 @@ fn refine(scene: &Scene<'_>, a: &Sample, end: f64, rate_a: f64, rate_b: f64, pai
             .collect();
         Turn::seen(scene, &state, &angles, pair)
     };
-    let (mut low, mut high, mut f_low, mut f_high) = (a.at, end, rate_a, rate_b);
-    let mut side = 0;
-    for _ in 0..100 {
-        let x = low + (high - low) * (f_low / (f_low - f_high));
-        let f = at(x).1;
-        if f == 0.0 || (high - low).abs() <= 4.0 * f64::EPSILON * high.abs().max(1.0) {
-            return (x, at(x).0);
-        }
-        if f * f_low > 0.0 {
-            (low, f_low) = (x, f);
-            if side == -1 {
-                f_high *= 0.5;
-            }
-            side = -1;
-        } else {
-            (high, f_high) = (x, f);
-            if side == 1 {
-                f_low *= 0.5;
-            }
-            side = 1;
-        }
-    }
-    let x = 0.5 * (low + high);
+    let x = crate::math::root(a.at, end, rate_a, rate_b, |x| at(x).1);
     (x, at(x).0)
 }

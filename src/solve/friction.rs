@@ -21,7 +21,7 @@ use crate::plan::{ForceStep, FrictionElement, Plan, Rub, RubbingGroup};
 /// Newton's method has settled when its step is this part of the friction: what is left is of the order of its square.
 const SETTLED: f64 = 1e-9;
 /// Newton's steps are at most this many; with a solution four suffice.
-const STEPS: usize = 25;
+pub(super) const STEPS: u32 = 25;
 /// Velocities below this part of the greatest are none.
 pub(super) const STILL: f64 = 1e-11;
 
@@ -36,9 +36,16 @@ pub struct RubbingWork {
     jacobian: Vec<f64>,
     values: Vec<f64>,
     right: Vec<f64>,
+    steps: u32,
 }
 
 impl RubbingWork {
+    /// Newton's steps at the last position, all attempts counted; zero where a closed form needs none.
+    #[must_use]
+    pub const fn steps(&self) -> u32 {
+        self.steps
+    }
+
     /// Memory for a group.
     #[must_use]
     pub fn new(group: &RubbingGroup) -> Self {
@@ -50,6 +57,7 @@ impl RubbingWork {
             jacobian: vec![0.0; count * count],
             values: vec![0.0; count],
             right: vec![0.0; count],
+            steps: 0,
         }
     }
 }
@@ -124,11 +132,11 @@ impl State {
     fn apply_rub(&mut self, element: &FrictionElement, effort: f64) {
         match self.rubbing_line(element) {
             None => {
-                self.wrenches[element.body].moment += effort;
+                self.wrenches[element.through].moment += effort;
                 self.wrenches[element.base].moment -= effort;
             }
             Some((p, d)) => {
-                self.carry(element.body, p, d * -effort, 0.0);
+                self.carry(element.through, p, d * -effort, 0.0);
                 self.carry(element.base, p, d * effort, 0.0);
             }
         }
@@ -175,7 +183,19 @@ impl State {
         plain: &ForceStep,
         group: &RubbingGroup,
     ) -> f64 {
+        if let Some(elements) = &group.reduced {
+            let mut steps = 0;
+            let sine = self.force_reduced(plan, plain, elements, &mut steps);
+            if let Some(work) = &mut self.rubbing_work[index] {
+                work.steps = steps;
+            }
+            return sine.unwrap_or_else(|| {
+                self.locked = true;
+                self.force_step(plan, plain)
+            });
+        }
         let Some(mut work) = self.rubbing_work.get_mut(index).and_then(Option::take) else { return 0.0 };
+        work.steps = 0;
         self.save(group, &mut work.saved);
         let sine = self.respond(plan, plain, group, &mut work, None);
         for unit in 0..group.elements.len() {
@@ -242,6 +262,7 @@ fn newton(plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork, pattern: u3
     let count = group.elements.len();
     work.values.fill(0.0);
     for _ in 0..STEPS {
+        work.steps += 1;
         let (mut scale, mut confirmed, mut guides) = (f64::MIN_POSITIVE, true, 0);
         for i in 0..count {
             let kind = &plan.friction[group.elements[i]].kind;

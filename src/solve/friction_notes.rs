@@ -181,9 +181,19 @@ fn without_effort(view: &View<'_>, place: &str) -> Option<FrictionError> {
         FindKind::Value { expr, poseless, .. } => !poseless && !view.value(expr).is_defined(),
     };
     let finds: Vec<_> = view.mechanism.finds.iter().filter(|f| missing(&f.kind)).collect();
-    let first = finds.first()?.name.clone();
+    let first = match finds.iter().find(|f| !matches!(f.kind, FindKind::Reactions)) {
+        Some(find) => find.name.clone(),
+        // all reactions are no expression: one of them
+        None => {
+            finds.first()?;
+            let pair = view.mechanism.pairs.first()?;
+            let on = pair.kind.links().last().copied()?;
+            format!("reaction({}, {})", pair.name, view.mechanism.link(on).name)
+        }
+    };
     let names: Vec<String> = finds.iter().map(|f| format!("`{}`", f.name)).collect();
     let labels: Vec<LabeledSpan> = finds.iter().map(|f| label("asked here", f.span)).collect();
-    let asked = format!("{} {}", names.join(", "), if names.len() == 1 { "has" } else { "have" });
+    let one = names.len() == 1 && !matches!(finds[0].kind, FindKind::Reactions);
+    let asked = format!("{} {}", names.join(", "), if one { "has" } else { "have" });
     Some(FrictionError::NoEffort { asked, first, pose: place.to_owned(), more: String::new(), labels })
 }

@@ -1,19 +1,20 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
 use super::error::SolveError;
+use super::extremes::Statics;
 use super::notes;
 use super::positions::Wanted;
 use super::residual::residuals;
-use super::solution::{Residuals, Solved};
+use super::solution::{Residuals, Scene, Solved};
 use super::state::State;
 use super::sweep::Run;
 use super::track::Tracker;
 use super::view::View;
-use crate::model::{PairId, PairKind, Query, Value};
+use crate::model::{LoadId, PairId, PairKind, Query, Value};
 use crate::plan::Level;
 
 /// At and below this condition velocities and forces do not exist.
-const DEAD: f64 = 1e-12;
+pub(super) const DEAD: f64 = 1e-12;
 
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
@@ -85,17 +86,7 @@ impl Run<'_, '_> {
 
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
         let scene = self.scene;
-        let view = View::new(scene, state, angles, &self.statics);
-        let motion = view.all_quantities();
-        View { quantities: &motion, ..view }.evaluated_loads(&mut self.evaluated);
-        state.run_loads(scene, &self.evaluated);
-        state.applied.clone_from(&state.wrenches);
-        state.set_lines(scene);
-        state.locked = false;
-        if scene.plan.effects.friction {
-            state.set_senses(scene.plan);
-        }
-        state.run_forces(scene.plan);
+        balanced(scene, &self.statics, state, angles, &mut self.evaluated);
         let mut least = 1.0_f64;
         for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
             let condition = sine.abs();
@@ -124,4 +115,25 @@ impl Run<'_, '_> {
             }
         }
     }
+}
+
+/// Loads and forces of a state whose motion is known.
+pub(super) fn balanced(
+    scene: &Scene<'_>,
+    statics: &Statics,
+    state: &mut State,
+    angles: &[f64],
+    evaluated: &mut Vec<(LoadId, Value)>,
+) {
+    let view = View::new(scene, state, angles, statics);
+    let motion = view.all_quantities();
+    View { quantities: &motion, ..view }.evaluated_loads(evaluated);
+    state.run_loads(scene, evaluated);
+    state.applied.clone_from(&state.wrenches);
+    state.set_lines(scene);
+    state.locked = false;
+    if scene.plan.effects.friction {
+        state.set_senses(scene.plan);
+    }
+    state.run_forces(scene.plan);
 }

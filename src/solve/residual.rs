@@ -76,11 +76,11 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
     for (element, &value) in scene.plan.friction.iter().zip(&state.frictions) {
         match state.rubbing_line(element) {
             None => {
-                add(element.body, state.bodies[element.body].p, Vec2::zero(), value);
+                add(element.through, state.bodies[element.through].p, Vec2::zero(), value);
                 add(element.base, state.bodies[element.base].p, Vec2::zero(), -value);
             }
             Some((p, d)) => {
-                add(element.body, p, d * value, 0.0);
+                add(element.through, p, d * value, 0.0);
                 add(element.base, p, d * -value, 0.0);
             }
         }

@@ -39,6 +39,7 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
     }
     let mut statics = statics(scene).map_err(|e| vec![e])?;
     statics.criticals = criticals;
+    let cycle_warnings = super::cycle::cycles(scene, &mut statics).map_err(|e| vec![e])?;
     let wanted = sweep(scene, &statics);
     let mut run = Run {
         scene,
@@ -52,7 +53,8 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
     let trackers = run.follow(&wanted).map_err(|e| vec![e])?;
     run.beside(&wanted, &trackers);
     let friction = run.friction_problems();
-    let warnings = run.notes.into_warnings(scene, &run.poses);
+    let mut warnings = run.notes.into_warnings(scene, &run.poses);
+    warnings.extend(cycle_warnings);
     Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction })
 }
 

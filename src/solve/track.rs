@@ -201,7 +201,7 @@ impl Tracker {
 }
 
 /// An angle carried on from one direction to the next by the difference between them.
-fn continued(angle: f64, old: Vec2, new: Vec2) -> f64 {
+pub(super) fn continued(angle: f64, old: Vec2, new: Vec2) -> f64 {
     let turned = libm::atan2(old.cross(new), old.dot(new));
     // the whole turns are carried on, the rest is read off the direction itself: no error adds up
     let estimate = angle + turned;
@@ -229,7 +229,7 @@ pub(super) fn extent(scene: &Scene<'_>) -> f64 {
     if extent > 0.0 { extent } else { 1.0 }
 }
 
-fn between(a: DriveValue, b: DriveValue, part: f64) -> DriveValue {
+pub(super) fn between(a: DriveValue, b: DriveValue, part: f64) -> DriveValue {
     match (a, b) {
         (DriveValue::Scalar(a), DriveValue::Scalar(b)) => DriveValue::Scalar(a + (b - a) * part),
         (DriveValue::Point(a), DriveValue::Point(b)) => DriveValue::Point(a + (b - a) * part),
@@ -237,7 +237,7 @@ fn between(a: DriveValue, b: DriveValue, part: f64) -> DriveValue {
     }
 }
 
-fn steps(scene: &Scene<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> f64 {
+pub(super) fn steps(scene: &Scene<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> f64 {
     let mut steps = 1.0_f64;
     for ((drive, from), to) in scene.mechanism.drives.iter().zip(from).zip(to) {
         let way = match (from, to) {

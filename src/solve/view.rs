@@ -118,6 +118,8 @@ impl View<'_> {
             Query::Stroke(pair) => Value::Scalar(self.statics.stroke(*pair)),
             Query::TimeRatio(pair) => Value::Scalar(self.statics.time_ratio(*pair)),
             Query::Dead(pair, which) => Value::Scalar(self.statics.dead(*pair, *which)),
+            Query::Cycle(which) => Value::Scalar(self.statics.cycle(*which)),
+            Query::Flywheel(which, part) => Value::Scalar(self.flywheel(*which, *part)),
         }
     }
 

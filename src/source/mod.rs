@@ -52,11 +52,18 @@ pub struct Source {
     pub name: String,
     /// The text.
     pub text: String,
+    /// How many lines stand before it, where it is a part of a file.
+    pub lines_before: usize,
 }
 
 impl Source {
     /// A text under a name.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
-        Self { name: name.into(), text: text.into() }
+        Self { name: name.into(), text: text.into(), lines_before: 0 }
+    }
+
+    /// A line of a text, counted from 1.
+    pub fn line(name: impl Into<String>, text: impl Into<String>, line: usize) -> Self {
+        Self { lines_before: line.saturating_sub(1), ..Self::new(name, text) }
     }
 }

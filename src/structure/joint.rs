@@ -94,7 +94,41 @@ impl Joint {
     }
 }
 
+impl JointKind {
+    /// Whether both join the same bodies in the same way, wherever on them.
+    fn is_alike(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Revolute(a), Self::Revolute(b)) => a.iter().map(|m| m.0).eq(b.iter().map(|m| m.0)),
+            (
+                Self::Prismatic { slider, guide, offset, angle_redundant, in_chain, .. },
+                Self::Prismatic {
+                    slider: other_slider,
+                    guide: other_guide,
+                    offset: other_offset,
+                    angle_redundant: other_redundant,
+                    in_chain: other_chain,
+                    ..
+                },
+            ) => {
+                (slider, guide, angle_redundant, in_chain)
+                    == (other_slider, other_guide, other_redundant, other_chain)
+                    && (*offset > 0.0) == (*other_offset > 0.0)
+            }
+            _ => false,
+        }
+    }
+}
+
 impl Replaced {
+    /// Whether bodies and joints are the same but for their numbers.
+    pub(super) fn is_alike(&self, other: &Self) -> bool {
+        let bodies = |r: &Self| r.bodies.iter().map(|b| (b.origin, b.known)).collect::<Vec<_>>();
+        self.passive == other.passive
+            && bodies(self) == bodies(other)
+            && self.joints.len() == other.joints.len()
+            && self.joints.iter().zip(&other.joints).all(|(a, b)| a.pair == b.pair && a.kind.is_alike(&b.kind))
+    }
+
     /// The joint with this id.
     #[must_use]
     pub fn joint(&self, id: JointId) -> &Joint {

@@ -92,3 +92,17 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
     let (assertion_errors, warnings) = assertion::check(mechanism, &mut structure);
     if assertion_errors.is_empty() { Ok((structure, warnings)) } else { Err(assertion_errors) }
 }
+
+impl Structure {
+    /// The structure of another mechanism of the same text whose values differ from this one's; `None` where that takes
+    /// more than other numbers: a defect, a driven point, or joints of another kind.
+    #[must_use]
+    pub fn with_numbers_of(&self, mechanism: &Mechanism) -> Option<Self> {
+        let points = self.drives.iter().any(|d| matches!(d.kind, EffortKind::Point(_)));
+        if self.force_defect.is_some() || points || !floating::floating(mechanism).is_empty() {
+            return None;
+        }
+        let replaced = replace::replace(mechanism);
+        replaced.is_alike(&self.replaced).then(|| Self { replaced, ..self.clone() })
+    }
+}

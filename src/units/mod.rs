@@ -16,5 +16,5 @@ mod tests;
 pub use dimension::{Dimension, Kind};
 pub use error::UnitError;
 pub use lookup::{Factor, factors, is_unit, lookup};
-pub use number::significant;
+pub use number::{significant, write_significant};
 pub use unit::Unit;

@@ -279,6 +279,19 @@ pub enum RequestError {
         #[label("{columns}")]
         header: Option<Span>,
     },
+    /// A table beside the file without a column that the file's answer key needs.
+    #[error("the table has no column `{name}`, and an `expect` of the file takes its value from there")]
+    #[diagnostic(
+        code("mech::request::key_column"),
+        help("add the column, or write `given {name} = …` in the file")
+    )]
+    KeyColumn {
+        /// Its name.
+        name: String,
+        /// The header.
+        #[label("no `{name}` here")]
+        span: Span,
+    },
     /// A value from outside for what is no `given`.
     #[error("`--set {name}=…`: {why}")]
     #[diagnostic(code("mech::request::set_unknown"))]

@@ -74,9 +74,12 @@ impl Context<'_> {
 
     fn without_pose(&mut self, found: model::Expr, expr: &Expr, what: &str) -> Option<model::Expr> {
         let found = self.inline(&found, expr.span)?;
-        // a critical value is found from the solved mechanism
+        // these are found from the solved mechanism
         let mut of_solution = false;
-        found.queries(&mut |q| of_solution |= matches!(q, model::Query::Critical(_)));
+        found.queries(&mut |q| {
+            of_solution |=
+                matches!(q, model::Query::Critical(_) | model::Query::Cycle(_) | model::Query::Flywheel(..));
+        });
         if of_solution || !self.is_poseless(&found) {
             self.error(RequestError::NeedsPose { what: what.to_owned(), span: expr.span });
             return None;

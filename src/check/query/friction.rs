@@ -61,8 +61,17 @@ impl Context<'_> {
     pub(super) fn frictionless(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let t = self.read(args[0])?;
-        let expr =
-            if t.value().is_some() || t.pending { t.expr } else { Expr::Frictionless(Box::new(t.expr)) };
+        if t.value().is_some() || t.pending {
+            return Some(t);
+        }
+        let expr = self.inline(&t.expr, call.span)?;
+        let mut of_flywheel = false;
+        self.queries_behind(&expr, &mut |q| of_flywheel |= matches!(q, Query::Flywheel(..)));
+        if of_flywheel {
+            self.unsupported("a flywheel without friction", call.span);
+            return Some(Typed::pending(t.ty));
+        }
+        let expr = Expr::Frictionless(Box::new(self.frictionless_over_sweep(&expr, call)));
         Some(Typed { expr, ..t })
     }
 }

@@ -2,6 +2,8 @@
 
 mod args;
 mod bearing;
+mod cycle;
+mod flywheel;
 mod force;
 mod friction;
 mod motion;
@@ -74,6 +76,8 @@ impl Context<'_> {
             "critical" => self.critical(call),
             "frictionless" => self.frictionless(call),
             "journal_torque" | "thrust_torque" => self.bearing(call),
+            "max" | "min" | "mean" | "integral" | "argmax" => self.over_sweep(call),
+            "fluctuation" | "rim" | "work" | "reduced_torque" | "reduced_inertia" => self.of_flywheel(call),
             name if FUNCTIONS.iter().any(|f| f.name == name) => self.not_yet(call),
             _ => {
                 self.no_function(call);

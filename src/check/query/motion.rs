@@ -148,7 +148,7 @@ impl Context<'_> {
     }
 
     /// The dimension of the one drive's values.
-    fn only_drive(&mut self, call: Call<'_>) -> Option<Dimension> {
+    pub(super) fn only_drive(&mut self, call: Call<'_>) -> Option<Dimension> {
         let drives = self.drive_statements();
         if let [drive] = drives[..] {
             return Some(self.drive_dimension(drive));

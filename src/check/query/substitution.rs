@@ -39,7 +39,8 @@ impl Context<'_> {
                 let call = Call { name: function, args, span: base.span, sign: Sign::Matters };
                 match function.node.as_str() {
                     "static_substitution" | "dynamic_substitution" => Some(self.substitution(call, part)),
-                    "rim" | "table" => Some(self.not_yet(call)),
+                    "rim" => Some(self.rim(call, part)),
+                    "table" => Some(self.not_yet(call)),
                     _ => None,
                 }
             }

@@ -1,6 +1,7 @@
 //! A solved file as JSON: `docs/json-schema/solution-1.json`. SI and radians, fixed order of keys; what was not asked
 //! for, or does not exist, is left out.
 
+mod cycle;
 mod entries;
 mod pose;
 mod structure;
@@ -8,9 +9,11 @@ mod structure;
 use serde::Serialize;
 
 use super::answers::Answers;
+use crate::check::{ColumnUse, Row};
 use crate::diagnostic::DiagnosticView;
 use crate::exercise::Outcome;
 use crate::solve::Scene;
+use cycle::{AccuracyView, FlywheelView};
 use entries::{Entries, Number, Reading};
 use pose::PoseView;
 use structure::StructureView;
@@ -25,6 +28,8 @@ struct SolutionView<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     mechanism: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    variant: Option<Variant>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     structure: Option<StructureView<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     effects: Option<Vec<&'static str>>,
@@ -32,9 +37,41 @@ struct SolutionView<'a> {
     poses: Option<Vec<PoseView<'a>>>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
     cycle: Entries<Reading>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    cycle_accuracy: Entries<AccuracyView>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    flywheels: Entries<FlywheelView>,
     #[serde(skip_serializing_if = "Option::is_none")]
     expectations: Option<Vec<ExpectationView<'a>>>,
     diagnostics: &'a [DiagnosticView],
+}
+
+/// A row of a table of variants.
+#[derive(Clone, Debug, Serialize)]
+pub struct Variant {
+    /// Counted from 1.
+    row: usize,
+    /// What the column `variant` calls it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+    /// Its numbers by name, SI.
+    values: Entries<Number>,
+}
+
+impl Variant {
+    /// A row.
+    #[must_use]
+    pub fn of(row: usize, name: Option<String>, numbers: &Row) -> Self {
+        let numbers = numbers.entries().filter(|(column, _)| column.what != ColumnUse::Label);
+        let values = numbers.filter_map(|(c, cell)| Some((c.name.clone(), Number::of(cell.value)?)));
+        Self { row, name, values: Entries(values.collect()) }
+    }
+
+    /// A row that cannot be read.
+    #[must_use]
+    pub const fn unread(row: usize) -> Self {
+        Self { row, name: None, values: Entries(Vec::new()) }
+    }
 }
 
 #[derive(Serialize)]
@@ -58,15 +95,30 @@ pub fn render(
     answers: Option<&Answers<'_>>,
     diagnostics: &[DiagnosticView],
 ) -> String {
+    render_row(file, None, scene, answers, diagnostics)
+}
+
+/// As [`render`], with a row of a table of variants.
+#[must_use]
+pub fn render_row(
+    file: &str,
+    variant: Option<Variant>,
+    scene: Option<&Scene<'_>>,
+    answers: Option<&Answers<'_>>,
+    diagnostics: &[DiagnosticView],
+) -> String {
     let title = scene.map(|s| s.mechanism.title.as_str());
     let view = SolutionView {
         schema: SCHEMA,
         file,
         mechanism: title.filter(|t| !t.is_empty()),
+        variant,
         structure: scene.map(StructureView::of),
         effects: scene.map(|s| s.plan.effects.names()),
         poses: answers.map(|a| a.poses().map(|p| PoseView::of(a, p)).collect()),
-        cycle: Entries(answers.map(cycle).unwrap_or_default()),
+        cycle: Entries(answers.map(of_cycle).unwrap_or_default()),
+        cycle_accuracy: answers.map_or_else(|| Entries(Vec::new()), cycle::accuracy),
+        flywheels: answers.map_or_else(|| Entries(Vec::new()), cycle::flywheels),
         expectations: answers.map(|a| a.outcomes.iter().filter_map(expectation).collect()),
         diagnostics,
     };
@@ -74,7 +126,7 @@ pub fn render(
     serde_json::to_string(&view).unwrap_or_default()
 }
 
-fn cycle(answers: &Answers<'_>) -> Vec<(String, Reading)> {
+fn of_cycle(answers: &Answers<'_>) -> Vec<(String, Reading)> {
     let all = answers.quantities_without_pose().into_iter();
     all.filter_map(|q| Some((q.name, Reading::of(q.values.first().copied().flatten()?)?))).collect()
 }

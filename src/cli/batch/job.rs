@@ -1,0 +1,424 @@
+//! One file of a batch with its rows.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::ops::Range;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use rayon::prelude::*;
+
+use super::super::args::BatchFormat;
+use super::super::error::CliError;
+use super::super::screen::Screen;
+use super::layout::{ERROR, Layout};
+use super::line::{Said, Written, write_row};
+use super::progress::Progress;
+use super::sink::Sink;
+use super::stop;
+use super::tally::{Kind, Tally};
+use crate::check::{self, ColumnUse, FileRow, Overrides, Row, RowColumn};
+use crate::diagnostic::Problems;
+use crate::exercise::Family;
+use crate::exercise::table::{Fault, Lines, RawRow, Separator, Table};
+use crate::report::rows::AnswerColumns;
+use crate::source::Source;
+use crate::syntax::{self, document::Document};
+
+/// The first chunk of rows; it grows until a chunk takes its time.
+const FIRST_CHUNK: usize = 256;
+/// Rows in memory at the most.
+const LARGEST_CHUNK: usize = 8192;
+/// A chunk shorter than this is made larger.
+const SHORT: Duration = Duration::from_millis(40);
+/// Rows of one table to read.
+const TABLE_CHUNK: usize = 1000;
+/// Rows that one thread takes at a time.
+const PIECE: usize = 32;
+/// So many rows that fail for one reason are explained, the others named.
+const EXPLAINED: usize = 3;
+const BUFFER: usize = 1 << 17;
+
+/// A file that could be read, with its rows.
+#[derive(Debug)]
+pub struct Job {
+    /// Its text.
+    pub source: Source,
+    /// What it says.
+    pub document: Document,
+    /// What replaces the values of all rows.
+    pub overrides: Overrides,
+    rows: Rows,
+    columns: Arc<[RowColumn]>,
+    answers: Option<AnswerColumns>,
+}
+
+/// Where rows come from.
+#[derive(Debug)]
+enum Rows {
+    /// The file as it stands.
+    One,
+    /// Its own table.
+    Own(Vec<FileRow>),
+    /// A table beside it.
+    Csv(String),
+}
+
+/// Rows in memory.
+enum Chunk<'a> {
+    One,
+    Own { rows: &'a [FileRow], before: usize },
+    Csv { lines: Lines, table: &'a str, separator: Separator },
+}
+
+/// A row to solve.
+pub struct Input<'a> {
+    /// Counted from 1.
+    pub number: usize,
+    /// What the column `variant` calls it.
+    pub label: Option<String>,
+    /// Its numbers as written in a table beside the file.
+    pub written: Option<Vec<crate::exercise::table::Cell<'a>>>,
+    /// Its numbers.
+    pub row: Row,
+    /// Its place in the file's own table.
+    pub span: Option<crate::source::Span>,
+}
+
+impl Chunk<'_> {
+    fn len(&self) -> usize {
+        match self {
+            Self::One => 1,
+            Self::Own { rows, .. } => rows.len(),
+            Self::Csv { lines, .. } => lines.len(),
+        }
+    }
+
+    fn get(&self, index: usize, columns: &Arc<[RowColumn]>) -> Result<Input<'_>, (usize, Fault)> {
+        match self {
+            Self::One => {
+                Ok(Input { number: 1, label: None, written: None, row: Row::default(), span: None })
+            }
+            Self::Own { rows, before } => {
+                let FileRow { row, label, span } = rows[index].clone();
+                let number = before + index + 1;
+                Ok(Input { number, label, written: None, row, span: Some(span) })
+            }
+            Self::Csv { lines, table, separator } => {
+                let raw = lines.get(index).unwrap_or(RawRow { number: 0, line: 0, bytes: &[] });
+                let read = raw.read(table, columns, *separator).map_err(|fault| (raw.number, fault))?;
+                let (label, written) = (read.label, Some(read.cells));
+                Ok(Input { number: raw.number, label, written, row: read.row, span: None })
+            }
+        }
+    }
+}
+
+type Csv = Table<BufReader<File>>;
+
+fn open(name: &str) -> Result<Result<Csv, Fault>, CliError> {
+    let fail = |error: std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => CliError::Missing { name: name.to_owned() },
+        _ => CliError::Unreadable { name: name.to_owned(), why: error.to_string() },
+    };
+    let file = File::open(name).map_err(fail)?;
+    Table::open(name, BufReader::with_capacity(BUFFER, file)).map_err(fail)
+}
+
+/// Says what is wrong with one text.
+fn tell(problems: &Problems, source: &Source, screen: &Screen) {
+    screen.complain(&screen.diagnostics(problems, source));
+}
+
+fn tell_fault((source, error): Fault, screen: &Screen) {
+    let mut problems = Problems::new();
+    problems.push(*error);
+    tell(&problems, &source, screen);
+}
+
+impl Job {
+    /// Reads a file and the header of its table; `None` where either has an error, which is told.
+    pub fn new(
+        source: Source,
+        overrides: &Overrides,
+        table: Option<&str>,
+        screen: &Screen,
+    ) -> Result<Option<Self>, CliError> {
+        let (document, problems) = syntax::parse(&source);
+        tell(&problems, &source, screen);
+        if problems.has_errors() {
+            return Ok(None);
+        }
+        let (rows, columns) = match table {
+            Some(name) => match open(name)? {
+                Ok(table) => {
+                    let (columns, problems) = check::columns(&document, overrides, &table.columns);
+                    tell(&problems, &table.header, screen);
+                    (Rows::Csv(name.to_owned()), columns)
+                }
+                Err(fault) => {
+                    tell_fault(fault, screen);
+                    return Ok(None);
+                }
+            },
+            None => match check::table(&document) {
+                Some(table) => {
+                    let (columns, problems) = check::columns(&document, overrides, table);
+                    tell(&problems, &source, screen);
+                    let columns: Option<Arc<[RowColumn]>> = columns.map(Arc::from);
+                    let rows = columns.as_ref().map(|c| check::file_rows(table, c)).unwrap_or_default();
+                    (Rows::Own(rows), columns.map(|c| c.to_vec()))
+                }
+                None => (Rows::One, Some(Vec::new())),
+            },
+        };
+        let overrides = overrides.clone();
+        let Some(columns) = columns else {
+            // where the table is fine, the `given` that it replaces is not
+            tell(&crate::check_source(&source, &overrides).1, &source, screen);
+            return Ok(None);
+        };
+        let columns = Arc::from(columns);
+        let mut job = Self { source, document, overrides, rows, columns, answers: None };
+        job.answers = job.first_answers()?;
+        Ok(Some(job))
+    }
+
+    /// The columns of the first row that has some.
+    fn first_answers(&self) -> Result<Option<AnswerColumns>, CliError> {
+        let mut family = self.family();
+        let mut found = None;
+        self.each_chunk(FIRST_CHUNK, None, &mut |chunk, _| {
+            let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, &self.columns).ok());
+            found = inputs.filter_map(|i| family.compile(&i.row).0).map(|c| AnswerColumns::of(&c.scene())).next();
+            Ok(found.is_none() && !stop::wanted())
+        })?;
+        Ok(found)
+    }
+
+    /// Solves its rows one after another.
+    pub fn family(&self) -> Family<'_> {
+        Family::new(&self.source, &self.document, &self.overrides)
+    }
+
+    /// The headers of its lines.
+    pub fn headers(&self, key: bool) -> Vec<String> {
+        let mut headers = vec!["row".to_owned()];
+        headers.extend(self.label().map(|_| "variant".to_owned()));
+        if !key {
+            headers.extend(self.givens().map(|(_, column)| column.header()));
+        }
+        headers.push("pose".to_owned());
+        headers.extend(self.answers.iter().flat_map(|a| a.headers(key)));
+        if !key {
+            headers.push(ERROR.to_owned());
+        }
+        headers
+    }
+
+    /// The columns of the table that are shown beside the answers.
+    pub fn givens(&self) -> impl Iterator<Item = (usize, &RowColumn)> {
+        self.columns.iter().enumerate().filter(|(_, c)| c.what == ColumnUse::Given)
+    }
+
+    /// The column that names the rows.
+    pub fn label(&self) -> Option<usize> {
+        self.columns.iter().position(|c| c.what == ColumnUse::Label)
+    }
+
+    /// The columns of its answers, where one of its rows has any.
+    pub const fn answers(&self) -> Option<&AnswerColumns> {
+        self.answers.as_ref()
+    }
+
+    /// Calls `work` on its rows, chunk by chunk, until that says it is enough. Without a size of its own a chunk is as
+    /// large as takes a while.
+    fn each_chunk(
+        &self,
+        first: usize,
+        fixed: Option<usize>,
+        work: &mut dyn FnMut(&Chunk<'_>, Option<usize>) -> Result<bool, CliError>,
+    ) -> Result<(), CliError> {
+        let mut size = fixed.unwrap_or(first);
+        let grown = |size: usize, taken: Duration| {
+            if fixed.is_none() && taken < SHORT { (2 * size).min(LARGEST_CHUNK) } else { size }
+        };
+        match &self.rows {
+            Rows::One => work(&Chunk::One, Some(1)).map(drop),
+            Rows::Own(rows) => {
+                let mut before = 0;
+                while before < rows.len() {
+                    let started = Instant::now();
+                    let end = (before + size).min(rows.len());
+                    if !work(&Chunk::Own { rows: &rows[before..end], before }, Some(rows.len()))? {
+                        break;
+                    }
+                    before = end;
+                    size = grown(size, started.elapsed());
+                }
+                Ok(())
+            }
+            Rows::Csv(name) => {
+                // the header is known to be fine
+                let Ok(mut table) = open(name)? else { return Ok(()) };
+                let separator = table.separator;
+                let mut lines = Lines::default();
+                loop {
+                    let started = Instant::now();
+                    let why = |e: std::io::Error| CliError::Unreadable { name: name.clone(), why: e.to_string() };
+                    table.lines(size, &mut lines).map_err(why)?;
+                    if lines.is_empty() {
+                        return Ok(());
+                    }
+                    let chunk = Chunk::Csv { lines, table: name, separator };
+                    let more = work(&chunk, None)?;
+                    let Chunk::Csv { lines: read, .. } = chunk else { return Ok(()) };
+                    lines = read;
+                    if !more {
+                        return Ok(());
+                    }
+                    size = grown(size, started.elapsed());
+                }
+            }
+        }
+    }
+
+    /// What is wrong with a table without rows.
+    fn without_rows(&self) -> Result<Option<Fault>, CliError> {
+        match &self.rows {
+            Rows::Csv(name) => Ok(open(name)?.ok().and_then(|table| table.without_rows())),
+            Rows::Own(rows) if rows.is_empty() => {
+                let error = crate::exercise::table::TableError::Empty { what: "no rows", span: None };
+                Ok(Some((self.source.clone(), Box::new(error))))
+            }
+            _ => Ok(None),
+        }
+    }
+}
+
+/// A job and what to write of it.
+pub struct Run<'a> {
+    /// The job.
+    pub job: &'a Job,
+    /// How.
+    pub format: BatchFormat,
+    /// The columns of the answers.
+    pub layout: &'a Layout,
+    /// Those of the key, where one is wanted.
+    pub key: Option<&'a Layout>,
+    /// Where diagnostics go.
+    pub screen: &'a Screen,
+}
+
+/// What rows gave.
+#[derive(Default)]
+struct Piece {
+    out: String,
+    key: String,
+    said: Vec<(usize, Said)>,
+    whole: bool,
+}
+
+impl<'r> Run<'r> {
+    /// Solves all rows in parallel and writes them in order.
+    pub fn all(&self, out: &mut Sink, key_out: &mut Option<Sink>) -> Result<Tally, CliError> {
+        let mut tally = Tally::default();
+        let mut progress = None;
+        let places = self.layout.places(self.job);
+        let key_places = self.key.and_then(|key| key.places(self.job));
+        let name = &self.job.source.name;
+        let fixed = (self.format == BatchFormat::Table).then_some(TABLE_CHUNK);
+        self.job.each_chunk(FIRST_CHUNK, fixed, &mut |chunk, total| {
+            let progress = progress.get_or_insert_with(|| Progress::new(name, total));
+            let mut shown = String::new();
+            let mut whole = true;
+            for piece in self.chunk(chunk) {
+                let lines = match (&places, self.format) {
+                    (Some(places), BatchFormat::Csv | BatchFormat::Table) => {
+                        self.layout.placed(&piece.out, places, name)
+                    }
+                    _ => piece.out,
+                };
+                match self.format {
+                    BatchFormat::Table => shown += &lines,
+                    _ => out.write(&lines)?,
+                }
+                if let (Some(sink), Some(key)) = (key_out.as_mut(), self.key) {
+                    let key_lines = key_places.as_ref().map(|places| key.placed(&piece.key, places, name));
+                    sink.write(key_lines.as_ref().unwrap_or(&piece.key))?;
+                }
+                self.tell(piece.said, &mut tally, progress);
+                if !piece.whole {
+                    whole = false;
+                    break;
+                }
+            }
+            if self.format == BatchFormat::Table {
+                out.write(&self.layout.table(&shown, name, self.screen.look()))?;
+            }
+            progress.rows(tally.rows());
+            Ok(whole && !out.closed() && !stop::wanted())
+        })?;
+        if tally.rows() == 0 && !stop::wanted()
+            && let Some(fault) = self.job.without_rows()?
+        {
+            tell_fault(fault, self.screen);
+            tally.failed_row(0, "mech::table::empty");
+        }
+        Ok(tally)
+    }
+
+    fn chunk(&self, chunk: &Chunk<'_>) -> Vec<Piece> {
+        let pieces: Vec<Range<usize>> =
+            (0..chunk.len()).step_by(PIECE).map(|start| start..(start + PIECE).min(chunk.len())).collect();
+        let all = pieces.into_par_iter();
+        all.map_init(|| self.job.family(), |family, range| self.piece(family, chunk, range)).collect()
+    }
+
+    fn piece(&self, family: &mut Family<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece {
+        let mut piece = Piece { whole: true, ..Piece::default() };
+        for index in range {
+            if stop::wanted() {
+                piece.whole = false;
+                break;
+            }
+            let input = chunk.get(index, &self.job.columns);
+            let number = input.as_ref().map_or_else(|(number, _)| *number, |input| input.number);
+            let mut written = Written {
+                job: self.job,
+                format: self.format,
+                layout: self.layout,
+                key: self.key,
+                out: &mut piece.out,
+                key_out: &mut piece.key,
+            };
+            let said = write_row(self.job, &mut written, family, input);
+            piece.said.push((number, said));
+        }
+        piece
+    }
+
+    /// Counts rows; explains the first that fail for a reason.
+    fn tell(&self, said: Vec<(usize, Said)>, tally: &mut Tally, progress: &Progress) {
+        for (number, said) in said {
+            let fails = said.failed.is_some();
+            let failed = said.failed.iter().map(|code| (Kind::Failed, code.clone()));
+            let all = failed.chain(said.unmet.then(|| (Kind::Unmet, String::new())));
+            let all: Vec<_> = all.chain(said.warned.into_iter().map(|code| (Kind::Warned, code))).collect();
+            let explain = all.iter().any(|(kind, code)| {
+                *kind != Kind::Unmet && tally.said(*kind, code) < EXPLAINED
+            });
+            match &said.failed {
+                Some(code) => tally.failed_row(number, code),
+                None => tally.solved(),
+            }
+            for (kind, code) in all.iter().skip(usize::from(fails)) {
+                tally.note(*kind, number, code);
+            }
+            if let (true, Some((source, problems))) = (explain, said.problems) {
+                let source = source.as_ref().unwrap_or(&self.job.source);
+                progress.aside(|| tell(&problems, source, self.screen));
+            }
+        }
+    }
+}

@@ -1,0 +1,248 @@
+//! One row: solved and written.
+
+use std::fmt::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use super::super::args::BatchFormat;
+use super::job::{Input, Job};
+use super::layout::Layout;
+use crate::Solved;
+use crate::diagnostic::Problems;
+use crate::exercise::table::Fault;
+use crate::exercise::{Family, InRow, row_words};
+use crate::report::csv::LINE_END;
+use crate::report::json::{self, Variant};
+use crate::report::rows::{AnswerColumns, FULL, write_text};
+use crate::report::{Answers, Precision};
+use crate::source::Source;
+use crate::units::write_significant;
+
+/// Where a row is written.
+pub struct Written<'a> {
+    /// The file.
+    pub job: &'a Job,
+    /// How.
+    pub format: BatchFormat,
+    /// The columns.
+    pub layout: &'a Layout,
+    /// Those of the key, where one is wanted.
+    pub key: Option<&'a Layout>,
+    /// The lines of answers.
+    pub out: &'a mut String,
+    /// The lines of the key.
+    pub key_out: &'a mut String,
+}
+
+/// What is to be said of a row.
+#[derive(Default)]
+pub struct Said {
+    /// Why it failed: a code.
+    pub failed: Option<String>,
+    /// An expectation is not met.
+    pub unmet: bool,
+    /// Codes of its warnings.
+    pub warned: Vec<String>,
+    /// All of it, with the text it is about where that is not the file's.
+    pub problems: Option<(Option<Source>, Problems)>,
+}
+
+/// Solves a row and writes its lines: one per pose, and one without answers where there are none.
+pub fn write_row<'f>(
+    job: &'f Job,
+    written: &mut Written<'_>,
+    family: &mut Family<'f>,
+    input: Result<Input<'_>, (usize, Fault)>,
+) -> Said {
+    let input = match input {
+        Ok(input) => input,
+        Err((number, fault)) => return written.fault(number, fault),
+    };
+    let found = catch_unwind(AssertUnwindSafe(|| family.solve(&input.row)));
+    let Ok((solved, problems)) = found else {
+        // what the last row left behind is not to be used again
+        *family = job.family();
+        return written.panicked(&input);
+    };
+    written.row(&input, solved.as_ref(), problems)
+}
+
+impl Written<'_> {
+    fn row(&mut self, input: &Input<'_>, solved: Option<&Solved>, problems: Problems) -> Said {
+        let mut said = Said::default();
+        if !problems.is_empty() {
+            said = sorted(&problems);
+        }
+        said.unmet = solved.is_some_and(|s| s.outcomes.iter().any(|o| !o.passed));
+        let error = said.failed.is_some().then(|| first_error(&problems)).unwrap_or_default();
+        let answers = solved.map(|s| s.answers(Precision::READABLE));
+        if self.format == BatchFormat::Jsonl {
+            self.json(input, answers.as_ref(), &problems);
+        } else {
+            self.lines(input, answers.as_ref(), &error);
+        }
+        if let Some(key) = self.key {
+            let columns = self.job.answers();
+            let mut line = Line { head: String::new(), columns, digits: key.digits, key: true };
+            line.head(self.job, input);
+            line.all(answers.as_ref(), None, self.key_out);
+        }
+        if !problems.is_empty() {
+            let words = input.row.words();
+            let problems = if words.is_empty() {
+                problems
+            } else {
+                InRow::all(problems, &row_words(input.number, input.label.as_deref(), &words), input.span)
+            };
+            said.problems = Some((None, problems));
+        }
+        said
+    }
+
+    fn lines(&mut self, input: &Input<'_>, answers: Option<&Answers<'_>>, error: &str) {
+        let columns = self.job.answers();
+        let mut line = Line { head: String::new(), columns, digits: self.layout.digits, key: false };
+        line.head(self.job, input);
+        for (i, column) in self.job.givens() {
+            line.head.push(',');
+            let written = input.written.as_ref().and_then(|cells| cells.get(i)).map(|cell| cell.text.as_ref());
+            match written.filter(|text| text.bytes().all(|b| b.is_ascii_graphic() && b != b',' && b != b'"')) {
+                Some(text) => line.head.push_str(text),
+                None => {
+                    let value = input.row.entries().nth(i).map_or(f64::NAN, |(_, cell)| cell.value);
+                    write_significant(&mut line.head, column.unit.from_si(value), FULL);
+                }
+            }
+        }
+        line.all(answers, Some(error), self.out);
+    }
+
+    fn json(&mut self, input: &Input<'_>, answers: Option<&Answers<'_>>, problems: &Problems) {
+        let views = problems.views(&self.job.source);
+        let variant = (!input.row.is_empty()).then(|| Variant::of(input.number, input.label.clone(), &input.row));
+        let scene = answers.map(|a| a.scene);
+        *self.out += &json::render_row(&self.job.source.name, variant, scene.as_ref(), answers, &views);
+        self.out.push('\n');
+    }
+
+    /// A row of a table that cannot be read.
+    fn fault(&mut self, number: usize, (source, error): Fault) -> Said {
+        let mut problems = Problems::new();
+        problems.push(*error);
+        let mut said = sorted(&problems);
+        self.unsolved(number, &first_error(&problems), || problems.views(&source));
+        said.problems = Some((Some(source), problems));
+        said
+    }
+
+    /// An error of our own ends one row, not the batch.
+    fn panicked(&mut self, input: &Input<'_>) -> Said {
+        self.unsolved(input.number, "internal error: please report this row with the file", Vec::new);
+        Said { failed: Some("internal error".to_owned()), ..Said::default() }
+    }
+
+    fn unsolved(
+        &mut self,
+        number: usize,
+        error: &str,
+        views: impl FnOnce() -> Vec<crate::diagnostic::DiagnosticView>,
+    ) {
+        if self.format == BatchFormat::Jsonl {
+            let variant = Some(Variant::unread(number));
+            *self.out += &json::render_row(&self.job.source.name, variant, None, None, &views());
+            self.out.push('\n');
+        } else {
+            let cells = usize::from(self.job.label().is_some()) + self.job.givens().count();
+            let head = number.to_string() + &",".repeat(cells);
+            let line = Line { head, columns: self.job.answers(), digits: 0, key: false };
+            line.all(None, Some(error), self.out);
+        }
+        if self.key.is_some() {
+            let head = number.to_string() + if self.job.label().is_some() { "," } else { "" };
+            Line { head, columns: self.job.answers(), digits: 0, key: true }.all(None, None, self.key_out);
+        }
+    }
+}
+
+/// The lines of a row: what stands before the pose, and the columns behind it.
+struct Line<'a> {
+    head: String,
+    columns: Option<&'a AnswerColumns>,
+    digits: usize,
+    key: bool,
+}
+
+impl Line<'_> {
+    fn head(&mut self, job: &Job, input: &Input<'_>) {
+        // writing to a String does not fail
+        let _ = write!(self.head, "{}", input.number);
+        if job.label().is_some() {
+            self.head.push(',');
+            write_text(input.label.as_deref().unwrap_or_default(), &mut self.head);
+        }
+    }
+
+    /// One line per pose.
+    fn all(&self, answers: Option<&Answers<'_>>, error: Option<&str>, out: &mut String) {
+        let mut poses = 0;
+        for pose in answers.iter().flat_map(|a| a.poses()) {
+            poses += 1;
+            self.begin(&pose.name, out);
+            if let (Some(columns), Some(answers)) = (self.columns, answers) {
+                columns.write(answers, pose, self.digits, self.key, out);
+            }
+            let own = pose.outcome.as_ref().err().map(ToString::to_string);
+            end(error.map(|e| own.as_deref().unwrap_or(e)), out);
+        }
+        if poses == 0 {
+            self.begin("", out);
+            match (self.columns, answers) {
+                (Some(columns), Some(answers)) => columns.write_without_pose(answers, self.digits, self.key, out),
+                (Some(columns), None) => columns.write_none(self.key, out),
+                (None, _) => {}
+            }
+            end(error, out);
+        }
+    }
+
+    fn begin(&self, pose: &str, out: &mut String) {
+        out.push_str(&self.head);
+        out.push(',');
+        write_text(pose, out);
+    }
+}
+
+fn end(error: Option<&str>, out: &mut String) {
+    if let Some(error) = error {
+        out.push(',');
+        // a cell does not go over the end of its line
+        let one_line = error.split_whitespace().collect::<Vec<_>>().join(" ");
+        write_text(&one_line, out);
+    }
+    out.push_str(LINE_END);
+}
+
+fn code_of(problem: &dyn miette::Diagnostic) -> String {
+    problem.code().map_or_else(|| "error".to_owned(), |code| code.to_string())
+}
+
+/// What is said of a row, by code.
+fn sorted(problems: &Problems) -> Said {
+    let (mut failed, mut warned) = (None, Vec::new());
+    for problem in problems.sorted() {
+        let code = code_of(problem);
+        let severity = problem.severity();
+        if matches!(severity, None | Some(miette::Severity::Error)) {
+            failed.get_or_insert(code);
+        } else if !warned.contains(&code) {
+            warned.push(code);
+        }
+    }
+    Said { failed, warned, ..Said::default() }
+}
+
+fn first_error(problems: &Problems) -> String {
+    let is_error = |p: &&(dyn miette::Diagnostic + Send + Sync)| {
+        matches!(p.severity(), None | Some(miette::Severity::Error))
+    };
+    problems.sorted().into_iter().find(is_error).map(ToString::to_string).unwrap_or_default()
+}

@@ -1,0 +1,115 @@
+//! `assur batch`: files × rows of variants, in parallel, in the order of the input.
+
+mod job;
+mod layout;
+mod line;
+mod progress;
+mod sink;
+mod stop;
+mod tally;
+
+use std::path::Path;
+
+use super::args::{Batch, BatchFormat};
+use super::error::CliError;
+use super::files;
+use super::reply::{Status, complaint, quiet_panics};
+use super::screen::Screen;
+use job::{Job, Run};
+use layout::Layout;
+use sink::Sink;
+use tally::Tally;
+
+/// Stack of a thread: that of the main thread.
+const STACK: usize = 8 << 20;
+
+/// Solves all rows of all files.
+pub fn run(args: &Batch, screen: &Screen) -> Status {
+    quiet_panics();
+    stop::install();
+    let threads = args.threads.unwrap_or(0);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
+    let done = match pool {
+        Ok(pool) => pool.install(|| all(args, screen)),
+        Err(error) => Err(CliError::Threads { why: error.to_string() }),
+    };
+    done.unwrap_or_else(|error| {
+        screen.complain(&complaint(error, screen));
+        Status::Unusable
+    })
+}
+
+fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
+    let overrides = args.problem.overrides();
+    let mut status = Status::Fine;
+    let mut jobs = Vec::new();
+    for input in files::expand(&args.problem.files) {
+        let job = input.and_then(files::Input::read).and_then(|source| {
+            Job::new(source, &overrides, args.variants.as_deref(), screen)
+        });
+        match job {
+            Ok(Some(job)) => jobs.push(job),
+            Ok(None) => status = status.max(Status::Wrong),
+            Err(error) => {
+                screen.complain(&complaint(error, screen));
+                status = Status::Unusable;
+            }
+        }
+    }
+    keeps_inputs(args)?;
+    let format = args.format();
+    let layout = Layout::of(&jobs, format);
+    let key = Layout::of_key(&jobs);
+    let mut out = match &args.out {
+        Some(path) => Sink::file(Path::new(path))?,
+        None => Sink::stdout(),
+    };
+    let mut key_out = match &args.key {
+        Some(path) => Some(Sink::file(Path::new(path))?),
+        None => None,
+    };
+    if format == BatchFormat::Csv {
+        out.write(&layout.header())?;
+    }
+    if let Some(sink) = &mut key_out {
+        sink.write(&key.header())?;
+    }
+    let mut total = Tally::default();
+    for job in &jobs {
+        let run = Run { job, format, layout: &layout, key: key_out.is_some().then_some(&key), screen };
+        let tally = run.all(&mut out, &mut key_out)?;
+        screen.complain(&format!("{}: {}\n", job.source.name, tally.summary()));
+        total.add(&tally);
+        if out.closed() || stop::wanted() {
+            break;
+        }
+    }
+    if jobs.len() > 1 {
+        screen.complain(&format!("{} files: {}\n", jobs.len(), total.in_short()));
+    }
+    if stop::wanted() {
+        let kept = [Some(out), key_out].into_iter().flatten().filter_map(|s| s.keep_part().transpose());
+        let kept = kept.collect::<Result<Vec<_>, _>>()?;
+        let rows = total.rows();
+        screen.complain(&complaint(CliError::Interrupted { rows, kept: kept.join(", ") }, screen));
+        return Ok(status.max(Status::Wrong));
+    }
+    out.finish()?;
+    key_out.map_or(Ok(()), Sink::finish)?;
+    Ok(status.max(if total.failed() > 0 { Status::Wrong } else { Status::Fine }))
+}
+
+/// What is written must not replace what is read, nor one the other.
+fn keeps_inputs(args: &Batch) -> Result<(), CliError> {
+    let real = |name: &str| std::fs::canonicalize(name).ok().filter(|path| path.is_file());
+    let read: Vec<_> = args.problem.files.iter().chain(&args.variants).filter_map(|n| real(n)).collect();
+    for name in args.out.iter().chain(&args.key) {
+        if real(name).is_some_and(|path| read.contains(&path)) {
+            return Err(CliError::Overwrites { name: name.clone() });
+        }
+    }
+    match (&args.out, &args.key) {
+        (Some(out), Some(key)) if out == key => Err(CliError::Overwrites { name: key.clone() }),
+        _ => Ok(()),
+    }
+}

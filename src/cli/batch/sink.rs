@@ -1,0 +1,135 @@
+//! Where results go: standard output, or a file that appears once it is whole.
+
+use std::fs::File;
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, NamedTempFile};
+
+use super::super::error::CliError;
+
+const BUFFER: usize = 1 << 18;
+
+enum Target {
+    Stdout(BufWriter<io::Stdout>),
+    /// A pipe or a device: there is nothing to put in its place.
+    Special(BufWriter<File>),
+    /// Written beside its place, and moved there at the end.
+    File(BufWriter<NamedTempFile>),
+}
+
+/// Where results go.
+pub struct Sink {
+    target: Target,
+    path: PathBuf,
+    closed: bool,
+}
+
+impl Sink {
+    /// Standard output.
+    pub fn stdout() -> Self {
+        let target = Target::Stdout(BufWriter::with_capacity(BUFFER, io::stdout()));
+        Self { target, path: PathBuf::from("-"), closed: false }
+    }
+
+    /// A file. Nothing stands in its place before [`Sink::finish`].
+    pub fn file(path: &Path) -> Result<Self, CliError> {
+        let fail = |error: io::Error| unwritable(path, &error);
+        // a link stays one: what it leads to is replaced
+        let real = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        if real.is_dir() {
+            return Err(unwritable(path, &io::Error::from(ErrorKind::IsADirectory)));
+        }
+        let target = if real.exists() && !real.is_file() {
+            let file = File::options().write(true).open(&real).map_err(fail)?;
+            Target::Special(BufWriter::with_capacity(BUFFER, file))
+        } else {
+            let folder = real.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            let mut builder = Builder::new();
+            builder.prefix(".assur-").suffix(".tmp");
+            permissions(&mut builder, &real);
+            let file = builder.tempfile_in(folder).map_err(fail)?;
+            Target::File(BufWriter::with_capacity(BUFFER, file))
+        };
+        Ok(Self { target, path: real, closed: false })
+    }
+
+    /// Adds a text. A reader of standard output that has gone away is no mistake.
+    pub fn write(&mut self, text: &str) -> Result<(), CliError> {
+        if self.closed {
+            return Ok(());
+        }
+        let written = match &mut self.target {
+            Target::Stdout(out) => out.write_all(text.as_bytes()),
+            Target::Special(file) => file.write_all(text.as_bytes()),
+            Target::File(file) => file.write_all(text.as_bytes()),
+        };
+        self.told(written)
+    }
+
+    /// Whether nobody reads any more.
+    pub const fn closed(&self) -> bool {
+        self.closed
+    }
+
+    fn told(&mut self, done: io::Result<()>) -> Result<(), CliError> {
+        match done {
+            Err(error) if matches!(self.target, Target::Stdout(_)) && error.kind() == ErrorKind::BrokenPipe => {
+                self.closed = true;
+                Ok(())
+            }
+            done => done.map_err(|error| unwritable(&self.path, &error)),
+        }
+    }
+
+    /// Puts what was written in its place.
+    pub fn finish(mut self) -> Result<(), CliError> {
+        let flushed = match &mut self.target {
+            Target::Stdout(out) => out.flush(),
+            Target::Special(file) => file.flush(),
+            Target::File(file) => file.flush().and_then(|()| file.get_ref().as_file().sync_all()),
+        };
+        self.told(flushed)?;
+        let path = self.path;
+        match self.target {
+            Target::File(file) => {
+                let file = file.into_inner().map_err(|error| unwritable(&path, error.error()))?;
+                file.persist(&path).map(drop).map_err(|error| unwritable(&path, &error.error))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Keeps what was written beside its place: `FILE.part`.
+    pub fn keep_part(self) -> Result<Option<String>, CliError> {
+        let mut part = self.path.clone().into_os_string();
+        part.push(".part");
+        let part = PathBuf::from(part);
+        if !matches!(self.target, Target::File(_)) {
+            self.finish()?;
+            return Ok(None);
+        }
+        let name = part.display().to_string();
+        Self { path: part, ..self }.finish()?;
+        Ok(Some(name))
+    }
+}
+
+fn unwritable(path: &Path, error: &io::Error) -> CliError {
+    let name = match path.to_str() {
+        Some("-") => "standard output".to_owned(),
+        _ => path.display().to_string(),
+    };
+    CliError::Unwritable { name, why: error.to_string() }
+}
+
+/// Those of the file that is replaced; else those of any new file.
+#[cfg(unix)]
+fn permissions(builder: &mut Builder<'_, '_>, path: &Path) {
+    use std::os::unix::fs::PermissionsExt;
+    let old = std::fs::metadata(path).map(|m| m.permissions());
+    builder.permissions(old.unwrap_or_else(|_| std::fs::Permissions::from_mode(0o666)));
+}
+
+#[cfg(not(unix))]
+fn permissions(_: &mut Builder<'_, '_>, _: &Path) {}

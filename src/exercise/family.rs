@@ -1,0 +1,56 @@
+//! A file that is solved with one row of variants after another: what hangs on no value is done once.
+
+use crate::check::{self, Overrides, Resident, Row};
+use crate::diagnostic::Problems;
+use crate::source::Source;
+use crate::structure::Structure;
+use crate::syntax::document::Document;
+use crate::{Compiled, Origin, Solved};
+
+/// A document that many rows of variants are solved for. Every row comes out as the file with these values would.
+pub struct Family<'a> {
+    source: &'a Source,
+    document: &'a Document,
+    overrides: &'a Overrides,
+    resident: Option<Resident<'a>>,
+    /// The structure of the last row, where nothing was to be said of it.
+    structure: Option<Structure>,
+}
+
+impl<'a> Family<'a> {
+    /// A document that could be read, with values that replace those of all rows.
+    #[must_use]
+    pub fn new(source: &'a Source, document: &'a Document, overrides: &'a Overrides) -> Self {
+        Self { source, document, overrides, resident: Resident::new(document, overrides), structure: None }
+    }
+
+    /// The mechanism of a row with its structure and its plan, and all that was found on the way.
+    pub fn compile(&mut self, row: &Row) -> (Option<Compiled>, Problems) {
+        let origin = Overrides { values: self.overrides.values.clone(), row: row.clone() };
+        let (mechanism, problems) = match &mut self.resident {
+            Some(resident) => resident.check(row),
+            None => check::check(self.document, &origin),
+        };
+        let Some(mechanism) = mechanism else { return (None, problems) };
+        let alike = self.structure.as_ref().and_then(|s| s.with_numbers_of(&mechanism));
+        let origin = (!mechanism.criticals.is_empty())
+            .then(|| Origin { source: self.source.clone(), overrides: origin });
+        let known = alike.is_some();
+        let (compiled, problems) = crate::plan_mechanism(mechanism, alike, problems, origin);
+        if let Some(compiled) = &compiled
+            && !known
+        {
+            self.structure = problems.is_empty().then(|| compiled.structure.clone());
+        }
+        (compiled, problems)
+    }
+
+    /// The solution of a row, and all that was found on the way.
+    pub fn solve(&mut self, row: &Row) -> (Option<Solved>, Problems) {
+        let (compiled, mut problems) = self.compile(row);
+        let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
+        let (solved, found) = crate::solve(compiled);
+        problems.append(found);
+        (solved.ok(), problems)
+    }
+}

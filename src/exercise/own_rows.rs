@@ -1,0 +1,83 @@
+//! The rows of a file's own table of variants.
+
+use super::{Family, InRow, Outcome};
+use crate::Solved;
+use crate::check::{self, FileRow, Overrides, RowColumn};
+use crate::diagnostic::Problems;
+use crate::source::Source;
+use crate::syntax::document::Document;
+use std::sync::Arc;
+
+/// A file with a table of variants.
+pub struct OwnRows<'a> {
+    family: Family<'a>,
+    rows: Vec<FileRow>,
+    columns: Arc<[RowColumn]>,
+}
+
+/// A row of it, solved or not, with all that is to be said of it.
+pub struct SolvedRow {
+    /// The row.
+    pub row: FileRow,
+    /// Counted from 1.
+    pub number: usize,
+    /// Its solution.
+    pub solved: Option<Solved>,
+    /// What was found on the way; it names the row.
+    pub problems: Problems,
+}
+
+impl<'a> OwnRows<'a> {
+    /// Reads the table of a document; `None` where it has none. What is wrong with the table stands in its place.
+    #[must_use]
+    pub fn of(
+        source: &'a Source,
+        document: &'a Document,
+        overrides: &'a Overrides,
+    ) -> Option<Result<Self, Problems>> {
+        let table = check::table(document)?;
+        let (columns, problems) = check::columns(document, overrides, table);
+        let Some(columns) = columns else {
+            // where the table is fine, the `given` that it replaces is not
+            let whole = || check::check(document, overrides).1;
+            return Some(Err(if problems.is_empty() { whole() } else { problems }));
+        };
+        let columns: Arc<[RowColumn]> = columns.into();
+        let rows = check::file_rows(table, &columns);
+        let family = Family::new(source, document, overrides);
+        Some(Ok(Self { family, rows, columns }))
+    }
+
+    /// Its columns.
+    #[must_use]
+    pub fn columns(&self) -> &[RowColumn] {
+        &self.columns
+    }
+
+    /// Solves all rows in order. Where they are tested, an expectation that is not met is a problem.
+    pub fn solve(mut self, test: bool) -> impl Iterator<Item = SolvedRow> + use<'a> {
+        self.rows.into_iter().enumerate().map(move |(i, row)| {
+            let (solved, mut problems) = self.family.solve(&row.row);
+            if test {
+                problems.extend(solved.iter().flat_map(|s| &s.outcomes).filter_map(Outcome::mismatch));
+            }
+            let problems = InRow::all(problems, &row.words(i + 1), Some(row.span));
+            SolvedRow { row, number: i + 1, solved, problems }
+        })
+    }
+}
+
+impl FileRow {
+    /// `row 3 (r = 120 mm)`, `row 3, variant 7 (r = 120 mm)`
+    #[must_use]
+    pub fn words(&self, number: usize) -> String {
+        row_words(number, self.label.as_deref(), &self.row.words())
+    }
+}
+
+/// A row in words.
+#[must_use]
+pub fn row_words(number: usize, label: Option<&str>, values: &str) -> String {
+    let label = label.map_or_else(String::new, |label| format!(", variant {label}"));
+    format!("row {number}{label} ({values})")
+}

@@ -1,0 +1,284 @@
+//! Tables of comma-separated values: read line by line, so that their length does not matter.
+
+mod error;
+mod line;
+mod number;
+
+pub use error::TableError;
+pub use line::{Cell, Separator, cells};
+pub use number::Written;
+
+use crate::check::{ColumnUse, Row, RowCell, RowColumn};
+use crate::source::{Source, Span, Spanned};
+use crate::syntax::document::{Column, Name, Variants};
+use std::io::{self, BufRead};
+use std::sync::Arc;
+use unicode_normalization::UnicodeNormalization;
+
+/// More bytes than this are not one line of numbers.
+const LONGEST_LINE: u64 = 1 << 20;
+
+/// An error of a table with the line it is about.
+pub type Fault = (Source, Box<TableError>);
+
+/// A table that is being read.
+pub struct Table<R> {
+    /// Its name.
+    pub name: String,
+    /// Its first line.
+    pub header: Source,
+    /// The columns.
+    pub columns: Variants,
+    /// What separates cells.
+    pub separator: Separator,
+    reader: R,
+    line: usize,
+    rows: usize,
+}
+
+/// Lines of a table, not yet divided into cells.
+#[derive(Debug, Default)]
+pub struct Lines {
+    bytes: Vec<u8>,
+    /// Where the lines end, with the number of their row and of their line.
+    ends: Vec<(usize, usize, usize)>,
+}
+
+/// A row as it stands in a table.
+#[derive(Clone, Copy, Debug)]
+pub struct RawRow<'a> {
+    /// Counted from 1.
+    pub number: usize,
+    /// Its line in the file, counted from 1.
+    pub line: usize,
+    /// Its text.
+    pub bytes: &'a [u8],
+}
+
+impl<R: BufRead> Table<R> {
+    /// Reads the header.
+    ///
+    /// # Errors
+    /// What cannot be read; the inner error is one of the header.
+    pub fn open(name: &str, mut reader: R) -> io::Result<Result<Self, Fault>> {
+        let mut bytes = Vec::new();
+        let mut line = 0;
+        while bytes.trim_ascii().is_empty() {
+            bytes.clear();
+            line += 1;
+            if read_line(&mut reader, &mut bytes)? == 0 {
+                let error = TableError::Empty { what: "no header", span: None };
+                return Ok(Err((Source::new(name, ""), Box::new(error))));
+            }
+            if bytes.starts_with("\u{feff}".as_bytes()) {
+                bytes.drain(..3);
+            }
+        }
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        let header = Source::line(name, text, line);
+        let separator = Separator::of(&header.text);
+        Ok(match columns(&header.text, separator, std::str::from_utf8(&bytes).is_ok()) {
+            Ok(columns) => {
+                let columns = Variants { columns, rows: Vec::new() };
+                Ok(Self { name: name.to_owned(), header, columns, separator, reader, line, rows: 0 })
+            }
+            Err(error) => Err((header, Box::new(error))),
+        })
+    }
+
+    /// Reads the next lines, at most so many; blank ones are left out. Fewer come at the end of the table only.
+    ///
+    /// # Errors
+    /// What cannot be read.
+    pub fn lines(&mut self, most: usize, lines: &mut Lines) -> io::Result<()> {
+        lines.bytes.clear();
+        lines.ends.clear();
+        while lines.ends.len() < most {
+            let start = lines.bytes.len();
+            if read_line(&mut self.reader, &mut lines.bytes)? == 0 {
+                break;
+            }
+            self.line += 1;
+            if lines.bytes[start..].iter().all(|b| matches!(b, b' ' | b'\t' | b',' | b';')) {
+                lines.bytes.truncate(start);
+                continue;
+            }
+            self.rows += 1;
+            lines.ends.push((lines.bytes.len(), self.rows, self.line));
+        }
+        Ok(())
+    }
+
+    /// What is wrong where no row was found.
+    #[must_use]
+    pub fn without_rows(&self) -> Option<Fault> {
+        let span = Some(Span::new(0, self.header.text.len()));
+        let error = || Box::new(TableError::Empty { what: "no rows", span });
+        (self.rows == 0).then(|| (self.header.clone(), error()))
+    }
+}
+
+/// Reads a line without its end; 0 at the end of the text.
+fn read_line(reader: &mut impl BufRead, bytes: &mut Vec<u8>) -> io::Result<usize> {
+    let read = io::Read::take(&mut *reader, LONGEST_LINE).read_until(b'\n', bytes)?;
+    if bytes.ends_with(b"\n") {
+        bytes.pop();
+        if bytes.ends_with(b"\r") {
+            bytes.pop();
+        }
+    }
+    Ok(read)
+}
+
+impl Lines {
+    /// How many there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+
+    /// The line of this index.
+    #[must_use]
+    pub fn get(&self, index: usize) -> Option<RawRow<'_>> {
+        let &(end, number, line) = self.ends.get(index)?;
+        let start = index.checked_sub(1).map_or(0, |before| self.ends[before].0);
+        Some(RawRow { number, line, bytes: &self.bytes[start..end] })
+    }
+}
+
+/// The columns of a header.
+fn columns(text: &str, separator: Separator, utf8: bool) -> Result<Vec<Column>, TableError> {
+    let whole = Span::new(0, text.len());
+    let wrong = |why: &str, help: &str, span| {
+        Err(TableError::Header { why: why.to_owned(), help: help.to_owned(), span })
+    };
+    if !utf8 {
+        return wrong("it is not a text in UTF-8", "save the file in the encoding UTF-8", whole);
+    }
+    if text.contains('\r') {
+        return wrong("its lines end in lone carriage returns", "save the file with line ends LF or CR LF", whole);
+    }
+    let Ok(cells) = cells(text, separator) else {
+        return wrong("a quote is not closed", "write names without quotes: `r [mm], n [rpm]`", whole);
+    };
+    cells.iter().map(|cell| column(text, cell)).collect()
+}
+
+/// `r [mm]`
+fn column(line: &str, cell: &Cell<'_>) -> Result<Column, TableError> {
+    let text = cell.text.as_ref();
+    let wrong = |why: String| {
+        let help = "write a name with its unit in brackets, as in `r [mm]`".to_owned();
+        Err(TableError::Header { why, help, span: cell.span })
+    };
+    let (name, unit) = match text.split_once('[') {
+        Some((name, rest)) => match rest.trim_end().strip_suffix(']') {
+            Some(unit) if !unit.trim().is_empty() => (name.trim(), Some(unit.trim())),
+            _ => return wrong(format!("the bracket of `{text}` is not closed, or empty")),
+        },
+        None => (text, None),
+    };
+    if name.is_empty() {
+        return wrong("a name is missing".to_owned());
+    }
+    // places within a cell are those of the words as they stand in the line
+    let place = |word: &str, from: usize| {
+        let at = line[from..cell.span.end].find(word).map_or(cell.span, |i| Span::new(from + i, from + i + word.len()));
+        (at, at.end)
+    };
+    let (at, end) = place(name, cell.span.start);
+    let name = Name::new(name.nfc().collect(), at);
+    Ok(Column { name, unit: unit.map(|unit| Spanned::new(unit.to_owned(), place(unit, end).0)) })
+}
+
+/// A row in numbers, and what the column `variant` calls it.
+pub struct Read<'a> {
+    /// Its numbers.
+    pub row: Row,
+    /// Its name.
+    pub label: Option<String>,
+    /// Its cells as written.
+    pub cells: Vec<Cell<'a>>,
+}
+
+impl<'a> RawRow<'a> {
+    /// Reads the row.
+    ///
+    /// # Errors
+    /// Cells that are missing, too many, or no numbers: the first of them.
+    pub fn read(
+        &self,
+        table: &str,
+        columns: &Arc<[RowColumn]>,
+        separator: Separator,
+    ) -> Result<Read<'a>, Fault> {
+        let fault = |text: &str, error| (Source::line(table, text, self.line), Box::new(error));
+        let line = self.line;
+        let Ok(text) = std::str::from_utf8(self.bytes) else {
+            let text = String::from_utf8_lossy(self.bytes);
+            let span = Span::new(0, text.len());
+            let (why, help) = ("it is not a text in UTF-8".to_owned(), "save the file in the encoding UTF-8");
+            return Err(fault(&text, TableError::Line { line, why, help, span }));
+        };
+        let cells = cells(text, separator).map_err(|span| {
+            let help = "numbers need no quotes; a quote within a text is written twice";
+            fault(text, TableError::Line { line, why: "a quote is not closed".to_owned(), help, span })
+        })?;
+        self.fits(text, &cells, columns, separator).map_err(|e| fault(text, e))?;
+        let mut label = None;
+        let mut numbers = Vec::with_capacity(columns.len());
+        for (i, (cell, column)) in cells.iter().zip(columns.iter()).enumerate() {
+            if column.what == ColumnUse::Label {
+                label = Some(cell.text.clone().into_owned());
+                numbers.push(RowCell::default());
+                continue;
+            }
+            let written = Written::read(&cell.text, separator).map_err(|(why, help)| {
+                let name = column.name.clone();
+                fault(text, TableError::Number { line, column: i + 1, name, why, help, span: cell.span })
+            })?;
+            numbers.push(RowCell {
+                value: column.unit.to_si(written.value),
+                digit: column.unit.to_si(written.digit),
+            });
+        }
+        Ok(Read { row: Row::new(columns.clone(), numbers), label, cells })
+    }
+
+    fn fits(
+        &self,
+        text: &str,
+        cells: &[Cell<'_>],
+        columns: &[RowColumn],
+        separator: Separator,
+    ) -> Result<(), TableError> {
+        let line = self.line;
+        if let Some(extra) = cells.get(columns.len()) {
+            let count = columns.len();
+            let plural = if count == 1 { "" } else { "s" };
+            let comma = separator == Separator::Comma && cells.len() == 2 * count;
+            let help = if comma {
+                "a decimal comma? write 0.5 or separate the cells by semicolons"
+            } else {
+                "one number per column"
+            };
+            return Err(TableError::TooMany {
+                line,
+                found: cells.len(),
+                columns: format!("{count} column{plural}"),
+                help: help.to_owned(),
+                span: Span::new(extra.span.start, text.len()),
+            });
+        }
+        let empty = |i: &usize| cells.get(*i).is_none_or(|cell| cell.text.is_empty());
+        let Some(missing) = (0..columns.len()).find(empty) else { return Ok(()) };
+        let span = cells.get(missing).map_or(Span::new(text.len(), text.len()), |c| c.span);
+        Err(TableError::Missing { line, column: missing + 1, name: columns[missing].name.clone(), span })
+    }
+}

@@ -1,0 +1,120 @@
+//! Numbers as spreadsheets and people write them.
+
+use super::Separator;
+use crate::units::{is_unit, lookup};
+
+/// Powers of ten with exact values.
+const EXACT: usize = 22;
+
+/// A number with what its figures say of its precision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Written {
+    /// Its value.
+    pub value: f64,
+    /// One unit in the last digit written.
+    pub digit: f64,
+}
+
+/// What is wrong, and what to write instead.
+pub type Why = (String, Option<String>);
+
+impl Written {
+    /// Reads a plain number. Where cells are not separated by commas it may have a decimal comma.
+    ///
+    /// # Errors
+    /// What is wrong, and what to write instead.
+    pub fn read(text: &str, separator: Separator) -> Result<Self, Why> {
+        let plain = text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'-' | b'+' | b'e' | b'E'));
+        if plain && let Ok(value) = text.parse::<f64>() {
+            return if value.is_finite() {
+                Ok(Self { value, digit: last_digit(text) })
+            } else {
+                Err((format!("`{text}` is too large"), None))
+            };
+        }
+        let mended = mended(text);
+        match &mended {
+            Some(number) if separator != Separator::Comma || !text.contains(',') => {
+                Self::read(number, Separator::Comma)
+            }
+            Some(number) => {
+                let help = format!("write `{number}`, or separate the cells by semicolons");
+                Err((format!("`{text}` has a decimal comma"), Some(help)))
+            }
+            None => Err(no_number(text)),
+        }
+    }
+}
+
+/// With a hyphen for a minus sign and a point for a comma; `None` where that is no number either.
+fn mended(text: &str) -> Option<String> {
+    let number = text.replace('\u{2212}', "-");
+    let number = if number.matches(',').count() == 1 && !number.contains('.') {
+        number.replace(',', ".")
+    } else {
+        number
+    };
+    let figures = number.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'-' | b'+' | b'e' | b'E'));
+    (number != text && figures && number.parse::<f64>().is_ok()).then_some(number)
+}
+
+fn no_number(text: &str) -> Why {
+    let split = text.find(|c: char| c.is_alphabetic() || matches!(c, '%' | '°')).unwrap_or(text.len());
+    let (number, unit) = (text[..split].trim(), text[split..].trim());
+    if !number.is_empty() && number.parse::<f64>().is_ok() && (is_unit(unit) || lookup(unit).is_ok()) {
+        let help = format!("the header names the unit, the cell is `{number}`");
+        return (format!("`{text}` has a unit"), Some(help));
+    }
+    (format!("`{text}` is not a number"), Some("write a plain number, as `120` or `-1.5e3`".to_owned()))
+}
+
+/// `0.350` is good to 0.001, `1.5e3` to 100.
+fn last_digit(text: &str) -> f64 {
+    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().unwrap_or(0)),
+        None => (text, 0),
+    };
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    if exponent == 0 && decimals <= EXACT {
+        return 1.0 / POWERS[decimals];
+    }
+    let power = i64::from(exponent) - i64::try_from(decimals).unwrap_or(0);
+    format!("1e{power}").parse().unwrap_or(0.0)
+}
+
+const POWERS: [f64; EXACT + 1] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
+    1e19, 1e20, 1e21, 1e22,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_with_point_or_comma() {
+        let comma = |text| Written::read(text, Separator::Comma);
+        let semicolon = |text| Written::read(text, Separator::Semicolon).map(|w| w.value);
+        assert_eq!(comma("0.350"), Ok(Written { value: 0.35, digit: 1e-3 }));
+        assert_eq!(comma("1.5e3"), Ok(Written { value: 1500.0, digit: 100.0 }));
+        assert_eq!(comma("−2").map(|w| w.value), Ok(-2.0));
+        assert_eq!(semicolon("1,5"), Ok(1.5));
+        assert_eq!(semicolon("-1.5"), Ok(-1.5));
+    }
+
+    #[test]
+    fn what_is_no_number_is_told() {
+        for (text, says) in [
+            ("0,5", "decimal comma"),
+            ("120 mm", "has a unit"),
+            ("inf", "not a number"),
+            ("nan", "not a number"),
+            ("1e999", "too large"),
+            ("--1", "not a number"),
+            ("1.500,5", "not a number"),
+        ] {
+            let (why, _) = Written::read(text, Separator::Comma).unwrap_err();
+            assert!(why.contains(says), "{text}: {why}");
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! A function on an interval by its Chebyshev series: integral, derivative, roots.
+//!
+//! f(x) = Σ c_k T_k(t), t = (2x − a − b)/(b − a). The coefficients come from the values at the n zeros of T_n,
+//! t_j = cos(π(2j + 1)/2n): c_k = (2/n) Σ f_j cos(πk(2j + 1)/2n), c_0 half of it. No node lies at an end, where a function
+//! may jump. The integral over the interval is (b − a)/2 Σ 2c_k/(1 − k²) over even k (Fejér's first rule).
+
+use super::root::root;
+use std::f64::consts::PI;
+
+/// Nodes of a series.
+pub const NODES: usize = 16;
+
+/// The nodes on [−1, 1] and the cosines of the transform.
+#[derive(Clone, Debug)]
+pub struct Nodes {
+    cosines: [f64; 4 * NODES],
+}
+
+/// A series on an interval.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Where the interval begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    coefficients: Vec<f64>,
+}
+
+impl Default for Nodes {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Nodes {
+    /// The nodes.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)] // far below 2^52
+    pub fn new() -> Self {
+        Self { cosines: std::array::from_fn(|i| libm::cos(PI * i as f64 / (2 * NODES) as f64)) }
+    }
+
+    /// A node of an interval; they run from its end to its beginning.
+    #[must_use]
+    pub fn at(&self, from: f64, to: f64, node: usize) -> f64 {
+        let t = self.cosines[2 * node + 1];
+        0.5 * ((from + to) + (to - from) * t)
+    }
+
+    /// The series of a function with these values at the nodes.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)] // far below 2^52
+    pub fn series(&self, from: f64, to: f64, values: &[f64; NODES]) -> Series {
+        let coefficient = |k: usize| {
+            let terms = values.iter().enumerate();
+            let sum: f64 = terms.map(|(j, f)| f * self.cosines[k * (2 * j + 1) % (4 * NODES)]).sum();
+            sum * if k == 0 { 1.0 } else { 2.0 } / NODES as f64
+        };
+        Series { from, to, coefficients: (0..NODES).map(coefficient).collect() }
+    }
+}
+
+#[allow(clippy::cast_precision_loss)] // the numbers of coefficients are far below 2^52
+impl Series {
+    /// The greatest of the last coefficients: what the series leaves off is about as large.
+    #[must_use]
+    pub fn tail(&self) -> f64 {
+        let last = self.coefficients.iter().rev().take(3);
+        last.fold(0.0, |most, c| c.abs().max(most))
+    }
+
+    /// Its value.
+    #[must_use]
+    pub fn value(&self, x: f64) -> f64 {
+        let t = ((x - self.from) + (x - self.to)) / (self.to - self.from);
+        let (mut b_1, mut b_2) = (0.0, 0.0);
+        for c in self.coefficients.iter().skip(1).rev() {
+            (b_1, b_2) = (2.0 * t * b_1 - b_2 + c, b_1);
+        }
+        t * b_1 - b_2 + self.coefficients.first().copied().unwrap_or(0.0)
+    }
+
+    /// The integral over the interval.
+    #[must_use]
+    pub fn integral(&self) -> f64 {
+        let even = self.coefficients.iter().enumerate().step_by(2);
+        let sum: f64 = even.map(|(k, c)| 2.0 * c / (1.0 - (k * k) as f64)).sum();
+        0.5 * (self.to - self.from) * sum
+    }
+
+    /// The function less a constant.
+    #[must_use]
+    pub fn less(mut self, constant: f64) -> Self {
+        if let Some(first) = self.coefficients.first_mut() {
+            *first -= constant;
+        }
+        self
+    }
+
+    /// The function times a constant.
+    #[must_use]
+    pub fn times(mut self, factor: f64) -> Self {
+        self.coefficients.iter_mut().for_each(|c| *c *= factor);
+        self
+    }
+
+    /// The antiderivative that has a given value where the interval begins.
+    #[must_use]
+    pub fn antiderivative(&self, start: f64) -> Self {
+        let c = |k: usize| self.coefficients.get(k).copied().unwrap_or(0.0);
+        let half = 0.5 * (self.to - self.from);
+        let mut coefficients = vec![0.0; self.coefficients.len() + 1];
+        for (k, out) in coefficients.iter_mut().enumerate().skip(1) {
+            let before = if k == 1 { 2.0 * c(0) } else { c(k - 1) };
+            *out = half * (before - c(k + 1)) / (2 * k) as f64;
+        }
+        // T_k(−1) = (−1)^k
+        let at_start: f64 =
+            coefficients.iter().enumerate().map(|(k, c)| if k % 2 == 0 { *c } else { -c }).sum();
+        coefficients[0] = start - at_start;
+        Self { from: self.from, to: self.to, coefficients }
+    }
+
+    /// The derivative.
+    #[must_use]
+    pub fn derivative(&self) -> Self {
+        let n = self.coefficients.len();
+        let mut d = vec![0.0; n.max(2) + 1];
+        for k in (1..n).rev() {
+            d[k - 1] = d[k + 1] + 2.0 * k as f64 * self.coefficients[k];
+        }
+        d[0] *= 0.5;
+        let scale = 2.0 / (self.to - self.from);
+        let coefficients = d.into_iter().take(n.saturating_sub(1).max(1)).map(|c| c * scale).collect();
+        Self { from: self.from, to: self.to, coefficients }
+    }
+
+    /// Where the series changes its sign within the interval, in order.
+    #[must_use]
+    pub fn roots(&self) -> Vec<f64> {
+        let parts = 4 * self.coefficients.len();
+        let at = |i: usize| {
+            // denser towards the ends, as the series turns there
+            let t = -libm::cos(PI * i as f64 / parts as f64);
+            if i == parts { self.to } else { self.from + 0.5 * (self.to - self.from) * (1.0 + t) }
+        };
+        let mut found = Vec::new();
+        let (mut x, mut f) = (self.from, self.value(self.from));
+        for i in 1..=parts {
+            let (next, g) = (at(i), self.value(at(i)));
+            if f * g < 0.0 {
+                // from the near end of the interval, so that a root close to it keeps its digits
+                found.push(
+                    self.from + root(x - self.from, next - self.from, f, g, |d| self.value(self.from + d)),
+                );
+            } else if g == 0.0 && i < parts {
+                found.push(next);
+            }
+            (x, f) = (next, g);
+        }
+        found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{NODES, Nodes, Series};
+
+    fn of(from: f64, to: f64, f: impl Fn(f64) -> f64) -> Series {
+        let nodes = Nodes::new();
+        nodes.series(from, to, &std::array::from_fn::<_, NODES, _>(|j| f(nodes.at(from, to, j))))
+    }
+
+    #[test]
+    fn a_smooth_function_keeps_its_digits() {
+        let s = of(0.3, 1.1, libm::exp);
+        for x in [0.3, 0.31, 0.7, 1.1] {
+            assert!((s.value(x) - libm::exp(x)).abs() < 1e-14);
+            assert!((s.derivative().value(x) - libm::exp(x)).abs() < 1e-12);
+            assert!((s.antiderivative(2.0).value(x) - (libm::exp(x) - libm::exp(0.3) + 2.0)).abs() < 1e-14);
+        }
+        assert!((s.integral() - (libm::exp(1.1) - libm::exp(0.3))).abs() < 1e-15);
+        assert!(s.tail() < 1e-14);
+    }
+
+    #[test]
+    fn an_interval_may_run_backwards() {
+        let s = of(1.0, -0.5, libm::sin);
+        assert!((s.integral() - (libm::cos(1.0) - libm::cos(-0.5))).abs() < 1e-15);
+        assert!((s.derivative().value(0.2) - libm::cos(0.2)).abs() < 1e-12);
+        assert_eq!(s.roots().len(), 1);
+        assert!(s.roots()[0].abs() < 1e-15);
+    }
+
+    #[test]
+    fn all_roots_are_found() {
+        let s = of(0.0, 4.0, |x| (x - 0.001) * (x - 2.0) * (x - 3.5));
+        let roots = s.roots();
+        assert_eq!(roots.len(), 3);
+        for (got, expected) in roots.iter().zip([0.001, 2.0, 3.5]) {
+            assert!((got - expected).abs() < 1e-13, "{got} {expected}");
+        }
+    }
+}

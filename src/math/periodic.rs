@@ -1,0 +1,84 @@
+//! Means of smooth periodic quantities from equally spaced samples.
+//!
+//! The mean of N samples over a period is wrong by the Fourier coefficients c_N, c_2N, …, which fall geometrically where
+//! the quantity is analytic (Trefethen and Weideman, The exponentially convergent trapezoidal rule, SIAM Review 56, 2014).
+//! The coefficients up to N/2 follow from the same samples: how they fall from the greatest of them to those between
+//! 3N/8 and N/2 tells the rest.
+
+use std::f64::consts::TAU;
+
+/// A mean with the error it was estimated to have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mean {
+    /// The mean.
+    pub value: f64,
+    /// Estimated error, rounding included.
+    pub error: f64,
+    /// The greatest magnitude of the samples.
+    pub scale: f64,
+}
+
+impl Mean {
+    /// Whether more samples would not help.
+    #[must_use]
+    pub fn has_converged(&self) -> bool {
+        self.error <= 16.0 * f64::EPSILON * self.scale
+    }
+}
+
+/// The mean of equally spaced samples over one period.
+#[must_use]
+#[allow(clippy::cast_precision_loss)] // numbers of samples are far below 2^52
+pub fn mean(samples: &[f64]) -> Mean {
+    let n = samples.len();
+    let scale = samples.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
+    let value = samples.iter().sum::<f64>() / n.max(1) as f64;
+    let cosines: Vec<f64> = (0..n).map(|i| libm::cos(TAU * i as f64 / n as f64)).collect();
+    let magnitude = |k: usize| {
+        let (mut re, mut im) = (0.0, 0.0);
+        for (j, f) in samples.iter().enumerate() {
+            // sin x = cos(x − a quarter turn)
+            re += f * cosines[(k * j) % n];
+            im += f * cosines[(k * j + n - n / 4) % n];
+        }
+        libm::hypot(re, im) / n as f64
+    };
+    let first = 3 * n / 8 + 1;
+    let (peak, head) = (1..=n / 2)
+        .map(|k| (k, magnitude(k)))
+        .fold((1, 0.0), |most, here| if here.1 > most.1 { here } else { most });
+    let tail = (first..=n / 2).map(magnitude).fold(0.0, f64::max);
+    // from the peak to the tail the coefficients fall as they go on falling to the N-th
+    let further = if peak < first { (n - peak) as f64 / (first - peak) as f64 } else { 1.0 };
+    let left_off = if head > 0.0 { 4.0 * head * libm::pow(tail / head, further.min(4.0)) } else { 0.0 };
+    Mean { value, error: left_off + 2.0 * f64::EPSILON * scale, scale }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{TAU, mean};
+
+    /// 1/(1 − 2q cos x + q²) has the mean 1/(1 − q²) and the coefficients q^k.
+    fn poisson(q: f64, n: usize) -> Vec<f64> {
+        (0..n).map(|i| 1.0 / (1.0 - 2.0 * q * libm::cos(TAU * i as f64 / n as f64) + q * q)).collect()
+    }
+
+    #[test]
+    fn the_estimate_bounds_the_error_and_is_not_far_from_it() {
+        for q in [0.1, 0.2, 0.3, 0.5, 0.7] {
+            for n in [16, 32, 64] {
+                let got = mean(&poisson(q, n));
+                let error = (got.value - 1.0 / (1.0 - q * q)).abs();
+                assert!(error <= got.error, "{q} {n}: {error:e} {:e}", got.error);
+                let true_error = 2.0 * libm::pow(q, n as f64);
+                assert!(got.error < 1e2 * true_error + 1e-14, "{q} {n}: {:e} {true_error:e}", got.error);
+            }
+        }
+    }
+
+    #[test]
+    fn a_kink_does_not_converge() {
+        let samples: Vec<f64> = (0..128).map(|i| libm::cos(TAU * f64::from(i) / 128.0).abs()).collect();
+        assert!(!mean(&samples).has_converged());
+    }
+}

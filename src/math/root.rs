@@ -1,0 +1,45 @@
+//! A root between two values of opposite sign.
+
+/// The root of `f` between `a` and `b`, where it has the values `f_a` and `f_b` of opposite sign, to the last digit of
+/// the greater of |a| and |b|: regula falsi in the variant called Illinois, which halves the value at an end that stays.
+#[must_use]
+pub fn root(a: f64, b: f64, f_a: f64, f_b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    let (mut low, mut high, mut f_low, mut f_high) = (a, b, f_a, f_b);
+    let small = 4.0 * f64::EPSILON * a.abs().max(b.abs());
+    let mut side = 0;
+    for _ in 0..100 {
+        let x = low + (high - low) * (f_low / (f_low - f_high));
+        let value = f(x);
+        if value == 0.0 || (high - low).abs() <= small {
+            return x;
+        }
+        if value * f_low > 0.0 {
+            (low, f_low) = (x, value);
+            if side == -1 {
+                f_high *= 0.5;
+            }
+            side = -1;
+        } else {
+            (high, f_high) = (x, value);
+            if side == 1 {
+                f_low *= 0.5;
+            }
+            side = 1;
+        }
+    }
+    0.5 * (low + high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::root;
+
+    #[test]
+    fn a_root_is_found_to_the_last_digit() {
+        let f = |x: f64| x * x - 2.0;
+        assert!((root(1.0, 2.0, -1.0, 2.0, f) - 2.0_f64.sqrt()).abs() <= f64::EPSILON);
+        let g = |x: f64| libm::cos(x);
+        let half_pi = std::f64::consts::FRAC_PI_2;
+        assert!((root(2.0, 1.0, g(2.0), g(1.0), g) - half_pi).abs() <= 2.0 * f64::EPSILON);
+    }
+}

@@ -1,0 +1,59 @@
+//! Numbers or vectors: what the value of an expression is, whatever it is.
+
+use super::{BinaryOp, Expr, Function, LoadKind, Mechanism, Query, SubstitutionPart, Value};
+
+impl Mechanism {
+    /// For each quantity, whether it is a vector.
+    #[must_use]
+    pub fn vector_quantities(&self) -> Vec<bool> {
+        // they stand in the order in which one hangs on another
+        let mut known = Vec::with_capacity(self.quantities.len());
+        for quantity in &self.quantities {
+            let vector = self.is_vector(&quantity.expr, &known);
+            known.push(vector);
+        }
+        known
+    }
+
+    /// Whether the value of an expression is a vector; `known` says it of the quantities that it hangs on.
+    #[must_use]
+    pub fn is_vector(&self, expr: &Expr, known: &[bool]) -> bool {
+        let is = |e: &Expr| self.is_vector(e, known);
+        match expr {
+            Expr::Constant(value) => matches!(value, Value::Vector(_)),
+            Expr::Vector(..) | Expr::Polar(..) => true,
+            Expr::Negate(a) | Expr::Frictionless(a) | Expr::Binary(BinaryOp::Div, a, _) => is(a),
+            Expr::Binary(_, a, b) => is(a) || is(b),
+            Expr::Call(function, _) => *function == Function::Unit,
+            Expr::Quantity(id) => known.get(id.index()).copied().unwrap_or(false),
+            Expr::Query(query) => self.answers_vector(query),
+            Expr::Component(..)
+            | Expr::Power(..)
+            | Expr::Compare(..)
+            | Expr::And(..)
+            | Expr::Or(..)
+            | Expr::Not(_) => false,
+        }
+    }
+
+    fn answers_vector(&self, query: &Query) -> bool {
+        use SubstitutionPart::{A2, F1, F2, P2};
+        match query {
+            Query::Position(_)
+            | Query::Velocity(_)
+            | Query::Acceleration(_)
+            | Query::LinkDirection(_)
+            | Query::Coriolis(_)
+            | Query::Reaction(..)
+            | Query::InertiaForce(_) => true,
+            Query::StaticSubstitution(_, _, _, part) | Query::DynamicSubstitution(_, _, part) => {
+                matches!(part, P2 | A2 | F1 | F2)
+            }
+            Query::Load(id) => matches!(
+                self.loads.get(id.index()).map(|load| &load.kind),
+                Some(LoadKind::Force { .. } | LoadKind::ForceAgainstMotion { .. })
+            ),
+            _ => false,
+        }
+    }
+}

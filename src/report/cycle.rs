@@ -1,0 +1,106 @@
+//! Flywheels, and how well functions over the sweep are known.
+
+use super::answers::{Answers, NONE};
+use super::document::{Column, Report, Section, Table};
+use super::scale::Scale;
+use crate::model::{Display, Expr, FindKind, Flywheel, Query, Value};
+use crate::solve::{CycleAnswer, FlywheelAnswer};
+use crate::units::Dimension;
+
+/// One section for all flywheels.
+pub(super) fn flywheels(answers: &Answers<'_>, report: &mut Report) {
+    for (wheel, found) in all_flywheels(answers) {
+        let on = &answers.scene.mechanism.link(wheel.on).name;
+        let mut section = Section::new(format!("Flywheel {} on {on}", wheel.name));
+        section.table(of_flywheel(answers, wheel, found));
+        report.section(section);
+    }
+}
+
+/// The flywheels of a file with what was found.
+pub(super) fn all_flywheels<'a>(
+    answers: &Answers<'a>,
+) -> impl Iterator<Item = (&'a Flywheel, &'a FlywheelAnswer)> {
+    answers.scene.mechanism.flywheels.iter().zip(&answers.solution.statics.flywheels)
+}
+
+fn of_flywheel(answers: &Answers<'_>, wheel: &Flywheel, found: &FlywheelAnswer) -> Table {
+    let mechanism = answers.scene.mechanism;
+    let scale = Scale::of(answers);
+    let columns = vec![Column::words("quantity"), Column::numbers("value"), Column::words("unit")];
+    let mut table = Table::new(columns, 1);
+    let mut add = |name: &str, x: f64, display: Display| {
+        let figures = answers.precision.figures(display.of_si(x), scale.in_unit(&display));
+        table.row(vec![name.to_owned(), figures, display.unit]);
+    };
+    let of = |d: Dimension| mechanism.display_of(d);
+    let energy = Display { unit: "J".into(), factor: 1.0, dimension: of(Dimension::TORQUE).dimension };
+    add("mean torque", found.mean_torque, of(Dimension::TORQUE));
+    add("mean speed", found.speed, of(Dimension::ANGULAR_VELOCITY));
+    add("least work, the drive at", found.extremes[0], of(Dimension::ANGLE));
+    add("greatest work, the drive at", found.extremes[1], of(Dimension::ANGLE));
+    add("fluctuation of work", found.fluctuation, energy);
+    let [mean, least, greatest] = found.links;
+    if greatest > 0.0 {
+        add("reduced inertia of the links, mean", mean, of(Dimension::INERTIA));
+        add("least", least, of(Dimension::INERTIA));
+        add("greatest", greatest, of(Dimension::INERTIA));
+    }
+    let subtracted = if wheel.with_links { ", beside the links" } else { "" };
+    add(&format!("moment of inertia{subtracted}"), found.inertia, of(Dimension::INERTIA));
+    table
+}
+
+/// Names of functions over the sweep, by the item or expectation that asks for each, with what was found.
+pub(super) fn named<'a>(answers: &Answers<'a>) -> Vec<(&'a str, &'a CycleAnswer)> {
+    let mechanism = answers.scene.mechanism;
+    let finds = mechanism.finds.iter().filter_map(|f| match &f.kind {
+        FindKind::Value { expr, .. } => Some((f.name.as_str(), expr)),
+        FindKind::Reactions => None,
+    });
+    let expects = mechanism.expects.iter().map(|e| (e.text.as_str(), &e.expr));
+    let quantities = mechanism.quantities.iter().map(|q| (q.name.as_str(), &q.expr));
+    let mut found: Vec<(usize, &str)> = Vec::new();
+    for (name, expr) in quantities.chain(finds).chain(expects) {
+        expr.parts(&mut |part| {
+            if let Expr::Query(Query::Cycle(index)) = part
+                && !found.iter().any(|(i, _)| i == index)
+            {
+                found.push((*index, name));
+            }
+        });
+    }
+    let answer = |(index, name)| Some((name, answers.solution.statics.cycles.get(index)?));
+    found.into_iter().filter_map(answer).collect()
+}
+
+/// Estimated errors, and where quantities are not smooth.
+pub(super) fn accuracy(answers: &Answers<'_>, order_of: impl Fn(f64) -> String) -> Table {
+    let mechanism = answers.scene.mechanism;
+    let with_samples = !answers.precision.coarse_residuals;
+    let mut columns = vec![Column::words("over the sweep"), Column::right("relative error")];
+    if with_samples {
+        columns.push(Column::right("positions solved"));
+    }
+    columns.push(Column::words("not smooth at"));
+    let mut table = Table::new(columns, 1);
+    let cycles = named(answers).into_iter().map(|(name, c)| (name, c.value, c.error, c.samples, &c.splits));
+    let wheels =
+        all_flywheels(answers).map(|(w, f)| (w.name.as_str(), f.fluctuation, f.error, f.samples, &f.splits));
+    for (name, value, error, samples, splits) in cycles.chain(wheels) {
+        if !value.is_finite() {
+            continue;
+        }
+        let relative = if value == 0.0 { error } else { error / value.abs() };
+        let mut cells = vec![name.to_owned(), order_of(relative)];
+        if with_samples {
+            cells.push(samples.to_string());
+        }
+        let places = mechanism.drives.first().map(|d| mechanism.drive_display(d.target));
+        let text = |x: &f64| places.as_ref().map(|d| d.text(Value::Scalar(*x), answers.precision.digits));
+        let all = splits.iter().filter_map(text).collect::<Vec<_>>();
+        cells.push(if all.is_empty() { NONE.to_owned() } else { all.join(", ") });
+        table.row(cells);
+    }
+    table
+}

@@ -1,0 +1,215 @@
+//! Answers of many rows of variants, one line per row and pose: what stands in a column is found once.
+
+use super::answers::{Answers, with_unit};
+use super::csv;
+use super::reactions::{ReactionEntry, reactions};
+use crate::math::Vec2;
+use crate::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
+use crate::solve::{DriveValue, Pose, Scene, Solved, State, View};
+use crate::units::{Dimension, write_significant};
+
+/// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
+pub const FULL: usize = 15;
+
+/// What a column shows, or two for a vector.
+#[derive(Clone, Debug)]
+enum Content {
+    Drive(usize),
+    Find { index: usize, poseless: bool },
+    Effort(usize),
+    Reaction(PairId, LinkId),
+    Moment(PairId, LinkId),
+}
+
+#[derive(Clone, Debug)]
+struct Answer {
+    name: String,
+    content: Content,
+    vector: bool,
+    display: Display,
+}
+
+/// The columns of the answers of a file: drives, quantities, what needs no pose, reactions where they are asked for.
+#[derive(Clone, Debug)]
+pub struct AnswerColumns {
+    drives: usize,
+    answers: Vec<Answer>,
+}
+
+impl AnswerColumns {
+    /// Those of a file, whatever the values of its givens.
+    #[must_use]
+    pub fn of(scene: &Scene<'_>) -> Self {
+        let mechanism = scene.mechanism;
+        let vectors = &mechanism.vector_quantities();
+        let mut answers = Vec::new();
+        for (i, drive) in mechanism.drives.iter().enumerate() {
+            answers.push(Answer {
+                name: drive.name.clone(),
+                content: Content::Drive(i),
+                vector: matches!(drive.target, DriveTarget::Point(..)),
+                display: mechanism.drive_display(drive.target),
+            });
+        }
+        let drives = answers.len();
+        let finds = |without_pose: bool| {
+            mechanism.finds.iter().enumerate().filter_map(move |(index, find)| match &find.kind {
+                FindKind::Value { expr, display, poseless } if *poseless == without_pose => Some(Answer {
+                    name: find.name.clone(),
+                    content: Content::Find { index, poseless: *poseless },
+                    vector: mechanism.is_vector(expr, vectors),
+                    display: display.clone(),
+                }),
+                _ => None,
+            })
+        };
+        answers.extend(finds(false));
+        let solution = crate::solve::Solution::default();
+        let precision = super::Precision::READABLE;
+        let blank = Answers { scene: *scene, solution: &solution, outcomes: &[], precision };
+        for (slot, effort) in blank.efforts().into_iter().enumerate() {
+            let wanted = effort.of_drive || blank.wants_reactions();
+            if wanted && !answers[drives..].iter().any(|a| a.name == effort.name) {
+                let (name, display) = (effort.name, effort.display);
+                answers.push(Answer { name, content: Content::Effort(slot), vector: false, display });
+            }
+        }
+        answers.extend(finds(true));
+        if blank.wants_reactions() && !scene.plan.reactions.is_empty() {
+            all_reactions(scene, &mut answers);
+        }
+        Self { drives, answers }
+    }
+
+    /// The headers: names with units in brackets, `.x` and `.y` for the components of vectors. Without the drives for an
+    /// answer key.
+    #[must_use]
+    pub fn headers(&self, key: bool) -> Vec<String> {
+        let shown = &self.answers[if key { self.drives } else { 0 }..];
+        let header = |a: &Answer| match a.vector {
+            true => [".x", ".y"].map(|c| with_unit(&format!("{}{c}", a.name), &a.display.unit)).to_vec(),
+            false => vec![with_unit(&a.name, &a.display.unit)],
+        };
+        shown.iter().flat_map(header).collect()
+    }
+
+    /// Writes the answers at a pose, each with a comma before it; empty where there is none.
+    pub fn write(&self, answers: &Answers<'_>, pose: &Pose, digits: usize, key: bool, out: &mut String) {
+        let shown = &self.answers[if key { self.drives } else { 0 }..];
+        let solved = pose.outcome.as_ref().ok();
+        let entries = match solved {
+            Some(solved) if shown.iter().any(|a| matches!(a.content, Content::Reaction(..))) => {
+                reactions(answers, solved)
+            }
+            _ => Vec::new(),
+        };
+        let view = solved.map(|solved| answers.solution.view(&answers.scene, solved));
+        for answer in shown {
+            let value = match &answer.content {
+                Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
+                Content::Find { index, poseless: false } => {
+                    view.as_ref().and_then(|view| found(answers, view, *index))
+                }
+                Content::Find { index, poseless: true } => self.without_pose(answers, *index),
+                Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
+                Content::Reaction(pair, on) => entry(&entries, *pair, *on).map(|e| Value::Vector(e.force)),
+                Content::Moment(pair, on) => {
+                    entry(&entries, *pair, *on).and_then(|e| e.moment).map(Value::Scalar)
+                }
+            };
+            answer.write(value, digits, out);
+        }
+    }
+
+    /// Writes what needs no pose, for a file that has none.
+    pub fn write_without_pose(&self, answers: &Answers<'_>, digits: usize, key: bool, out: &mut String) {
+        for answer in &self.answers[if key { self.drives } else { 0 }..] {
+            let value = match answer.content {
+                Content::Find { index, poseless: true } => self.without_pose(answers, index),
+                _ => None,
+            };
+            answer.write(value, digits, out);
+        }
+    }
+
+    /// Writes no answers: a comma each.
+    pub fn write_none(&self, key: bool, out: &mut String) {
+        for answer in &self.answers[if key { self.drives } else { 0 }..] {
+            answer.write(None, 0, out);
+        }
+    }
+
+    fn without_pose(&self, answers: &Answers<'_>, index: usize) -> Option<Value> {
+        let plan = answers.scene.plan;
+        let state = State::new(plan);
+        let angles = vec![0.0; plan.bodies];
+        let view = View::new(&answers.scene, &state, &angles, &answers.solution.statics);
+        let quantities = view.all_quantities();
+        found(answers, &View { quantities: &quantities, ..view }, index)
+    }
+}
+
+fn all_reactions(scene: &Scene<'_>, answers: &mut Vec<Answer>) {
+    let mechanism = scene.mechanism;
+    for (i, pair) in mechanism.pairs.iter().enumerate() {
+        let id = PairId::at(i);
+        let links = pair.kind.links();
+        let couple = match pair.kind {
+            PairKind::Revolute(_) => true,
+            PairKind::Prismatic(_) => !scene.structure.undetermined_couples.contains(&id),
+            _ => false,
+        };
+        for &on in links.iter().skip(1) {
+            let name = |what: &str| format!("{what}({}, {})", pair.name, mechanism.link(on).name);
+            let display = mechanism.display_of(Dimension::FORCE);
+            let content = Content::Reaction(id, on);
+            answers.push(Answer { name: name("reaction"), content, vector: true, display });
+            if couple {
+                let display = mechanism.display_of(Dimension::TORQUE);
+                let content = Content::Moment(id, on);
+                answers.push(Answer { name: name("moment"), content, vector: false, display });
+            }
+        }
+    }
+}
+
+fn found(answers: &Answers<'_>, view: &View<'_>, index: usize) -> Option<Value> {
+    match &answers.scene.mechanism.finds.get(index)?.kind {
+        FindKind::Value { expr, .. } => Some(view.value(expr)).filter(Value::is_defined),
+        FindKind::Reactions => None,
+    }
+}
+
+fn effort(solved: &Solved, slot: usize) -> Option<Value> {
+    solved.state.efforts.get(slot).copied().filter(|x| x.is_finite()).map(Value::Scalar)
+}
+
+fn entry(entries: &[ReactionEntry], pair: PairId, on: LinkId) -> Option<&ReactionEntry> {
+    entries.iter().find(|e| e.pair == pair && e.on == on)
+}
+
+impl Answer {
+    fn write(&self, value: Option<Value>, digits: usize, out: &mut String) {
+        let number = |x: f64, out: &mut String| {
+            out.push(',');
+            if x.is_finite() {
+                write_significant(out, self.display.of_si(x), digits);
+            }
+        };
+        match (value, self.vector) {
+            (Some(Value::Vector(Vec2 { x, y })), true) => {
+                number(x, out);
+                number(y, out);
+            }
+            (Some(Value::Scalar(x)), false) => number(x, out),
+            (Some(Value::Truth(truth)), false) => out.push_str(if truth { ",true" } else { ",false" }),
+            (_, true) => out.push_str(",,"),
+            (_, false) => out.push(','),
+        }
+    }
+}
+
+/// Writes a text as a cell, in quotes where it needs them.
+pub fn write_text(text: &str, out: &mut String) {
+    out.push_str(&csv::field(text));
+}

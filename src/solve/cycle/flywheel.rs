@@ -1,0 +1,245 @@
+//! Flywheels: how much inertia keeps the speed of a shaft within bounds over a cycle.
+//!
+//! The effort of power P has on the drive's shaft the torque P/ω_d, on the flywheel's P/ω. Against its mean over the
+//! cycle it does the work W(φ) = ∫ (P/ω_d − mean) dφ, whose extremes lie where the difference passes through zero. The
+//! effort comes from kinetostatics at constant speed: what the links' own kinetic energy takes and gives is in it. With
+//! ω = ω_m (1 + e) and small e, (J + J_r(φ)) ω_m² e(φ) = W(φ) + const, where J_r is the reduced moment of inertia of the
+//! links; the flywheel alone keeps δ = e_max − e_min with J = [W]/(ω_m² δ). With `with_links` the mean of J_r takes its
+//! share of it.
+
+use super::super::error::{SolveError, label};
+use super::super::extremes::Statics;
+use super::super::positions::turns;
+use super::super::solution::Scene;
+use super::super::state::BodyState;
+use super::super::words::{four, short};
+use super::answer::{FlywheelAnswer, Undefined};
+use super::panels::{Piecewise, piecewise};
+use super::sampler::Sampler;
+use super::switches::breaks;
+use crate::math::chebyshev::Series;
+use crate::model::{
+    BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, LinkId, Mechanism, Query,
+};
+use crate::structure::EffortSource;
+
+/// How much the ratio of the shaft to the drive may vary, relative to its mean.
+const EVEN: f64 = 1e-9;
+/// Places at which that is looked at: no whole part of a turn of common mechanisms.
+const PLACES: u8 = 23;
+
+type Found = (FlywheelAnswer, Option<SolveError>);
+
+/// Finds a flywheel.
+pub(super) fn flywheel(
+    scene: &Scene<'_>,
+    statics: &Statics,
+    sampler: &mut Sampler<'_>,
+    index: usize,
+) -> Result<Found, SolveError> {
+    let wheel = &scene.mechanism.flywheels[index];
+    let refuse = |why: String, help: &str| refused(scene, wheel, why, help);
+    let rate = one_turning_drive(scene, statics, sampler, wheel)?;
+    let Some(power) = power(scene, wheel) else {
+        let why = "nothing says which of several efforts it evens out".to_owned();
+        return Err(refuse(why, "name it: `flywheel J on crank for Mb { … }`"));
+    };
+    let torque = Expr::Binary(BinaryOp::Div, Box::new(power), Box::new(Expr::number(rate)));
+    let ratio = even_ratio(scene, statics, sampler, wheel, rate)?;
+    let links = Expr::Query(Query::Flywheel(index, FlywheelPart::LinksInertia));
+    let asked = [&torque, &links];
+    sampler.begin(&asked);
+    let found = breaks(scene, statics, sampler, &torque)
+        .and_then(|breaks| Ok((piecewise(sampler, statics, &asked, &breaks)?, breaks)));
+    let (all, breaks) = found.map_err(|why| without_value(scene, sampler, wheel, why))?;
+    let [torque, links] = all.as_slice() else {
+        return Err(without_value(scene, sampler, wheel, Undefined::Unresolved));
+    };
+    let mean_speed = match wheel.speed {
+        Some(speed) => speed,
+        None if scene.plan.effects.timed => (rate * ratio).abs(),
+        None => return Err(needs_speed(scene, wheel)),
+    };
+    let mean = torque.integral();
+    let work = work(torque, mean, sampler.way.length());
+    let (least, greatest) = extremes(torque, &work, mean);
+    let fluctuation = greatest.1 - least.1;
+    let greatest_links = bound(links, 1.0);
+    // nothing but rounding where all links stand
+    let least_links = Some(bound(links, -1.0)).filter(|x| *x > 1e-12 * greatest_links).unwrap_or(0.0);
+    let reduced = [links.integral(), least_links, greatest_links];
+    let needed = fluctuation / (mean_speed * mean_speed * wheel.fluctuation);
+    let own = if wheel.with_links { reduced[0] } else { 0.0 };
+    let warning = (needed <= own && wheel.with_links).then(|| SolveError::NeedlessFlywheel {
+        name: wheel.name.clone(),
+        have: four(own),
+        needed: four(needed),
+        span: wheel.span.into(),
+    });
+    let answer = FlywheelAnswer {
+        inertia: (needed - own).max(0.0),
+        fluctuation,
+        mean_torque: mean / ratio,
+        speed: mean_speed,
+        ratio,
+        extremes: [least.0, greatest.0].map(|s| sampler.way.value(s)),
+        links: reduced,
+        error: 2.0 * torque.error * sampler.way.length().abs(),
+        samples: sampler.samples,
+        splits: breaks.iter().map(|s| sampler.way.value(*s)).collect(),
+        work,
+        way: (sampler.way.value(0.0), sampler.way.length()),
+    };
+    Ok((answer, warning))
+}
+
+/// The speed of the one drive, which goes through whole turns.
+fn one_turning_drive(
+    scene: &Scene<'_>,
+    statics: &Statics,
+    sampler: &Sampler<'_>,
+    wheel: &Flywheel,
+) -> Result<f64, SolveError> {
+    let [drive] = scene.mechanism.drives.as_slice() else {
+        let why = format!("it takes one drive, and there are {}", scene.mechanism.drives.len());
+        return Err(refused(scene, wheel, why, "let one crank drive the mechanism"));
+    };
+    if !turns(scene, drive) || !sampler.way.is_closed {
+        let why = match sampler.way.turns {
+            Some(turns) => format!("`{}` sweeps over {} turns, no whole cycle", drive.name, short(turns)),
+            None => format!("`{}` does not turn", drive.name),
+        };
+        let help = format!("sweep over whole turns: `drive {} = 0 deg .. 360 deg in 12 steps`", drive.name);
+        return Err(refused(scene, wheel, why, &help));
+    }
+    let constant = |e: &Expr| match super::super::positions::constant(scene, statics, e) {
+        crate::model::Value::Scalar(x) => Some(x),
+        _ => None,
+    };
+    let rate = drive.speed.as_ref().and_then(constant).or(drive.sense).unwrap_or(0.0);
+    if rate == 0.0 && scene.plan.effects.timed {
+        let why = format!("`{}` stands still", drive.name);
+        return Err(refused(scene, wheel, why, "give the drive its mean speed"));
+    }
+    if rate == 0.0 {
+        return Err(needs_speed(scene, wheel));
+    }
+    Ok(rate)
+}
+
+/// The power of the effort that is evened out.
+fn power(scene: &Scene<'_>, wheel: &Flywheel) -> Option<Expr> {
+    let query = match wheel.torque {
+        Some(FlywheelTorque::Balance(id)) => Query::BalancePower(id),
+        Some(FlywheelTorque::Load(id)) => Query::LoadPower(id),
+        None => match scene.structure.efforts.as_slice() {
+            [effort] => match effort.source {
+                EffortSource::Balance(id) => Query::BalancePower(id),
+                EffortSource::Drive(id) => Query::EffortPower(DriveId::at(id.index())),
+            },
+            _ => return None,
+        },
+    };
+    Some(Expr::Query(query))
+}
+
+/// The constant ratio of the flywheel's shaft to the drive.
+fn even_ratio(
+    scene: &Scene<'_>,
+    statics: &Statics,
+    sampler: &mut Sampler<'_>,
+    wheel: &Flywheel,
+    rate: f64,
+) -> Result<f64, SolveError> {
+    let speed = Expr::Query(Query::Omega(wheel.on));
+    sampler.begin(&[&speed]);
+    let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+    for place in 0..PLACES {
+        let s = f64::from(place) / f64::from(PLACES);
+        let here = sampler.sample(statics, s, &speed);
+        let ratio = here.map_err(|why| without_value(scene, sampler, wheel, why))? / rate;
+        (least, greatest) = (least.min(ratio), greatest.max(ratio));
+    }
+    if greatest - least <= EVEN * greatest.abs() && greatest.abs() > 0.0 {
+        return Ok(wheel.ratio * 0.5 * (least + greatest));
+    }
+    let name = &scene.mechanism.link(wheel.on).name;
+    let range = format!("its speed over the drive's goes from {} to {}", four(least), four(greatest));
+    let why = format!("`{name}` does not turn evenly with the drive: {range}");
+    Err(refused(scene, wheel, why, "put it on the crank, or on a shaft that turns in constant ratio"))
+}
+
+/// The antiderivative of the difference to the mean over the drive's value, panel by panel.
+fn work(torque: &Piecewise, mean: f64, length: f64) -> Vec<Series> {
+    let mut done = 0.0;
+    let mut panels = Vec::with_capacity(torque.panels.len());
+    for panel in &torque.panels {
+        let work = panel.clone().less(mean).times(length).antiderivative(done);
+        done = work.value(work.to);
+        panels.push(work);
+    }
+    panels
+}
+
+/// Least and greatest work, each with its place: at the roots of the difference, and where the torque jumps.
+fn extremes(torque: &Piecewise, work: &[Series], mean: f64) -> ((f64, f64), (f64, f64)) {
+    let (mut least, mut greatest) = ((0.0, 0.0), (0.0, 0.0));
+    for (panel, work) in torque.panels.iter().zip(work) {
+        let roots = panel.clone().less(mean).roots();
+        for s in roots.into_iter().chain([panel.to]) {
+            let here = (s, work.value(s));
+            if here.1 < least.1 {
+                least = here;
+            }
+            if here.1 > greatest.1 {
+                greatest = here;
+            }
+        }
+    }
+    (least, greatest)
+}
+
+/// The greatest value (of the quantity times `sign`).
+fn bound(of: &Piecewise, sign: f64) -> f64 {
+    let values = of.candidates().into_iter().map(|c| sign * c.value);
+    sign * values.fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn refused(scene: &Scene<'_>, wheel: &Flywheel, why: String, help: &str) -> SolveError {
+    let mut labels = vec![label("this flywheel", wheel.span)];
+    labels.extend(scene.mechanism.drives.iter().map(|d| label("drive", d.span)));
+    SolveError::NoFlywheel { name: wheel.name.clone(), why, help: help.to_owned(), labels }
+}
+
+fn without_value(scene: &Scene<'_>, sampler: &Sampler<'_>, wheel: &Flywheel, why: Undefined) -> SolveError {
+    let why = why.text(scene, sampler.way);
+    let help = "look at the poses there: `assur solve` says what is wrong with each";
+    refused(scene, wheel, why, help)
+}
+
+fn needs_speed(scene: &Scene<'_>, wheel: &Flywheel) -> SolveError {
+    let mut labels = vec![label("needed here", wheel.span)];
+    labels.extend(scene.mechanism.drives.iter().map(|d| label("without a speed", d.span)));
+    SolveError::NeedsSpeed {
+        what: "the mean speed of a flywheel",
+        needs: "a speed",
+        help:
+            "write `at 80 rpm` behind the drive, or `turning ccw` and `speed 80 rpm` in the flywheel's braces"
+                .to_owned(),
+        labels,
+    }
+}
+
+/// Moment of inertia of all moving links reduced to a link's shaft: Σ (m v² + J ω²)/ω_shaft².
+pub(in super::super) fn reduced_inertia(
+    mechanism: &Mechanism,
+    body: impl Fn(LinkId) -> BodyState,
+    shaft: f64,
+) -> f64 {
+    let energies = mechanism.links.iter().enumerate().skip(1).filter_map(|(i, link)| {
+        let (mass, body) = (link.mass.as_ref()?, body(LinkId::at(i)));
+        let v = body.velocity(mass.centre);
+        Some(mass.mass * v.dot(v) + mass.inertia * body.omega * body.omega)
+    });
+    energies.sum::<f64>() / (shaft * shaft)
+}

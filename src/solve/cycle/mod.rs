@@ -1,0 +1,230 @@
+//! Quantities over the sweep: extremes, means, integrals, and the flywheels that follow from them.
+//!
+//! The sweep is taken as an interval. Where a condition switches, a load changes its sense or a magnitude passes through
+//! zero, a quantity is not smooth: these places are roots of known functions and are found before anything is
+//! integrated. Between them a quantity is a Chebyshev series per panel, halved until it has converged; a quantity that
+//! is smooth over whole turns has its mean from equally spaced samples, of which the fewest suffice.
+
+mod answer;
+mod flywheel;
+mod panels;
+mod sampler;
+mod switches;
+mod way;
+
+pub use answer::{CycleAnswer, FlywheelAnswer};
+pub(super) use flywheel::reduced_inertia;
+
+use super::error::SolveError;
+use super::extremes::Statics;
+use super::solution::Scene;
+use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
+use crate::plan::needs_forces;
+use answer::Undefined;
+use panels::Piecewise;
+use sampler::Sampler;
+use way::Way;
+
+/// The most equally spaced samples.
+const MOST_SAMPLES: usize = 128;
+/// The fewest.
+const FEWEST_SAMPLES: usize = 16;
+
+/// Finds the functions over the sweep and the flywheels of a file.
+pub(super) fn cycles(scene: &Scene<'_>, statics: &mut Statics) -> Result<Vec<SolveError>, SolveError> {
+    let mechanism = scene.mechanism;
+    if mechanism.cycles.is_empty() && mechanism.flywheels.is_empty() {
+        return Ok(Vec::new());
+    }
+    let way = Way::of(scene, statics)?;
+    let mut sampler = Sampler::new(scene, statics, &way)?;
+    statics.cycles = vec![CycleAnswer::default(); mechanism.cycles.len()];
+    // those of motion alone first: loads may hang on them
+    let after = |index: &usize| hangs_on_forces(mechanism, &mechanism.cycles[*index].expr);
+    let (late, early): (Vec<usize>, Vec<usize>) = (0..mechanism.cycles.len()).partition(after);
+    for index in early {
+        statics.cycles[index] = cycle(scene, statics, &mut sampler, index);
+    }
+    let mut warnings = Vec::new();
+    for index in 0..mechanism.flywheels.len() {
+        let found = flywheel::flywheel(scene, statics, &mut sampler, index)?;
+        warnings.extend(found.1);
+        statics.flywheels.push(found.0);
+    }
+    for index in late {
+        statics.cycles[index] = cycle(scene, statics, &mut sampler, index);
+    }
+    Ok(warnings)
+}
+
+/// Whether an expression hangs on forces, through quantities and other functions over the sweep too.
+fn hangs_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
+    let mut found = false;
+    expr.parts(&mut |part| {
+        found |= match part {
+            Expr::Quantity(id) => {
+                mechanism.quantities.get(id.index()).is_some_and(|q| hangs_on_forces(mechanism, &q.expr))
+            }
+            Expr::Query(Query::Cycle(index)) => {
+                mechanism.cycles.get(*index).is_some_and(|c| hangs_on_forces(mechanism, &c.expr))
+            }
+            Expr::Query(query) => needs_forces(query),
+            _ => false,
+        };
+    });
+    found
+}
+
+fn cycle(scene: &Scene<'_>, statics: &Statics, sampler: &mut Sampler<'_>, index: usize) -> CycleAnswer {
+    let asked = &scene.mechanism.cycles[index];
+    sampler.begin(&[&asked.expr]);
+    match found(scene, statics, sampler, asked.how, &asked.expr) {
+        Ok(answer) => CycleAnswer { samples: sampler.samples, ..answer },
+        Err(why) => CycleAnswer::undefined(why.text(scene, sampler.way)),
+    }
+}
+
+fn found(
+    scene: &Scene<'_>,
+    statics: &Statics,
+    sampler: &mut Sampler<'_>,
+    how: CycleFunction,
+    expr: &Expr,
+) -> Result<CycleAnswer, Undefined> {
+    if let Some(answer) = of_work(statics, how, expr) {
+        return Ok(answer);
+    }
+    let breaks = switches::breaks(scene, statics, sampler, expr)?;
+    let splits = breaks.iter().map(|s| sampler.way.value(*s)).collect();
+    let answer = |value, error| CycleAnswer { value, error, splits, ..CycleAnswer::default() };
+    let length = sampler.way.length();
+    let whole = matches!(how, CycleFunction::Mean | CycleFunction::Integral);
+    let factor = if how == CycleFunction::Integral { length } else { 1.0 };
+    if whole
+        && breaks.is_empty()
+        && comes_again(scene, statics, sampler, expr)?
+        && let Some(mean) = smooth_mean(statics, sampler, expr)?
+    {
+        return Ok(answer(mean.value * factor, mean.error * factor.abs()));
+    }
+    let all = panels::piecewise(sampler, statics, &[expr], &breaks)?;
+    let [piecewise] = all.as_slice() else { return Err(Undefined::Unresolved) };
+    if whole {
+        return Ok(answer(piecewise.integral() * factor, piecewise.error * factor.abs()));
+    }
+    let sign = if how == CycleFunction::Min { -1.0 } else { 1.0 };
+    let (s, value) = extreme(statics, sampler, expr, piecewise, sign)?;
+    Ok(match how {
+        CycleFunction::Argmax => answer(sampler.way.value(s), piecewise.error.min(1.0) * length.abs()),
+        _ => answer(value, piecewise.error),
+    })
+}
+
+/// Extremes of a flywheel's work are known with it.
+fn of_work(statics: &Statics, how: CycleFunction, expr: &Expr) -> Option<CycleAnswer> {
+    let (query, sign) = match expr {
+        Expr::Query(query) => (query, 1.0),
+        Expr::Negate(inner) => match &**inner {
+            Expr::Query(query) => (query, -1.0),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let Query::Flywheel(index, FlywheelPart::Work) = query else { return None };
+    let found = statics.flywheels.get(*index)?;
+    let greatest = match how {
+        CycleFunction::Max | CycleFunction::Argmax => sign > 0.0,
+        CycleFunction::Min => sign < 0.0,
+        CycleFunction::Mean | CycleFunction::Integral => return None,
+    };
+    let at = found.extremes[usize::from(greatest)];
+    let value = if how == CycleFunction::Argmax { at } else { sign * found.work(at) };
+    let error = if how == CycleFunction::Argmax { 1e-12 } else { found.error };
+    Some(CycleAnswer { value, error, splits: found.splits.clone(), ..CycleAnswer::default() })
+}
+
+/// Whether the quantity is at the sweep's end what it was at its beginning: an angle that goes round is not.
+fn comes_again(
+    scene: &Scene<'_>,
+    statics: &Statics,
+    sampler: &mut Sampler<'_>,
+    expr: &Expr,
+) -> Result<bool, Undefined> {
+    if !sampler.way.is_closed || !sampler.comes_again() {
+        return Ok(false);
+    }
+    if !counts_turns(scene.mechanism, expr) {
+        return Ok(true);
+    }
+    let (first, last) = (sampler.sample(statics, 0.0, expr)?, sampler.sample(statics, 1.0, expr)?);
+    let between = sampler.sample(statics, 0.3, expr)?;
+    Ok((first - last).abs() <= 1e-9 * first.abs().max(last.abs()).max(between.abs()))
+}
+
+/// Whether an expression asks for angles, which are continuous over the sweep.
+fn counts_turns(mechanism: &Mechanism, expr: &Expr) -> bool {
+    let mut found = false;
+    expr.parts(&mut |part| {
+        found |= match part {
+            Expr::Quantity(id) => {
+                mechanism.quantities.get(id.index()).is_some_and(|q| counts_turns(mechanism, &q.expr))
+            }
+            Expr::Query(query) => {
+                matches!(query, Query::Angle(_) | Query::Displacement(_) | Query::Travel(_))
+            }
+            _ => false,
+        };
+    });
+    found
+}
+
+/// The mean of a smooth quantity over whole turns; `None` where samples do not converge.
+fn smooth_mean(
+    statics: &Statics,
+    sampler: &mut Sampler<'_>,
+    expr: &Expr,
+) -> Result<Option<crate::math::periodic::Mean>, Undefined> {
+    let mut samples: Vec<f64> = Vec::new();
+    let mut count = FEWEST_SAMPLES;
+    while count <= MOST_SAMPLES {
+        let mut next = Vec::with_capacity(count);
+        for i in 0..count {
+            let known = if i % 2 == 0 { samples.get(i / 2).copied() } else { None };
+            #[allow(clippy::cast_precision_loss)] // far below 2^52
+            let at = i as f64 / count as f64;
+            next.push(match known {
+                Some(f) => f,
+                None => sampler.sample(statics, at, expr)?,
+            });
+        }
+        samples = next;
+        let mean = crate::math::periodic::mean(&samples);
+        if mean.has_converged() {
+            return Ok(Some(mean));
+        }
+        count *= 2;
+    }
+    Ok(None)
+}
+
+/// The greatest value (of the quantity times `sign`): where, and the quantity there.
+fn extreme(
+    statics: &Statics,
+    sampler: &mut Sampler<'_>,
+    expr: &Expr,
+    piecewise: &Piecewise,
+    sign: f64,
+) -> Result<(f64, f64), Undefined> {
+    let mut best: Option<(f64, f64)> = None;
+    let near = 1e-12 * piecewise.scale;
+    for candidate in piecewise.candidates() {
+        // at a jump it is the value on the side of the panel that counts
+        let value =
+            if candidate.at_jump { candidate.value } else { sampler.sample(statics, candidate.at, expr)? };
+        // of equal ones the first
+        if best.is_none_or(|(_, most)| sign * value > sign * most + near) {
+            best = Some((candidate.at, value));
+        }
+    }
+    best.ok_or(Undefined::Unresolved)
+}

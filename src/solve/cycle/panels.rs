@@ -1,0 +1,159 @@
+//! Quantities as Chebyshev series, panel by panel.
+
+use super::super::extremes::Statics;
+use super::answer::Undefined;
+use super::sampler::Sampler;
+use crate::math::chebyshev::{NODES, Nodes, Series};
+use crate::model::Expr;
+
+/// Panels per turn of the drive at the start.
+const PER_TURN: f64 = 8.0;
+/// What a panel may leave off, of the greatest value, where it is as long as the sweep.
+const SMALL: f64 = 2e-15;
+/// The most panels.
+const MOST: usize = 2000;
+
+/// A quantity over the sweep.
+#[derive(Clone, Debug)]
+pub(super) struct Piecewise {
+    /// In order, without gaps, from 0 to 1.
+    pub panels: Vec<Series>,
+    /// Between which panels the quantity may jump: places.
+    pub breaks: Vec<f64>,
+    /// The greatest magnitude of all samples.
+    pub scale: f64,
+    /// Estimated error of the integral, rounding included.
+    pub error: f64,
+}
+
+/// A place where a quantity may be greatest or least.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Candidate {
+    /// The place.
+    pub at: f64,
+    /// The value of the panel's series there.
+    pub value: f64,
+    /// At a jump, of which the value is one side.
+    pub at_jump: bool,
+}
+
+impl Piecewise {
+    /// The integral over s.
+    pub(super) fn integral(&self) -> f64 {
+        self.panels.iter().map(Series::integral).sum()
+    }
+
+    /// Places where the quantity may be greatest or least, in order.
+    pub(super) fn candidates(&self) -> Vec<Candidate> {
+        let mut all = Vec::new();
+        let mut slope_before: Option<f64> = None;
+        for panel in &self.panels {
+            let slope = panel.derivative();
+            let at_jump = self.breaks.contains(&panel.from);
+            let begins = Candidate { at: panel.from, value: panel.value(panel.from), at_jump };
+            // within a smooth stretch only where the slope changes its sign between two panels
+            if at_jump || slope_before.is_none_or(|before| before * slope.value(panel.from) <= 0.0) {
+                all.push(begins);
+            }
+            let inside = slope.roots().into_iter();
+            all.extend(inside.map(|at| Candidate { at, value: panel.value(at), at_jump: false }));
+            let at_jump = self.breaks.contains(&panel.to);
+            if at_jump || panel.to == 1.0 {
+                all.push(Candidate { at: panel.to, value: panel.value(panel.to), at_jump });
+            }
+            slope_before = Some(slope.value(panel.to));
+        }
+        all
+    }
+}
+
+/// Numbers over the sweep that are smooth between the breaks.
+pub(super) fn piecewise(
+    sampler: &mut Sampler<'_>,
+    statics: &Statics,
+    exprs: &[&Expr],
+    breaks: &[f64],
+) -> Result<Vec<Piecewise>, Undefined> {
+    let nodes = Nodes::new();
+    let mut waiting = first_panels(sampler, breaks);
+    let mut sampled = Vec::new();
+    for (from, to) in &waiting {
+        sampled.push(sample(sampler, statics, exprs, &nodes, *from, *to)?);
+    }
+    let greatest = |which: usize| {
+        let values = sampled.iter().flat_map(|p| p[which].0.iter());
+        values.fold(0.0_f64, |most, x| most.max(x.abs()))
+    };
+    let scales: Vec<f64> = (0..exprs.len()).map(greatest).collect();
+    let mut done: Vec<Piecewise> = scales
+        .iter()
+        .map(|scale| Piecewise {
+            panels: Vec::new(),
+            breaks: breaks.to_vec(),
+            scale: *scale,
+            error: 4.0 * f64::EPSILON * scale,
+        })
+        .collect();
+    // from the beginning on: halves go back on the pile
+    waiting.reverse();
+    sampled.reverse();
+    while let (Some((from, to)), Some(panel)) = (waiting.pop(), sampled.pop()) {
+        let length = to - from;
+        let left_off = |(_, series): &(_, Series)| series.tail() * length;
+        if panel.iter().zip(&scales).all(|(p, scale)| left_off(p) <= SMALL * scale) {
+            for ((_, series), out) in panel.into_iter().zip(&mut done) {
+                out.error += series.tail() * length;
+                out.panels.push(series);
+            }
+            continue;
+        }
+        if done.first().map_or(0, |d| d.panels.len()) + waiting.len() > MOST {
+            return Err(Undefined::Unresolved);
+        }
+        let middle = 0.5 * (from + to);
+        sampled.push(sample(sampler, statics, exprs, &nodes, middle, to)?);
+        sampled.push(sample(sampler, statics, exprs, &nodes, from, middle)?);
+        waiting.extend([(middle, to), (from, middle)]);
+    }
+    Ok(done)
+}
+
+/// The stretches between the breaks, divided where they are long.
+fn first_panels(sampler: &Sampler<'_>, breaks: &[f64]) -> Vec<(f64, f64)> {
+    let turns = sampler.way.turns.unwrap_or(1.0).abs().max(0.5);
+    let longest = 1.0 / (PER_TURN * turns);
+    let mut panels = Vec::new();
+    let ends = breaks.iter().copied().chain([1.0]);
+    let mut from = 0.0;
+    for to in ends {
+        let parts = ((to - from) / longest - 1e-9).ceil().max(1.0);
+        let mut part = 0.0;
+        while part < parts {
+            let at = |i: f64| if i == parts { to } else { from + (to - from) * i / parts };
+            panels.push((at(part), at(part + 1.0)));
+            part += 1.0;
+        }
+        from = to;
+    }
+    panels
+}
+
+type Sampled = Vec<([f64; NODES], Series)>;
+
+fn sample(
+    sampler: &mut Sampler<'_>,
+    statics: &Statics,
+    exprs: &[&Expr],
+    nodes: &Nodes,
+    from: f64,
+    to: f64,
+) -> Result<Sampled, Undefined> {
+    let mut values = vec![[0.0; NODES]; exprs.len()];
+    for node in 0..NODES {
+        let s = nodes.at(from, to, node);
+        for (values, expr) in values.iter_mut().zip(exprs) {
+            values[node] = sampler.sample(statics, s, expr)?;
+        }
+    }
+    Ok(values.into_iter().map(|values| (values, nodes.series(from, to, &values))).collect())
+}

@@ -1,0 +1,119 @@
+//! The sweep as an interval: s from 0 to 1.
+
+use super::super::error::{SolveError, label};
+use super::super::extremes::Statics;
+use super::super::positions::{sweep, turns};
+use super::super::solution::{DriveValue, Scene};
+use super::super::track::between;
+use crate::model::Positions;
+use std::f64::consts::TAU;
+
+/// The way from the sweep's first position to its last.
+#[derive(Clone, Debug)]
+pub(super) struct Way {
+    /// Drive values at its beginning.
+    pub from: Vec<DriveValue>,
+    /// And at its end.
+    pub to: Vec<DriveValue>,
+    /// It goes through whole turns of the one drive and ends where it began.
+    pub is_closed: bool,
+    /// Turns of the one drive, where it turns.
+    pub turns: Option<f64>,
+}
+
+impl Way {
+    /// The sweep of a file.
+    pub(super) fn of(scene: &Scene<'_>, statics: &Statics) -> Result<Self, SolveError> {
+        let wanted = sweep(scene, statics);
+        let drives = &scene.mechanism.drives;
+        let (Some(first), Some(last)) = (wanted.first(), wanted.last()) else { return Err(none(scene)) };
+        let mut to = last.drives.clone();
+        for ((drive, end), from) in drives.iter().zip(&mut to).zip(&first.drives) {
+            match &drive.positions {
+                // over a whole turn the last position is left out
+                Positions::Range { to: written, .. } => {
+                    if let crate::model::Value::Scalar(x) =
+                        super::super::positions::constant(scene, statics, written)
+                    {
+                        *end = DriveValue::Scalar(x);
+                    }
+                }
+                Positions::List(list) if list.len() > 1 && (drives.len() > 1 || !in_order(&wanted)) => {
+                    return Err(unordered(scene, drive.span));
+                }
+                _ => *end = if wanted.len() > 1 { *end } else { *from },
+            }
+        }
+        let way = Self { is_closed: false, turns: None, from: first.drives.clone(), to };
+        if way.from == way.to {
+            return Err(none(scene));
+        }
+        let turning = matches!(drives.as_slice(), [drive] if turns(scene, drive));
+        let turns = turning.then(|| way.length() / TAU);
+        let is_closed = turns.is_some_and(|n| n.round() != 0.0 && (n - n.round()).abs() < 1e-12);
+        Ok(Self { is_closed, turns, ..way })
+    }
+
+    /// Drive values at a place of the sweep.
+    pub(super) fn values(&self, s: f64) -> Vec<DriveValue> {
+        self.from.iter().zip(&self.to).map(|(a, b)| between(*a, *b, s)).collect()
+    }
+
+    /// Value of the first drive at a place of the sweep.
+    pub(super) fn value(&self, s: f64) -> f64 {
+        match (self.from.first(), self.to.first()) {
+            (Some(DriveValue::Scalar(a)), Some(DriveValue::Scalar(b))) => a + (b - a) * s,
+            _ => f64::NAN,
+        }
+    }
+
+    /// Last less first value of the first drive.
+    pub(super) fn length(&self) -> f64 {
+        match (self.from.first(), self.to.first()) {
+            (Some(DriveValue::Scalar(a)), Some(DriveValue::Scalar(b))) => b - a,
+            _ => f64::NAN,
+        }
+    }
+}
+
+/// Whether the values of the one drive go one way.
+fn in_order(wanted: &[super::super::positions::Wanted]) -> bool {
+    let value = |w: &super::super::positions::Wanted| match w.drives.as_slice() {
+        [DriveValue::Scalar(x)] => Some(*x),
+        _ => None,
+    };
+    let differences = wanted.windows(2).map(|w| Some(value(&w[1])? - value(&w[0])?));
+    let Some(all) = differences.collect::<Option<Vec<f64>>>() else { return false };
+    all.iter().all(|d| *d > 0.0) || all.iter().all(|d| *d < 0.0)
+}
+
+/// Where the functions stand that need a sweep.
+fn asked(scene: &Scene<'_>) -> Vec<miette::LabeledSpan> {
+    let mechanism = scene.mechanism;
+    let cycles = mechanism.cycles.iter().map(|c| label("taken over the sweep", c.span));
+    let flywheels = mechanism.flywheels.iter().map(|f| label("found over a cycle", f.span));
+    cycles.chain(flywheels).collect()
+}
+
+fn none(scene: &Scene<'_>) -> SolveError {
+    let mut labels = asked(scene);
+    let drive = scene.mechanism.drives.first();
+    labels.extend(drive.map(|d| label("one position", d.span)));
+    let (name, range) = match drive {
+        Some(d) if turns(scene, d) => (d.name.as_str(), "0 deg .. 360 deg in 12 steps"),
+        Some(d) => (d.name.as_str(), "0 mm .. 200 mm in 10 steps"),
+        None => ("crank", "0 deg .. 360 deg in 12 steps"),
+    };
+    let (why, help) =
+        ("the file has one position".to_owned(), format!("let the drive sweep: `drive {name} = {range}`"));
+    SolveError::NoSweep { why, help, labels }
+}
+
+fn unordered(scene: &Scene<'_>, span: crate::source::Span) -> SolveError {
+    let mut labels = asked(scene);
+    labels.push(label("listed positions", span));
+    let why = "the listed positions are no way from a first value to a last".to_owned();
+    let help =
+        "list the values of one drive in their order, or write a range: `0 deg .. 360 deg in 12 steps`";
+    SolveError::NoSweep { why, help: help.to_owned(), labels }
+}

@@ -1,0 +1,242 @@
+//! Quantities over the sweep and flywheels, against `tests/reference/cycle.py`, closed formulas and brute force.
+
+use assur::Solved;
+use assur::check::Overrides;
+use assur::diagnostic::{Style, render};
+use assur::model::Value;
+use assur::source::Source;
+use proptest::prelude::*;
+use std::f64::consts::{PI, TAU};
+
+const ENGINE: &str = "
+ground { A (0, 0); line guide through A along 0 deg }
+link crank A-B 100 mm
+link rod B-C 350 mm { S (120 mm, 0); mass 2.5 kg at S; inertia 0.03 kg*m^2 }
+link piston { C (0, 0); mass 3 kg }
+revolute A: ground - crank
+revolute B: crank - rod
+revolute C: rod - piston
+prismatic D: piston.C - ground.guide
+gravity 9.81 m/s^2
+drive crank = 0 deg .. 360 deg in 12 steps at 1500 rpm
+assemble C ahead of B
+balance torque Mb on crank
+";
+
+const LOADED: &str = "
+force P on piston at C = (-4 kN, 0) when 0.2 < travel(D)/stroke(D) < 0.7 and velocity(C).x > 0
+";
+
+fn solved(text: &str) -> Solved {
+    let source = Source::new("test.mech", text.to_owned());
+    let (solved, problems) = assur::test_source(&source, &Overrides::none());
+    assert!(problems.is_empty(), "{}", render(&problems, &source, Style::PLAIN));
+    solved.expect("it is solved")
+}
+
+/// Expectations within relative tolerances; the positions solved for each function over the sweep.
+fn holds(text: &str, expected: &[(&str, f64, f64)]) -> Vec<usize> {
+    let key: String = expected
+        .iter()
+        .map(|(what, value, within)| format!("expect {what} = {value:?} within {within:e}\n"))
+        .collect();
+    let solved = solved(&format!("{text}{key}"));
+    assert_eq!(solved.outcomes.len(), expected.len());
+    for outcome in &solved.outcomes {
+        let (Value::Scalar(got), Value::Scalar(expected)) = (outcome.got, outcome.expected) else { continue };
+        println!("{:32} {:.1e}", outcome.text, (got - expected).abs() / expected.abs());
+    }
+    solved.solution.statics.cycles.iter().map(|c| c.samples).collect()
+}
+
+#[test]
+fn a_smooth_mechanism_reaches_thirteen_digits_with_thirty_two_samples() {
+    let samples = holds(
+        ENGINE,
+        &[
+            ("mean(velocity(C).x^2)/(1 m^2/s^2)", 125.996_139_151_084_76, 1e-13),
+            ("mean(Mb^2)/(1 N*m*N*m)", 157_525.479_411_633_96, 1e-13),
+        ],
+    );
+    assert!(samples.iter().all(|n| *n <= 32), "{samples:?}");
+}
+
+#[test]
+fn extremes_are_the_true_ones() {
+    holds(
+        ENGINE,
+        &[
+            ("max(velocity(C).x)/(1 m/s)", 16.340_115_863_194_318, 1e-14),
+            ("min(velocity(C).x)/(1 m/s)", -16.340_115_863_194_318, 1e-14),
+            ("argmax(velocity(C).x)/(1 rad)", 4.971_821_929_416_299, 1e-12),
+            ("argmax(-velocity(C).x)/(1 rad)", TAU - 4.971_821_929_416_299, 1e-12),
+            ("max(position(C).x)/(1 m)", 0.45, 1e-15),
+            ("max(angle(rod))/(1 rad)", libm::asin(0.1 / 0.35), 1e-14),
+        ],
+    );
+}
+
+#[test]
+fn a_load_that_switches_costs_no_digits() {
+    holds(
+        &format!("{ENGINE}{LOADED}"),
+        &[
+            ("mean(Mb)/(1 N*m)", 200.0 / PI, 1e-12),
+            ("integral(Mb)/(1 N*m)", 400.0, 1e-12),
+            ("mean(Mb^2)/(1 N*m*N*m)", 204_281.192_380_956_81, 1e-12),
+            ("argmax(abs(P.x))/(1 rad)", 4.200_694_753_886_601, 1e-14),
+        ],
+    );
+}
+
+#[test]
+fn a_flywheel_is_found_at_the_roots_of_the_difference() {
+    let text = format!(
+        "{ENGINE}{LOADED}
+flywheel J on crank for Mb {{ fluctuation 1/50; rim {{ diameter 0.4 m; density 7200 kg/m^3; height_to_width 2 }} }}
+flywheel L on crank for Mb {{ fluctuation 1/50; with_links }}
+"
+    );
+    let inertia = 1.549_830_006_572_904_5;
+    holds(
+        &text,
+        &[
+            ("fluctuation(J)/(1 J)", 764.810_452_690_614_4, 1e-12),
+            ("J/(1 kg*m^2)", inertia, 1e-12),
+            ("L/(1 kg*m^2)", inertia - 0.034_499_085_037_360_5, 1e-12),
+            ("argmax(work(J))/(1 rad)", 5.207_996_156_133_107, 1e-11),
+            ("argmax(-work(J))/(1 rad)", 3.258_624_273_320_768_4, 1e-11),
+            ("(max(work(J)) - min(work(J)))/(1 J)", 764.810_452_690_614_4, 1e-12),
+            ("mean(reduced_inertia(J))/(1 kg*m^2)", 0.034_499_085_037_360_5, 1e-12),
+            ("rim(J).width^2/(1 m^2)", 4.0 * inertia / (2.0 * PI * 0.064 * 7200.0), 1e-12),
+            ("rim(J).height/rim(J).width", 2.0, 1e-14),
+            ("rim(J).mass/(1 kg)", 4.0 * inertia / 0.16, 1e-12),
+        ],
+    );
+}
+
+#[test]
+fn a_flywheel_does_not_hang_on_where_the_sweep_begins_nor_on_its_sense() {
+    let of = |drive: &str| {
+        let text = format!("{ENGINE}{LOADED}flywheel J on crank for Mb {{ fluctuation 1/50 }}\nfind J\n");
+        let solved = solved(&text.replace("0 deg .. 360 deg in 12 steps at 1500 rpm", drive));
+        solved.solution.statics.flywheels[0].inertia
+    };
+    let first = of("0 deg .. 360 deg in 12 steps at 1500 rpm");
+    for drive in [
+        "77 deg .. 437 deg in 5 steps at 1500 rpm",
+        "0 deg .. 720 deg in 5 steps at 1500 rpm",
+        "360 deg .. 0 deg in 9 steps at 1500 rpm",
+    ] {
+        let again = of(drive);
+        assert!((again - first).abs() < 1e-12 * first, "{drive}: {again} {first}");
+    }
+}
+
+#[test]
+fn a_given_ratio_puts_the_flywheel_on_a_faster_shaft() {
+    let text = format!(
+        "{ENGINE}{LOADED}
+flywheel J on crank for Mb {{ fluctuation 1/50 }}
+flywheel K on crank for Mb {{ fluctuation 1/50; ratio 3 }}
+expect K = J/9 within 1e-13
+expect fluctuation(K) = fluctuation(J) within 1e-13
+"
+    );
+    solved(&text);
+}
+
+#[test]
+fn a_part_of_a_turn_is_integrated_too() {
+    let text = ENGINE.replace("0 deg .. 360 deg in 12 steps", "20 deg .. 110 deg in 3 steps");
+    // ∫ v/ω dφ is the way
+    holds(&text, &[("integral(velocity(C).x/omega(crank))/(1 m)", x(110.0) - x(20.0), 1e-13)]);
+}
+
+fn x(deg: f64) -> f64 {
+    let phi = deg.to_radians();
+    0.1 * libm::cos(phi) + (0.35_f64 * 0.35 - libm::pow(0.1 * libm::sin(phi), 2.0)).sqrt()
+}
+
+/// A crank-rocker or crank-slider with masses under gravity, and nothing else.
+fn smooth_machine() -> impl Strategy<Value = String> {
+    let lengths = (0.05..0.15, 0.3..0.5, 0.3..0.5, 0.4..0.5);
+    let masses = (0.5..5.0, 0.5..5.0, 0.01..0.2, 0.01..0.2, -0.1..0.1, -200.0..200.0);
+    (lengths, masses, any::<bool>()).prop_map(|((r, l, c, d), (m2, m3, j2, j3, s, rate), rocker)| {
+        let last = if rocker {
+            format!(
+                "link last C-D {c} m {{ T ({s} m, 0.1 m); mass {m3} kg at T; inertia {j3} kg*m^2 }}
+                revolute C: rod - last
+                revolute D: ground - last
+                assemble C left of B-D"
+            )
+        } else {
+            format!(
+                "link last {{ C (0, 0); mass {m3} kg }}
+                revolute C: rod - last
+                prismatic D: last.C - ground.guide
+                assemble C ahead of B"
+            )
+        };
+        format!(
+            "ground {{ A (0, 0); D ({d} m, 0); line guide through A along 0 deg }}
+            link crank A-B {r} m
+            link rod B-C {l} m {{ S (0.1 m, {s} m); mass {m2} kg at S; inertia {j2} kg*m^2 }}
+            revolute A: ground - crank
+            revolute B: crank - rod
+            {last}
+            gravity 9.81 m/s^2 @ 250 deg
+            drive crank = 10 deg .. 370 deg in 4 steps at {rate} rad/s
+            balance torque Mb on crank
+            "
+        )
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    /// Over a cycle inertia and weights do no work.
+    #[test]
+    fn a_cycle_of_inertia_and_weights_takes_no_work(text in smooth_machine()) {
+        let solved = solved(&format!("{text}find mean(power(Mb)), max(abs(power(Mb))), integral(Mb), max(abs(Mb))\n"));
+        let values: Vec<f64> = solved.solution.statics.cycles.iter().map(|c| c.value).collect();
+        prop_assert!(values[0].abs() < 1e-12 * values[1], "{values:?}");
+        prop_assert!(values[2].abs() < 1e-11 * values[3], "{values:?}");
+    }
+
+    /// The fluctuation of work against sums over many positions; a mean against the sum.
+    #[test]
+    fn a_fluctuation_agrees_with_brute_force(text in smooth_machine(), from in 0.1..0.4, to in 0.5..0.9, force in 100.0..5000.0) {
+        let steps = 7200;
+        let text = text.replace("in 4 steps", &format!("in {steps} steps"));
+        let coordinate = if text.contains("prismatic") { "displacement(D)" } else { "angle(last)" };
+        let load = if text.contains("prismatic") {
+            format!("force F on last at C = ({force} N, 0)")
+        } else {
+            format!("torque F on last = {force} N*m")
+        };
+        let span = format!("(max({coordinate}) - min({coordinate}))");
+        let part = format!("({coordinate} - min({coordinate}))/{span}");
+        let rate = if text.contains("prismatic") { "relative_velocity(D)/(1 m/s)" } else { "omega(last)/(1 rad/s)" };
+        let solved = solved(&format!(
+            "{text}{load} when {from} < {part} < {to} and {rate} > 0
+            flywheel J on crank for Mb {{ fluctuation 1/50 }}
+            find J, Mb, mean(Mb)\n"
+        ));
+        let torque: Vec<f64> = solved.solution.poses.iter()
+            .map(|p| p.outcome.as_ref().expect("it closes").state.efforts[0]).collect();
+        let mean = torque.iter().sum::<f64>() / f64::from(steps);
+        let (mut work, mut least, mut most) = (0.0, 0.0_f64, 0.0_f64);
+        for i in 0..torque.len() {
+            let next = torque[(i + 1) % torque.len()];
+            work += (0.5 * (torque[i] + next) - mean) * TAU / f64::from(steps);
+            (least, most) = (least.min(work), most.max(work));
+        }
+        let found = &solved.solution.statics.flywheels[0];
+        let peak = torque.iter().fold(0.0_f64, |m, t| m.max(t.abs()));
+        prop_assert!((found.fluctuation - (most - least)).abs() < 3e-3 * peak, "{} {}", found.fluctuation, most - least);
+        let cycle = solved.solution.statics.cycles.last().expect("mean(Mb)").value;
+        prop_assert!((cycle - mean).abs() < 2e-3 * peak, "{cycle} {mean}");
+    }
+}
