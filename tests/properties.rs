@@ -37,6 +37,8 @@ mod rubbing;
 mod run;
 #[path = "properties/sweeps.rs"]
 mod sweeps;
+#[path = "properties/triads.rs"]
+mod triads;
 
 use compare::{Worst, compare};
 use draft::Draft;

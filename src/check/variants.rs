@@ -116,9 +116,8 @@ fn check_column(cx: &mut Context<'_>, column: &Column) -> Option<RowColumn> {
         None => Unit::si(Dimension::NUMBER),
     };
     let name = &column.name;
-    let checked = |what, dimension, unit: Unit| {
-        Some(RowColumn { name: name.node.clone(), unit, dimension, what })
-    };
+    let checked =
+        |what, dimension, unit: Unit| Some(RowColumn { name: name.node.clone(), unit, dimension, what });
     let of_expect = |cx: &Context<'_>| cx.used_by_expect(&name.node);
     match cx.names.quantities.get(&name.node).map(|d| d.what) {
         Some(QuantityKind::Given(_)) => {

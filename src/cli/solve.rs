@@ -3,8 +3,8 @@
 use super::args::{Format, Solve};
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
-use crate::diagnostic::Problems;
 use crate::check::RowColumn;
+use crate::diagnostic::Problems;
 use crate::exercise::{OwnRows, SolvedRow};
 use crate::report::document::{Column, Table};
 use crate::report::json::Variant;
@@ -72,7 +72,8 @@ fn of_rows(
                 let variant = Some(Variant::of(row.number, row.row.label.clone(), &row.row.row));
                 let views = row.problems.views(source);
                 let scene = solved.as_ref().map(|s| s.scene);
-                let line = report::json::render_row(&source.name, variant, scene.as_ref(), solved.as_ref(), &views);
+                let line =
+                    report::json::render_row(&source.name, variant, scene.as_ref(), solved.as_ref(), &views);
                 results.push(line + "\n");
             }
             (Format::Table | Format::Markdown, Some(solved)) => {
@@ -95,7 +96,8 @@ fn of_rows(
 
 /// The poses of a row behind its number and its givens; a row without solution has no answers.
 fn csv_row(table: &mut Table, columns: &[RowColumn], row: &SolvedRow, solved: Option<&Answers<'_>>) {
-    let cells = row.row.row.entries().map(|(c, cell)| significant(c.unit.from_si(cell.value), report::rows::FULL));
+    let cells =
+        row.row.row.entries().map(|(c, cell)| significant(c.unit.from_si(cell.value), report::rows::FULL));
     let head: Vec<String> = std::iter::once(row.number.to_string()).chain(cells).collect();
     let poses = solved.map(report::table_of_poses).unwrap_or_default();
     if table.columns.len() <= head.len() {

@@ -116,7 +116,8 @@ fn not_answered(graded: &Graded) -> Section {
 /// One line per answer, with its verdict.
 #[must_use]
 pub fn csv(graded: &Graded) -> String {
-    let head = ["file", "row", "variant", "pose", "student", "quantity", "unit", "given", "key", "off by [%]"];
+    let head =
+        ["file", "row", "variant", "pose", "student", "quantity", "unit", "given", "key", "off by [%]"];
     let mut table = Table::of_words(&head);
     table.columns.extend(["verdict", "slip", "hint"].map(Column::words));
     for row in &graded.rows {
@@ -127,7 +128,11 @@ pub fn csv(graded: &Graded) -> String {
             cells.extend([row.person.clone().unwrap_or_default(), quantity.name.clone()]);
             cells.extend([quantity.unit.text.clone(), given, key]);
             cells.push(mark.error.map(|e| significant(100.0 * e, 4)).unwrap_or_default());
-            cells.extend([word(&mark.verdict).to_owned(), slip_name(&mark.verdict).to_owned(), hint(&mark.verdict)]);
+            cells.extend([
+                word(&mark.verdict).to_owned(),
+                slip_name(&mark.verdict).to_owned(),
+                hint(&mark.verdict),
+            ]);
             table.row(cells);
         }
     }
@@ -207,7 +212,10 @@ pub fn json(graded: &Graded) -> String {
         right,
         total,
         rows: graded.rows.iter().map(|row| row_view(graded, row)).collect(),
-        quantities: totals.iter().map(|(name, right, total)| QuantityView { name, right: *right, total: *total }).collect(),
+        quantities: totals
+            .iter()
+            .map(|(name, right, total)| QuantityView { name, right: *right, total: *total })
+            .collect(),
         unanswered: &graded.unanswered,
         unasked: &graded.unasked,
     };

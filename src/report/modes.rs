@@ -1,22 +1,20 @@
 //! All assemblies of every group at the first pose.
 
 use super::document::{Column, Section, Table};
-use super::mobility::link_names;
 use crate::solve::{Modes, Scene};
 
 /// One row per assembly.
 pub(super) fn section(scene: &Scene<'_>, modes: &Modes) -> Section {
-    let mut columns = vec![Column::right("#"), Column::words("links"), Column::words("kind")];
+    let mut columns = vec![Column::right("#"), Column::words("kind")];
     columns.push(Column::right("assembly"));
     columns.push(Column::right("condition"));
     columns.extend(["chosen", "to choose it write"].map(Column::words));
-    let mut table = Table::new(columns, 4);
+    let mut table = Table::new(columns, 3);
     for group in &modes.groups {
         let structure = &scene.structure.motion[group.group];
         for (i, mode) in group.modes.iter().enumerate() {
             table.row(vec![
                 (group.group + 1).to_string(),
-                link_names(scene, structure).join(", "),
                 structure.kind_name().to_owned(),
                 format!("{} of {}", i + 1, group.modes.len()),
                 crate::units::significant(mode.condition, 3),

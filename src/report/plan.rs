@@ -53,7 +53,9 @@ fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &
     let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
     match step {
         MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("as {} says", with.join(", ")),
-        MotionStep::Triad { .. } => "triad: all assemblies by a sextic, then followed with a certificate".to_owned(),
+        MotionStep::Triad { .. } => {
+            "triad: all assemblies by a sextic, then followed with a certificate".to_owned()
+        }
         MotionStep::General { .. } => {
             format!("Newton's method, {} links at once", link_names(scene, group).len())
         }

@@ -79,7 +79,9 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
     for (index, hints) in hints.iter().enumerate() {
         let mut ways: Vec<(usize, Way)> = Vec::new();
         for (i, candidate) in candidates.iter_mut().enumerate() {
-            ways.extend(every_way(scene, &mut candidate.state, index, extent).into_iter().map(|way| (i, way)));
+            ways.extend(
+                every_way(scene, &mut candidate.state, index, extent).into_iter().map(|way| (i, way)),
+            );
         }
         if ways.is_empty() {
             let state = candidates.swap_remove(0).state;

@@ -100,7 +100,14 @@ impl Notes {
     }
 
     /// The figure h of Newton and Kantorovich of a group that was solved by iteration.
-    pub(super) fn certificate(&mut self, scene: &Scene<'_>, group: &Group, h: f64, sigma: f64, pose: &Wanted) {
+    pub(super) fn certificate(
+        &mut self,
+        scene: &Scene<'_>,
+        group: &Group,
+        h: f64,
+        sigma: f64,
+        pose: &Wanted,
+    ) {
         if h <= 0.5 {
             return;
         }

@@ -32,7 +32,7 @@ impl State {
     }
 
     /// What the legs hang on where the bases are now.
-    fn triad_ends(&self, triad: &TriadMotion) -> [End; 3] {
+    pub(super) fn triad_ends(&self, triad: &TriadMotion) -> [End; 3] {
         [0, 1, 2].map(|i| match &triad.legs[i] {
             TriadLeg::Link(leg) => {
                 End::Hinge { p: point::<0>(&self.bodies, &leg.base).p, length: leg.length }

@@ -229,7 +229,8 @@ impl Group {
 
     /// Looks whether three legs carry one body by revolutes.
     fn arrange_triad(&mut self, replaced: &Replaced) -> bool {
-        let (inner, mut outer): (Vec<GroupJoint>, Vec<GroupJoint>) = self.joints.iter().partition(|j| j.inner);
+        let (inner, mut outer): (Vec<GroupJoint>, Vec<GroupJoint>) =
+            self.joints.iter().partition(|j| j.inner);
         let shape = (self.bodies.len(), inner.len(), outer.len(), self.efforts.len());
         let simple = |j: &GroupJoint| match replaced.joint(j.joint).kind {
             JointKind::Prismatic { angle_redundant, offset, .. } => !angle_redundant && offset == 0.0,

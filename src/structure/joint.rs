@@ -126,7 +126,11 @@ impl Replaced {
         self.passive == other.passive
             && bodies(self) == bodies(other)
             && self.joints.len() == other.joints.len()
-            && self.joints.iter().zip(&other.joints).all(|(a, b)| a.pair == b.pair && a.kind.is_alike(&b.kind))
+            && self
+                .joints
+                .iter()
+                .zip(&other.joints)
+                .all(|(a, b)| a.pair == b.pair && a.kind.is_alike(&b.kind))
     }
 
     /// The joint with this id.

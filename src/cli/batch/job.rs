@@ -96,9 +96,7 @@ impl Chunk<'_> {
 
     fn get(&self, index: usize, columns: &Arc<[RowColumn]>) -> Result<Input<'_>, (usize, Fault)> {
         match self {
-            Self::One => {
-                Ok(Input { number: 1, label: None, written: None, row: Row::default(), span: None })
-            }
+            Self::One => Ok(Input { number: 1, label: None, written: None, row: Row::default(), span: None }),
             Self::Own { rows, before } => {
                 let FileRow { row, label, span } = rows[index].clone();
                 let number = before + index + 1;
@@ -190,7 +188,8 @@ impl Job {
         let mut found = None;
         self.each_chunk(FIRST_CHUNK, None, &mut |chunk, _| {
             let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, &self.columns).ok());
-            found = inputs.filter_map(|i| family.compile(&i.row).0).map(|c| AnswerColumns::of(&c.scene())).next();
+            found =
+                inputs.filter_map(|i| family.compile(&i.row).0).map(|c| AnswerColumns::of(&c.scene())).next();
             Ok(found.is_none() && !stop::wanted())
         })?;
         Ok(found)
@@ -265,7 +264,8 @@ impl Job {
                 let mut lines = Lines::default();
                 loop {
                     let started = Instant::now();
-                    let why = |e: std::io::Error| CliError::Unreadable { name: name.clone(), why: e.to_string() };
+                    let why =
+                        |e: std::io::Error| CliError::Unreadable { name: name.clone(), why: e.to_string() };
                     table.lines(size, &mut lines).map_err(why)?;
                     if lines.is_empty() {
                         return Ok(());
@@ -359,7 +359,8 @@ impl<'r> Run<'r> {
             progress.rows(tally.rows());
             Ok(whole && !out.closed() && !stop::wanted())
         })?;
-        if tally.rows() == 0 && !stop::wanted()
+        if tally.rows() == 0
+            && !stop::wanted()
             && let Some(fault) = self.job.without_rows()?
         {
             tell_fault(fault, self.screen);
@@ -405,9 +406,8 @@ impl<'r> Run<'r> {
             let failed = said.failed.iter().map(|code| (Kind::Failed, code.clone()));
             let all = failed.chain(said.unmet.then(|| (Kind::Unmet, String::new())));
             let all: Vec<_> = all.chain(said.warned.into_iter().map(|code| (Kind::Warned, code))).collect();
-            let explain = all.iter().any(|(kind, code)| {
-                *kind != Kind::Unmet && tally.said(*kind, code) < EXPLAINED
-            });
+            let explain =
+                all.iter().any(|(kind, code)| *kind != Kind::Unmet && tally.said(*kind, code) < EXPLAINED);
             match &said.failed {
                 Some(code) => tally.failed_row(number, code),
                 None => tally.solved(),

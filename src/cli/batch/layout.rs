@@ -94,9 +94,11 @@ impl Layout {
     /// Lines as a table to read.
     pub fn table(&self, lines: &str, title: &str, look: Look) -> String {
         let words = |h: &String| matches!(h.as_str(), "file" | "row" | "variant" | "pose" | ERROR);
-        let column = |h: &String| if words(h) { Column::words(h.as_str()) } else { Column::numbers(h.as_str()) };
+        let column =
+            |h: &String| if words(h) { Column::words(h.as_str()) } else { Column::numbers(h.as_str()) };
         let mut table = Table::new(self.headers.iter().map(column).collect(), 0);
-        table.keys = self.headers.iter().take_while(|h| matches!(h.as_str(), "file" | "row" | "variant")).count();
+        table.keys =
+            self.headers.iter().take_while(|h| matches!(h.as_str(), "file" | "row" | "variant")).count();
         for line in lines.split_terminator(LINE_END) {
             let found = cells(line, Separator::Comma).unwrap_or_default();
             table.row(found.into_iter().map(|c| c.text.into_owned()).collect());

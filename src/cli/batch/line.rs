@@ -104,8 +104,10 @@ impl Written<'_> {
         line.head(self.job, input);
         for (i, column) in self.job.givens() {
             line.head.push(',');
-            let written = input.written.as_ref().and_then(|cells| cells.get(i)).map(|cell| cell.text.as_ref());
-            match written.filter(|text| text.bytes().all(|b| b.is_ascii_graphic() && b != b',' && b != b'"')) {
+            let written =
+                input.written.as_ref().and_then(|cells| cells.get(i)).map(|cell| cell.text.as_ref());
+            match written.filter(|text| text.bytes().all(|b| b.is_ascii_graphic() && b != b',' && b != b'"'))
+            {
                 Some(text) => line.head.push_str(text),
                 None => {
                     let value = input.row.entries().nth(i).map_or(f64::NAN, |(_, cell)| cell.value);
@@ -118,7 +120,8 @@ impl Written<'_> {
 
     fn json(&mut self, input: &Input<'_>, answers: Option<&Answers<'_>>, problems: &Problems) {
         let views = problems.views(&self.job.source);
-        let variant = (!input.row.is_empty()).then(|| Variant::of(input.number, input.label.clone(), &input.row));
+        let variant =
+            (!input.row.is_empty()).then(|| Variant::of(input.number, input.label.clone(), &input.row));
         let scene = answers.map(|a| a.scene);
         *self.out += &json::render_row(&self.job.source.name, variant, scene.as_ref(), answers, &views);
         self.out.push('\n');
@@ -196,7 +199,9 @@ impl Line<'_> {
         if poses == 0 {
             self.begin("", out);
             match (self.columns, answers) {
-                (Some(columns), Some(answers)) => columns.write_without_pose(answers, self.digits, self.key, out),
+                (Some(columns), Some(answers)) => {
+                    columns.write_without_pose(answers, self.digits, self.key, out)
+                }
                 (Some(columns), None) => columns.write_none(self.key, out),
                 (None, _) => {}
             }

@@ -44,9 +44,9 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
     let mut status = Status::Fine;
     let mut jobs = Vec::new();
     for input in files::expand(&args.problem.files) {
-        let job = input.and_then(files::Input::read).and_then(|source| {
-            Job::new(source, &overrides, args.variants.as_deref(), screen)
-        });
+        let job = input
+            .and_then(files::Input::read)
+            .and_then(|source| Job::new(source, &overrides, args.variants.as_deref(), screen));
         match job {
             Ok(Some(job)) => jobs.push(job),
             Ok(None) => status = status.max(Status::Wrong),

@@ -74,7 +74,9 @@ impl Sink {
 
     fn told(&mut self, done: io::Result<()>) -> Result<(), CliError> {
         match done {
-            Err(error) if matches!(self.target, Target::Stdout(_)) && error.kind() == ErrorKind::BrokenPipe => {
+            Err(error)
+                if matches!(self.target, Target::Stdout(_)) && error.kind() == ErrorKind::BrokenPipe =>
+            {
                 self.closed = true;
                 Ok(())
             }

@@ -101,7 +101,11 @@ impl Group {
         let one = self.count == 1;
         let what = match (kind, code.strip_prefix("mech::").unwrap_or(code)) {
             (Kind::Failed, "assembly::does_not_close" | "assembly::not_found") => {
-                if one { "does not close".to_owned() } else { "do not close".to_owned() }
+                if one {
+                    "does not close".to_owned()
+                } else {
+                    "do not close".to_owned()
+                }
             }
             (Kind::Failed, code) if code.starts_with("table::") => "cannot be read".to_owned(),
             (Kind::Failed, code) => format!("failed ({code})"),

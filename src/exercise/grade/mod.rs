@@ -122,10 +122,12 @@ pub fn grade(key: &Sheet, answers: &Sheet, within: f64) -> Result<Graded, Fault>
         let found = find(key, answers, row)?;
         met[found] = true;
         let marker = Marker { key, row: &key.rows[found], index: found, within };
-        let marks = places.iter().enumerate().filter_map(|(quantity, place)| {
-            marker.mark(quantity, (*place)?, &row.entries[quantity])
-        });
-        let names = std::array::from_fn(|i| row.names[i].clone().or_else(|| key.rows[found].names[i].clone()));
+        let marks = places
+            .iter()
+            .enumerate()
+            .filter_map(|(quantity, place)| marker.mark(quantity, (*place)?, &row.entries[quantity]));
+        let names =
+            std::array::from_fn(|i| row.names[i].clone().or_else(|| key.rows[found].names[i].clone()));
         rows.push(GradedRow { line: row.line, names, person: row.person.clone(), marks: marks.collect() });
     }
     let answered = |q: &&Quantity| !answers.quantities.iter().any(|a| a.name == q.name);
@@ -141,7 +143,8 @@ pub fn grade(key: &Sheet, answers: &Sheet, within: f64) -> Result<Graded, Fault>
 
 /// The row of the key that a row of the answers is about.
 fn find(key: &Sheet, answers: &Sheet, row: &SheetRow) -> Result<usize, Fault> {
-    let same = |a: &str, b: &str| a == b || matches!((a.parse::<u64>(), b.parse::<u64>()), (Ok(a), Ok(b)) if a == b);
+    let same =
+        |a: &str, b: &str| a == b || matches!((a.parse::<u64>(), b.parse::<u64>()), (Ok(a), Ok(b)) if a == b);
     let fits = |k: &&(usize, &SheetRow)| {
         row.names.iter().zip(&k.1.names).all(|(a, k)| match (a, k) {
             (Some(a), Some(k)) => same(a, k),
@@ -242,7 +245,8 @@ impl Marker<'_> {
     /// value of its kind in the row.
     fn scale(&self, place: usize, key: f64) -> f64 {
         let greatest = || {
-            let alike = (0..self.key.quantities.len()).filter(|i| self.dimension(*i) == self.dimension(place));
+            let alike =
+                (0..self.key.quantities.len()).filter(|i| self.dimension(*i) == self.dimension(place));
             alike.filter_map(|i| self.number(i)).fold(0.0, |greatest: f64, x| greatest.max(x.abs()))
         };
         let other = self.partner(place).and_then(|i| self.number(i)).unwrap_or(0.0);
@@ -273,7 +277,10 @@ impl Marker<'_> {
         if let Some(slip) = self.of_vector(place, given, key, &is) {
             return Some(slip);
         }
-        if given != 0.0 && let Some(slip) = self.other_quantity(place, given, &is).or_else(|| self.other_row(place, given)) {
+        if given != 0.0
+            && let Some(slip) =
+                self.other_quantity(place, given, &is).or_else(|| self.other_row(place, given))
+        {
             return Some(slip);
         }
         let far = self.difference(place, given, key).abs() / self.scale(place, key);
@@ -300,14 +307,12 @@ impl Marker<'_> {
         is(given, place, libm::hypot(key, other)).then_some(Slip::Magnitude)
     }
 
-    fn other_quantity(
-        &self,
-        place: usize,
-        given: f64,
-        is: &dyn Fn(f64, usize, f64) -> bool,
-    ) -> Option<Slip> {
-        let others = (0..self.key.quantities.len()).filter(|i| *i != place && self.dimension(*i) == self.dimension(place));
-        let close = |x: f64, value: f64, i: usize| value != 0.0 && is(x, i, value) && (x - value).abs() <= self.within * value.abs();
+    fn other_quantity(&self, place: usize, given: f64, is: &dyn Fn(f64, usize, f64) -> bool) -> Option<Slip> {
+        let others = (0..self.key.quantities.len())
+            .filter(|i| *i != place && self.dimension(*i) == self.dimension(place));
+        let close = |x: f64, value: f64, i: usize| {
+            value != 0.0 && is(x, i, value) && (x - value).abs() <= self.within * value.abs()
+        };
         for (sign, wrong) in [(1.0, false), (-1.0, true)] {
             let mut all = others.clone().filter_map(|i| Some((i, self.number(i)?)));
             if let Some((i, _)) = all.find(|(i, value)| close(sign * given, *value, *i)) {

@@ -222,7 +222,8 @@ fn entry(text: &str, unit: &Unit) -> Entry {
     match read(text) {
         Ok(written) => Entry::Number(unit.to_si(written.value)),
         Err((why, _)) => {
-            let split = text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E') || matches!(c, '%' | '°'));
+            let split =
+                text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E') || matches!(c, '%' | '°'));
             let own = split.and_then(|i| {
                 let (number, word) = text.split_at(i);
                 let own = lookup(word.trim()).ok().filter(|own| own.dimension.fits(unit.dimension))?;

@@ -86,7 +86,9 @@ impl Slip {
         let also = |sign: &bool| if *sign { ", and the other sign" } else { "" };
         match self {
             Self::Sign => "right but for the sign".to_owned(),
-            Self::OtherLink => "the reaction on the other link of the pair: both signs are opposite".to_owned(),
+            Self::OtherLink => {
+                "the reaction on the other link of the pair: both signs are opposite".to_owned()
+            }
             Self::Factor { factor, what, sign } => {
                 let (n, way) = if *factor < 1.0 { (1.0 / factor, "small") } else { (*factor, "large") };
                 let n = crate::units::significant(n, 4);

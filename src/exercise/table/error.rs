@@ -24,7 +24,9 @@ pub enum TableError {
     #[error("the table has {what}")]
     #[diagnostic(
         code("mech::table::empty"),
-        help("the first line names the columns, as in `r [mm], n [rpm]`, every other line is a row of numbers")
+        help(
+            "the first line names the columns, as in `r [mm], n [rpm]`, every other line is a row of numbers"
+        )
     )]
     Empty {
         /// `no header`, `no rows`

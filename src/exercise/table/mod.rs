@@ -162,7 +162,11 @@ fn columns(text: &str, separator: Separator, utf8: bool) -> Result<Vec<Column>, 
         return wrong("it is not a text in UTF-8", "save the file in the encoding UTF-8", whole);
     }
     if text.contains('\r') {
-        return wrong("its lines end in lone carriage returns", "save the file with line ends LF or CR LF", whole);
+        return wrong(
+            "its lines end in lone carriage returns",
+            "save the file with line ends LF or CR LF",
+            whole,
+        );
     }
     let Ok(cells) = cells(text, separator) else {
         return wrong("a quote is not closed", "write names without quotes: `r [mm], n [rpm]`", whole);
@@ -189,7 +193,9 @@ fn column(line: &str, cell: &Cell<'_>) -> Result<Column, TableError> {
     }
     // places within a cell are those of the words as they stand in the line
     let place = |word: &str, from: usize| {
-        let at = line[from..cell.span.end].find(word).map_or(cell.span, |i| Span::new(from + i, from + i + word.len()));
+        let at = line[from..cell.span.end]
+            .find(word)
+            .map_or(cell.span, |i| Span::new(from + i, from + i + word.len()));
         (at, at.end)
     };
     let (at, end) = place(name, cell.span.start);

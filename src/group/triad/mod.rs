@@ -35,11 +35,13 @@
 //! Source: J.-P. Merlet, Parallel Robots, 2nd ed., sections 4.4 and 5 (planar 3-RRR: sextic, Jacobian, singularities); the
 //! forms here are derived anew.
 
+mod gap;
 pub mod modes;
 pub mod position;
 #[cfg(test)]
 mod tests;
 
+pub use gap::{Miss, gap};
 pub use modes::modes;
 pub use position::{End, Followed, Plate};
 

@@ -64,7 +64,7 @@ pub fn modes(plate: &Plate, ends: &[End; 3]) -> Vec<Followed> {
 
 /// w = c z − e and h = k + g·z of one leg.
 #[derive(Clone, Copy, Default)]
-struct Line {
+pub(super) struct Line {
     c: Vec2,
     e: Vec2,
     k: f64,
@@ -72,7 +72,22 @@ struct Line {
 }
 
 impl Line {
-    fn at(&self, z: Vec2) -> (Vec2, f64) {
+    /// Of a pin at `c` from the first leg's, the first leg being a link of a length about an origin.
+    pub(super) fn new(c: Vec2, end: &End, (origin, length): (Vec2, f64)) -> Self {
+        match *end {
+            End::Hinge { p, length: l } => {
+                let e = p - origin;
+                // (l_i − l_1)(l_i + l_1): exact where the legs are alike
+                let k = 0.5 * ((l - length) * (l + length) - c.dot(c) - e.dot(e));
+                Self { c, e, k, g: e.turned_back(c) }
+            }
+            End::Guide { p, n } => {
+                Self { c: Vec2::zero(), e: -n, k: n.dot(p - origin), g: -n.turned_back(c) }
+            }
+        }
+    }
+
+    pub(super) fn at(&self, z: Vec2) -> (Vec2, f64) {
         (self.c.turned(z) - self.e, self.k + self.g.dot(z))
     }
 
@@ -98,20 +113,7 @@ impl Sextic {
     fn new(plate: &Plate, ends: &[End; 3]) -> Option<Self> {
         let first = ends.iter().position(|end| matches!(end, End::Hinge { .. }))?;
         let End::Hinge { p: origin, length } = ends[first] else { return None };
-        let line = |i: usize| {
-            let c = plate.arms[i] - plate.arms[first];
-            match ends[i] {
-                End::Hinge { p, length: l } => {
-                    let e = p - origin;
-                    // (l_i − l_1)(l_i + l_1): exact where the legs are alike
-                    let k = 0.5 * ((l - length) * (l + length) - c.dot(c) - e.dot(e));
-                    Line { c, e, k, g: e.turned_back(c) }
-                }
-                End::Guide { p, n } => {
-                    Line { c: Vec2::zero(), e: -n, k: n.dot(p - origin), g: -n.turned_back(c) }
-                }
-            }
-        };
+        let line = |i: usize| Line::new(plate.arms[i] - plate.arms[first], &ends[i], (origin, length));
         let lines = [line((first + 1) % 3), line((first + 2) % 3)];
         let mut sextic = Self { first, origin, length, lines, waves: [Vec2::zero(); 4], doubt: 0.0 };
         let ((w_2, h_2), (w_3, h_3)) = (lines[0].bounds(), lines[1].bounds());
@@ -201,7 +203,15 @@ impl Sextic {
 
 /// Roots of a polynomial in Bernstein's form between `low` and `high`, each at least once.
 fn isolate(c: &Bernstein, low: f64, high: f64, doubt: f64, found: &mut Vec<f64>) {
-    let sure = |x: f64| if x > doubt { 1 } else if x < -doubt { -1 } else { 0 };
+    let sure = |x: f64| {
+        if x > doubt {
+            1
+        } else if x < -doubt {
+            -1
+        } else {
+            0
+        }
+    };
     let signs = c.map(sure);
     if signs[0] != 0 && signs.iter().all(|s| *s == signs[0]) {
         return;

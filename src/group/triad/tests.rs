@@ -70,9 +70,11 @@ impl Scene {
             poses.push(Pose { p: leg.body.origin(0.0), u: leg.body.direction(0.0) });
             let law = |value| crate::group::general::Law { value, ..Default::default() };
             constraints.push(match leg.kind {
-                Ok(length) => {
-                    Constraint::Distance { a: pin, b: Point { body: i + 1, r: Vec2::zero() }, law: law(length) }
-                }
+                Ok(length) => Constraint::Distance {
+                    a: pin,
+                    b: Point { body: i + 1, r: Vec2::zero() },
+                    law: law(length),
+                },
                 Err(d) => {
                     let line = Line { body: i + 1, r: Vec2::zero(), d };
                     Constraint::Offset { point: pin, line, law: law(0.0) }
