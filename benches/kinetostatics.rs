@@ -71,7 +71,7 @@ impl Bench {
                 state.run_loads(&scene, &[]);
             }
             if matches!(stage, Stage::Forces | Stage::Friction) {
-                state.set_lines(&scene);
+                state.set_lines(&self.plan);
                 if matches!(stage, Stage::Friction) {
                     state.set_senses(&self.plan);
                 }

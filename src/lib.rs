@@ -4,6 +4,7 @@ pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod diagnostic;
+pub mod element;
 pub mod exercise;
 pub mod force;
 pub mod group;

@@ -83,7 +83,7 @@ fn a_load_that_switches_costs_no_digits() {
         &[
             ("mean(Mb)/(1 N*m)", 200.0 / PI, 1e-12),
             ("integral(Mb)/(1 N*m)", 400.0, 1e-12),
-            ("mean(Mb^2)/(1 N*m*N*m)", 204_281.192_380_956_81, 1e-12),
+            ("mean(Mb^2)/(1 N*m*N*m)", 204_281.192_380_956_8, 1e-12),
             ("argmax(abs(P.x))/(1 rad)", 4.200_694_753_886_601, 1e-14),
         ],
     );

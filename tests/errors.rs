@@ -3,7 +3,9 @@
 //! A file's snapshot stands beside it. The folder's name is the code that must be among those reported.
 
 use assur::check::Overrides;
-use assur::diagnostic::{Style, render};
+use assur::diagnostic::{Problems, Style, render};
+use assur::exercise::grade::{Sheet, grade};
+use assur::exercise::table::{Fault, Lines, Table};
 use assur::source::Source;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
@@ -54,6 +56,9 @@ fn said(source: &Source, stage: &str) -> String {
     if stage == "syntax" {
         return render(&assur::syntax::parse(source).1, source, Style::PLAIN);
     }
+    if let Some(shown) = beside(source) {
+        return shown;
+    }
     let set = source.text.lines().next().and_then(|line| line.strip_prefix("// --set ")?.split_once('='));
     let values = set.into_iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
     let overrides = Overrides::set(values);
@@ -62,6 +67,40 @@ fn said(source: &Source, stage: &str) -> String {
         _ => assur::test_source(source, &overrides).1,
     };
     render(&problems, source, Style::PLAIN)
+}
+
+/// What is said about the tables that a first line names: `// --variants table.csv`, `// grade key.csv answers.csv`.
+fn beside(source: &Source) -> Option<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");
+    let open = |name: &str| std::fs::File::open(folder.join(name)).ok().map(std::io::BufReader::new);
+    let shown = |(source, error): Fault| {
+        let mut problems = Problems::new();
+        problems.push(*error);
+        render(&problems, &source, Style::PLAIN)
+    };
+    let line = source.text.lines().next()?;
+    if let Some(name) = line.strip_prefix("// --variants ") {
+        let mut table = match Table::open(name, open(name)?).ok()? {
+            Ok(table) => table,
+            Err(fault) => return Some(shown(fault)),
+        };
+        let (document, _) = assur::syntax::parse(source);
+        let (columns, problems) = assur::check::columns(&document, &Overrides::none(), &table.columns);
+        let Some(columns) = columns else { return Some(render(&problems, &table.header, Style::PLAIN)) };
+        let (columns, mut lines) = (columns.into(), Lines::default());
+        table.lines(1000, &mut lines).ok()?;
+        let rows = (0..lines.len()).filter_map(|i| lines.get(i)?.read(name, &columns, table.separator).err());
+        return Some(rows.chain(table.without_rows()).map(shown).collect::<Vec<_>>().join("\n"));
+    }
+    let (key, answers) = line.strip_prefix("// grade ")?.split_once(' ')?;
+    let graded = match Sheet::read(key, open(key)?, None).ok()? {
+        Err(fault) => Err(fault),
+        Ok(key) => match Sheet::read(answers, open(answers)?, Some(&key)).ok()? {
+            Err(fault) => Err(fault),
+            Ok(answers) => grade(&key, &answers, 0.03),
+        },
+    };
+    Some(graded.err().map(shown).unwrap_or_default())
 }
 
 fn shows(path: &Path) -> Result<(), Failed> {

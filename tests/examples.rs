@@ -52,6 +52,7 @@ fn holds(path: &Path, name: &str) -> Result<(), Failed> {
     match solved {
         Ok(solved) if !problems.has_errors() => {
             answer_key(&solved, &source)?;
+            rows_hold(&source)?;
             let answers = report::of_answers(&source.name, &solved.answers(Precision::STABLE));
             // the structure stands in full already
             stages.sections.extend(answers.sections.into_iter().filter(|s| s.heading != "Structure"));
@@ -82,6 +83,23 @@ fn list(problems: &Problems, source: &Source) -> String {
     };
     let lines: String = views.iter().map(line).collect();
     if lines.is_empty() { lines } else { format!("\nDiagnostics\n{lines}") }
+}
+
+/// Every row of a table of variants is solved, and meets its expectations.
+fn rows_hold(source: &Source) -> Result<(), Failed> {
+    let (document, _) = assur::syntax::parse(source);
+    let overrides = Overrides::none();
+    let rows = match assur::exercise::OwnRows::of(source, &document, &overrides) {
+        None => return Ok(()),
+        Some(rows) => rows.map_err(|_| "the table of variants has an error")?,
+    };
+    for row in rows.solve(true) {
+        if row.problems.has_errors() || row.solved.is_none() {
+            let shown = assur::diagnostic::render(&row.problems, source, assur::diagnostic::Style::PLAIN);
+            return Err(format!("row {}: {shown}", row.number).into());
+        }
+    }
+    Ok(())
 }
 
 fn answer_key(solved: &Solved, source: &Source) -> Result<(), Failed> {

@@ -23,7 +23,7 @@ fn allocations(mechanism: &Mechanism) -> u64 {
             state.inputs[0] = DriveInput { value, place, rate: machines::SPEED, ..DriveInput::default() };
             state.run_motion::<2>(&plan);
             state.run_loads(&scene, &[]);
-            state.set_lines(&scene);
+            state.set_lines(&plan);
             state.set_senses(&plan);
             state.run_forces(&plan);
             sum += state.efforts[0];

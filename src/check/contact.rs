@@ -18,12 +18,15 @@ pub(super) fn contact(
     let profiles = (profile(cx, joint, first), profile(cx, joint, second));
     let (a, b) = (profiles.0?, profiles.1?);
     let internal = find(properties.unwrap_or_default(), "internal");
-    use ProfileShape::{Circle, Line, Point};
+    use ProfileShape::{Circle, Line, Point, Rim};
     let problem = match (a.shape, b.shape) {
         (Line(..), Line(..)) => Some((
             "two lines",
             format!("two lines that lie on each other are a `prismatic {}`", joint.name.node),
         )),
+        (Rim(_), Rim(_)) => {
+            Some(("two cams", "a designed cam touches the follower it is designed for".to_owned()))
+        }
         (Point(_), Point(_)) => Some((
             "two points",
             format!("two points that stay together are a `revolute {}`", joint.name.node),
@@ -54,7 +57,9 @@ pub(super) fn contact(
 }
 
 fn profile(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Profile> {
+    let rim = cx.mech.link(end.link).cam_profiles.iter().find(|r| r.name == end.part.node).map(|r| r.cam);
     let shape = match cx.kind_inside(end.link, &end.part.node) {
+        _ if rim.is_some() => rim.map(ProfileShape::Rim),
         Some("line") => cx.line(end.link, &end.part).map(|l| ProfileShape::Line(l.through, l.along)),
         Some("circle") => cx.circle(end.link, &end.part).map(|c| ProfileShape::Circle(c.centre, c.radius)),
         None if end.implied => {

@@ -1,6 +1,7 @@
 //! What the parts of the stage share: the document, the names, the mechanism under construction, the problems.
 
 use super::definition::Definitions;
+use super::gear::Gears;
 use super::hinges::Hinges;
 use super::names::Names;
 use super::overrides::Overrides;
@@ -36,6 +37,8 @@ pub struct Context<'a> {
     pub(super) units: UnitUse,
     /// What `given`, `let` and `find NAME =` are.
     pub(super) definitions: Definitions,
+    /// The gear pairs whose geometry was asked for.
+    pub(super) gears: Gears,
     /// Names reported as unknown already, with the list they were looked for in.
     pub(super) reported: IndexSet<(&'static str, String)>,
 }
@@ -54,6 +57,7 @@ impl<'a> Context<'a> {
             hinges: Hinges::default(),
             units: unit_choice::count(doc),
             definitions: Definitions::default(),
+            gears: Gears::new(),
             reported: IndexSet::new(),
         }
     }

@@ -61,7 +61,9 @@ pub(super) fn elements(cx: &mut Context<'_>) {
                     known(cx, on, "shaft", &[ThingKind::Shaft, ThingKind::Link]);
                 }
                 wheels(cx, &shaft.body, false);
-                cx.unsupported("a shaft", statement.span);
+                if moves(cx) {
+                    cx.unsupported("a shaft", statement.span);
+                }
             }
             Statement::Slider(slider) => {
                 wheels(cx, &slider.body, false);
@@ -135,7 +137,14 @@ pub(super) fn transmission(cx: &mut Context<'_>, joint: &Joint, span: Span) {
     for end in &joint.ends {
         transmission_end(cx, kind, end);
     }
-    cx.unsupported(what, span);
+    if moves(cx) || kind != JointKind::Mesh {
+        cx.unsupported(what, span);
+    }
+}
+
+/// Whether anything is driven. Of a mesh at rest the geometry alone is asked.
+fn moves(cx: &Context<'_>) -> bool {
+    cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Drive(_)))
 }
 
 fn transmission_end(cx: &mut Context<'_>, kind: JointKind, end: &End) {

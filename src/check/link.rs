@@ -5,7 +5,7 @@ use super::error::LinkError;
 use super::expr::Want;
 use super::point::points;
 use crate::math::Vec2;
-use crate::model::{Circle, Line, LinkId};
+use crate::model::{CamProfile, Circle, Line, LinkId};
 use crate::source::Span;
 use crate::syntax::document::{
     Bar, Body, CircleMember, Expr, LineDirection, LineMember, Member, Name, Statement,
@@ -59,8 +59,12 @@ fn shape(cx: &mut Context<'_>, link: LinkId, bar: Option<&Bar>, body: &Body) {
                 }
             }
             Member::Profile(profile) => {
-                known(cx, link, &points, &profile.centre);
-                cx.unsupported("the profile of a cam", member.span);
+                let centre = known(cx, link, &points, &profile.centre);
+                let cam = cx.mech.cams.iter().position(|c| c.name == profile.of.node);
+                if let (Some(centre), Some(cam)) = (centre, cam) {
+                    let name = profile.name.node.clone();
+                    cx.mech.links[link.index()].cam_profiles.push(CamProfile { name, cam, centre });
+                }
             }
             _ => {}
         }

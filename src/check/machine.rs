@@ -2,14 +2,16 @@
 
 use super::context::Context;
 use super::{
-    assemble, balance, cam, drive, element, flywheel, friction, gravity, link, load, mass, pair, pose,
-    simulation, spring, value,
+    assemble, balance, drive, element, flywheel, friction, gravity, link, load, mass, pair, plate,
+    plate_contact, pose, simulation, spring, value,
 };
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
 pub(super) fn machine(cx: &mut Context<'_>) {
+    plate::cams(cx);
     link::shapes(cx);
     pair::pairs(cx);
+    plate_contact::contacts(cx);
     pair::groups(cx);
     gravity::gravity(cx);
     mass::masses(cx);
@@ -21,7 +23,6 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     spring::springs(cx);
     assemble::hints(cx);
     element::elements(cx);
-    cam::cams(cx);
     flywheel::flywheels(cx);
     simulation::simulation(cx);
     friction::no_motion(cx);

@@ -84,6 +84,14 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
     if stated.is_none() && inertia.is_none() {
         return None;
     }
+    if link == LinkId::GROUND {
+        let name = cx.mech.link(link).name.clone();
+        for (what, span) in [("mass", stated.as_ref().map(|s| s.span)), ("inertia", inertia.map(|i| i.1))] {
+            if let Some(span) = span {
+                cx.error(LinkError::MassOnGround { link: name.clone(), what, span });
+            }
+        }
+    }
     let (mass, centre) = match &stated {
         Some(stated) => {
             let mass = amount_of_mass(cx, link, stated);

@@ -38,6 +38,12 @@ fn asked_for(cx: &mut Context<'_>, item: &FindItem) -> Option<FindKind> {
     if is_reactions(cx, item) {
         return Some(FindKind::Reactions);
     }
+    if let Some(table) = cx.gear_table(item) {
+        return table;
+    }
+    if let Some(table) = cx.cam_table(item) {
+        return table;
+    }
     let (expr, display) = match &item.name {
         // Read among the definitions already.
         Some(name) => match cx.settled(&name.node)? {
@@ -147,7 +153,7 @@ impl Context<'_> {
     pub(super) fn expect_display(&self, text: &str, ty: Type) -> Display {
         let found = self.mech.finds.iter().find(|f| f.name == text).and_then(|f| match &f.kind {
             FindKind::Value { display, .. } => Some(display.clone()),
-            FindKind::Reactions => None,
+            FindKind::Reactions | FindKind::Table(_) => None,
         });
         let expected = || self.expected_unit(text, ty).map(|u| display_in(&u));
         found.or_else(expected).unwrap_or_else(|| self.display(ty.dimension()))

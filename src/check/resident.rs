@@ -53,6 +53,7 @@ impl<'a> Resident<'a> {
         cx.names.inside.truncate(self.fresh.inside);
         cx.hinges = Hinges::default();
         cx.reported.clear();
+        cx.gears.clear();
         let (order, results) = std::mem::take(&mut cx.definitions).into_names();
         cx.definitions = Definitions::of_names(order, results);
         meaning(cx);

@@ -28,6 +28,7 @@ Examples:
   assur solve examples --format json        one object per file and line
   assur solve engine.mech --set r=120mm     with another crank
   assur test 'homework/**/*.mech'           the answer key
+  assur profile cam.mech --format dxf       a cam as a drawing
   assur batch engine.mech --variants T.csv --out answers.csv
   assur batch homework --key key.csv        solve an exercise set and write its answer key
   assur grade key.csv answers.csv           mark answers
@@ -53,6 +54,8 @@ pub enum Command {
     Grade(Grade),
     /// Show what accuracy costs in time
     Accuracy(Problem),
+    /// Print the profile of a cam for other programs
+    Profile(Profile),
     /// Explain a diagnostic by its code
     Explain(Explain),
 }
@@ -181,6 +184,32 @@ fn tolerance(text: &str) -> Result<f64, String> {
         Ok(x) if x > 0.0 && x * part < 1.0 => Ok(x * part),
         _ => Err("write a part of the value, as 3% or 0.03".to_owned()),
     }
+}
+
+/// Arguments of `profile`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Profile {
+    /// Whose cam
+    #[command(flatten)]
+    pub problem: Problem,
+    /// Which cam, where the file has several
+    #[arg(long, value_name = "NAME")]
+    pub cam: Option<String>,
+    /// In how many steps of the cam angle
+    #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(3..=36_000))]
+    pub steps: u32,
+    /// How to print it
+    #[arg(long, value_enum, default_value_t = ProfileFormat::Csv)]
+    pub format: ProfileFormat,
+}
+
+/// How a profile is printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ProfileFormat {
+    /// One row per cam angle, in the author's units
+    Csv,
+    /// A drawing: DXF R12 in millimetres, layers PROFILE, PITCH, BASE, CENTRE
+    Dxf,
 }
 
 /// Arguments of `explain`.

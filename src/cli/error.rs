@@ -61,6 +61,15 @@ pub enum CliError {
         #[help]
         help: &'static str,
     },
+    /// No cam, or several and no choice.
+    #[error("{message}")]
+    NoCam {
+        /// What is wrong.
+        message: String,
+        /// What to do.
+        #[help]
+        help: String,
+    },
     /// Results that cannot be written.
     #[error("`{name}` cannot be written: {why}")]
     #[diagnostic(help("what stood there is as it was"))]

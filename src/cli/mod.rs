@@ -8,6 +8,7 @@ mod error;
 mod explain;
 mod files;
 mod grade;
+mod profile;
 mod reply;
 mod screen;
 mod solve;
@@ -39,6 +40,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Batch(args) => batch::run(&args, &screen),
         Command::Grade(args) => grade::run(&args, &screen),
         Command::Accuracy(args) => accuracy::run(&args, &screen),
+        Command::Profile(args) => profile::run(&args, &screen),
         Command::Explain(args) => explain::run(&args, &screen),
     };
     ExitCode::from(status as u8)

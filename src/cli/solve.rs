@@ -29,7 +29,9 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
                 return of_rows(args.format, apart, source, rows, found, screen);
             }
             Some(Err(problems)) if !found.has_errors() => {
-                return Reply::new(String::new(), &problems, source, screen);
+                let line = || json(source, Err(None), &problems);
+                let results = if args.format == Format::Json { line() } else { String::new() };
+                return Reply::new(results, &problems, source, screen);
             }
             _ => {}
         }

@@ -71,6 +71,7 @@ pub const CODES: &[Code] = codes! {
     "geometry" / "weight_without_gravity",
     "geometry" / "inertia_too_small",
     "geometry" / "point_mass",
+    "geometry" / "mass_on_ground",
     "geometry" / "nothing_to_join",
     "geometry" / "wrong_ends",
     "geometry" / "joined_with_itself",
@@ -135,6 +136,7 @@ pub const CODES: &[Code] = codes! {
     "request" / "part",
     "request" / "asked_twice",
     "request" / "variant_row",
+    "request" / "key_column",
     "request" / "set_unknown",
     "request" / "set_value",
     "expect" / "no_value",
@@ -154,6 +156,7 @@ pub const CODES: &[Code] = codes! {
     "determinacy" / "floating_link",
     "determinacy" / "not_grounded",
     "determinacy" / "outer_link",
+    "determinacy" / "free_roller",
     "determinacy" / "underconstrained",
     "determinacy" / "overconstrained",
     "determinacy" / "repeated",
@@ -194,6 +197,17 @@ pub const CODES: &[Code] = codes! {
     "expect" / "mismatch",
     "expect" / "pose_failed",
     "expect" / "undefined",
+    // tables beside a file
+    "table" / "header",
+    "table" / "empty",
+    "table" / "line",
+    "table" / "number",
+    "table" / "missing_cell",
+    "table" / "too_many_cells",
+    "table" / "unknown_column",
+    "table" / "column_twice",
+    "table" / "unit",
+    "table" / "unknown_row",
 };
 
 /// The page of a code; the leading `mech::` may be left out.

@@ -44,6 +44,8 @@ pub struct Position<S> {
     pub r_1: V2<S>,
     /// Coordinate of C along the guide from Q, m.
     pub s: S,
+    /// 1 / u, 1/m; not finite where the link stands across the guide.
+    pub inverse: S,
     /// u / l; positive when C is ahead of A along d.
     pub sine: S,
     /// l − |e|, m; ≥ 0 when the link reaches the path of C.
@@ -64,7 +66,14 @@ pub fn position<S: Scalar>(p_A: V2<S>, l: S, p_Q: V2<S>, d: V2<S>, h: S, root: S
     let across = h - d.cross(q);
     let along = root * ((l - across) * (l + across)).max(S::zero()).sqrt();
     let r_1 = d * along + d.perp() * across;
-    Position { p_C: p_A + r_1, r_1, s: q.dot(d) + along, sine: along / l, closure: l - across.abs() }
+    Position {
+        p_C: p_A + r_1,
+        r_1,
+        s: q.dot(d) + along,
+        inverse: S::one() / along,
+        sine: along / l,
+        closure: l - across.abs(),
+    }
 }
 
 /// By how much the link does not reach the path of C, m; `None` when it does.

@@ -2,16 +2,17 @@
 //!
 //! Link 1 is AC, link 2 is BC; r_1 = C − A, r_2 = C − B, r = B − A, L = |r|.
 //!
-//! Position: |r_1| = l_1 and |r_2| = l_2, two circles. Let O be the centre of the smaller one, s its radius, g the
-//! greater radius, and w the vector from O to the other centre. C lies at a along w and b across it:
+//! Position: |r_1| = l_1 and |r_2| = l_2, two circles. With q = L², the sum and the difference of the lengths
+//! s = l_1 + l_2 and d = l_1 − l_2, and A the area of the triangle,
 //!
 //! ```text
-//! a = (s² + L² − g²) / 2L,    2A = L b,    16A² = (x + (y + z)) (z − (x − y)) (z + (x − y)) (x + (y − z)),
+//! 16A² = (s² − q) (q − d²),    r_1 = (q + sd)/2q r + 2A/q perp(r),    r_2 = −(q − sd)/2q r + 2A/q perp(r).
 //! ```
 //!
-//! A the area of the triangle, x ≥ y ≥ z its sides L, l_1, l_2 in Kahan's order. a is formed by adding the least
-//! square to (m − g)(m + g), m = max(s, L), where m − g is exact. Both are accurate for the sides as given, and
-//! measured from O their errors are in proportion to the short link, however short it is.
+//! s², d² and sd = l_1² − l_2² do not change with the position: they are formed once with twice the digits, [`Sides`].
+//! A difference of q and the leading part of one of them is exact wherever it cancels, the rest is added behind it. So
+//! A and both r are accurate for q as it is, near the dead centres and relative to a link however short. It takes one
+//! root and no length L.
 //!
 //! Velocity:      v_A + ω_1 × r_1 = v_B + ω_2 × r_2.
 //! Acceleration:  a_A + α_1 × r_1 − ω_1² r_1 = a_B + α_2 × r_2 − ω_2² r_2.
@@ -19,7 +20,7 @@
 //! Both read x_1 perp(r_1) − x_2 perp(r_2) = b. Scalar products with r_2 and r_1 leave one unknown each:
 //!
 //! ```text
-//! x_1 = b·r_2 / D,    x_2 = b·r_1 / D,    D = r_1 × r_2 = l_1 l_2 sin(transmission angle).
+//! x_1 = b·r_2 / D,    x_2 = b·r_1 / D,    D = r_1 × r_2 = ±2A = l_1 l_2 sin(transmission angle).
 //! ```
 //!
 //! D vanishes where the links are in line: stretched, L = l_1 + l_2, or folded, L = |l_1 − l_2|.
@@ -47,59 +48,121 @@ pub struct Position<S> {
     pub r_1: V2<S>,
     /// C − B, m, accurate relative to its own length.
     pub r_2: V2<S>,
+    /// 1 / (r_1 × r_2), 1/m²; not finite where the links are in line.
+    pub inverse: S,
     /// sin of the angle from r_1 to r_2; positive when C is left of A→B.
     pub sine: S,
-    /// The sum of the two shorter of L, l_1, l_2 less the longest, m; ≥ 0 when the links close.
+    /// The length by which the links suffice, m: (s² − q)/2s or (q − d²)/2|d|, the lesser; ≥ 0 when they close.
     pub closure: S,
 }
 
-/// Position of the inner revolute.
-/// # Given
-/// `p_A`, `p_B` outer revolutes, m; `l_1` = AC, `l_2` = BC, m, > 0; `side` +1 with C left of A→B, −1 right.
-/// # Returns
-/// See [`Position`]. Where the links do not close, C lies on AB, stretched or folded; where A and B
-/// coincide `sine` is 0 and C is not determined.
-/// # Method
-/// Circle ∩ circle from the centre of the smaller; Kahan, "Miscalculating Area and Angles of a
-/// Needle-like Triangle", for the area.
-#[inline(always)]
-pub fn position<S: Scalar>(p_A: V2<S>, p_B: V2<S>, l_1: S, l_2: S, side: S) -> Position<S> {
-    let half = S::of(0.5);
-    let r = p_B - p_A;
-    let square = r.dot(r);
-    // Coincident pins: a finite position that `sine` marks as dead.
-    let inverse = S::one() / square.max(S::of(f64::MIN_POSITIVE));
-    let length = square.sqrt();
+/// The lengths of the links as the position needs them: m² but for the last three.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sides<S> {
+    /// (l_1 + l_2)², leading part and rest.
+    sum: (S, S),
+    /// (l_1 − l_2)².
+    difference: (S, S),
+    /// l_1² − l_2².
+    across: (S, S),
+    /// 1 / (l_1 l_2), 1/m².
+    product: S,
+    /// 1 / 2(l_1 + l_2), 1/m.
+    far: S,
+    /// 1 / 2|l_1 − l_2|, 1/m.
+    near: S,
+}
 
-    let from_A = l_1.lt(l_2);
-    let short = l_1.min(l_2);
-    let long = l_1.max(l_2);
-    let middle = short.max(length);
-    let least = short.min(length);
-    let excess = middle - long;
-    let closure = least - excess.abs();
-    let (top, next) = (middle.max(long), middle.min(long));
-    let area4 = ((top + (next + least)) * closure * (least + excess.abs()) * (top + (next - least)))
-        .max(S::zero())
-        .sqrt();
-    let along = half * (least * least + excess * (middle + long)) * inverse;
-    let across = side * (half * area4 * inverse);
+impl<S: Scalar> Sides<S> {
+    /// # Given
+    /// `l_1` = AC, `l_2` = BC, m, > 0.
+    #[inline(always)]
+    pub fn new(l_1: S, l_2: S) -> Self {
+        let half = S::of(0.5);
+        let s = two_sum(l_1, l_2);
+        let d = two_sum(l_1, -l_2);
+        Self {
+            sum: product(s, s),
+            difference: product(d, d),
+            across: product(s, d),
+            product: S::one() / (l_1 * l_2),
+            far: half / s.0,
+            near: half / d.0.abs().max(S::tiny()),
+        }
+    }
 
-    let w = select(from_A, r, -r);
-    let near = w * along + r.perp() * across;
-    let far = near - w;
-    Position {
-        p_C: select(from_A, p_A, p_B) + near,
-        r_1: select(from_A, near, far),
-        r_2: select(from_A, far, near),
-        sine: side * (half * area4 / (l_1 * l_2)),
-        closure,
+    /// Position of the inner revolute.
+    /// # Given
+    /// `p_A`, `p_B` outer revolutes, m; `side` +1 with C left of A→B, −1 right.
+    /// # Returns
+    /// See [`Position`]. Where the links do not close, C lies on AB; where A and B coincide `sine` is 0 and C is not
+    /// determined.
+    #[inline(always)]
+    pub fn position(&self, p_A: V2<S>, p_B: V2<S>, side: S) -> Position<S> {
+        let half = S::of(0.5);
+        let r = p_B - p_A;
+        let q = r.dot(r);
+        // coincident pins: a finite position that `sine` marks as dead
+        let inverse = half / q.max(S::tiny());
+        let far = (self.sum.0 - q) + self.sum.1;
+        let near = (q - self.difference.0) - self.difference.1;
+        // 2 r_1 × r_2
+        let area = side * (far * near).max(S::zero()).sqrt();
+        let across = r.perp() * (area * inverse);
+        let along_1 = ((q + self.across.0) + self.across.1) * inverse;
+        let along_2 = ((q - self.across.0) - self.across.1) * inverse;
+        let r_1 = r * along_1 + across;
+        Position {
+            p_C: p_A + r_1,
+            r_1,
+            r_2: across - r * along_2,
+            inverse: S::of(2.0) / area,
+            sine: half * area * self.product,
+            closure: (far * self.far).min(near * self.near),
+        }
     }
 }
 
+impl Sides<f64> {
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn of<S: Scalar>(&self) -> Sides<S> {
+        let pair = |(x, y)| (S::of(x), S::of(y));
+        Sides {
+            sum: pair(self.sum),
+            difference: pair(self.difference),
+            across: pair(self.across),
+            product: S::of(self.product),
+            far: S::of(self.far),
+            near: S::of(self.near),
+        }
+    }
+}
+
+/// Position of the inner revolute, for links that change their lengths: see [`Sides::position`].
+/// # Given
+/// `p_A`, `p_B` outer revolutes, m; `l_1` = AC, `l_2` = BC, m, > 0; `side` +1 with C left of A→B, −1 right.
 #[inline(always)]
-fn select<S: Scalar>(mask: S::Mask, a: V2<S>, b: V2<S>) -> V2<S> {
-    V2::new(S::select(mask, a.x, b.x), S::select(mask, a.y, b.y))
+pub fn position<S: Scalar>(p_A: V2<S>, p_B: V2<S>, l_1: S, l_2: S, side: S) -> Position<S> {
+    Sides::new(l_1, l_2).position(p_A, p_B, side)
+}
+
+/// x + y and its rounding error (Knuth).
+#[inline(always)]
+fn two_sum<S: Scalar>(x: S, y: S) -> (S, S) {
+    let sum = x + y;
+    let part = sum - x;
+    (sum, (x - (sum - part)) + (y - part))
+}
+
+/// The product of two numbers of twice the digits.
+#[inline(always)]
+fn product<S: Scalar>(x: (S, S), y: (S, S)) -> (S, S) {
+    let (high, low) = x.0.two_product(y.0);
+    let rest = low + (x.0 * y.1 + x.1 * y.0);
+    let sum = high + rest;
+    (sum, rest - (sum - high))
 }
 
 /// By how much the links do not close, m; `None` when they do.
@@ -140,6 +203,14 @@ pub struct Reactions<S> {
     pub f_C: V2<S>,
     /// On link 2 at B.
     pub f_B: V2<S>,
+}
+
+impl<S: Copy> Position<S> {
+    /// The group in this position.
+    #[inline(always)]
+    pub fn group(&self) -> Rrr<S> {
+        Rrr { r_1: self.r_1, r_2: self.r_2, inverse: self.inverse }
+    }
 }
 
 impl<S: Scalar> Rrr<S> {
@@ -306,9 +377,13 @@ mod tests {
         assert_eq!(gap(at(0.0), at(4.0), 1.0, 2.0), Some(Gap::TooFar(1.0)));
         assert_eq!(gap(at(0.0), at(1.0), 1.0, 4.0), Some(Gap::TooNear(2.0)));
         let stretched = position(at(0.0), at(4.0), 1.0, 2.0, 1.0);
-        assert_eq!((stretched.closure, stretched.sine, stretched.p_C.y), (-1.0, 0.0, 0.0));
+        assert_eq!((stretched.sine, stretched.p_C.y), (0.0, 0.0));
+        // (3² − 4²) / 2·3: 1 but for the second order
+        assert!((stretched.closure + 7.0 / 6.0).abs() < 1e-15);
         let folded = position(at(0.0), at(1.0), 1.0, 4.0, 1.0);
-        assert_eq!((folded.closure, folded.sine), (-2.0, 0.0));
+        assert_eq!(folded.sine, 0.0);
+        // (1² − 3²) / 2·3
+        assert!((folded.closure + 4.0 / 3.0).abs() < 1e-15);
         let dead = position(at(0.0), at(3.0), 1.0, 2.0, 1.0);
         assert_eq!((dead.closure, dead.sine, dead.p_C), (0.0, 0.0, at(1.0)));
     }

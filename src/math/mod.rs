@@ -2,6 +2,7 @@
 
 pub mod chebyshev;
 mod dense;
+mod lanes;
 pub mod periodic;
 mod rigid;
 mod root;
@@ -9,7 +10,8 @@ mod scalar;
 mod vec2;
 
 pub use dense::Dense;
+pub use lanes::Lanes;
 pub use rigid::{acceleration_at, velocity_at};
 pub use root::root;
-pub use scalar::Scalar;
+pub use scalar::{Scalar, Truths};
 pub use vec2::{V2, Vec2};

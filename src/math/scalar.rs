@@ -18,7 +18,7 @@ pub trait Scalar:
     + 'static
 {
     /// The outcome of a comparison, one truth per lane.
-    type Mask: Copy;
+    type Mask: Truths;
 
     /// The same value in every lane.
     fn of(x: f64) -> Self;
@@ -35,6 +35,29 @@ pub trait Scalar:
     /// `a` where the mask holds, `b` elsewhere.
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
 
+    /// 2ˢ + 1, s half of the digits of the number, rounded up: splits it in two (Veltkamp).
+    #[inline(always)]
+    fn splitter() -> Self {
+        Self::of(134_217_729.0)
+    }
+    /// A number whose reciprocal times the square of a length is finite.
+    #[inline(always)]
+    fn tiny() -> Self {
+        Self::of(1e-280)
+    }
+    /// The product and its rounding error (Dekker); the same with and without a fused multiplication.
+    #[inline(always)]
+    fn two_product(self, other: Self) -> (Self, Self) {
+        let split = |x: Self| {
+            let scaled = x * Self::splitter();
+            let high = scaled - (scaled - x);
+            (high, x - high)
+        };
+        let (a, b) = (split(self), split(other));
+        let product = self * other;
+        (product, a.1 * b.1 - (((product - a.0 * b.0) - a.1 * b.0) - a.0 * b.1))
+    }
+
     /// Zero in every lane.
     fn zero() -> Self {
         Self::of(0.0)
@@ -45,35 +68,65 @@ pub trait Scalar:
     }
 }
 
-impl Scalar for f64 {
-    type Mask = bool;
+/// One truth per lane.
+pub trait Truths: Copy + Debug {
+    /// Holds in every lane.
+    fn all(self) -> bool;
+}
 
+impl Truths for bool {
     #[inline(always)]
-    fn of(x: f64) -> Self {
-        x
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        f64::sqrt(self)
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        f64::abs(self)
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        if self < other { other } else { self }
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        if other < self { other } else { self }
-    }
-    #[inline(always)]
-    fn lt(self, other: Self) -> bool {
-        self < other
-    }
-    #[inline(always)]
-    fn select(mask: bool, a: Self, b: Self) -> Self {
-        if mask { a } else { b }
+    fn all(self) -> bool {
+        self
     }
 }
+
+macro_rules! float {
+    ($t:ident, $of:expr, { $($more:item)* }) => {
+        impl Scalar for $t {
+            type Mask = bool;
+
+            #[inline(always)]
+            fn of(x: f64) -> Self {
+                $of(x)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                $t::sqrt(self)
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $t::abs(self)
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                if self < other { other } else { self }
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                if other < self { other } else { self }
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline(always)]
+            fn select(mask: bool, a: Self, b: Self) -> Self {
+                if mask { a } else { b }
+            }
+            $($more)*
+        }
+    };
+}
+
+float!(f64, |x| x, {});
+float!(f32, |x| x as f32, {
+    #[inline(always)]
+    fn splitter() -> Self {
+        4097.0
+    }
+    #[inline(always)]
+    fn tiny() -> Self {
+        1e-30
+    }
+});

@@ -18,6 +18,8 @@ pub struct Link {
     pub lines: Vec<Line>,
     /// Named circles.
     pub circles: Vec<Circle>,
+    /// Profiles of designed cams.
+    pub cam_profiles: Vec<CamProfile>,
     /// Mass properties, where declared.
     pub mass: Option<MassProperties>,
 }
@@ -68,4 +70,15 @@ pub struct Circle {
     pub centre: Vec2,
     /// Radius, m, > 0.
     pub radius: f64,
+}
+
+/// The profile of a designed cam on a link. The axes of the cam are those of the link.
+#[derive(Clone, Debug)]
+pub struct CamProfile {
+    /// Name.
+    pub name: String,
+    /// The cam: index into [`super::Mechanism::cams`].
+    pub cam: usize,
+    /// Its centre in the link's frame, m.
+    pub centre: Vec2,
 }

@@ -1,8 +1,10 @@
 //! The mechanism as plain data: SI units, radians, typed ids. What the compiler knows after `check` and before any
 //! structure is found.
 
+mod cam_part;
 mod cycle;
 mod display;
+mod element;
 mod expr;
 mod id;
 mod link;
@@ -12,12 +14,14 @@ mod pair;
 mod request;
 mod shape;
 
+pub use cam_part::{CAM_PARTS, CamPart};
 pub use cycle::{Cycle, CycleFunction, Flywheel, FlywheelPart, FlywheelTorque, Rim};
+pub use element::{CamContact, PlateCam, Table, TableEntry};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
-pub use link::{Circle, Line, Link, MassProperties, Point};
+pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use pair::{Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
@@ -52,6 +56,10 @@ pub struct Mechanism {
     pub springs: Vec<Spring>,
     /// Unknown efforts.
     pub balances: Vec<Balance>,
+    /// Designed cams.
+    pub cams: Vec<PlateCam>,
+    /// Where they touch their followers.
+    pub cam_contacts: Vec<CamContact>,
     /// `ignore inertia` stands in the file.
     pub ignore_inertia: bool,
     /// Quantities with one value per pose: `let` from results and named items of `find`.

@@ -116,6 +116,8 @@ pub enum ProfileShape {
     Circle(Vec2, f64),
     /// A line: a point of it and its unit direction.
     Line(Vec2, Vec2),
+    /// The profile of a designed cam: index into [`super::Mechanism::cam_contacts`], one for each of its contacts.
+    Rim(usize),
 }
 
 impl PairKind {

@@ -39,6 +39,8 @@ pub enum FindKind {
     },
     /// All reactions in all pairs.
     Reactions,
+    /// A table that needs no pose.
+    Table(super::Table),
 }
 
 /// One `expect`.

@@ -120,6 +120,7 @@ impl Wanted {
                     self.forces = true;
                     self.level = Level::Accelerations;
                 }
+                FindKind::Table(_) => {}
             }
         }
         for expect in &mechanism.expects {

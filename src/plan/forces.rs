@@ -1,8 +1,9 @@
 //! Steps of forces, one per structural group, from the outermost loads to the efforts.
 
 use super::Plan;
-use super::geometry::pin;
+use super::geometry::{pin, pin_arm};
 use super::step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, OuterJoint, Way};
+use crate::math::Vec2;
 use crate::structure::{Dyad, EffortKind, Group, GroupJoint, GroupKind, JointKind, Structure};
 
 pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
@@ -28,13 +29,18 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
 }
 
 pub(super) fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
-    Hinge { body: joint.body.0, pin: pin(&structure.replaced, joint, joint.body), base: joint.base.0, slot }
+    Hinge {
+        body: joint.body.0,
+        pin: pin_arm(&structure.replaced, joint, joint.body),
+        base: joint.base.0,
+        slot,
+    }
 }
 
 pub(super) fn way(structure: &Structure, joint: GroupJoint, slot: usize) -> Way {
     let (slider, point, direction) = match structure.replaced.joint(joint.joint).kind {
         JointKind::Prismatic { slider, point, direction, .. } => (slider, point, direction),
-        JointKind::Revolute(_) => (joint.body, crate::math::Vec2::zero(), crate::math::Vec2::new(1.0, 0.0)),
+        JointKind::Revolute(_) => (joint.body, Vec2::zero(), Vec2::new(1.0, 0.0)),
     };
     Way { body: joint.body.0, base: joint.base.0, slider: slider.0, point, direction, slot }
 }
@@ -87,29 +93,28 @@ fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> 
     let way_of = |i: usize| way(structure, group.joints[i], first_slot + i);
     let inner_hinge = || Inner {
         pin: pin(&structure.replaced, inner, first.body),
-        second_pin: pin(&structure.replaced, inner, second.body),
+        second_pin: pin_arm(&structure.replaced, inner, second.body),
+        arms: [first, second]
+            .map(|o| pin(&structure.replaced, inner, o.body) - pin(&structure.replaced, o, o.body)),
         slot: first_slot + 1,
         sign: if inner.body == second.body { 1.0 } else { -1.0 },
     };
-    let length = |outer: GroupJoint| {
-        (pin(&structure.replaced, inner, outer.body) - pin(&structure.replaced, outer, outer.body)).norm()
-    };
+    let motion = same_motion(structure, group);
     match kind {
-        Dyad::Rrr => ForceStep::Rrr {
-            outer: [hinge_of(0), hinge_of(2)],
-            inner: inner_hinge(),
-            scale: 1.0 / (length(first) * length(second)),
-        },
-        Dyad::Rrp => ForceStep::Rrp {
-            outer: hinge_of(0),
-            inner: inner_hinge(),
-            way: way_of(2),
-            scale: 1.0 / length(first),
-        },
+        Dyad::Rrr => ForceStep::Rrr { outer: [hinge_of(0), hinge_of(2)], inner: inner_hinge(), motion },
+        Dyad::Rrp => ForceStep::Rrp { outer: hinge_of(0), inner: inner_hinge(), way: way_of(2), motion },
         Dyad::Rpr => ForceStep::Rpr { outer: [hinge_of(0), hinge_of(2)], way: way_of(1) },
         Dyad::Prp => ForceStep::Prp { ways: [way_of(0), way_of(2)], inner: inner_hinge() },
         Dyad::Rpp => ForceStep::Rpp { outer: hinge_of(0), inner: way_of(1), way: way_of(2) },
     }
+}
+
+/// The step of motion of the group, where motion has the same dyad with the same first link.
+fn same_motion(structure: &Structure, group: &Group) -> Option<usize> {
+    structure.motion.iter().position(|m| {
+        let joints = m.joints.iter().map(|j| j.joint).eq(group.joints.iter().map(|j| j.joint));
+        m.kind == group.kind && m.bodies == group.bodies && joints
+    })
 }
 
 fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> Option<ForceStep> {
@@ -142,7 +147,8 @@ fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dy
     };
     let inner_hinge = Inner {
         pin: pin(&structure.replaced, inner, ends[0]),
-        second_pin: pin(&structure.replaced, inner, ends[1]),
+        second_pin: pin_arm(&structure.replaced, inner, ends[1]),
+        arms: [Vec2::zero(); 2],
         slot: first_slot + 1,
         sign: if inner.body == ends[1] { 1.0 } else { -1.0 },
     };

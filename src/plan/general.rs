@@ -176,7 +176,7 @@ pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: u
     for (i, &joint) in group.joints.iter().enumerate() {
         let slot = first_slot + i;
         if !joint.prismatic {
-            let pin = super::geometry::pin(&structure.replaced, joint, joint.body);
+            let pin = super::geometry::pin_arm(&structure.replaced, joint, joint.body);
             let at = super::Hinge { body: joint.body.0, pin, base: joint.base.0, slot };
             constraints.push(hinge(structure, joint, &mut places));
             unknowns.push(UnknownForce::Hinge { slot, hinge: at });

@@ -1,6 +1,6 @@
 //! From joints to the numbers of the steps.
 
-use super::step::{Anchor, Leg, Slide};
+use super::step::{Anchor, Arm, Leg, Slide};
 use crate::math::Vec2;
 use crate::structure::{BodyId, GroupJoint, JointKind, Replaced};
 
@@ -16,6 +16,16 @@ pub(super) fn pin(replaced: &Replaced, joint: GroupJoint, body: BodyId) -> Vec2 
             }
         }
     }
+}
+
+/// A point of a body's frame as the steps hold it.
+pub(super) fn arm(at: Vec2) -> Arm {
+    (at != Vec2::zero()).then_some(at)
+}
+
+/// [`pin`] as the steps hold it.
+pub(super) fn pin_arm(replaced: &Replaced, joint: GroupJoint, body: BodyId) -> Arm {
+    arm(pin(replaced, joint, body))
 }
 
 pub(super) fn anchor(replaced: &Replaced, joint: GroupJoint) -> Anchor {
@@ -35,6 +45,7 @@ pub(super) fn slide(replaced: &Replaced, joint: GroupJoint, base: BodyId) -> Sli
             body: joint.body.0,
             point: Vec2::zero(),
             direction: Vec2::new(1.0, 0.0),
+            turn: Vec2::new(1.0, 0.0),
             radius: 0.0,
             sense: 1.0,
         };
@@ -47,6 +58,7 @@ pub(super) fn slide(replaced: &Replaced, joint: GroupJoint, base: BodyId) -> Sli
             body: slider.0,
             point,
             direction,
+            turn: along.turned_back(direction),
             radius: offset,
             sense: 1.0,
         }
@@ -58,6 +70,7 @@ pub(super) fn slide(replaced: &Replaced, joint: GroupJoint, base: BodyId) -> Sli
             body: guide.0,
             point: through,
             direction: along,
+            turn: direction.turned_back(along),
             radius: -offset,
             sense: -1.0,
         }
@@ -69,12 +82,13 @@ pub(super) fn leg(replaced: &Replaced, outer: GroupJoint, inner: GroupJoint) -> 
     let from = pin(replaced, outer, outer.body);
     let to = pin(replaced, inner, outer.body);
     let length = (to - from).norm();
+    let direction = (to - from) / length;
     Leg {
         body: outer.body.0,
         base: anchor(replaced, outer),
-        pin: from,
-        direction: (to - from) / length,
+        pin: arm(from),
+        direction,
         length,
-        inverse: 1.0 / length,
+        turn: direction / length,
     }
 }

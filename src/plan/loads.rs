@@ -1,24 +1,28 @@
 //! Steps that add loads to the bodies before forces are solved.
 
 use super::Effects;
+use super::geometry::arm;
+use super::step::{Anchor, Arm};
 use crate::math::Vec2;
-use crate::model::{Expr, LoadId, LoadKind, Mechanism, Place, SpringId, Value};
+use crate::model::{BalanceKind, Expr, LoadId, LoadKind, Mechanism, Place, SpringId, Value};
+use crate::structure::{Effort, EffortKind, EffortSource, Structure};
 
 /// One load. Numbers that do not change over a sweep are in the step; the rest is evaluated at every position.
 #[derive(Clone, Debug)]
 pub enum LoadStep {
-    /// Weight m g at the mass centre, with the inertia force −m a_S and torque −J α where `inertia` is set.
+    /// The weight at the mass centre, with the inertia force −m a_S and torque −J α where `inertia` is set. The first load of
+    /// its body: it is written, not added.
     Mass {
         /// Slot of the body.
         body: usize,
-        /// Mass centre in the body's frame, m.
-        centre: Vec2,
+        /// Mass centre in the body's frame.
+        centre: Arm,
         /// Mass, kg.
         mass: f64,
         /// Moment of inertia about the mass centre, kg m².
         moment_of_inertia: f64,
-        /// Acceleration of free fall, m/s²; null without gravity.
-        gravity: Vec2,
+        /// Weight, N; null without gravity.
+        weight: Vec2,
         /// With inertia forces.
         inertia: bool,
     },
@@ -46,8 +50,54 @@ pub enum LoadStep {
     },
     /// A load with expressions, a condition, a place of the ground, or inside a pair.
     Evaluated(LoadId),
-    /// A spring.
-    Spring(SpringId),
+    /// A spring with a damper beside it.
+    Spring {
+        /// The spring.
+        spring: SpringId,
+        /// Its ends: slots of bodies and points in their frames, m.
+        ends: [Anchor; 2],
+        /// Stiffness, N/m.
+        stiffness: f64,
+        /// Length without load, m.
+        free_length: f64,
+        /// Damping, N s/m.
+        damping: f64,
+    },
+}
+
+/// The line of an unknown force.
+#[derive(Clone, Copy, Debug)]
+pub struct ForceLine {
+    /// Slot of the effort.
+    pub effort: usize,
+    /// Slot of the body with the point of the line; the ground's for a place that does not move.
+    pub body: usize,
+    /// The point in its frame, m.
+    pub at: Vec2,
+    /// Unit direction in ground axes, or in those of `frame`.
+    pub along: Vec2,
+    /// The axes turn with this body.
+    pub frame: Option<usize>,
+}
+
+/// The lines of the unknown forces.
+pub(super) fn lines(mechanism: &Mechanism, structure: &Structure) -> Vec<ForceLine> {
+    let efforts = structure.efforts.iter().enumerate();
+    efforts.filter_map(|(effort, e)| line(mechanism, effort, e)).collect()
+}
+
+fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine> {
+    let (EffortKind::Line(_), EffortSource::Balance(id)) = (effort.kind, effort.source) else { return None };
+    let BalanceKind::Force { on, at, along, frame } = &mechanism.balances[id.index()].kind else {
+        return None;
+    };
+    let (body, at) = match at {
+        Place::Local(at) => (on.index(), *at),
+        // a place of the ground: `check` folds it to numbers
+        Place::Ground(Expr::Constant(Value::Vector(at))) => (0, *at),
+        Place::Ground(_) => (0, Vec2::new(f64::NAN, f64::NAN)),
+    };
+    Some(ForceLine { effort: slot, body, at, along: *along, frame: frame.map(|f| f.index()) })
 }
 
 pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
@@ -59,10 +109,10 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
         {
             steps.push(LoadStep::Mass {
                 body,
-                centre: m.centre,
+                centre: arm(m.centre),
                 mass: m.mass,
                 moment_of_inertia: m.inertia,
-                gravity,
+                weight: gravity * m.mass,
                 inertia: effects.inertia,
             });
         }
@@ -93,6 +143,12 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
         };
         steps.push(step);
     }
-    steps.extend((0..mechanism.springs.len()).map(|i| LoadStep::Spring(SpringId::at(i))));
+    steps.extend(mechanism.springs.iter().enumerate().map(|(i, s)| LoadStep::Spring {
+        spring: SpringId::at(i),
+        ends: [s.from, s.to].map(|(link, at)| Anchor { body: link.index(), at }),
+        stiffness: s.stiffness,
+        free_length: s.free_length,
+        damping: s.damping,
+    }));
     steps
 }

@@ -1,5 +1,6 @@
 //! Structure → Plan: a flat list of steps with slots, in the order of solution, with the effects that the file calls for.
 
+mod cam;
 mod effects;
 mod forces;
 mod friction;
@@ -10,12 +11,14 @@ mod motion;
 pub mod step;
 mod triad;
 
+pub use cam::CamStep;
+pub(crate) use cam::{contact_in, is_follower};
 pub use effects::{Effects, Level, level_of, needs_forces};
 pub use friction::{FrictionElement, Rub, RubbingGroup};
 pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
-pub use loads::LoadStep;
+pub use loads::{ForceLine, LoadStep};
 pub use step::{
-    Anchor, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
+    Anchor, Arm, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
     OuterJoint, Slide, Way,
 };
 pub use triad::{TriadForceLeg, TriadForces, TriadLeg, TriadMotion};
@@ -35,10 +38,18 @@ pub struct Plan {
     pub outer: Vec<(usize, Vec2, usize)>,
     /// Steps of motion.
     pub motion: Vec<MotionStep>,
+    /// Followers of designed cams.
+    pub cams: Vec<CamStep>,
+    /// Number of contacts of designed cams.
+    pub cam_contacts: usize,
     /// Problems of the general steps.
     pub general: Vec<GeneralMotion>,
+    /// Bodies without mass, the ground among them: they start without load.
+    pub massless: Vec<usize>,
     /// Steps that add loads to the bodies.
     pub loads: Vec<LoadStep>,
+    /// Lines of unknown forces.
+    pub lines: Vec<ForceLine>,
     /// Steps of forces.
     pub forces: Vec<ForceStep>,
     /// Systems of the general steps of forces.
@@ -64,6 +75,7 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
         drives: mechanism.drives.len(),
         efforts: structure.efforts.len(),
         effects,
+        cam_contacts: mechanism.cam_contacts.len(),
         ..Plan::default()
     };
     for effort in &structure.drives {
@@ -73,9 +85,14 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
             plan.outer.push((body.0, at, id.index()));
         }
     }
-    motion::plan(structure, &mut plan);
+    motion::plan(mechanism, structure, &mut plan);
     if plan.effects.forces && structure.force_defect.is_none() {
         plan.loads = loads::plan(mechanism, &plan.effects);
+        let heavy = |slot: usize| {
+            plan.loads.iter().any(|l| matches!(l, LoadStep::Mass { body, .. } if *body == slot))
+        };
+        plan.massless = (0..plan.bodies).filter(|&slot| !heavy(slot)).collect();
+        plan.lines = loads::lines(mechanism, structure);
         forces::plan(structure, &mut plan);
         if plan.effects.friction {
             friction::plan(mechanism, structure, &mut plan);
@@ -85,6 +102,18 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
 }
 
 impl Plan {
+    /// Whether every step has a closed form and every load is a number, so that several positions go side by side.
+    #[must_use]
+    pub fn laned(&self) -> bool {
+        let closed = |step: &ForceStep| {
+            !matches!(step, ForceStep::General { .. } | ForceStep::Sequence(_) | ForceStep::Rubbing { .. })
+        };
+        self.general.is_empty()
+            && self.cams.is_empty()
+            && self.forces.iter().all(closed)
+            && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
+    }
+
     /// Slot of a link's body.
     #[must_use]
     pub fn is_imaginary(structure: &Structure, body: usize) -> bool {

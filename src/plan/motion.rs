@@ -1,13 +1,19 @@
 //! Steps of motion, one per structural group.
 
 use super::Plan;
-use super::geometry::{anchor, leg, pin, slide};
+use super::geometry::{anchor, arm, leg, pin, pin_arm, slide};
 use super::step::{DrivenJoint, DrivenLeg, MotionStep};
+use crate::group::rrr::Sides;
 use crate::math::Vec2;
+use crate::model::Mechanism;
 use crate::structure::{Dyad, EffortKind, EffortSource, Group, GroupKind, Structure};
 
-pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
+pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
     for (branch, group) in structure.motion.iter().enumerate() {
+        if let Some(step) = super::cam::step(mechanism, structure, group, branch, plan) {
+            plan.motion.push(step);
+            continue;
+        }
         let step = match group.kind {
             GroupKind::Driven => driven(structure, group, branch),
             GroupKind::Dyad(kind) => Some(dyad(structure, group, branch, kind)),
@@ -37,7 +43,7 @@ fn driven(structure: &Structure, group: &Group, branch: usize) -> Option<MotionS
         branch,
         body: body.0,
         base: anchor(replaced, joint),
-        pin: pin(replaced, joint, body),
+        pin: pin_arm(replaced, joint, body),
         drive: drive.index(),
         relative,
     };
@@ -59,13 +65,14 @@ fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Moti
     let in_axes = |v: Vec2, axis: Vec2| v.turned_back(axis);
     match kind {
         Dyad::Rrr => {
-            MotionStep::Rrr { branch, legs: [leg(replaced, first, inner), leg(replaced, second, inner)] }
+            let legs = [leg(replaced, first, inner), leg(replaced, second, inner)];
+            MotionStep::Rrr { branch, legs, sides: Sides::new(legs[0].length, legs[1].length) }
         }
         Dyad::Rrp => {
             let slide = slide(replaced, second, second.base);
             let pin = pin(replaced, inner, second.body);
             let from_point = in_axes(pin - slide.point, slide.direction);
-            MotionStep::Rrp { branch, leg: leg(replaced, first, inner), slide, pin, from_point }
+            MotionStep::Rrp { branch, leg: leg(replaced, first, inner), slide, pin: arm(pin), from_point }
         }
         Dyad::Rpr => {
             let slide = slide(replaced, inner, first.body);
@@ -75,7 +82,7 @@ fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Moti
                 bases: [anchor(replaced, first), anchor(replaced, second)],
                 from_origin: in_axes(pins[0] - slide.origin, slide.along),
                 from_point: in_axes(pins[1] - slide.point, slide.direction),
-                pins,
+                pins: pins.map(arm),
                 slide,
             }
         }
@@ -83,12 +90,12 @@ fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Moti
             let slides = [slide(replaced, first, first.base), slide(replaced, second, second.base)];
             let pins = [pin(replaced, inner, first.body), pin(replaced, inner, second.body)];
             let from_point = [0, 1].map(|i| in_axes(pins[i] - slides[i].point, slides[i].direction));
-            MotionStep::Prp { branch, slides, pins, from_point }
+            MotionStep::Prp { branch, slides, pins: pins.map(arm), from_point }
         }
         Dyad::Rpp => MotionStep::Rpp {
             branch,
             base: anchor(replaced, first),
-            pin: pin(replaced, first, first.body),
+            pin: pin_arm(replaced, first, first.body),
             inner: slide(replaced, inner, second.body),
             outer: slide(replaced, second, second.base),
         },
@@ -105,7 +112,13 @@ fn driven_legs(structure: &Structure, group: &Group, branch: usize, kind: Dyad) 
     let slide = slide(replaced, second, second.base);
     let pin = pin(replaced, group.joints[1], second.body);
     let from_point = (pin - slide.point).turned_back(slide.direction);
-    Some(MotionStep::DrivenRrp { branch, leg: driven_leg(structure, group, 0)?, slide, pin, from_point })
+    Some(MotionStep::DrivenRrp {
+        branch,
+        leg: driven_leg(structure, group, 0)?,
+        slide,
+        pin: arm(pin),
+        from_point,
+    })
 }
 
 /// The leg that hangs on the outer joint of this index.
@@ -116,7 +129,7 @@ fn driven_leg(structure: &Structure, group: &Group, outer: usize) -> Option<Driv
     let leg = DrivenLeg {
         body: outer.body.0,
         base: anchor(replaced, outer),
-        pin: from,
+        pin: arm(from),
         arm: pin(replaced, inner, outer.body) - from,
         joint: None,
     };
@@ -137,8 +150,8 @@ fn driven_leg(structure: &Structure, group: &Group, outer: usize) -> Option<Driv
             let base = anchor(replaced, joint);
             let hinge = pin(replaced, joint, joint.body);
             let sign = if second == joint.body { 1.0 } else { -1.0 };
-            let turn =
-                DrivenJoint::Turn { base, body: joint.body.0, pin: hinge, arm: to - hinge, drive, sign };
+            let (pin, to_inner) = (arm(hinge), to - hinge);
+            let turn = DrivenJoint::Turn { base, body: joint.body.0, pin, arm: to_inner, drive, sign };
             DrivenLeg { arm: base.at - from, joint: Some(turn), ..leg }
         }
         _ => {

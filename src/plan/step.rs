@@ -2,7 +2,11 @@
 
 use super::friction::RubbingGroup;
 use super::triad::{TriadForces, TriadMotion};
+use crate::group::rrr::Sides;
 use crate::math::Vec2;
+
+/// A point in a body's frame, m; `None` at its origin, where there is nothing to turn.
+pub type Arm = Option<Vec2>;
 
 /// A point of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,6 +32,8 @@ pub struct Slide {
     pub point: Vec2,
     /// Unit direction in the sliding body's frame that lies along the line.
     pub direction: Vec2,
+    /// Direction of the sliding body against the base.
+    pub turn: Vec2,
     /// Distance of the point to the left of the line, times the branch's side, m: not zero for a round profile only.
     pub radius: f64,
     /// The pair's coordinate is this times the coordinate counted here: ±1.
@@ -41,14 +47,14 @@ pub struct Leg {
     pub body: usize,
     /// The outer revolute on the base.
     pub base: Anchor,
-    /// The outer revolute in the body's frame, m.
-    pub pin: Vec2,
+    /// The outer revolute in the body's frame.
+    pub pin: Arm,
     /// Unit direction in the body's frame from the outer revolute to the inner one.
     pub direction: Vec2,
     /// Distance of the two, m.
     pub length: f64,
-    /// Its reciprocal, 1/m.
-    pub inverse: f64,
+    /// The direction over the distance, 1/m.
+    pub turn: Vec2,
 }
 
 /// A link of a dyad that may consist of two bodies with a driven joint between them.
@@ -58,8 +64,8 @@ pub struct DrivenLeg {
     pub body: usize,
     /// The outer revolute on the base.
     pub base: Anchor,
-    /// The outer revolute in the body's frame, m.
-    pub pin: Vec2,
+    /// The outer revolute in the body's frame.
+    pub pin: Arm,
     /// From the outer revolute to the inner one, in the body's frame, m; of a leg with a driven joint the part that does
     /// not change.
     pub arm: Vec2,
@@ -83,8 +89,8 @@ pub enum DrivenJoint {
         base: Anchor,
         /// Slot of the second body.
         body: usize,
-        /// The revolute in the second body's frame, m.
-        pin: Vec2,
+        /// The revolute in the second body's frame.
+        pin: Arm,
         /// From it to the inner revolute, in the second body's frame, m.
         arm: Vec2,
         /// Slot of the drive.
@@ -105,8 +111,8 @@ pub enum MotionStep {
         body: usize,
         /// The revolute on the base.
         base: Anchor,
-        /// The revolute in the body's frame, m.
-        pin: Vec2,
+        /// The revolute in the body's frame.
+        pin: Arm,
         /// Slot of the drive.
         drive: usize,
         /// The angle is measured from the base instead of the ground, with this sign.
@@ -127,6 +133,8 @@ pub enum MotionStep {
         branch: usize,
         /// The two links.
         legs: [Leg; 2],
+        /// Their lengths.
+        sides: Sides<f64>,
     },
     /// Dyad RRP: the slider carries the inner revolute.
     Rrp {
@@ -136,8 +144,8 @@ pub enum MotionStep {
         leg: Leg,
         /// The guide of the slider.
         slide: Slide,
-        /// The inner revolute in the slider's frame, m.
-        pin: Vec2,
+        /// The inner revolute in the slider's frame.
+        pin: Arm,
         /// The inner revolute from the sliding point, in the axes of the guide, m.
         from_point: Vec2,
     },
@@ -156,8 +164,8 @@ pub enum MotionStep {
         leg: DrivenLeg,
         /// The guide of the slider.
         slide: Slide,
-        /// The inner revolute in the slider's frame, m.
-        pin: Vec2,
+        /// The inner revolute in the slider's frame.
+        pin: Arm,
         /// The inner revolute from the sliding point, in the axes of the guide, m.
         from_point: Vec2,
     },
@@ -167,8 +175,8 @@ pub enum MotionStep {
         branch: usize,
         /// The outer revolutes on their bases.
         bases: [Anchor; 2],
-        /// The outer revolutes in the frames of their bodies, m.
-        pins: [Vec2; 2],
+        /// The outer revolutes in the frames of their bodies.
+        pins: [Arm; 2],
         /// The inner guide, on the first body.
         slide: Slide,
         /// The first outer revolute from the line's origin, in the axes of the line, m.
@@ -182,8 +190,8 @@ pub enum MotionStep {
         branch: usize,
         /// The guides.
         slides: [Slide; 2],
-        /// The inner revolute in the frames of the sliders, m.
-        pins: [Vec2; 2],
+        /// The inner revolute in the frames of the sliders.
+        pins: [Arm; 2],
         /// The inner revolute from the sliding points, in the axes of the guides, m.
         from_point: [Vec2; 2],
     },
@@ -193,8 +201,8 @@ pub enum MotionStep {
         branch: usize,
         /// The outer revolute on its base.
         base: Anchor,
-        /// The outer revolute in the first body's frame, m.
-        pin: Vec2,
+        /// The outer revolute in the first body's frame.
+        pin: Arm,
         /// The inner guide, on the second body.
         inner: Slide,
         /// The outer guide.
@@ -214,6 +222,13 @@ pub enum MotionStep {
         /// Its links.
         triad: Box<TriadMotion>,
     },
+    /// The follower of a designed cam.
+    Cam {
+        /// Group.
+        branch: usize,
+        /// Index into [`super::Plan::cams`].
+        cam: usize,
+    },
     /// Anything else, by Newton's method.
     General {
         /// Group.
@@ -228,8 +243,8 @@ pub enum MotionStep {
 pub struct Hinge {
     /// Slot of the body it acts on.
     pub body: usize,
-    /// The pin in the body's frame, m.
-    pub pin: Vec2,
+    /// The pin in the body's frame.
+    pub pin: Arm,
     /// Slot of the body it comes from.
     pub base: usize,
     /// Slot of the reaction: force on `body`.
@@ -303,8 +318,8 @@ pub enum ForceStep {
         /// The inner revolute in the frames of the links, and its slot; the sign turns the force on the second link
         /// into that kept.
         inner: Inner,
-        /// 1 / (l_1 l_2), 1/m²: turns the determinant into the condition figure.
-        scale: f64,
+        /// The step of motion of the same group.
+        motion: Option<usize>,
     },
     /// Dyad RRP.
     Rrp {
@@ -314,8 +329,8 @@ pub enum ForceStep {
         inner: Inner,
         /// Guide of the slider.
         way: Way,
-        /// 1 / l, 1/m: turns the determinant into the condition figure.
-        scale: f64,
+        /// The step of motion of the same group.
+        motion: Option<usize>,
     },
     /// Dyad RRR or RRP with unknown efforts inside its links: solved as a dyad of stiff links, then taken apart.
     DrivenLegs {
@@ -399,8 +414,10 @@ pub struct DrivenPart {
 pub struct Inner {
     /// The pin in the first body's frame, m.
     pub pin: Vec2,
-    /// The pin in the second body's frame, m.
-    pub second_pin: Vec2,
+    /// The pin in the second body's frame.
+    pub second_pin: Arm,
+    /// From the outer pins to this one in the frames of their bodies, m; of a guide nothing.
+    pub arms: [Vec2; 2],
     /// Slot of the reaction.
     pub slot: usize,
     /// The reaction kept is this times the force of the first body on the second.

@@ -1,11 +1,11 @@
 //! Steps of a link on three legs.
 
 use super::forces::{hinge, way};
-use super::geometry::{leg, pin, slide};
-use super::step::{ForceStep, Inner, Leg, MotionStep, OuterJoint, Slide};
+use super::geometry::{arm, leg, pin, slide};
+use super::step::{Arm, ForceStep, Leg, MotionStep, OuterJoint, Slide};
 use crate::group::triad::Plate;
 use crate::math::Vec2;
-use crate::structure::{Group, JointKind, Structure};
+use crate::structure::{BodyId, Group, JointKind, Structure};
 
 /// The motion of a triad.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +30,7 @@ pub enum TriadLeg {
         /// The guide.
         slide: Slide,
         /// The inner revolute in the slider's frame, m.
-        pin: Vec2,
+        pin: Arm,
         /// The inner revolute from the sliding point to the left of the guide, m.
         offset: f64,
     },
@@ -56,14 +56,26 @@ pub struct TriadForceLeg {
     pub body: usize,
     /// What it hangs on.
     pub outer: OuterJoint,
-    /// The revolute to the link, which counts as the second body.
-    pub inner: Inner,
+    /// The revolute to the link in the frame of the leg.
+    pub pin: Arm,
+    /// Slot of its reaction.
+    pub slot: usize,
+    /// The reaction kept is this times the force of the leg on the link.
+    pub sign: f64,
+    /// Unit direction from the outer revolute to the inner one in the frame of a link; of a slider nothing.
+    pub direction: Vec2,
     /// 1 / length of a link, 1/m.
     pub inverse: f64,
 }
 
+/// The link on the legs.
+fn carried(group: &Group) -> BodyId {
+    let (leg, inner) = (group.joints[0].body, group.joints[3]);
+    if inner.body == leg { inner.base } else { inner.body }
+}
+
 fn plate(structure: &Structure, group: &Group) -> (Plate, Vec2) {
-    Plate::new([3, 4, 5].map(|i| pin(&structure.replaced, group.joints[i], group.bodies[3])))
+    Plate::new([3, 4, 5].map(|i| pin(&structure.replaced, group.joints[i], carried(group))))
 }
 
 /// `None` where a leg has no length: the general solver takes it.
@@ -76,7 +88,7 @@ pub(super) fn motion(structure: &Structure, group: &Group, branch: usize) -> Opt
             let slide = slide(replaced, outer, outer.base);
             let pin = pin(replaced, inner, outer.body);
             let offset = (pin - slide.point).turned_back(slide.direction).y;
-            legs.push(TriadLeg::Slider { slide, pin, offset });
+            legs.push(TriadLeg::Slider { slide, pin: arm(pin), offset });
         } else {
             legs.push(TriadLeg::Link(leg(replaced, outer, inner)));
         }
@@ -84,18 +96,20 @@ pub(super) fn motion(structure: &Structure, group: &Group, branch: usize) -> Opt
     let long = |leg: &TriadLeg| !matches!(leg, TriadLeg::Link(leg) if leg.length <= 0.0);
     let (plate, mean) = plate(structure, group);
     let legs: [TriadLeg; 3] = legs.try_into().ok()?;
-    let triad = TriadMotion { legs, body: group.bodies[3].0, mean, plate };
+    let triad = TriadMotion { legs, body: carried(group).0, mean, plate };
     triad.legs.iter().all(long).then(|| MotionStep::Triad { branch, triad: Box::new(triad) })
 }
 
 /// `None` where a leg has no length: the general solver takes it.
 pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize) -> Option<ForceStep> {
     let replaced = &structure.replaced;
-    let link = group.bodies[3];
+    let link = carried(group);
     let legs = [0, 1, 2].map(|i| {
         let (outer, inner) = (group.joints[i], group.joints[3 + i]);
         let prismatic = matches!(replaced.joint(outer.joint).kind, JointKind::Prismatic { .. });
-        let ends = [pin(replaced, inner, outer.body), pin(replaced, outer, outer.body)];
+        let pin_at = pin(replaced, inner, outer.body);
+        let along = pin_at - pin(replaced, outer, outer.body);
+        let inverse = if prismatic { 0.0 } else { 1.0 / along.norm() };
         TriadForceLeg {
             body: outer.body.0,
             outer: if prismatic {
@@ -103,13 +117,11 @@ pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize) ->
             } else {
                 OuterJoint::Hinge(hinge(structure, outer, first_slot + i))
             },
-            inner: Inner {
-                pin: ends[0],
-                second_pin: pin(replaced, inner, link),
-                slot: first_slot + 3 + i,
-                sign: if inner.body == link { 1.0 } else { -1.0 },
-            },
-            inverse: if prismatic { 0.0 } else { 1.0 / (ends[0] - ends[1]).norm() },
+            pin: arm(pin_at),
+            slot: first_slot + 3 + i,
+            sign: if inner.body == link { 1.0 } else { -1.0 },
+            direction: along * inverse,
+            inverse,
         }
     });
     let (plate, mean) = plate(structure, group);

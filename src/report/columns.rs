@@ -94,7 +94,7 @@ impl<'a> Answers<'a> {
             FindKind::Value { expr, display, poseless } if *poseless == without_pose => {
                 Some((find, expr, display))
             }
-            FindKind::Value { .. } | FindKind::Reactions => None,
+            FindKind::Value { .. } | FindKind::Reactions | FindKind::Table(_) => None,
         })
     }
 

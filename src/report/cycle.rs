@@ -56,7 +56,7 @@ pub(super) fn named<'a>(answers: &Answers<'a>) -> Vec<(&'a str, &'a CycleAnswer)
     let mechanism = answers.scene.mechanism;
     let finds = mechanism.finds.iter().filter_map(|f| match &f.kind {
         FindKind::Value { expr, .. } => Some((f.name.as_str(), expr)),
-        FindKind::Reactions => None,
+        FindKind::Reactions | FindKind::Table(_) => None,
     });
     let expects = mechanism.expects.iter().map(|e| (e.text.as_str(), &e.expr));
     let quantities = mechanism.quantities.iter().map(|q| (q.name.as_str(), &q.expr));

@@ -8,6 +8,8 @@ mod columns;
 pub mod csv;
 mod cycle;
 pub mod document;
+pub mod dxf;
+mod element;
 mod expectations;
 mod friction;
 pub mod grade;
@@ -25,6 +27,7 @@ mod scale;
 pub mod text;
 
 pub use answers::{Answers, Precision};
+pub use element::full as full_table;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
 
 use crate::solve::{Modes, Scene};
@@ -39,6 +42,7 @@ pub fn of_structure(source: &Source, scene: &Scene<'_>) -> Report {
         mobility::sections(scene, &mut report);
     }
     replacement::section(scene, &mut report);
+    element::cams(scene, &mut report);
     plan::sections(source, scene, &mut report);
     report
 }
@@ -55,7 +59,9 @@ pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     if has_mechanism(&answers.scene) {
         mobility::summary(&answers.scene, &mut report);
     }
+    element::cams(&answers.scene, &mut report);
     results::sections(answers, &mut report);
+    element::tables(answers, &mut report);
     reactions::sections(answers, &mut report);
     friction::section(answers, &mut report);
     cycle::flywheels(answers, &mut report);

@@ -97,8 +97,8 @@ fn closed_form(group: &Group, with: &[String]) -> String {
 fn load_in_words(scene: &Scene<'_>, step: &LoadStep) -> (String, String) {
     let mechanism = scene.mechanism;
     match step {
-        LoadStep::Mass { body, gravity, inertia, .. } => {
-            let weight = gravity.norm() > 0.0;
+        LoadStep::Mass { body, weight, inertia, .. } => {
+            let weight = weight.norm() > 0.0;
             let what = match (weight, inertia) {
                 (true, true) => "weight and inertia force",
                 (true, false) => "weight",
@@ -109,8 +109,8 @@ fn load_in_words(scene: &Scene<'_>, step: &LoadStep) -> (String, String) {
         LoadStep::Force { load, .. } => load_on(scene, load.index(), "does not change"),
         LoadStep::Torque { load, .. } => load_on(scene, load.index(), "does not change"),
         LoadStep::Evaluated(load) => load_on(scene, load.index(), "evaluated at every pose"),
-        LoadStep::Spring(id) => {
-            (format!("spring {}", mechanism.springs[id.index()].name), "from its length".to_owned())
+        LoadStep::Spring { spring, .. } => {
+            (format!("spring {}", mechanism.springs[spring.index()].name), "from its length".to_owned())
         }
     }
 }

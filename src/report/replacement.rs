@@ -38,7 +38,7 @@ fn contact(scene: &Scene<'_>, first: &Profile, second: &Profile, internal: bool)
     let radius = |p: &Profile| match p.shape {
         ProfileShape::Point(_) => Some(0.0),
         ProfileShape::Circle(_, r) => Some(r),
-        ProfileShape::Line(..) => None,
+        ProfileShape::Line(..) | ProfileShape::Rim(_) => None,
     };
     let block = |round: &Profile, line: &Profile, r: f64| {
         let (round, line) = (profile_text(scene.mechanism, round), profile_text(scene.mechanism, line));
@@ -46,6 +46,16 @@ fn contact(scene: &Scene<'_>, first: &Profile, second: &Profile, internal: bool)
         let centre = if r > 0.0 { "in the centre of" } else { "on" };
         format!("an imaginary block hinged {centre} `{round}` that slides along `{line}`{away}")
     };
+    let cam = |p: &Profile| matches!(p.shape, ProfileShape::Rim(_));
+    for (cam, follower) in [(first, second), (second, first)].into_iter().filter(|p| cam(p.0)) {
+        let (cam, tip) = (profile_text(scene.mechanism, cam), profile_text(scene.mechanism, follower));
+        return match follower.shape {
+            ProfileShape::Line(..) => {
+                format!("an imaginary block hinged on `{cam}` where it touches, that slides along `{tip}`")
+            }
+            _ => format!("an imaginary block hinged on `{tip}` that slides along the tangent of `{cam}`"),
+        };
+    }
     match (radius(first), radius(second)) {
         (Some(a), Some(b)) => {
             let distance = if internal { (a - b).abs() } else { a + b };

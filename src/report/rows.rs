@@ -176,7 +176,7 @@ fn all_reactions(scene: &Scene<'_>, answers: &mut Vec<Answer>) {
 fn found(answers: &Answers<'_>, view: &View<'_>, index: usize) -> Option<Value> {
     match &answers.scene.mechanism.finds.get(index)?.kind {
         FindKind::Value { expr, .. } => Some(view.value(expr)).filter(Value::is_defined),
-        FindKind::Reactions => None,
+        FindKind::Reactions | FindKind::Table(_) => None,
     }
 }
 

@@ -28,6 +28,7 @@ pub(super) fn normal(view: &View<'_>, pair: PairId) -> Option<(Vec2, Vec2)> {
 enum Seen {
     Round(Vec2, f64),
     Straight(Vec2, Vec2),
+    Cam(usize),
 }
 
 fn seen(body: &BodyState, shape: ProfileShape) -> Seen {
@@ -35,6 +36,7 @@ fn seen(body: &BodyState, shape: ProfileShape) -> Seen {
         ProfileShape::Point(p) => Seen::Round(body.position(p), 0.0),
         ProfileShape::Circle(c, r) => Seen::Round(body.position(c), r),
         ProfileShape::Line(p, d) => Seen::Straight(body.position(p), d.turned(body.u)),
+        ProfileShape::Rim(contact) => Seen::Cam(contact),
     }
 }
 
@@ -44,6 +46,9 @@ impl State {
     pub fn touch(&self, first: Side, second: Side, internal: bool) -> Option<(Vec2, Vec2)> {
         let of = |side: Side| seen(&self.bodies[side.0], side.1);
         match (of(first), of(second)) {
+            (Seen::Cam(_), Seen::Cam(_)) => None,
+            (Seen::Cam(contact), _) => self.touches.get(contact).map(|(p, n)| (*p, -*n)),
+            (_, Seen::Cam(contact)) => self.touches.get(contact).copied(),
             (Seen::Round(c_1, r_1), Seen::Round(c_2, r_2)) => {
                 let between = (c_1 - c_2).unit()?;
                 if !internal {
@@ -69,9 +74,10 @@ impl State {
         let n = d.perp();
         let mut height = n.dot(from_line);
         if height.abs() < 0.5 * radius || radius == 0.0 {
-            let (ProfileShape::Point(p) | ProfileShape::Circle(p, _) | ProfileShape::Line(p, _)) = round.1;
-            let body = &self.bodies[round.0];
-            height = n.dot(body.p - body.position(p));
+            if let ProfileShape::Point(p) | ProfileShape::Circle(p, _) = round.1 {
+                let body = &self.bodies[round.0];
+                height = n.dot(body.p - body.position(p));
+            }
         }
         if height < 0.0 { -n } else { n }
     }

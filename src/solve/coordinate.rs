@@ -3,14 +3,15 @@
 use super::view::{NAN_VECTOR, View};
 use crate::math::Vec2;
 use crate::model::{Guide, LinkId, PairId, PairKind, PointRef};
+use std::borrow::Cow;
 
 impl View<'_> {
     /// The guide of a pair with a coordinate along a line; barrel and rod of a cylinder.
     #[must_use]
-    pub fn guide(&self, pair: PairId) -> Option<Guide> {
+    pub fn guide(&self, pair: PairId) -> Option<Cow<'_, Guide>> {
         match &self.mechanism.pair(pair).kind {
-            PairKind::Prismatic(g) | PairKind::Slot(g) => Some(g.clone()),
-            PairKind::Cylinder { barrel, rod, .. } => Some(Guide {
+            PairKind::Prismatic(g) | PairKind::Slot(g) => Some(Cow::Borrowed(g)),
+            PairKind::Cylinder { barrel, rod, .. } => Some(Cow::Owned(Guide {
                 slider: *rod,
                 point_name: String::new(),
                 point: Vec2::zero(),
@@ -21,7 +22,7 @@ impl View<'_> {
                 along: Vec2::new(1.0, 0.0),
                 contacts: None,
                 guide_first: true,
-            }),
+            })),
             PairKind::Revolute(_) | PairKind::Contact { .. } => None,
         }
     }

@@ -257,14 +257,14 @@ impl Turn {
             #[allow(clippy::cast_precision_loss)]
             let at = TAU * i as f64 / SAMPLES as f64;
             if i > 0 {
-                let (before, target) = (tracker.clone(), [DriveValue::Scalar(at)]);
-                tracker.go(scene, &rates, &target).map_err(|_| {
-                    let limit = before.limit(scene, &rates, &target);
-                    Failure::Open(limit.first().and_then(|v| match v {
+                let target = [DriveValue::Scalar(at)];
+                if tracker.go(scene, &rates, &target).is_err() {
+                    let limit = tracker.limit(scene, &rates, &target);
+                    return Err(Failure::Open(limit.first().and_then(|v| match v {
                         DriveValue::Scalar(x) => Some(*x),
                         _ => None,
-                    }))
-                })?;
+                    })));
+                }
             }
             let mut state = tracker.state.clone();
             state.run_motion::<1>(scene.plan);

@@ -93,7 +93,7 @@ impl State {
     pub fn set_senses(&mut self, plan: &Plan) {
         let (mut turn, mut square, mut extent) = (0.0, 0.0, 0.0);
         for b in &self.bodies {
-            turn = f64::max(turn, b.omega.abs());
+            turn = f64::max(turn, b.omega * b.omega);
             square = f64::max(square, b.v.dot(b.v));
             extent = f64::max(extent, (b.p - self.bodies[0].p).dot(b.p - self.bodies[0].p));
         }
@@ -109,13 +109,11 @@ impl State {
             };
         }
         // where nothing turns, what is left of an angular velocity is a rounded velocity over a length
-        if extent > 0.0 {
-            turn = f64::max(turn, (square / extent).sqrt());
-        }
+        let (unit, turn) = if extent > 0.0 { (extent, f64::max(turn * extent, square)) } else { (1.0, turn) };
         for (sense, element) in self.senses.iter_mut().zip(&plan.friction) {
             let turns = matches!(element.kind, Rub::Circle { .. });
-            let still =
-                if turns { sense.abs() <= STILL * turn } else { *sense * *sense <= STILL * STILL * square };
+            let (unit, most) = if turns { (unit, turn) } else { (1.0, square) };
+            let still = *sense * *sense * unit <= STILL * STILL * most;
             *sense = if still { 0.0 } else { sense.signum() };
         }
     }

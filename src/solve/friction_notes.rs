@@ -178,6 +178,7 @@ fn limit_of_given(mechanism: &Mechanism, name: &str, critical: f64) -> Option<St
 fn without_effort(view: &View<'_>, place: &str) -> Option<FrictionError> {
     let missing = |kind: &FindKind| match kind {
         FindKind::Reactions => true,
+        FindKind::Table(_) => false,
         FindKind::Value { expr, poseless, .. } => !poseless && !view.value(expr).is_defined(),
     };
     let finds: Vec<_> = view.mechanism.finds.iter().filter(|f| missing(&f.kind)).collect();

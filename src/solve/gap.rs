@@ -81,7 +81,9 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
             "check the values of the drives inside the links".to_owned(),
         ),
         MotionStep::Triad { triad, .. } => {
-            let links = [link(0), link(1), link(2), link(3)];
+            let leg = |i: usize| body(scene, group.joints[i].body);
+            let plate = body(scene, crate::structure::BodyId(triad.body));
+            let links = [leg(0), leg(1), leg(2), plate];
             let names = [0, 1, 2, 3, 4, 5].map(name);
             triad_text(gap(&triad.plate, &state.triad_ends(triad)), &links, &names)
         }

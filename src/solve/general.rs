@@ -171,7 +171,7 @@ impl State {
                     at += 1;
                     self.reactions[*slot] = Reaction { force, couple: 0.0 };
                     if !inside(hinge.base) {
-                        let p = self.bodies[hinge.body].position(hinge.pin);
+                        let p = self.bodies[hinge.body].pin(&hinge.pin).0;
                         self.carry(hinge.base, p, force, 0.0);
                     }
                 }

@@ -1,67 +1,94 @@
 //! Adds up the loads on the bodies before forces are solved.
 
 use super::solution::Scene;
-use super::state::{State, Wrench};
+use super::state::{BodyState, State, Wrench};
 use super::view::View;
 use crate::force::spring::spring;
-use crate::math::Vec2;
-use crate::model::{LoadId, LoadKind, Query, SpringId, Value};
-use crate::plan::LoadStep;
-use crate::structure::{EffortKind, JointKind};
+use crate::math::{Scalar, V2, Vec2};
+use crate::model::{LoadId, LoadKind, Query, Value};
+use crate::plan::{Arm, LoadStep, Plan};
+use crate::structure::JointKind;
 
-impl State {
+impl<S: Scalar> State<S> {
     /// Adds a force at a place in ground axes.
     #[inline(always)]
-    fn apply(&mut self, body: usize, p: Vec2, force: Vec2) {
+    fn apply(&mut self, body: usize, p: V2<S>, force: V2<S>) {
         let r = p - self.bodies[body].p;
         let w = &mut self.wrenches[body];
         w.force += force;
-        w.moment += r.cross(force);
+        w.moment = w.moment + r.cross(force);
     }
 
-    /// Sums all loads in `wrenches`. Loads that are numbers allocate nothing and look up nothing; the rest is evaluated through `view`,
-    /// which is made of the state where there is any.
-    pub fn run_loads(&mut self, scene: &Scene<'_>, evaluated: &[(LoadId, Value)]) {
-        self.wrenches.fill(Wrench::default());
-        for step in &scene.plan.loads {
-            match step {
-                LoadStep::Mass { body, centre, mass, moment_of_inertia, gravity, inertia } => {
-                    let b = &self.bodies[*body];
-                    let r = centre.turned(b.u);
-                    let mut force = *gravity * *mass;
-                    let mut couple = 0.0;
-                    if *inertia {
-                        let a_S = b.a + r.perp() * b.alpha - r * (b.omega * b.omega);
-                        force -= a_S * *mass;
-                        couple = -moment_of_inertia * b.alpha;
-                    }
-                    let w = &mut self.wrenches[*body];
-                    w.force += force;
-                    w.moment += r.cross(force) + couple;
-                }
-                LoadStep::Force { body, at, force, frame, .. } => {
-                    let force = frame.map_or(*force, |f| force.turned(self.bodies[f].u));
-                    let p = self.bodies[*body].position(*at);
-                    self.apply(*body, p, force);
-                }
-                LoadStep::Torque { body, torque, .. } => self.wrenches[*body].moment += torque,
-                LoadStep::Spring(id) => self.apply_spring(scene, *id),
-                LoadStep::Evaluated(_) => {}
-            }
+    /// The loads that need no evaluation.
+    #[inline(always)]
+    pub(super) fn known_loads(&mut self, plan: &Plan) {
+        self.unload(plan);
+        for step in &plan.loads {
+            self.known_load(step);
         }
+    }
+
+    /// Bodies without mass start without load.
+    #[inline(always)]
+    pub(super) fn unload(&mut self, plan: &Plan) {
+        for &body in &plan.massless {
+            self.wrenches[body] = Wrench { force: V2::zero(), moment: S::zero() };
+        }
+    }
+
+    /// Adds a load that needs no evaluation.
+    #[inline(always)]
+    pub(super) fn known_load(&mut self, step: &LoadStep) {
+        match step {
+            LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, inertia } => {
+                let b = &self.bodies[*body];
+                let heavy = Heavy {
+                    mass: S::of(*mass),
+                    moment_of_inertia: S::of(*moment_of_inertia),
+                    weight: V2::of(*weight),
+                };
+                self.wrenches[*body] =
+                    if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };
+            }
+            LoadStep::Force { body, at, force, frame, .. } => {
+                let force = frame.map_or(V2::of(*force), |f| V2::of(*force).turned(self.bodies[f].u));
+                let p = self.bodies[*body].position(*at);
+                self.apply(*body, p, force);
+            }
+            LoadStep::Torque { body, torque, .. } => {
+                self.wrenches[*body].moment = self.wrenches[*body].moment + S::of(*torque)
+            }
+            LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
+                let (b_1, b_2) = (&self.bodies[one.body], &self.bodies[two.body]);
+                let (p_1, p_2) = (b_1.position(one.at), b_2.position(two.at));
+                let v = b_2.velocity(two.at) - b_1.velocity(one.at);
+                let got = spring(p_2 - p_1, v, S::of(*stiffness), S::of(*free_length), S::of(*damping));
+                self.apply(one.body, p_1, got.f_1);
+                self.apply(two.body, p_2, -got.f_1);
+            }
+            LoadStep::Evaluated(_) => {}
+        }
+    }
+
+    /// Sets the lines of unknown forces.
+    #[inline(always)]
+    pub fn set_lines(&mut self, plan: &Plan) {
+        for line in &plan.lines {
+            let p = self.bodies[line.body].position(line.at);
+            let n = line.frame.map_or(V2::of(line.along), |f| V2::of(line.along).turned(self.bodies[f].u));
+            self.lines[line.effort] = (p, n);
+        }
+    }
+}
+
+impl State {
+    /// Sums all loads in `wrenches`: those that are numbers, then the values of those that are evaluated at every position,
+    /// as [`View::evaluated_loads`] lists them. Allocates nothing.
+    pub fn run_loads(&mut self, scene: &Scene<'_>, evaluated: &[(LoadId, Value)]) {
+        self.known_loads(scene.plan);
         for (load, value) in evaluated {
             self.apply_evaluated(scene, *load, *value);
         }
-    }
-
-    fn apply_spring(&mut self, scene: &Scene<'_>, id: SpringId) {
-        let s = &scene.mechanism.springs[id.index()];
-        let (one, two) = (self.bodies[s.from.0.index()], self.bodies[s.to.0.index()]);
-        let (p_1, p_2) = (one.position(s.from.1), two.position(s.to.1));
-        let v = two.velocity(s.to.1) - one.velocity(s.from.1);
-        let got = spring(p_2 - p_1, v, s.stiffness, s.free_length, s.damping);
-        self.apply(s.from.0.index(), p_1, got.f_1);
-        self.apply(s.to.0.index(), p_2, -got.f_1);
     }
 
     fn apply_evaluated(&mut self, scene: &Scene<'_>, id: LoadId, value: Value) {
@@ -110,24 +137,32 @@ impl State {
             }
         }
     }
+}
 
-    /// Sets the lines of unknown forces.
-    pub fn set_lines(&mut self, scene: &Scene<'_>) {
-        for (slot, effort) in scene.structure.efforts.iter().enumerate() {
-            let EffortKind::Line(_) = effort.kind else { continue };
-            let crate::structure::EffortSource::Balance(id) = effort.source else { continue };
-            let crate::model::BalanceKind::Force { on, at, along, frame } =
-                &scene.mechanism.balances[id.index()].kind
-            else {
-                continue;
-            };
-            let p = match at {
-                crate::model::Place::Local(at) => self.bodies[on.index()].position(*at),
-                crate::model::Place::Ground(expr) => constant_vector(expr),
-            };
-            let n = frame.map_or(*along, |f| along.turned(self.bodies[f.index()].u));
-            self.lines[slot] = (p, n);
-        }
+/// The mass of a body: what it adds about the body's origin.
+struct Heavy<S> {
+    mass: S,
+    moment_of_inertia: S,
+    weight: V2<S>,
+}
+
+impl<S: Scalar> Heavy<S> {
+    #[inline(always)]
+    fn at_rest(&self, body: &BodyState<S>, centre: &Arm) -> Wrench<S> {
+        let moment = centre.map_or(S::zero(), |centre| V2::of(centre).turned(body.u).cross(self.weight));
+        Wrench { force: self.weight, moment }
+    }
+
+    #[inline(always)]
+    fn moving(&self, body: &BodyState<S>, centre: &Arm) -> Wrench<S> {
+        let couple = self.moment_of_inertia * body.alpha;
+        let Some(centre) = centre else {
+            return Wrench { force: self.weight - body.a * self.mass, moment: -couple };
+        };
+        let r = V2::of(*centre).turned(body.u);
+        let a_S = body.a + r.perp() * body.alpha - r * (body.omega * body.omega);
+        let force = self.weight - a_S * self.mass;
+        Wrench { force, moment: r.cross(force) - couple }
     }
 }
 

@@ -2,6 +2,7 @@
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
 mod assemble;
+mod cam;
 mod choices;
 mod contact;
 mod coordinate;
@@ -20,6 +21,7 @@ mod friction_notes;
 mod gap;
 mod general;
 mod inputs;
+mod lanes;
 mod loads;
 mod locking;
 mod modes;
@@ -46,6 +48,7 @@ pub use extremes::Statics;
 pub use friction::RubbingWork;
 pub use friction_answers::Rubbing;
 pub use friction_error::FrictionError;
+pub use lanes::{Place, SideBySide, WIDTH};
 pub use modes::{GroupModes, Mode, Modes, modes};
 pub use solution::{DriveValue, Pose, PoseOrigin, Residuals, Scene, Solution, Solved};
 pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};

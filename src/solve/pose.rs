@@ -86,7 +86,7 @@ impl Run<'_, '_> {
 
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
         let scene = self.scene;
-        balanced(scene, &self.statics, state, angles, &mut self.evaluated);
+        balanced(scene, &self.statics, state, angles, &mut self.evaluated, true);
         let mut least = 1.0_f64;
         for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
             let condition = sine.abs();
@@ -117,20 +117,21 @@ impl Run<'_, '_> {
     }
 }
 
-/// Loads and forces of a state whose motion is known.
+/// Loads and forces of a state whose motion is known; `quantities` where loads name quantities of the file.
 pub(super) fn balanced(
     scene: &Scene<'_>,
     statics: &Statics,
     state: &mut State,
     angles: &[f64],
     evaluated: &mut Vec<(LoadId, Value)>,
+    quantities: bool,
 ) {
     let view = View::new(scene, state, angles, statics);
-    let motion = view.all_quantities();
+    let motion = if quantities { view.all_quantities() } else { Vec::new() };
     View { quantities: &motion, ..view }.evaluated_loads(evaluated);
     state.run_loads(scene, evaluated);
     state.applied.clone_from(&state.wrenches);
-    state.set_lines(scene);
+    state.set_lines(scene.plan);
     state.locked = false;
     if scene.plan.effects.friction {
         state.set_senses(scene.plan);

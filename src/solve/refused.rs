@@ -7,8 +7,9 @@ use super::extremes::every_query;
 use super::solution::Scene;
 use super::words::{four, short};
 use crate::model::{Drive, DriveTarget, Expr, LoadKind, Mechanism, PairKind, Positions, Value};
-use crate::plan::{Level, level_of};
+use crate::plan::{Level, contact_in, is_follower, level_of};
 use crate::source::Span;
+use crate::structure::GroupKind;
 
 /// Constructs that are understood and cannot be solved yet, each kind once.
 pub(super) fn not_supported(mechanism: &Mechanism) -> Vec<SolveError> {
@@ -24,6 +25,33 @@ pub(super) fn not_supported(mechanism: &Mechanism) -> Vec<SolveError> {
         .into_iter()
         .map(|(what, labels)| SolveError::NotSupportedYet { what: what.to_owned(), labels })
         .collect()
+}
+
+/// Contacts of designed cams that do not move their follower, or carry forces in a way that no step knows.
+pub(super) fn cams(scene: &Scene<'_>) -> Vec<SolveError> {
+    let (mechanism, structure) = (scene.mechanism, scene.structure);
+    let mut found = Vec::new();
+    let mut refuse = |pair: crate::model::PairId, what: &str| {
+        let mark = label("not supported yet", mechanism.pair(pair).span);
+        found.push(SolveError::NotSupportedYet { what: what.to_owned(), labels: vec![mark] });
+    };
+    for group in &structure.motion {
+        if let Some((block, _, contact)) = contact_in(mechanism, structure, group)
+            && !is_follower(group, block, contact)
+        {
+            refuse(contact.pair, "a cam that does not move the follower by itself");
+            return found;
+        }
+    }
+    for group in structure.forces.iter().filter(|_| scene.plan.effects.forces) {
+        let Some((_, _, contact)) = contact_in(mechanism, structure, group) else { continue };
+        let with_disk = group.bodies.iter().any(|b| b.0 == contact.disk.index());
+        let general = !matches!(group.kind, GroupKind::Dyad(_));
+        if general || with_disk && contact.face.is_some() {
+            refuse(contact.pair, "forces that go through the contact of a cam in this way");
+        }
+    }
+    found
 }
 
 /// Velocities and accelerations of a mechanism whose drives have no speed.

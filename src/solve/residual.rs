@@ -23,7 +23,11 @@ pub(super) fn residuals(scene: &Scene<'_>, state: &State) -> Residuals {
 /// Greatest distance between what a joint joins, over the extent of the mechanism.
 fn closure(scene: &Scene<'_>, state: &State) -> f64 {
     let (mut worst, mut size) = (0.0_f64, f64::MIN_POSITIVE);
-    for joint in &scene.structure.replaced.joints {
+    for step in &scene.plan.cams {
+        worst = worst.max(state.cam_gap(step));
+    }
+    let of_cam = |pair| scene.mechanism.cam_contacts.iter().any(|c| c.pair == pair);
+    for joint in scene.structure.replaced.joints.iter().filter(|j| !of_cam(j.pair)) {
         match &joint.kind {
             JointKind::Revolute(members) => {
                 let Some(&(first, at)) = members.first() else { continue };

@@ -189,15 +189,16 @@ impl State {
         steps: &mut u32,
     ) -> Option<f64> {
         match plain {
-            ForceStep::Rrr { outer, inner, scale } => {
-                self.rubbing_rrr(plan, outer, inner, elements, steps).map(|d| d * scale)
+            ForceStep::Rrr { outer, inner, motion } => {
+                let dyad = self.dyad_rrr(outer, inner, *motion);
+                self.rubbing_rrr(plan, dyad, (outer, inner), elements, steps)
             }
-            ForceStep::Rrp { outer, inner, way, scale } => {
-                self.rubbing_rrp(plan, (outer, inner, way), elements, steps).map(|d| d * scale)
+            ForceStep::Rrp { outer, inner, way, motion } => {
+                let dyad = self.dyad_rrp(outer, inner, way, *motion);
+                self.rubbing_rrp(plan, dyad, (outer, inner, way), elements, steps)
             }
             ForceStep::Turn { hinge, effort: EffortLine::Torque { base, .. }, value } => {
-                let p = self.bodies[hinge.body].position(hinge.pin);
-                let (force, moment) = self.load_about(hinge.body, p);
+                let (p, force, moment) = self.load_at(hinge.body, &hinge.pin);
                 let friction = -self.weight(plan, elements[0]) * force.norm();
                 let all = moment + friction;
                 self.efforts[value.0] = -all * value.1;
@@ -246,21 +247,17 @@ impl State {
     fn rubbing_rrr(
         &mut self,
         plan: &Plan,
-        [one, two]: &[Hinge; 2],
-        inner: &Inner,
+        (group, sine): (rrr::Rrr<f64>, f64),
+        ([one, two], inner): (&[Hinge; 2], &Inner),
         elements: &[Option<usize>; 3],
         steps: &mut u32,
     ) -> Option<f64> {
-        let (body_1, body_2) = (&self.bodies[one.body], &self.bodies[two.body]);
-        let (p_A, p_B) = (body_1.position(one.pin), body_2.position(two.pin));
-        let r_1 = (inner.pin - one.pin).turned(body_1.u);
-        let r_2 = (inner.second_pin - two.pin).turned(body_2.u);
-        let (F_1, M_1) = self.load_about(one.body, p_A);
-        let (F_2, M_2) = self.load_about(two.body, p_B);
+        let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
+        let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
         let [w_A, w_C, w_B] = elements.map(|e| self.weight(plan, e));
         let dyad = Dyad {
-            p_1: r_1.perp(),
-            q: r_2.perp(),
+            p_1: group.r_1.perp(),
+            q: group.r_2.perp(),
             load_1: M_1,
             load_2: M_2,
             force_1: F_1,
@@ -268,7 +265,7 @@ impl State {
             weights: [w_A, w_C * inner.sign, w_B],
             normal: Vec2::zero(),
         };
-        let start = rrr::Rrr::new(r_1, r_2).reactions(F_1, M_1, F_2, M_2).f_C;
+        let start = group.reactions(F_1, M_1, F_2, M_2).f_C;
         let f = dyad.solve::<false>(start, steps)?;
         let (f_A, f_B) = (f - F_1, -f - F_2);
         let frictions = [-w_A * f_A.norm(), -w_C * f.norm(), -w_B * f_B.norm()];
@@ -276,28 +273,26 @@ impl State {
         self.rubbing_hinge(one, p_A, f_A, frictions[0]);
         self.rubbing_hinge(two, p_B, f_B, frictions[2]);
         self.reactions[inner.slot] = Reaction { force: f * inner.sign, couple: 0.0 };
-        Some(r_1.cross(r_2))
+        Some(sine)
     }
 
     #[inline(always)]
     fn rubbing_rrp(
         &mut self,
         plan: &Plan,
+        (group, sine): (rrp::Rrp<f64>, f64),
         (outer, inner, way): (&Hinge, &Inner, &Way),
         elements: &[Option<usize>; 3],
         steps: &mut u32,
     ) -> Option<f64> {
-        let body_1 = &self.bodies[outer.body];
-        let p_A = body_1.position(outer.pin);
-        let r_1 = (inner.pin - outer.pin).turned(body_1.u);
-        let p_C = p_A + r_1;
-        let (d, p) = (self.direction(way), self.bodies[way.slider].position(way.point));
+        let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
+        let p_C = p_A + group.r_1;
+        let (d, p) = (group.d, self.bodies[way.slider].position(way.point));
         let n = d.perp();
-        let (F_1, M_1) = self.load_about(outer.body, p_A);
         let (F_2, M_2) = self.load_about(way.body, p);
         let [w_A, w_C, w_B] = elements.map(|e| self.weight(plan, e));
         let dyad = Dyad {
-            p_1: r_1.perp(),
+            p_1: group.r_1.perp(),
             q: d,
             load_1: M_1,
             load_2: F_2.dot(d),
@@ -306,7 +301,7 @@ impl State {
             weights: [w_A, w_C * inner.sign, w_B],
             normal: n,
         };
-        let start = rrp::Rrp::new(r_1, d).reactions(F_1, M_1, F_2, 0.0).f_C;
+        let start = group.reactions(F_1, M_1, F_2, 0.0).f_C;
         let f = dyad.solve::<true>(start, steps)?;
         let f_A = f - F_1;
         let normal = -n.dot(f + F_2);
@@ -318,6 +313,6 @@ impl State {
         let couple = -M_2 - (p_C - p).cross(f) - frictions[1] * inner.sign;
         self.reactions[way.slot] = Reaction { force: n * normal, couple };
         self.carry(way.base, p, n * normal + d * frictions[2], couple);
-        Some(r_1.dot(d))
+        Some(sine)
     }
 }

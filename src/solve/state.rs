@@ -2,75 +2,85 @@
 
 use super::friction::RubbingWork;
 use super::general::Workspace;
-use crate::math::Vec2;
-use crate::plan::{ForceStep, Plan};
+use crate::group::general::General;
+use crate::math::{Scalar, V2, Vec2};
+use crate::plan::{Arm, ForceStep, Plan};
 
 /// Motion of a body: its origin and direction with their derivatives, in ground axes.
 #[derive(Clone, Copy, Debug)]
-pub struct BodyState {
+pub struct BodyState<S = f64> {
     /// Origin of its frame, m.
-    pub p: Vec2,
+    pub p: V2<S>,
     /// Direction (cos, sin) of its x axis.
-    pub u: Vec2,
+    pub u: V2<S>,
     /// Velocity of the origin, m/s.
-    pub v: Vec2,
+    pub v: V2<S>,
     /// Angular velocity, rad/s.
-    pub omega: f64,
+    pub omega: S,
     /// Acceleration of the origin, m/s².
-    pub a: Vec2,
+    pub a: V2<S>,
     /// Angular acceleration, rad/s².
-    pub alpha: f64,
+    pub alpha: S,
 }
 
-impl BodyState {
+impl<S: Scalar> BodyState<S> {
     /// At rest in the ground's frame.
-    pub const REST: Self = Self {
-        p: Vec2::new(0.0, 0.0),
-        u: Vec2::new(1.0, 0.0),
-        v: Vec2::new(0.0, 0.0),
-        omega: 0.0,
-        a: Vec2::new(0.0, 0.0),
-        alpha: 0.0,
-    };
+    #[must_use]
+    pub fn rest() -> Self {
+        let (zero, none) = (S::zero(), V2::zero());
+        Self { p: none, u: V2::new(S::one(), zero), v: none, omega: zero, a: none, alpha: zero }
+    }
 
     /// Position of a point of the body, m.
     #[inline(always)]
     #[must_use]
-    pub fn position(&self, at: Vec2) -> Vec2 {
-        self.p + at.turned(self.u)
+    pub fn position(&self, at: Vec2) -> V2<S> {
+        self.p + V2::of(at).turned(self.u)
+    }
+
+    /// Position of a pin, m, and its arm from the origin in ground axes where it has one.
+    #[inline(always)]
+    pub(super) fn pin(&self, pin: &Arm) -> (V2<S>, Option<V2<S>>) {
+        match pin {
+            None => (self.p, None),
+            Some(at) => {
+                let r = V2::of(*at).turned(self.u);
+                (self.p + r, Some(r))
+            }
+        }
     }
 
     /// Velocity of a point of the body, m/s.
     #[inline(always)]
     #[must_use]
-    pub fn velocity(&self, at: Vec2) -> Vec2 {
-        self.v + at.turned(self.u).perp() * self.omega
+    pub fn velocity(&self, at: Vec2) -> V2<S> {
+        self.v + V2::of(at).turned(self.u).perp() * self.omega
     }
 
     /// Acceleration of a point of the body, m/s².
     #[inline(always)]
     #[must_use]
-    pub fn acceleration(&self, at: Vec2) -> Vec2 {
-        let r = at.turned(self.u);
+    pub fn acceleration(&self, at: Vec2) -> V2<S> {
+        let r = V2::of(at).turned(self.u);
         self.a + r.perp() * self.alpha - r * (self.omega * self.omega)
     }
 }
 
 /// What a drive says at one position.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct DriveInput {
+pub struct DriveInput<S = f64> {
     /// Direction of a driven angle; place of a driven point, m.
-    pub place: Vec2,
+    pub place: V2<S>,
     /// Driven coordinate, m or rad.
-    pub value: f64,
+    pub value: S,
     /// Speed, rad/s or m/s.
-    pub rate: f64,
+    pub rate: S,
     /// Acceleration.
-    pub acceleration: f64,
+    pub acceleration: S,
     /// Velocity of a driven point, m/s.
-    pub velocity: Vec2,
+    pub velocity: V2<S>,
     /// Acceleration of a driven point, m/s².
-    pub point_acceleration: Vec2,
+    pub point_acceleration: V2<S>,
 }
 
 /// The assembly of a group: kept over a sweep.
@@ -91,50 +101,65 @@ impl Branch {
 
 /// A force and a moment on a body.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Wrench {
+pub struct Wrench<S = f64> {
     /// Force, N.
-    pub force: Vec2,
+    pub force: V2<S>,
     /// Moment about the origin of the body's frame, N m.
-    pub moment: f64,
+    pub moment: S,
 }
 
 /// The reaction in a joint, on the joint's `body`.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Reaction {
+pub struct Reaction<S = f64> {
     /// Force, N.
-    pub force: Vec2,
+    pub force: V2<S>,
     /// Couple about the joint's reference point, N m.
-    pub couple: f64,
+    pub couple: S,
 }
 
-/// The state of one position.
+/// What a dyad RRR or RRP of motion leaves for forces.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Shared<S> {
+    /// C − A, m.
+    pub r_1: V2<S>,
+    /// C − B, m, or the direction of the guide.
+    pub second: V2<S>,
+    /// The reciprocal of the group's determinant.
+    pub inverse: S,
+}
+
+/// The state of one position, or of several side by side.
 #[derive(Clone, Debug)]
-pub struct State {
+pub struct State<S = f64> {
     /// Bodies, the ground first.
-    pub bodies: Vec<BodyState>,
+    pub bodies: Vec<BodyState<S>>,
     /// Drives.
-    pub inputs: Vec<DriveInput>,
+    pub inputs: Vec<DriveInput<S>>,
     /// Assemblies of the groups of motion.
     pub branches: Vec<Branch>,
     /// Signed condition figures of the groups of motion.
-    pub sines: Vec<f64>,
+    pub sines: Vec<S>,
     /// Figures h of Newton and Kantorovich of the groups of motion that are solved by iteration: at most 1/2 where the
     /// position is certified.
     pub certificates: Vec<f64>,
+    /// Where designed cams touch their followers, by contact: place, m, and unit common normal into the follower.
+    pub touches: Vec<(Vec2, Vec2)>,
     /// The first group that does not close.
     pub open: Option<usize>,
+    /// What the dyads RRR and RRP of motion leave for forces.
+    pub(super) shared: Vec<Shared<S>>,
     /// Loads on the bodies before reactions are added, kept for the residuals.
-    pub applied: Vec<Wrench>,
+    pub applied: Vec<Wrench<S>>,
     /// Loads, to which the steps of forces add the reactions found so far.
-    pub wrenches: Vec<Wrench>,
+    pub wrenches: Vec<Wrench<S>>,
     /// Reactions by slot.
-    pub reactions: Vec<Reaction>,
+    pub reactions: Vec<Reaction<S>>,
     /// Unknown efforts.
-    pub efforts: Vec<f64>,
+    pub efforts: Vec<S>,
     /// Lines of unknown forces: point and unit direction in ground axes.
-    pub lines: Vec<(Vec2, Vec2)>,
+    pub lines: Vec<(V2<S>, V2<S>)>,
     /// Condition figures of the groups of forces.
-    pub force_sines: Vec<f64>,
+    pub force_sines: Vec<S>,
     /// Efforts of friction, by element: torque or force on the element's body.
     pub frictions: Vec<f64>,
     /// Senses of the relative motions, by element: ±1, or 0 where there is none.
@@ -149,44 +174,55 @@ pub struct State {
     pub force_work: Vec<Option<Workspace>>,
 }
 
+impl<S: Scalar + Default> State<S> {
+    /// A state for the closed forms of a plan, at rest.
+    #[must_use]
+    pub fn closed(plan: &Plan) -> Self {
+        Self {
+            bodies: vec![BodyState::rest(); plan.bodies],
+            inputs: vec![DriveInput::default(); plan.drives],
+            branches: vec![Branch::FIRST; plan.motion.len()],
+            sines: vec![S::one(); plan.motion.len()],
+            certificates: vec![0.0; plan.motion.len()],
+            touches: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.cam_contacts],
+            open: None,
+            shared: vec![Shared::default(); plan.motion.len()],
+            applied: vec![Wrench::default(); plan.bodies],
+            wrenches: vec![Wrench::default(); plan.bodies],
+            reactions: vec![Reaction::default(); plan.reactions.len()],
+            efforts: vec![S::zero(); plan.efforts],
+            lines: vec![(V2::zero(), V2::new(S::one(), S::zero())); plan.efforts],
+            force_sines: vec![S::one(); plan.forces.len()],
+            frictions: vec![0.0; plan.friction.len()],
+            senses: vec![0.0; plan.friction.len()],
+            locked: false,
+            rubbing_work: Vec::new(),
+            motion_work: Vec::new(),
+            force_work: Vec::new(),
+        }
+    }
+}
+
 impl State {
     /// A state for a plan, at rest.
     #[must_use]
     pub fn new(plan: &Plan) -> Self {
+        let memory = |equations: &Option<General>, bodies: &[usize], moving| {
+            equations.as_ref().map(|e| Workspace::new(e, bodies.len(), moving))
+        };
+        let rubbing = plan.forces.iter().map(|step| match step {
+            ForceStep::Rubbing { group, .. } => Some(RubbingWork::new(group)),
+            _ => None,
+        });
         Self {
-            bodies: vec![BodyState::REST; plan.bodies],
-            inputs: vec![DriveInput::default(); plan.drives],
-            branches: vec![Branch::FIRST; plan.motion.len()],
-            sines: vec![1.0; plan.motion.len()],
-            certificates: vec![0.0; plan.motion.len()],
-            open: None,
-            applied: vec![Wrench::default(); plan.bodies],
-            wrenches: vec![Wrench::default(); plan.bodies],
-            reactions: vec![Reaction::default(); plan.reactions.len()],
-            efforts: vec![0.0; plan.efforts],
-            lines: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.efforts],
-            force_sines: vec![1.0; plan.forces.len()],
-            frictions: vec![0.0; plan.friction.len()],
-            senses: vec![0.0; plan.friction.len()],
-            locked: false,
-            rubbing_work: plan
-                .forces
-                .iter()
-                .map(|step| match step {
-                    ForceStep::Rubbing { group, .. } => Some(RubbingWork::new(group)),
-                    _ => None,
-                })
-                .collect(),
-            motion_work: plan
-                .general
-                .iter()
-                .map(|g| g.equations.as_ref().map(|e| Workspace::new(e, g.bodies.len(), g.moving)))
-                .collect(),
+            rubbing_work: rubbing.collect(),
+            motion_work: plan.general.iter().map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
             force_work: plan
                 .balance_systems
                 .iter()
-                .map(|g| g.equations.as_ref().map(|e| Workspace::new(e, g.bodies.len(), g.moving)))
+                .map(|g| memory(&g.equations, &g.bodies, g.moving))
                 .collect(),
+            ..Self::closed(plan)
         }
     }
 }

@@ -29,6 +29,7 @@ pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
 /// As [`solve`].
 pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
     let mut errors = refused::not_supported(scene.mechanism);
+    errors.extend(refused::cams(scene));
     errors.extend(refused::missing_speeds(scene));
     if !errors.is_empty() {
         return Err(errors);

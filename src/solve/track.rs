@@ -141,12 +141,14 @@ impl Tracker {
         let mut next = self.state.clone();
         rates.at(&values, &mut next.inputs);
         next.start(scene.plan);
-        let predicted = self.predicted();
+        let mut predicted = None;
         for (group, step) in scene.plan.motion.iter().enumerate() {
             next.step::<0>(scene.plan, step);
             let near = self.state.sines[group].abs() < CAREFUL || next.sines[group].abs() < CAREFUL;
-            if let (true, true, Some(predicted)) = (near, next.has_two_roots(step), &predicted)
+            if near
+                && next.has_two_roots(step)
                 && next.open.is_none()
+                && let Some(predicted) = predicted.get_or_insert_with(|| self.predicted())
             {
                 let bodies = &scene.structure.motion[group].bodies;
                 let kept = distance(&next, predicted, bodies, self.extent);
@@ -202,7 +204,9 @@ impl Tracker {
 
 /// An angle carried on from one direction to the next by the difference between them.
 pub(super) fn continued(angle: f64, old: Vec2, new: Vec2) -> f64 {
-    let turned = libm::atan2(old.cross(new), old.dot(new));
+    // the sine is near enough to the angle to tell the whole turns
+    let (sin, cos) = (old.cross(new), old.dot(new));
+    let turned = if cos > 0.0 { sin } else { libm::atan2(sin, cos) };
     // the whole turns are carried on, the rest is read off the direction itself: no error adds up
     let estimate = angle + turned;
     let principal = new.angle();

@@ -35,7 +35,7 @@ impl State {
     pub(super) fn triad_ends(&self, triad: &TriadMotion) -> [End; 3] {
         [0, 1, 2].map(|i| match &triad.legs[i] {
             TriadLeg::Link(leg) => {
-                End::Hinge { p: point::<0>(&self.bodies, &leg.base).p, length: leg.length }
+                End::Hinge { p: point::<f64, 0>(&self.bodies, &leg.base).p, length: leg.length }
             }
             TriadLeg::Slider { slide, offset, .. } => {
                 let guide = line(&self.bodies, slide);
@@ -49,11 +49,11 @@ impl State {
     fn triad_stands(&self, triad: &TriadMotion) -> [End; 3] {
         [0, 1, 2].map(|i| match &triad.legs[i] {
             TriadLeg::Link(leg) => {
-                End::Hinge { p: self.bodies[leg.body].position(leg.pin), length: leg.length }
+                End::Hinge { p: self.bodies[leg.body].pin(&leg.pin).0, length: leg.length }
             }
             TriadLeg::Slider { slide, pin, .. } => {
                 let slider = &self.bodies[slide.body];
-                End::Guide { p: slider.position(*pin), n: slide.direction.turned(slider.u).perp() }
+                End::Guide { p: slider.pin(pin).0, n: slide.direction.turned(slider.u).perp() }
             }
         })
     }
@@ -77,8 +77,8 @@ impl State {
         self.certificates[branch] = found.h;
         let pins = group.arms.map(|arm| p + arm);
         let bases = [0, 1, 2].map(|i| match &triad.legs[i] {
-            TriadLeg::Link(leg) => point::<LEVEL>(&self.bodies, &leg.base),
-            TriadLeg::Slider { slide, .. } => under::<LEVEL>(&self.bodies[slide.base], pins[i]),
+            TriadLeg::Link(leg) => point::<f64, LEVEL>(&self.bodies, &leg.base),
+            TriadLeg::Slider { slide, .. } => under::<f64, LEVEL>(&self.bodies, slide.base, pins[i]),
         });
         let zero = Vec2::new(0.0, 0.0);
         let mut mean = Point { p, v: zero, a: zero };
@@ -90,7 +90,7 @@ impl State {
         if LEVEL > 1 {
             let along = [0, 1, 2].map(|i| {
                 let extra = match &triad.legs[i] {
-                    TriadLeg::Link(leg) => -speeds[i].dot(speeds[i]) * leg.inverse,
+                    TriadLeg::Link(leg) => -speeds[i].dot(speeds[i]) / leg.length,
                     TriadLeg::Slider { slide, .. } => {
                         -2.0 * self.bodies[slide.base].omega * group.d[i].cross(speeds[i])
                     }
@@ -99,21 +99,22 @@ impl State {
             });
             (mean.a, alpha) = group.acceleration(omega, along);
         }
-        place::<LEVEL>(&mut self.bodies[triad.body], triad.mean, mean, u, omega, alpha);
+        place::<f64, LEVEL>(&mut self.bodies[triad.body], &Some(triad.mean), mean, u, omega, alpha);
         for i in 0..3 {
             let (d, arm) = (group.d[i], group.arms[i]);
             let second = mean.a + arm.perp() * alpha - arm * (omega * omega) - bases[i].a;
             match &triad.legs[i] {
                 TriadLeg::Link(leg) => {
-                    let turn = d.cross(speeds[i]) * leg.inverse;
-                    let turned = d.cross(second) * leg.inverse;
+                    let turn = d.cross(speeds[i]) / leg.length;
+                    let turned = d.cross(second) / leg.length;
                     let direction = d.turned_back(leg.direction);
-                    place::<LEVEL>(&mut self.bodies[leg.body], leg.pin, bases[i], direction, turn, turned);
+                    let body = &mut self.bodies[leg.body];
+                    place::<f64, LEVEL>(body, &leg.pin, bases[i], direction, turn, turned);
                 }
                 TriadLeg::Slider { slide, pin, .. } => {
                     let along = -d.perp();
                     let (speed, change) = (along.dot(speeds[i]), along.dot(second));
-                    self.place_slider::<LEVEL>(slide, along, *pin, pins[i], speed, change);
+                    self.place_slider::<LEVEL>(slide, along, pin, pins[i], speed, change);
                 }
             }
         }
@@ -129,17 +130,16 @@ impl State {
         for (i, leg) in triad.legs.iter().enumerate() {
             match &leg.outer {
                 OuterJoint::Hinge(hinge) => {
-                    let body = &self.bodies[leg.body];
-                    places[i] = body.position(hinge.pin);
-                    d[i] = (leg.inner.pin - hinge.pin).turned(body.u) * leg.inverse;
-                    loads[i] = self.load_about(leg.body, places[i]);
+                    let (place, force, moment) = self.load_at(leg.body, &hinge.pin);
+                    (places[i], loads[i]) = (place, (force, moment));
+                    d[i] = leg.direction.turned(self.bodies[leg.body].u);
                     known[i] = d[i].perp() * (loads[i].1 * leg.inverse);
                 }
                 OuterJoint::Way(way) => {
                     let along = self.direction(way);
-                    places[i] = self.bodies[leg.body].position(leg.inner.pin);
+                    let (place, force, moment) = self.load_at(leg.body, &leg.pin);
+                    (places[i], loads[i]) = (place, (force, moment));
                     d[i] = along.perp();
-                    loads[i] = self.load_about(leg.body, places[i]);
                     known[i] = along * along.dot(loads[i].0);
                 }
             }
@@ -148,7 +148,7 @@ impl State {
         let got = group.reactions(force, moment, known);
         for (i, leg) in triad.legs.iter().enumerate() {
             let on_leg = got[i] - loads[i].0;
-            self.reactions[leg.inner.slot] = Reaction { force: got[i] * leg.inner.sign, couple: 0.0 };
+            self.reactions[leg.slot] = Reaction { force: got[i] * leg.sign, couple: 0.0 };
             match &leg.outer {
                 OuterJoint::Hinge(hinge) => self.hinge_reaction(hinge, places[i], on_leg),
                 OuterJoint::Way(way) => self.carried_way(way, places[i], on_leg, -loads[i].1),

@@ -53,6 +53,25 @@ pub enum StructureError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// Something would turn a roller that nothing holds.
+    #[error("`{name}` turns freely in `{pair}`: nothing balances {what}")]
+    #[diagnostic(
+        code(mech::determinacy::free_roller),
+        help(
+            "its rotation is a passive freedom and is not solved; leave that out, or give the circle to the link that carries `{name}`, and it slides instead of rolling"
+        )
+    )]
+    FreeRoller {
+        /// The roller.
+        name: String,
+        /// The pair on which it turns.
+        pair: String,
+        /// What would turn it.
+        what: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
     /// More mobility than drives.
     #[error("the mechanism is underconstrained: mobility F = {formula}, {drives}")]
     #[diagnostic(code(mech::determinacy::underconstrained))]

@@ -51,8 +51,7 @@ pub enum GroupKind {
     /// One body between two prismatic pairs, its angle fixed by either.
     Translation,
     /// A link with three revolutes to bodies each of which hangs on one outer pair, at least one of these a revolute.
-    /// Bodies: the three legs, those with an outer revolute first, then the link; joints: outer, outer, outer, inner,
-    /// inner, inner, leg by leg.
+    /// Joints: outer, outer, outer, inner, inner, inner, leg by leg, those with an outer revolute first.
     Triad,
     /// Anything else.
     General,
@@ -250,7 +249,6 @@ impl Group {
         if held.len() != 3 || !apart || outer[0].prismatic {
             return false;
         }
-        self.bodies = [legs, vec![plate]].concat();
         self.joints = [outer, held].concat();
         true
     }

@@ -16,6 +16,7 @@ mod matching;
 mod remedy;
 mod repeated;
 mod replace;
+mod roller;
 mod trial;
 
 pub use count::Count;
@@ -59,6 +60,7 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
     let replaced = replace::replace(mechanism);
     let drives = effort::of_drives(mechanism, &replaced);
     errors.extend(effort::outer_link_defects(mechanism, &replaced, &drives));
+    errors.extend(roller::turned(mechanism, &replaced.passive));
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -103,6 +105,8 @@ impl Structure {
             return None;
         }
         let replaced = replace::replace(mechanism);
-        replaced.is_alike(&self.replaced).then(|| Self { replaced, ..self.clone() })
+        // a roller that turns freely may have got what turns it
+        let sound = roller::turned(mechanism, &replaced.passive).is_empty();
+        (sound && replaced.is_alike(&self.replaced)).then(|| Self { replaced, ..self.clone() })
     }
 }

@@ -103,9 +103,12 @@ impl Replaced {
         let round = |shape: ProfileShape| match shape {
             ProfileShape::Point(p) => Some((p, 0.0)),
             ProfileShape::Circle(c, r) => Some((c, r)),
-            ProfileShape::Line(..) => None,
+            ProfileShape::Line(..) | ProfileShape::Rim(_) => None,
         };
+        let cam = |p: &Profile| matches!(p.shape, ProfileShape::Rim(_));
         match (round(first.shape), round(second.shape)) {
+            _ if cam(first) => self.follower(pair, first, second),
+            _ if cam(second) => self.follower(pair, second, first),
             (Some((p_1, r_1)), Some((p_2, r_2))) => {
                 let length = if internal { (r_1 - r_2).abs() } else { r_1 + r_2 };
                 self.rod(pair, (body(first.link), p_1), (body(second.link), p_2), length);
@@ -114,6 +117,20 @@ impl Replaced {
             (None, Some((p, r))) => self.block(pair, (body(second.link), p), &line_of(first), r),
             // check refuses a contact of two lines
             (None, None) => {}
+        }
+    }
+
+    /// A block that stands for the contact of a designed cam with its follower: hinged on the tip it slides along the
+    /// cam's tangent, hinged on the cam's profile along the face. Tangent and place go along the profile with the cam's
+    /// angle: the step of motion sets them, what stands here in the frame of the cam has no meaning.
+    fn follower(&mut self, pair: PairId, cam: &Profile, follower: &Profile) {
+        match follower.shape {
+            ProfileShape::Point(tip) | ProfileShape::Circle(tip, _) => {
+                self.block(pair, (body(follower.link), tip), &line_of(cam), 0.0);
+            }
+            ProfileShape::Line(..) => self.block(pair, (body(cam.link), X_AXIS), &line_of(follower), 0.0),
+            // check refuses a contact of two cams
+            ProfileShape::Rim(_) => {}
         }
     }
 
@@ -140,6 +157,7 @@ fn line_of(profile: &Profile) -> Guide {
     let (through, along) = match profile.shape {
         ProfileShape::Line(through, along) => (through, along),
         ProfileShape::Point(p) | ProfileShape::Circle(p, _) => (p, X_AXIS),
+        ProfileShape::Rim(_) => (ORIGIN, X_AXIS),
     };
     Guide {
         slider: profile.link,

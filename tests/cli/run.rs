@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used)] // a test that cannot write its files has failed
 
 use std::io::Write;
-use std::path::PathBuf;
-use std::process::{Command, Output, Stdio};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
 
 /// A folder for one test; it is removed at the end.
 pub struct Folder(PathBuf);
@@ -33,6 +33,26 @@ impl Folder {
     }
 }
 
+impl Folder {
+    /// The text of a file.
+    pub fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.0.join(name)).unwrap()
+    }
+
+    /// The path of a file.
+    pub fn path(&self, name: &str) -> String {
+        self.0.join(name).display().to_string()
+    }
+
+    /// The names of all files.
+    pub fn names(&self) -> Vec<String> {
+        let entries = std::fs::read_dir(&self.0).unwrap().flatten();
+        let mut names: Vec<_> = entries.map(|e| e.file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+}
+
 impl Drop for Folder {
     fn drop(&mut self) {
         let _ = std::fs::remove_dir_all(&self.0);
@@ -47,8 +67,12 @@ pub struct Said {
 }
 
 fn command(folder: &Folder, args: &[&str]) -> Command {
+    command_in(&folder.0, args)
+}
+
+fn command_in(folder: &Path, args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_assur"));
-    command.current_dir(&folder.0).args(args);
+    command.current_dir(folder).args(args);
     for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "RUST_BACKTRACE", "COLUMNS"] {
         command.env_remove(name);
     }
@@ -66,6 +90,22 @@ fn said(out: Output) -> Said {
 /// Runs the program.
 pub fn assur(folder: &Folder, args: &[&str]) -> Said {
     said(command(folder, args).stdin(Stdio::null()).output().unwrap())
+}
+
+/// Runs the program in another folder.
+pub fn assur_in(folder: &Path, args: &[&str]) -> Said {
+    said(command_in(folder, args).stdin(Stdio::null()).output().unwrap())
+}
+
+/// Starts the program.
+pub fn start(folder: &Folder, args: &[&str]) -> Child {
+    let mut command = command(folder, args);
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+/// Waits for its end.
+pub fn end(child: Child) -> Said {
+    said(child.wait_with_output().unwrap())
 }
 
 /// Runs the program with a text on standard input.

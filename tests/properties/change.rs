@@ -155,6 +155,8 @@ impl Change {
                         ProfileShape::Line(p, d) => {
                             ProfileShape::Line(self.point(link, p), self.direction(link, d))
                         }
+                        // cams are tested by themselves
+                        rim @ ProfileShape::Rim(_) => rim,
                     };
                     profile.link = self.link(link);
                 }

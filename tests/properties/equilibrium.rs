@@ -428,6 +428,8 @@ fn centre(shape: ProfileShape) -> (Vec2, f64) {
         ProfileShape::Point(c) => (c, 0.0),
         ProfileShape::Circle(c, r) => (c, r),
         ProfileShape::Line(p, _) => (p, f64::NAN),
+        // cams are tested by themselves
+        ProfileShape::Rim(_) => (Vec2::zero(), f64::NAN),
     }
 }
 

@@ -184,7 +184,8 @@ fn contact(first: &Profile, second: &Profile, internal: bool, bodies: &[Body]) -
     let round = |p: &Profile| match p.shape {
         ProfileShape::Point(c) => Some((body(p).point(c), 0.0)),
         ProfileShape::Circle(c, r) => Some((body(p).point(c), r)),
-        ProfileShape::Line(..) => None,
+        // cams are tested by themselves
+        ProfileShape::Line(..) | ProfileShape::Rim(_) => None,
     };
     let straight = |p: &Profile, c: Moving, r: f64| match p.shape {
         ProfileShape::Line(q, d) => {

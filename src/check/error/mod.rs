@@ -1,14 +1,18 @@
 //! What can be wrong with the meaning of a document: one enum per topic.
 
+mod cam;
 mod expect;
 mod friction;
+mod gear;
 mod geometry;
 mod name;
 mod request;
 mod unit;
 
+pub use cam::CamError;
 pub use expect::ExpectError;
 pub use friction::FrictionError;
+pub use gear::GearError;
 pub use geometry::{LinkError, LoadError, MotionError, PairError};
 pub use name::NameError;
 pub use request::RequestError;

@@ -7,7 +7,7 @@ use crate::check::error::{RequestError, UnitsError};
 use crate::model::{self, Axis, Comparison, Value};
 use crate::source::{Span, Spanned};
 use crate::syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp};
-use crate::units::Dimension;
+use crate::units::{Dimension, Kind};
 
 /// The most operands in a row.
 const MOST: usize = 500;
@@ -253,7 +253,12 @@ impl Context<'_> {
         let dimension = dim.known();
         let raised = match n.value() {
             _ if dimension == Dimension::NUMBER => Some(Dimension::NUMBER),
-            Some(Value::Scalar(n)) => power_of(dimension, n),
+            Some(Value::Scalar(n)) => {
+                // a ratio of lengths has any power
+                let ratio =
+                    (dimension.is_dimensionless() && dimension.kind == Kind::Free).then_some(dimension);
+                power_of(dimension, n).or(ratio)
+            }
             _ => dimension.is_number().then_some(Dimension::NUMBER),
         };
         let Some(raised) = raised else {

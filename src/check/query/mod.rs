@@ -2,10 +2,12 @@
 
 mod args;
 mod bearing;
+mod cam;
 mod cycle;
 mod flywheel;
 mod force;
 mod friction;
+mod gear;
 mod motion;
 mod pending;
 mod substitution;
@@ -18,6 +20,7 @@ use super::error::{NameError, RequestError};
 use super::expr::Sign;
 use super::expr::typed::Typed;
 use super::lookup::suggestion;
+use crate::model::CamPart;
 use crate::source::Span;
 use crate::syntax::document::{Arg, Expr, ExprKind, Name};
 use table::{FUNCTIONS, usage};
@@ -52,6 +55,11 @@ impl Context<'_> {
 
     /// A function of results, or an error if there is no such function.
     pub(super) fn result(&mut self, call: Call<'_>) -> Option<Typed> {
+        if matches!(call.name.node.as_str(), "max" | "min" | "argmax")
+            && let Some(found) = self.over_cam(call)
+        {
+            return found;
+        }
         match call.name.node.as_str() {
             "position" | "velocity" | "acceleration" => self.point_motion(call),
             "angle" | "omega" | "alpha" | "dir" => self.link_motion(call),
@@ -64,7 +72,14 @@ impl Context<'_> {
             | "time_ratio"
             | "dead" => self.pair_motion(call),
             "transmission_angle" => self.transmission_angle(call),
+            "pressure_angle" if self.asks_cam(call.args) => self.of_cam(call, CamPart::PressureAngle),
             "pressure_angle" => self.pressure_angle(call),
+            "curvature_radius" => self.of_cam(call, CamPart::CurvatureRadius),
+            "profile" => self.profile_alone(call),
+            "contact_ratio" => self.contact_ratio(call),
+            "table" | "tooth_force" | "sliding_velocity" => self.gear_alone(call),
+            "start" => self.cam_start(call),
+            "smallest_base_radius" => self.smallest_base_radius(call),
             "reaction" | "moment" | "normal" | "friction" => self.reaction(call),
             "contact_force" => self.contact_force(call),
             "line_offset" => self.line_offset(call),

@@ -1,7 +1,7 @@
 //! Motion of points, links and pairs.
 
 use super::Call;
-use super::args::{Mover, path};
+use super::args::Mover;
 use crate::check::context::Context;
 use crate::check::error::RequestError;
 use crate::check::expr::typed::{Type, Typed};
@@ -189,12 +189,6 @@ impl Context<'_> {
 
     pub(super) fn pressure_angle(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
-        if let Some([name]) = path(args[0]).as_deref()
-            && self.names.things.get(&name.node).is_some_and(|d| d.what == ThingKind::Cam)
-        {
-            self.unsupported("cams", call.span);
-            return Some(Typed::pending(Type::number(Dimension::ANGLE)));
-        }
         let pair = self.pair_argument(call, args[0])?;
         match self.mech.pair(pair).kind {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {

@@ -2,13 +2,11 @@
 
 use super::Call;
 use crate::check::context::Context;
-use crate::check::expr::typed::{Dim, Type, Typed};
+use crate::check::expr::typed::{Type, Typed};
 use crate::check::names::ThingKind;
 use crate::source::Spanned;
-use crate::syntax::document::{ExprKind, JointKind};
+use crate::syntax::document::ExprKind;
 use crate::units::Dimension;
-
-const ANY: Type = Type::Number(Dim::Any);
 
 impl Context<'_> {
     /// A function that cannot be solved yet.
@@ -18,19 +16,9 @@ impl Context<'_> {
                 self.element(call, "a slider", |k| matches!(k, ThingKind::Slider))?;
                 ("sliders on ropes", Type::number(Dimension::VELOCITY))
             }
-            "radius" => {
+            _ => {
                 self.element(call, "a wheel", |k| k == ThingKind::Wheel)?;
                 ("wheels", Type::number(Dimension::LENGTH))
-            }
-            "profile" | "curvature_radius" => {
-                self.element(call, "a cam", |k| k == ThingKind::Cam)?;
-                let length = call.name.node == "curvature_radius";
-                ("cams", if length { Type::number(Dimension::LENGTH) } else { ANY })
-            }
-            _ => {
-                self.element(call, "a mesh", |k| k == ThingKind::Joint(JointKind::Mesh))?;
-                let ratio = call.name.node == "contact_ratio";
-                ("gears", if ratio { Type::number(Dimension::NUMBER) } else { ANY })
             }
         };
         self.unsupported(what, call.span);
@@ -48,12 +36,7 @@ impl Context<'_> {
         if self.names.things.get(&name.node).is_some_and(|d| fits(d.what)) {
             return Some(());
         }
-        let kind = match wanted {
-            "a slider" => "slider",
-            "a wheel" => "wheel",
-            "a cam" => "cam",
-            _ => "mesh",
-        };
+        let kind = if wanted == "a slider" { "slider" } else { "wheel" };
         self.no_thing(&name, kind, wanted, fits);
         None
     }

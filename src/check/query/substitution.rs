@@ -39,8 +39,10 @@ impl Context<'_> {
                 let call = Call { name: function, args, span: base.span, sign: Sign::Matters };
                 match function.node.as_str() {
                     "static_substitution" | "dynamic_substitution" => Some(self.substitution(call, part)),
+                    "profile" => Some(self.profile_part(call, part)),
+                    "table" => Some(self.gear_part(call, part)),
+                    "tooth_force" | "sliding_velocity" => Some(self.gear_rate(call, part)),
                     "rim" => Some(self.rim(call, part)),
-                    "table" => Some(self.not_yet(call)),
                     _ => None,
                 }
             }

@@ -10,6 +10,7 @@ use crate::exercise::table::{Fault, TableError};
 use crate::source::Span;
 use crate::units::Dimension;
 use std::f64::consts::TAU;
+use std::path::Path;
 
 /// A key below this part of what stands beside it is a rounding error of zero.
 const ZERO: f64 = 1e-9;
@@ -114,8 +115,8 @@ impl Graded {
 /// # Errors
 /// A row of the answers that the key does not have, or has more than once.
 pub fn grade(key: &Sheet, answers: &Sheet, within: f64) -> Result<Graded, Fault> {
-    let place = |name: &str| key.quantities.iter().position(|q| q.name == name);
-    let places: Vec<Option<usize>> = answers.quantities.iter().map(|q| place(&q.name)).collect();
+    let place = |q: &Quantity| key.place(&q.name, q.unit.dimension);
+    let places: Vec<Option<usize>> = answers.quantities.iter().map(place).collect();
     let mut met = vec![false; key.rows.len()];
     let mut rows = Vec::new();
     for row in &answers.rows {
@@ -130,7 +131,7 @@ pub fn grade(key: &Sheet, answers: &Sheet, within: f64) -> Result<Graded, Fault>
             std::array::from_fn(|i| row.names[i].clone().or_else(|| key.rows[found].names[i].clone()));
         rows.push(GradedRow { line: row.line, names, person: row.person.clone(), marks: marks.collect() });
     }
-    let answered = |q: &&Quantity| !answers.quantities.iter().any(|a| a.name == q.name);
+    let answered = |q: &&Quantity| answers.place(&q.name, q.unit.dimension).is_none();
     let unanswered = key.rows.iter().zip(met).filter(|(_, met)| !met && !answers.persons);
     Ok(Graded {
         within,
@@ -143,8 +144,10 @@ pub fn grade(key: &Sheet, answers: &Sheet, within: f64) -> Result<Graded, Fault>
 
 /// The row of the key that a row of the answers is about.
 fn find(key: &Sheet, answers: &Sheet, row: &SheetRow) -> Result<usize, Fault> {
+    let number = |text: &str| text.parse::<u64>().ok();
+    let stem = |text: &str| Path::new(text).file_stem().map(ToOwned::to_owned);
     let same =
-        |a: &str, b: &str| a == b || matches!((a.parse::<u64>(), b.parse::<u64>()), (Ok(a), Ok(b)) if a == b);
+        |a: &str, b: &str| a == b || number(a).is_some_and(|a| number(b) == Some(a)) || stem(a) == stem(b);
     let fits = |k: &&(usize, &SheetRow)| {
         row.names.iter().zip(&k.1.names).all(|(a, k)| match (a, k) {
             (Some(a), Some(k)) => same(a, k),

@@ -71,7 +71,8 @@ pub struct Sheet {
 enum Role {
     Name(usize),
     Person,
-    Quantity(usize),
+    /// A quantity, and the unit of this column: a key of several files may have it in several units.
+    Quantity(usize, Unit),
 }
 
 impl Sheet {
@@ -138,11 +139,21 @@ impl Sheet {
         if let Some(key) = key {
             fits(column, &unit, key)?;
         }
-        if let Some(first) = self.quantities.iter().find(|q| q.name == *name) {
-            return Err(TableError::Twice { name: name.clone(), first: first.span, again: column.name.span });
+        let again = column.name.span;
+        if let Some(i) = self.place(name, unit.dimension) {
+            let first = &self.quantities[i];
+            if first.unit.text == unit.text {
+                return Err(TableError::Twice { name: name.clone(), first: first.span, again });
+            }
+            return Ok(Role::Quantity(i, unit));
         }
-        self.quantities.push(Quantity { name: name.clone(), unit, span: column.name.span });
-        Ok(Role::Quantity(self.quantities.len() - 1))
+        self.quantities.push(Quantity { name: name.clone(), unit: unit.clone(), span: again });
+        Ok(Role::Quantity(self.quantities.len() - 1, unit))
+    }
+
+    /// The quantity of that name and kind: two files may call different things alike.
+    pub(super) fn place(&self, name: &str, dimension: Dimension) -> Option<usize> {
+        self.quantities.iter().position(|q| q.name == name && dimension.fits(q.unit.dimension))
     }
 
     fn row(
@@ -175,7 +186,10 @@ impl Sheet {
             match role {
                 Role::Name(i) => row.names[*i] = Some(cell.text.clone().into_owned()),
                 Role::Person => row.person = Some(cell.text.clone().into_owned()),
-                Role::Quantity(i) => row.entries[*i] = entry(&cell.text, &self.quantities[*i].unit),
+                Role::Quantity(i, unit) => match entry(&cell.text, unit) {
+                    Entry::Empty => {}
+                    entry => row.entries[*i] = entry,
+                },
             }
         }
         Ok(row)
@@ -194,7 +208,7 @@ fn fits(column: &Column, unit: &Unit, key: &Sheet) -> Result<(), TableError> {
         };
         return Err(TableError::UnknownColumn { name: name.clone(), help, span: column.name.span });
     };
-    if unit.dimension.fits(quantity.unit.dimension) {
+    if key.place(name, unit.dimension).is_some() {
         return Ok(());
     }
     let wanted = &quantity.unit.text;

@@ -284,7 +284,7 @@ impl<'a> RawRow<'a> {
         }
         let empty = |i: &usize| cells.get(*i).is_none_or(|cell| cell.text.is_empty());
         let Some(missing) = (0..columns.len()).find(empty) else { return Ok(()) };
-        let span = cells.get(missing).map_or(Span::new(text.len(), text.len()), |c| c.span);
+        let span = cells.get(missing).map_or(Span::new(0, text.len()), |c| c.span);
         Err(TableError::Missing { line, column: missing + 1, name: columns[missing].name.clone(), span })
     }
 }

@@ -62,7 +62,7 @@ fn no_number(text: &str) -> Why {
     let split = text.find(|c: char| c.is_alphabetic() || matches!(c, '%' | '°')).unwrap_or(text.len());
     let (number, unit) = (text[..split].trim(), text[split..].trim());
     if !number.is_empty() && number.parse::<f64>().is_ok() && (is_unit(unit) || lookup(unit).is_ok()) {
-        let help = format!("the header names the unit, the cell is `{number}`");
+        let help = "the header names the unit: write the number in that unit, without it".to_owned();
         return (format!("`{text}` has a unit"), Some(help));
     }
     (format!("`{text}` is not a number"), Some("write a plain number, as `120` or `-1.5e3`".to_owned()))

@@ -12,6 +12,7 @@ use super::answers::Answers;
 use crate::check::{ColumnUse, Row};
 use crate::diagnostic::DiagnosticView;
 use crate::exercise::Outcome;
+use crate::model::{Find, FindKind, TableEntry};
 use crate::solve::Scene;
 use cycle::{AccuracyView, FlywheelView};
 use entries::{Entries, Number, Reading};
@@ -37,6 +38,8 @@ struct SolutionView<'a> {
     poses: Option<Vec<PoseView<'a>>>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
     cycle: Entries<Reading>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    tables: Entries<Entries<Vec<Number>>>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
     cycle_accuracy: Entries<AccuracyView>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
@@ -119,11 +122,26 @@ pub fn render_row(
         cycle: Entries(answers.map(of_cycle).unwrap_or_default()),
         cycle_accuracy: answers.map_or_else(|| Entries(Vec::new()), cycle::accuracy),
         flywheels: answers.map_or_else(|| Entries(Vec::new()), cycle::flywheels),
+        tables: Entries(answers.map(tables).unwrap_or_default()),
         expectations: answers.map(|a| a.outcomes.iter().filter_map(expectation).collect()),
         diagnostics,
     };
     // a view of texts, truths and finite numbers is always written
     serde_json::to_string(&view).unwrap_or_default()
+}
+
+/// Tables by the names of their entries.
+fn tables(answers: &Answers<'_>) -> Vec<(String, Entries<Vec<Number>>)> {
+    let table = |find: &Find| {
+        let FindKind::Table(table) = &find.kind else { return None };
+        // an entry that does not exist at some place (the radius of a straight piece) is left out
+        let entry = |e: &TableEntry| {
+            let values = e.values.iter().map(|x| Number::of(*x)).collect::<Option<Vec<_>>>()?;
+            Some((e.name.clone(), values))
+        };
+        Some((find.name.clone(), Entries(table.entries.iter().filter_map(entry).collect())))
+    };
+    answers.scene.mechanism.finds.iter().filter_map(table).collect()
 }
 
 fn of_cycle(answers: &Answers<'_>) -> Vec<(String, Reading)> {

@@ -9,7 +9,7 @@
 
 use super::super::error::{SolveError, label};
 use super::super::extremes::Statics;
-use super::super::positions::turns;
+use super::super::positions::{constant, turns};
 use super::super::solution::Scene;
 use super::super::state::BodyState;
 use super::super::words::{four, short};
@@ -19,7 +19,7 @@ use super::sampler::Sampler;
 use super::switches::breaks;
 use crate::math::chebyshev::Series;
 use crate::model::{
-    BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, LinkId, Mechanism, Query,
+    BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, LinkId, Mechanism, Query, Value,
 };
 use crate::structure::EffortSource;
 
@@ -40,15 +40,13 @@ pub(super) fn flywheel(
     let wheel = &scene.mechanism.flywheels[index];
     let refuse = |why: String, help: &str| refused(scene, wheel, why, help);
     let rate = one_turning_drive(scene, statics, sampler, wheel)?;
-    let Some(power) = power(scene, wheel) else {
+    let Some([torque, links]) = numbers(scene, statics, index) else {
         let why = "nothing says which of several efforts it evens out".to_owned();
         return Err(refuse(why, "name it: `flywheel J on crank for Mb { … }`"));
     };
-    let torque = Expr::Binary(BinaryOp::Div, Box::new(power), Box::new(Expr::number(rate)));
     let ratio = even_ratio(scene, statics, sampler, wheel, rate)?;
-    let links = Expr::Query(Query::Flywheel(index, FlywheelPart::LinksInertia));
     let asked = [&torque, &links];
-    sampler.begin(&asked);
+    sampler.begin();
     let found = breaks(scene, statics, sampler, &torque)
         .and_then(|breaks| Ok((piecewise(sampler, statics, &asked, &breaks)?, breaks)));
     let (all, breaks) = found.map_err(|why| without_value(scene, sampler, wheel, why))?;
@@ -112,11 +110,7 @@ fn one_turning_drive(
         let help = format!("sweep over whole turns: `drive {} = 0 deg .. 360 deg in 12 steps`", drive.name);
         return Err(refused(scene, wheel, why, &help));
     }
-    let constant = |e: &Expr| match super::super::positions::constant(scene, statics, e) {
-        crate::model::Value::Scalar(x) => Some(x),
-        _ => None,
-    };
-    let rate = drive.speed.as_ref().and_then(constant).or(drive.sense).unwrap_or(0.0);
+    let rate = rate(scene, statics);
     if rate == 0.0 && scene.plan.effects.timed {
         let why = format!("`{}` stands still", drive.name);
         return Err(refused(scene, wheel, why, "give the drive its mean speed"));
@@ -125,6 +119,24 @@ fn one_turning_drive(
         return Err(needs_speed(scene, wheel));
     }
     Ok(rate)
+}
+
+/// Speed of the one drive, rad/s, or its sense; zero where it has neither.
+fn rate(scene: &Scene<'_>, statics: &Statics) -> f64 {
+    let Some(drive) = scene.mechanism.drives.first() else { return 0.0 };
+    let constant = |e: &Expr| match constant(scene, statics, e) {
+        Value::Scalar(x) => Some(x),
+        _ => None,
+    };
+    drive.speed.as_ref().and_then(constant).or(drive.sense).unwrap_or(0.0)
+}
+
+/// What is followed over the cycle: the effort reduced to the drive, the reduced moment of inertia of the links.
+pub(super) fn numbers(scene: &Scene<'_>, statics: &Statics, index: usize) -> Option<[Expr; 2]> {
+    let power = power(scene, &scene.mechanism.flywheels[index])?;
+    let rate = Expr::number(rate(scene, statics));
+    let torque = Expr::Binary(BinaryOp::Div, Box::new(power), Box::new(rate));
+    Some([torque, Expr::Query(Query::Flywheel(index, FlywheelPart::LinksInertia))])
 }
 
 /// The power of the effort that is evened out.
@@ -152,7 +164,6 @@ fn even_ratio(
     rate: f64,
 ) -> Result<f64, SolveError> {
     let speed = Expr::Query(Query::Omega(wheel.on));
-    sampler.begin(&[&speed]);
     let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
     for place in 0..PLACES {
         let s = f64::from(place) / f64::from(PLACES);

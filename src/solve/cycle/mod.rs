@@ -42,10 +42,15 @@ pub(super) fn cycles(scene: &Scene<'_>, statics: &mut Statics) -> Result<Vec<Sol
     // those of motion alone first: loads may hang on them
     let after = |index: &usize| hangs_on_forces(mechanism, &mechanism.cycles[*index].expr);
     let (late, early): (Vec<usize>, Vec<usize>) = (0..mechanism.cycles.len()).partition(after);
+    let of =
+        |indices: &[usize]| indices.iter().map(|i| mechanism.cycles[*i].expr.clone()).collect::<Vec<_>>();
+    sampler.share(of(&early).into_iter().filter(hangs_on_nothing_else));
     for index in early {
         statics.cycles[index] = cycle(scene, statics, &mut sampler, index);
     }
     let mut warnings = Vec::new();
+    let wheels = (0..mechanism.flywheels.len()).filter_map(|i| flywheel::numbers(scene, statics, i));
+    sampler.share(of(&late).into_iter().filter(hangs_on_nothing_else).chain(wheels.flatten()));
     for index in 0..mechanism.flywheels.len() {
         let found = flywheel::flywheel(scene, statics, &mut sampler, index)?;
         warnings.extend(found.1);
@@ -55,6 +60,16 @@ pub(super) fn cycles(scene: &Scene<'_>, statics: &mut Statics) -> Result<Vec<Sol
         statics.cycles[index] = cycle(scene, statics, &mut sampler, index);
     }
     Ok(warnings)
+}
+
+/// Whether an expression can be computed before any function over the sweep and any flywheel is known. Quantities may
+/// hang on them.
+fn hangs_on_nothing_else(expr: &Expr) -> bool {
+    let mut found = false;
+    expr.parts(&mut |part| {
+        found |= matches!(part, Expr::Query(Query::Cycle(_) | Query::Flywheel(..)) | Expr::Quantity(_));
+    });
+    !found
 }
 
 /// Whether an expression hangs on forces, through quantities and other functions over the sweep too.
@@ -77,7 +92,7 @@ fn hangs_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
 
 fn cycle(scene: &Scene<'_>, statics: &Statics, sampler: &mut Sampler<'_>, index: usize) -> CycleAnswer {
     let asked = &scene.mechanism.cycles[index];
-    sampler.begin(&[&asked.expr]);
+    sampler.begin();
     match found(scene, statics, sampler, asked.how, &asked.expr) {
         Ok(answer) => CycleAnswer { samples: sampler.samples, ..answer },
         Err(why) => CycleAnswer::undefined(why.text(scene, sampler.way)),

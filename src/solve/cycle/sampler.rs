@@ -2,7 +2,7 @@
 
 use super::super::assemble::assemble;
 use super::super::error::SolveError;
-use super::super::extremes::Statics;
+use super::super::extremes::{Statics, every_query};
 use super::super::inputs::Rates;
 use super::super::pose::{DEAD, balanced};
 use super::super::solution::Scene;
@@ -12,8 +12,9 @@ use super::super::view::View;
 use super::answer::Undefined;
 use super::hangs_on_forces;
 use super::way::Way;
-use crate::model::{Expr, LoadId, Query, Value};
+use crate::model::{Expr, LoadId, LoadKind, Mechanism, PairKind, Query, Value};
 use crate::plan::Level;
+use std::collections::HashMap;
 
 /// The fewest intervals between places where the mechanism is known beforehand.
 const FEWEST: f64 = 64.0;
@@ -23,6 +24,31 @@ struct Anchor {
     branches: Vec<Branch>,
     bodies: Vec<BodyState>,
     angles: Vec<f64>,
+}
+
+/// How much is computed at a place.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Need {
+    forces: bool,
+    ideal: bool,
+    quantities: bool,
+}
+
+impl Need {
+    fn of(scene: &Scene<'_>, expr: &Expr) -> Self {
+        let forces = hangs_on_forces(scene.mechanism, expr);
+        Self {
+            forces,
+            ideal: forces && scene.plan.effects.friction && asks_for_ideal(scene.mechanism),
+            quantities: names_quantity(expr),
+        }
+    }
+
+    const fn covers(self, other: Self) -> bool {
+        (self.forces || !other.forces)
+            && (self.ideal || !other.ideal)
+            && (self.quantities || !other.quantities)
+    }
 }
 
 /// Solves the mechanism at places of the sweep.
@@ -39,14 +65,20 @@ pub(super) struct Sampler<'a> {
     evaluated: Vec<(LoadId, Value)>,
     quantities: Vec<Value>,
     ideal: Option<(State, Vec<Value>)>,
-    forces: bool,
-    with_ideal: bool,
-    with_quantities: bool,
+    with_angles: bool,
+    loads_name_quantities: bool,
     /// Beyond this place the mechanism does not close.
     open: Option<f64>,
-    last: Option<f64>,
-    /// Positions solved since `begin`.
+    last: Option<(f64, Need)>,
+    /// Numbers that are computed at every place together, and kept.
+    shared: Vec<Expr>,
+    need: Need,
+    kept: HashMap<u64, usize>,
+    numbers: Vec<f64>,
+    /// Positions looked at since `begin`.
     pub samples: usize,
+    /// Roots of functions that switch, as far as they are known.
+    pub switched: Vec<(Expr, Vec<f64>)>,
 }
 
 impl<'a> Sampler<'a> {
@@ -85,12 +117,16 @@ impl<'a> Sampler<'a> {
             evaluated: Vec::new(),
             quantities: Vec::new(),
             ideal: None,
-            forces: false,
-            with_ideal: false,
-            with_quantities: false,
+            with_angles: asks_for_angles(scene.mechanism),
+            loads_name_quantities: loads_name_quantities(scene.mechanism),
             open,
             last: None,
+            shared: Vec::new(),
+            need: Need::default(),
+            kept: HashMap::new(),
+            numbers: Vec::new(),
             samples: 0,
+            switched: Vec::new(),
         })
     }
 
@@ -113,37 +149,82 @@ impl<'a> Sampler<'a> {
         index.min(self.anchors.len() - 1)
     }
 
-    /// What is computed from now on: as much as these expressions need.
-    pub(super) fn begin(&mut self, exprs: &[&Expr]) {
-        let (scene, mechanism) = (self.scene, self.scene.mechanism);
-        self.forces = exprs.iter().any(|e| hangs_on_forces(mechanism, e));
-        self.with_quantities = !mechanism.quantities.is_empty();
-        self.with_ideal = self.forces && scene.plan.effects.friction && asks_for_ideal(&scene);
+    /// From now on these numbers are computed together. What they hang on must be known.
+    pub(super) fn share(&mut self, exprs: impl Iterator<Item = Expr>) {
+        self.shared.clear();
+        for expr in exprs {
+            if !self.shared.contains(&expr) {
+                self.shared.push(expr);
+            }
+        }
+        self.need = self.shared.iter().map(|e| Need::of(&self.scene, e)).fold(Need::default(), |a, b| Need {
+            forces: a.forces || b.forces,
+            ideal: a.ideal || b.ideal,
+            quantities: a.quantities || b.quantities,
+        });
+        self.kept.clear();
+        self.numbers.clear();
+        self.last = None;
+    }
+
+    /// Counts positions anew.
+    pub(super) const fn begin(&mut self) {
         self.samples = 0;
         self.last = None;
     }
 
     /// The value of a number at a place of the sweep.
     pub(super) fn sample(&mut self, statics: &Statics, s: f64, expr: &Expr) -> Result<f64, Undefined> {
-        match self.value(statics, s, expr)? {
-            Value::Scalar(x) if x.is_finite() => Ok(x),
-            _ => Err(Undefined::At(s)),
-        }
+        let x = match self.shared.iter().position(|e| e == expr) {
+            Some(which) => self.together(statics, s, which)?,
+            None => match self.value(statics, s, expr)? {
+                Value::Scalar(x) => x,
+                _ => f64::NAN,
+            },
+        };
+        if x.is_finite() { Ok(x) } else { Err(Undefined::At(s)) }
+    }
+
+    /// One of the shared numbers: all are computed at a place that is new.
+    fn together(&mut self, statics: &Statics, s: f64, which: usize) -> Result<f64, Undefined> {
+        let known = self.kept.get(&s.to_bits()).copied();
+        let first = match known {
+            Some(first) => {
+                self.samples += 1;
+                first
+            }
+            None => {
+                self.solve(statics, s, self.need)?;
+                let first = self.numbers.len();
+                let shared = std::mem::take(&mut self.shared);
+                let view = self.view(statics);
+                let all: Vec<f64> = shared.iter().map(|e| view.scalar(e)).collect();
+                self.shared = shared;
+                self.numbers.extend(all);
+                self.kept.insert(s.to_bits(), first);
+                first
+            }
+        };
+        Ok(self.numbers[first + which])
     }
 
     /// The value of an expression at a place of the sweep.
     pub(super) fn value(&mut self, statics: &Statics, s: f64, expr: &Expr) -> Result<Value, Undefined> {
-        if self.last != Some(s) {
-            self.last = None;
-            self.solve(statics, s)?;
-            self.last = Some(s);
-        }
-        let ideal = self.ideal.as_ref().map(|(state, values)| (state, values.as_slice()));
-        let view = View::new(&self.scene, &self.state, &self.angles, statics);
-        Ok(View { quantities: &self.quantities, frictionless: ideal, ..view }.value(expr))
+        self.solve(statics, s, Need::of(&self.scene, expr))?;
+        Ok(self.view(statics).value(expr))
     }
 
-    fn solve(&mut self, statics: &Statics, s: f64) -> Result<(), Undefined> {
+    fn view<'v>(&'v self, statics: &'v Statics) -> View<'v> {
+        let ideal = self.ideal.as_ref().map(|(state, values)| (state, values.as_slice()));
+        let view = View::new(&self.scene, &self.state, &self.angles, statics);
+        View { quantities: &self.quantities, frictionless: ideal, ..view }
+    }
+
+    fn solve(&mut self, statics: &Statics, s: f64, need: Need) -> Result<(), Undefined> {
+        if self.last.is_some_and(|(at, done)| at == s && done.covers(need)) {
+            return Ok(());
+        }
+        self.last = None;
         if self.open.is_some_and(|open| s >= open) {
             return Err(Undefined::Open(s));
         }
@@ -162,12 +243,12 @@ impl<'a> Sampler<'a> {
         if scene.plan.effects.level > Level::Positions && singular(&self.state.sines) {
             return Err(Undefined::At(s));
         }
-        let known = &self.anchors[self.nearest(s)].bodies;
-        for (angle, (body, known)) in self.angles.iter_mut().zip(self.state.bodies.iter().zip(known)) {
-            *angle = continued(*angle, known.u, body.u);
+        if self.with_angles {
+            self.follow_angles(s);
         }
-        if self.forces {
-            balanced(&scene, statics, &mut self.state, &self.angles, &mut self.evaluated);
+        if need.forces {
+            let quantities = self.loads_name_quantities;
+            balanced(&scene, statics, &mut self.state, &self.angles, &mut self.evaluated, quantities);
             if self.state.locked {
                 return Err(Undefined::Locked(s));
             }
@@ -175,20 +256,23 @@ impl<'a> Sampler<'a> {
                 return Err(Undefined::At(s));
             }
         }
-        self.ideal = self.with_ideal.then(|| {
-            let mut state = self.state.clone();
-            state.wrenches.clone_from(&state.applied);
-            state.frictions.fill(0.0);
-            state.run_forces_without_friction(scene.plan);
-            let values = View::new(&scene, &state, &self.angles, statics).all_quantities();
-            (state, values)
-        });
-        if self.with_quantities {
-            let ideal = self.ideal.as_ref().map(|(state, values)| (state, values.as_slice()));
-            let view = View::new(&scene, &self.state, &self.angles, statics);
-            self.quantities = View { frictionless: ideal, ..view }.all_quantities();
+        self.ideal = need.ideal.then(|| self.without_friction(statics));
+        if need.quantities {
+            self.quantities = Vec::new();
+            let all = self.view(statics).all_quantities();
+            self.quantities = all;
         }
+        self.last = Some((s, need));
         Ok(())
+    }
+
+    fn without_friction(&self, statics: &Statics) -> (State, Vec<Value>) {
+        let mut state = self.state.clone();
+        state.wrenches.clone_from(&state.applied);
+        state.frictions.fill(0.0);
+        state.run_forces_without_friction(self.scene.plan);
+        let values = View::new(&self.scene, &state, &self.angles, statics).all_quantities();
+        (state, values)
     }
 
     /// Puts the state at the nearest place that is known, with the drives where they are asked for.
@@ -196,16 +280,56 @@ impl<'a> Sampler<'a> {
         let anchor = &self.anchors[self.nearest(s)];
         self.state.branches.clone_from_slice(&anchor.branches);
         self.state.bodies.clone_from_slice(&anchor.bodies);
-        self.angles.clone_from_slice(&anchor.angles);
         self.state.open = None;
         self.state.locked = false;
         self.rates.at(&self.way.values(s), &mut self.state.inputs);
     }
+
+    /// Angles carried on from the nearest place that is known.
+    fn follow_angles(&mut self, s: f64) {
+        let anchor = &self.anchors[self.nearest(s)];
+        let known = anchor.bodies.iter().zip(&anchor.angles);
+        for (angle, (body, (old, before))) in self.angles.iter_mut().zip(self.state.bodies.iter().zip(known))
+        {
+            *angle = continued(*before, old.u, body.u);
+        }
+    }
+}
+
+fn names_quantity(expr: &Expr) -> bool {
+    let mut found = false;
+    expr.parts(&mut |part| found |= matches!(part, Expr::Quantity(_)));
+    found
+}
+
+fn loads_name_quantities(mechanism: &Mechanism) -> bool {
+    mechanism.loads.iter().any(|load| {
+        let value = match &load.kind {
+            LoadKind::Force { value, .. }
+            | LoadKind::ForceAgainstMotion { value, .. }
+            | LoadKind::Torque { value, .. }
+            | LoadKind::InPair { value, .. } => value,
+        };
+        names_quantity(value) || load.when.as_ref().is_some_and(names_quantity)
+    })
+}
+
+/// Whether the file asks anywhere for angles, which are carried on from place to place.
+fn asks_for_angles(mechanism: &Mechanism) -> bool {
+    let turns = |pair: &crate::model::PairId| matches!(mechanism.pair(*pair).kind, PairKind::Revolute(_));
+    let mut asked = false;
+    every_query(mechanism, &mut |query, _| {
+        asked |= match query {
+            Query::Angle(_) => true,
+            Query::Displacement(pair) | Query::Travel(pair) => turns(pair),
+            _ => false,
+        };
+    });
+    asked
 }
 
 /// Whether the file asks anywhere for what it would be without friction.
-fn asks_for_ideal(scene: &Scene<'_>) -> bool {
-    let mechanism = scene.mechanism;
+fn asks_for_ideal(mechanism: &Mechanism) -> bool {
     let exprs = mechanism.quantities.iter().map(|q| &q.expr).chain(mechanism.cycles.iter().map(|c| &c.expr));
     let mut asked = false;
     for expr in exprs {

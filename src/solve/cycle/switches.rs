@@ -30,8 +30,15 @@ pub(super) fn breaks(
     let mut switches = Switches::of(scene);
     switches.expr(expr);
     let mut all = Vec::new();
-    if !switches.found.is_empty() {
-        all = roots(statics, sampler, &switches.found)?;
+    let known =
+        |sampler: &Sampler<'_>, e: &Expr| sampler.switched.iter().find(|k| k.0 == *e).map(|k| k.1.clone());
+    let new: Vec<Expr> = switches.found.iter().filter(|e| known(sampler, e).is_none()).cloned().collect();
+    if !new.is_empty() {
+        let found = roots(statics, sampler, &new)?;
+        sampler.switched.extend(new.into_iter().zip(found));
+    }
+    for expr in &switches.found {
+        all.extend(known(sampler, expr).unwrap_or_default());
     }
     all.sort_by(f64::total_cmp);
     all.retain(|s| *s > APART && *s < 1.0 - APART);
@@ -171,8 +178,8 @@ impl<'a> Switches<'a> {
     }
 }
 
-/// The roots of all functions over the sweep. A vector counts where it is null.
-fn roots(statics: &Statics, sampler: &mut Sampler<'_>, all: &[Expr]) -> Result<Vec<f64>, Undefined> {
+/// The roots of each function over the sweep. A vector counts where it is null.
+fn roots(statics: &Statics, sampler: &mut Sampler<'_>, all: &[Expr]) -> Result<Vec<Vec<f64>>, Undefined> {
     let intervals = sampler.intervals();
     let mut table: Vec<Vec<Vec2>> = vec![Vec::new(); all.len()];
     let mut places = Vec::new();
@@ -185,8 +192,8 @@ fn roots(statics: &Statics, sampler: &mut Sampler<'_>, all: &[Expr]) -> Result<V
         }
         index += 1.0;
     }
-    let mut found = Vec::new();
-    for (expr, values) in all.iter().zip(&table) {
+    let mut found = vec![Vec::new(); all.len()];
+    for ((expr, values), found) in all.iter().zip(&table).zip(&mut found) {
         let greatest = values.iter().map(|v| v.norm()).filter(|x| x.is_finite()).fold(0.0, f64::max);
         for axis in [Axis::X, Axis::Y] {
             let of = |v: Vec2| if axis == Axis::X { v.x } else { v.y };

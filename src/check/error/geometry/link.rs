@@ -199,4 +199,20 @@ pub enum LinkError {
         #[label("all of it at one point")]
         span: Span,
     },
+    /// A mass on the link that does not move.
+    #[error("the {what} of `{link}` has no effect: the ground does not move, and what holds it is not asked")]
+    #[diagnostic(
+        code("mech::geometry::mass_on_ground"),
+        severity(Warning),
+        help("leave it out, or state it on the link that moves")
+    )]
+    MassOnGround {
+        /// The ground's name.
+        link: String,
+        /// `mass` or `inertia`.
+        what: &'static str,
+        /// The member.
+        #[label("on the ground")]
+        span: Span,
+    },
 }

@@ -1,0 +1,131 @@
+//! The motion of a follower over one turn of its cam: phases one after the other.
+
+use super::law::{Jet, Law};
+use std::f64::consts::TAU;
+
+/// Angles nearer than this are one, rad.
+const NEAR: f64 = 1e-12;
+
+/// A part of the cam's turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phase {
+    /// Cam angle at which it begins, rad.
+    pub start: f64,
+    /// Angle the cam turns meanwhile, rad, > 0.
+    pub angle: f64,
+    /// Lift at its begin, m or rad.
+    pub from: f64,
+    /// Change of the lift, m or rad: positive for a rise, zero for a dwell.
+    pub change: f64,
+    /// By which law.
+    pub law: Law,
+}
+
+/// A part of the turn over which one formula holds, ends included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// The phase.
+    phase: usize,
+    /// The part of its law.
+    part: usize,
+    /// Cam angle at its begin, rad.
+    pub from: f64,
+    /// Cam angle at its end, rad.
+    pub to: f64,
+}
+
+/// The motion over one turn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Program {
+    phases: Vec<Phase>,
+}
+
+impl Program {
+    /// A motion that begins at lift zero; what is left of the turn is a dwell. Each phase is given by its angle, the change
+    /// of the lift and its law.
+    #[must_use]
+    pub fn new(given: &[(f64, f64, Law)]) -> Self {
+        let mut phases = Vec::with_capacity(given.len() + 1);
+        let (mut start, mut from) = (0.0, 0.0);
+        for &(angle, change, law) in given {
+            phases.push(Phase { start, angle, from, change, law });
+            start += angle;
+            from += change;
+        }
+        if start < TAU - NEAR {
+            phases.push(Phase { start, angle: TAU - start, from, change: 0.0, law: Law::Dwell });
+        }
+        Self { phases }
+    }
+
+    /// The phases, that which is left of the turn among them.
+    #[must_use]
+    pub fn phases(&self) -> &[Phase] {
+        &self.phases
+    }
+
+    /// The greatest lift, m or rad.
+    #[must_use]
+    pub fn greatest_lift(&self) -> f64 {
+        self.phases.iter().fold(0.0, |h, p| f64::max(h, p.from + p.change))
+    }
+
+    /// Lift s and its derivatives s′, s″, s‴ by the cam angle (m, m/rad, … or rad), at any cam angle φ, rad. Where two
+    /// phases meet, those of the later one.
+    #[must_use]
+    pub fn at(&self, phi: f64) -> Jet {
+        let phi = wrapped(phi);
+        let index = self.phases.partition_point(|p| p.start <= phi + NEAR);
+        let Some(phase) = self.phases.get(index.saturating_sub(1)) else { return [0.0; 4] };
+        phase.scaled(phase.law.at(((phi - phase.start) / phase.angle).clamp(0.0, 1.0)))
+    }
+
+    /// The same by the formula of a part, which holds at both its ends.
+    #[must_use]
+    pub fn on_part(&self, part: &Part, phi: f64) -> Jet {
+        let phase = &self.phases[part.phase];
+        phase.scaled(phase.law.on_part(part.part, ((phi - phase.start) / phase.angle).clamp(0.0, 1.0)))
+    }
+
+    /// The parts over which one formula holds, in order.
+    pub fn parts(&self) -> impl Iterator<Item = Part> + '_ {
+        self.phases.iter().enumerate().flat_map(|(phase, p)| {
+            let joints = p.law.joints();
+            (0..joints.len() - 1).map(move |part| Part {
+                phase,
+                part,
+                from: p.start + joints[part] * p.angle,
+                to: p.start + joints[part + 1] * p.angle,
+            })
+        })
+    }
+
+    /// Cam angles where the velocity jumps, with s′ before and behind.
+    #[must_use]
+    pub fn shocks(&self) -> Vec<(f64, f64, f64)> {
+        let count = self.phases.len();
+        let scale = self.phases.iter().fold(0.0, |h, p| f64::max(h, (p.change / p.angle).abs()));
+        (0..count)
+            .filter_map(|i| {
+                let (before, behind) = (&self.phases[(i + count - 1) % count], &self.phases[i]);
+                let v = (before.scaled(before.law.at(1.0))[1], behind.scaled(behind.law.at(0.0))[1]);
+                ((v.1 - v.0).abs() > 1e-9 * scale).then_some((behind.start, v.0, v.1))
+            })
+            .collect()
+    }
+}
+
+impl Phase {
+    /// The way of the law in units of the follower, per radian of the cam.
+    fn scaled(&self, [s, v, a, j]: Jet) -> Jet {
+        let (h, b) = (self.change, 1.0 / self.angle);
+        [self.from + h * s, h * b * v, h * b * b * a, h * b * b * b * j]
+    }
+}
+
+/// An angle in [0, one turn), rad.
+fn wrapped(phi: f64) -> f64 {
+    let turn = libm::fmod(phi, TAU);
+    let turn = if turn < 0.0 { turn + TAU } else { turn };
+    if turn >= TAU - NEAR { 0.0 } else { turn }
+}

@@ -1,0 +1,6 @@
+//! Machine elements: pure mathematics, no names, no spans, no text.
+
+pub mod cam;
+pub mod gear;
+mod search;
+pub mod synthesis;

@@ -1,0 +1,158 @@
+//! Several numbers side by side.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::Scalar;
+use super::scalar::Truths;
+
+/// `N` numbers that go through the same operations. Plain arrays: the compiler makes vectors of them. Every lane has the
+/// same bits as `f64` alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lanes<const N: usize>(pub [f64; N]);
+
+impl<const N: usize> Lanes<N> {
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        let mut out = self.0;
+        for x in &mut out {
+            *x = f(*x);
+        }
+        Self(out)
+    }
+
+    #[inline(always)]
+    fn each(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        let mut out = self.0;
+        for (x, y) in out.iter_mut().zip(other.0) {
+            *x = f(*x, y);
+        }
+        Self(out)
+    }
+}
+
+impl<const N: usize> Default for Lanes<N> {
+    fn default() -> Self {
+        Self([0.0; N])
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $name:ident) => {
+        impl<const N: usize> $trait for Lanes<N> {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                self.each(other, f64::$name)
+            }
+        }
+    };
+}
+
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
+
+impl<const N: usize> Neg for Lanes<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(f64::neg)
+    }
+}
+
+impl<const N: usize> Truths for [bool; N] {
+    #[inline(always)]
+    fn all(self) -> bool {
+        self.iter().fold(true, |all, x| all & x)
+    }
+}
+
+impl<const N: usize> Scalar for Lanes<N> {
+    type Mask = [bool; N];
+
+    #[inline(always)]
+    fn of(x: f64) -> Self {
+        Self([x; N])
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.map(f64::sqrt)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.map(f64::abs)
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.each(other, Scalar::max)
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.each(other, Scalar::min)
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> [bool; N] {
+        let mut out = [false; N];
+        for ((out, x), y) in out.iter_mut().zip(self.0).zip(other.0) {
+            *out = x < y;
+        }
+        out
+    }
+    #[inline(always)]
+    fn select(mask: [bool; N], a: Self, b: Self) -> Self {
+        let mut out = b.0;
+        for ((out, x), mask) in out.iter_mut().zip(a.0).zip(mask) {
+            *out = if mask { x } else { *out };
+        }
+        Self(out)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const X: [f64; 4] = [0.1, -2.0, f64::NAN, 7.5];
+    const Y: [f64; 4] = [3.0, -2.0, 1.0, f64::INFINITY];
+
+    /// The bits of every lane are those of the operation on one number.
+    fn same(got: Lanes<4>, one: impl Fn(f64, f64) -> f64) {
+        for i in 0..4 {
+            let want = one(X[i], Y[i]);
+            assert!(got.0[i].to_bits() == want.to_bits() || got.0[i].is_nan() && want.is_nan());
+        }
+    }
+
+    #[test]
+    fn every_lane_is_the_number_alone() {
+        let (x, y) = (Lanes(X), Lanes(Y));
+        same(x + y, |x, y| x + y);
+        same(x - y, |x, y| x - y);
+        same(x * y, |x, y| x * y);
+        same(x / y, |x, y| x / y);
+        same(-x, |x, _| -x);
+        same(x.sqrt(), |x, _| x.sqrt());
+        same(x.abs(), |x, _| x.abs());
+        same(x.max(y), Scalar::max);
+        same(x.min(y), Scalar::min);
+        same(x.two_product(y).1, |x, y| x.two_product(y).1);
+        assert_eq!(x.lt(y), [true, false, false, true]);
+        same(Lanes::select(x.lt(y), x, y), |x, y| if x < y { x } else { y });
+    }
+
+    #[test]
+    fn all_lanes() {
+        assert!([true; 3].all() && ![true, false, true].all());
+        assert!(true.all() && !false.all());
+    }
+
+    #[test]
+    fn a_product_and_its_error_are_exact() {
+        // (1 + 2⁻⁵²)² = 1 + 2⁻⁵¹ + 2⁻¹⁰⁴
+        let x = 1.0 + f64::EPSILON;
+        assert_eq!(x.two_product(x), (1.0 + 2.0 * f64::EPSILON, f64::EPSILON * f64::EPSILON));
+        let x = 1.0 + f32::EPSILON;
+        assert_eq!(x.two_product(x), (1.0 + 2.0 * f32::EPSILON, f32::EPSILON * f32::EPSILON));
+    }
+}

@@ -1,0 +1,74 @@
+//! Machine elements as designed, and tables of what they are.
+
+use super::{Display, LinkId, PairId};
+use crate::element::cam::Cam;
+use crate::math::Vec2;
+use crate::source::Span;
+
+/// A designed plate cam.
+#[derive(Clone, Debug)]
+pub struct PlateCam {
+    /// Its name.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// Its geometry.
+    pub cam: Cam,
+    /// Its speed, rad/s, > 0, where given: rates of the follower by time hang on it.
+    pub speed: Option<f64>,
+}
+
+/// A contact of a designed cam with the follower it was designed for. Cam and follower are joined to the same frame.
+#[derive(Clone, Debug)]
+pub struct CamContact {
+    /// The pair.
+    pub pair: PairId,
+    /// The cam: index into [`super::Mechanism::cams`].
+    pub cam: usize,
+    /// The link that is the cam.
+    pub disk: LinkId,
+    /// Its centre in its frame, m.
+    pub centre: Vec2,
+    /// The link on which cam and follower stand.
+    pub frame: LinkId,
+    /// The cam's centre in the frame's axes, m.
+    pub frame_centre: Vec2,
+    /// Unit direction from the cam's centre towards the follower, in the frame's axes: along the way of a translating
+    /// one, towards the pivot of an oscillating one.
+    pub towards: Vec2,
+    /// The follower's link.
+    pub follower: LinkId,
+    /// The point of the follower that the design places, in its frame, m: knife edge, centre of the roller, a point of a
+    /// translating face, the pivot of an oscillating follower.
+    pub point: Vec2,
+    /// For a translating follower the distance of that point to the left of the line from the cam's centre along
+    /// `towards`, m.
+    pub beside: f64,
+    /// For a translating follower the direction of its frame that lies along `towards`, for an oscillating one the
+    /// direction of its frame from the pivot along its arm or face.
+    pub direction: Vec2,
+    /// The face in the follower's frame: a point, m, and a unit direction; `None` for knife edge and roller.
+    pub face: Option<(Vec2, Vec2)>,
+    /// The knife edge or the centre of the roller in the follower's frame, m; zero for a face.
+    pub tip: Vec2,
+}
+
+/// A table of numbers that needs no pose.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Table {
+    /// One entry per column (per row where `upright`).
+    pub entries: Vec<TableEntry>,
+    /// Few values with many names: the entries are printed below each other.
+    pub upright: bool,
+}
+
+/// One kind of number in a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableEntry {
+    /// Its name.
+    pub name: String,
+    /// How it is printed.
+    pub display: Display,
+    /// Its values, SI; not a number where there is none.
+    pub values: Vec<f64>,
+}

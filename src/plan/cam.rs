@@ -1,0 +1,59 @@
+//! Followers of designed cams: their motion is the cam's own law.
+
+use super::Plan;
+use super::step::MotionStep;
+use crate::element::cam::Cam;
+use crate::model::{CamContact, Mechanism, PairId};
+use crate::structure::{BodyOrigin, Group, GroupKind, Structure};
+
+/// The follower of a designed cam, with the imaginary block that stands for the contact.
+#[derive(Clone, Debug)]
+pub struct CamStep {
+    /// The cam.
+    pub cam: Cam,
+    /// Where it touches which follower.
+    pub contact: CamContact,
+    /// Index of the contact in the mechanism.
+    pub index: usize,
+    /// Slot of the block.
+    pub block: usize,
+}
+
+/// The contact of a designed cam whose block belongs to a group.
+pub(crate) fn contact_in<'m>(
+    mechanism: &'m Mechanism,
+    structure: &Structure,
+    group: &Group,
+) -> Option<(usize, usize, &'m CamContact)> {
+    let blocks = group.bodies.iter().filter_map(|b| match structure.replaced.bodies[b.0].origin {
+        BodyOrigin::Imaginary(pair) => Some((b.0, pair)),
+        BodyOrigin::Link(_) => None,
+    });
+    let of = |pair: PairId| mechanism.cam_contacts.iter().enumerate().find(move |(_, c)| c.pair == pair);
+    blocks.into_iter().find_map(|(block, pair)| of(pair).map(|(index, contact)| (block, index, contact)))
+}
+
+/// Whether a group is the follower of a cam that moves already: the follower and the block, nothing else.
+pub(crate) fn is_follower(group: &Group, block: usize, contact: &CamContact) -> bool {
+    let mut others = group.bodies.iter().filter(|b| b.0 != block);
+    matches!(group.kind, GroupKind::Dyad(_))
+        && others.next().is_some_and(|b| b.0 == contact.follower.index())
+        && others.next().is_none()
+}
+
+/// The step of a group that is the follower of a designed cam.
+pub(super) fn step(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    group: &Group,
+    branch: usize,
+    plan: &mut Plan,
+) -> Option<MotionStep> {
+    let (block, index, contact) = contact_in(mechanism, structure, group)?;
+    if !is_follower(group, block, contact) {
+        return None;
+    }
+    let cam = mechanism.cams.get(contact.cam)?.cam.clone();
+    plan.cams.push(CamStep { cam, contact: contact.clone(), index, block });
+    Some(MotionStep::Cam { branch, cam: plan.cams.len() - 1 })
+}

@@ -1,0 +1,121 @@
+//! Designed cams and tables of machine elements.
+
+use super::answers::{Answers, NONE, with_unit};
+use super::document::{Column, Report, Section, Table};
+use crate::element::cam::Law;
+use crate::model::{self, Display, FindKind, Mechanism, PlateCam, Value};
+use crate::solve::Scene;
+use crate::units::{Dimension, significant};
+
+/// What each designed cam does over a turn, the dwell that is left of it among them.
+pub(super) fn cams(scene: &Scene<'_>, report: &mut Report) {
+    for plate in &scene.mechanism.cams {
+        report.section(phases(scene.mechanism, plate));
+    }
+}
+
+fn phases(mechanism: &Mechanism, plate: &PlateCam) -> Section {
+    let angle = mechanism.display_of(Dimension::ANGLE);
+    let oscillates = plate.cam.follower.oscillates();
+    let lift = mechanism.display_of(if oscillates { Dimension::ANGLE } else { Dimension::LENGTH });
+    let figures = |display: &Display, x: f64| display.figures(Value::Scalar(x), 6);
+    let mut table = Table::new(vec![Column::words("phase")], 1);
+    for (header, display) in [("from", &angle), ("to", &angle), ("lift from", &lift), ("lift to", &lift)] {
+        table.columns.push(Column::numbers(with_unit(header, &display.unit)));
+    }
+    table.columns.push(Column::words("law"));
+    for phase in plate.cam.program.phases() {
+        let what = match phase.change {
+            0.0 => "dwell",
+            up if up > 0.0 => "rise",
+            _ => "fall",
+        };
+        let (from, to) = (phase.start, phase.start + phase.angle);
+        table.row(vec![
+            what.to_owned(),
+            figures(&angle, from),
+            figures(&angle, to),
+            figures(&lift, phase.from),
+            // what comes back to the base circle does so but for rounding
+            figures(&lift, if phase.from == -phase.change { 0.0 } else { phase.from + phase.change }),
+            law(phase.law).to_owned(),
+        ]);
+    }
+    let mut section = Section::new(format!("Cam {}", plate.name));
+    section.table(table);
+    section
+}
+
+const fn law(law: Law) -> &'static str {
+    match law {
+        Law::Dwell => "",
+        Law::Uniform => "uniform",
+        Law::Parabolic => "parabolic",
+        Law::Harmonic => "harmonic",
+        Law::Cycloidal => "cycloidal",
+        Law::Poly345 => "poly345",
+        Law::Poly4567 => "poly4567",
+        Law::ModifiedTrapezoid => "modified_trapezoid",
+        Law::ModifiedSine => "modified_sine",
+    }
+}
+
+/// The tables that are asked for.
+pub(super) fn tables(answers: &Answers<'_>, report: &mut Report) {
+    for find in &answers.scene.mechanism.finds {
+        let FindKind::Table(table) = &find.kind else { continue };
+        let mut section = Section::new(find.name.clone());
+        section.table(if table.upright { upright(answers, table) } else { lying(answers, table) });
+        report.section(section);
+    }
+}
+
+fn figures(answers: &Answers<'_>, display: &Display, x: f64, greatest: f64) -> String {
+    if x.is_finite() {
+        answers.precision.figures(display.of_si(x), display.of_si(greatest))
+    } else {
+        NONE.to_owned()
+    }
+}
+
+/// One column per entry.
+fn lying(answers: &Answers<'_>, table: &model::Table) -> Table {
+    let rows = table.entries.first().map_or(0, |e| e.values.len());
+    let mut out = Table { rows: vec![Vec::new(); rows], ..Table::new(Vec::new(), 1) };
+    for entry in &table.entries {
+        let greatest = entry.values.iter().filter(|x| x.is_finite()).fold(0.0, |m, x| f64::max(m, x.abs()));
+        let cells = entry.values.iter().map(|x| figures(answers, &entry.display, *x, greatest));
+        out.column(with_unit(&entry.name, &entry.display.unit), cells);
+    }
+    out
+}
+
+/// One row per entry, with what belongs to each of several parts side by side.
+fn upright(answers: &Answers<'_>, table: &model::Table) -> Table {
+    let most = table.entries.iter().map(|e| e.values.len()).max().unwrap_or(0);
+    let mut columns = vec![Column::words("quantity")];
+    columns.extend((1..=most).map(|i| Column::numbers(i.to_string())));
+    columns.push(Column::words("unit"));
+    let mut out = Table::new(columns, 1);
+    for entry in &table.entries {
+        let mut cells = vec![entry.name.clone()];
+        cells.extend(entry.values.iter().map(|x| figures(answers, &entry.display, *x, 0.0)));
+        cells.resize(most + 1, String::new());
+        cells.push(entry.display.unit.clone());
+        out.row(cells);
+    }
+    out
+}
+
+/// A table of a cam with all digits, for other programs.
+#[must_use]
+pub fn full(table: &model::Table) -> Table {
+    let rows = table.entries.first().map_or(0, |e| e.values.len());
+    let mut out = Table { rows: vec![Vec::new(); rows], ..Table::new(Vec::new(), 1) };
+    for entry in &table.entries {
+        let cell =
+            |x: &f64| if x.is_finite() { significant(entry.display.of_si(*x), 15) } else { String::new() };
+        out.column(with_unit(&entry.name, &entry.display.unit), entry.values.iter().map(cell));
+    }
+    out
+}
