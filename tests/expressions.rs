@@ -134,6 +134,7 @@ expect v = (-8 m/s, 0) within 10 m/s";
     let units = mechanism.finds.iter().map(|f| match &f.kind {
         FindKind::Value { display, .. } => (f.name.as_str(), display.unit.as_str()),
         FindKind::Reactions => (f.name.as_str(), "reactions"),
+        FindKind::Table(_) => (f.name.as_str(), "table"),
     });
     let expected =
         [("position(C)", "mm"), ("v", "m/s"), ("omega(rod)", "rev/s"), ("angle(rod)", "deg"), ("ratio", "")];
