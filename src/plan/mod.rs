@@ -106,9 +106,17 @@ impl Plan {
     #[must_use]
     pub fn laned(&self) -> bool {
         let closed = |step: &ForceStep| {
-            !matches!(step, ForceStep::General { .. } | ForceStep::Sequence(_) | ForceStep::Rubbing { .. })
+            !matches!(
+                step,
+                ForceStep::Triad(_)
+                    | ForceStep::General { .. }
+                    | ForceStep::Sequence(_)
+                    | ForceStep::Rubbing { .. }
+            )
         };
+        let followed = |step: &MotionStep| matches!(step, MotionStep::Triad { .. });
         self.general.is_empty()
+            && !self.motion.iter().any(followed)
             && self.cams.is_empty()
             && self.forces.iter().all(closed)
             && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
