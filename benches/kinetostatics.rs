@@ -7,7 +7,7 @@ mod machines;
 use assur::math::Vec2;
 use assur::model::{Friction, Mechanism, PairKind};
 use assur::plan::Plan;
-use assur::solve::{DriveInput, Scene, State, solve};
+use assur::solve::{DriveInput, Scene, SideBySide, State, solve};
 use assur::structure::Structure;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
@@ -206,6 +206,18 @@ fn f_by_hand_four_bar(bencher: Bencher) {
             sum += torque;
         }
         black_box(&out);
+        sum
+    });
+}
+
+/// The same as the forces in one lane, positions side by side.
+#[divan::bench(args = ["crank-slider", "four-bar", "six-bar"])]
+fn g_lanes(bencher: Bencher, name: &str) {
+    let bench = Bench::new(machine(name));
+    let mut lanes = SideBySide::new(&bench.plan, &bench.state);
+    bencher.counter(ItemsCount::new(POSITIONS)).bench_local(|| {
+        let mut sum = 0.0;
+        lanes.run(&bench.inputs, |_, place| sum += place.effort(0) + place.body(2).p.x);
         sum
     });
 }

@@ -23,6 +23,8 @@ mod groups;
 mod invariance;
 #[path = "properties/jet.rs"]
 mod jet;
+#[path = "properties/lanes.rs"]
+mod lanes;
 #[path = "properties/loads.rs"]
 mod loads;
 #[path = "properties/machines.rs"]
@@ -151,4 +153,14 @@ fn friction_obeys_its_laws() {
         Ok(verified.unwrap_or_default())
     });
     assert!(free.get() > 300, "{} moved", free.get());
+}
+
+#[test]
+fn positions_side_by_side_have_the_bits_of_each_alone() {
+    let mut laned = 0;
+    for seed in 0..600 {
+        let Ok(run) = Run::new(&generate::mechanism(seed).mechanism) else { continue };
+        laned += lanes::compare(&run, seed).expect("the same bits");
+    }
+    assert!(laned > 500, "{laned} positions in lanes");
 }

@@ -80,7 +80,7 @@ fn wheels(cx: &mut Context<'_>, body: &Body, on_link: bool) {
     for member in body {
         if let Member::Wheel(w) = &member.node {
             wheel(cx, w);
-            if on_link {
+            if on_link && moves(cx) {
                 cx.unsupported("a wheel on a link", member.span);
             }
         }

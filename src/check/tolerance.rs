@@ -49,7 +49,7 @@ fn given(
     }
     if dim.known() == Dimension::NUMBER {
         let plain = ty.dimension().is_number();
-        let zero = values.iter().zip(&expect.values).find(|(v, _)| magnitude(v) == Some(0.0));
+        let zero = values.iter().zip(&expect.values).find(|(v, _)| !v.pending && magnitude(v) == Some(0.0));
         return match zero {
             // A share of zero is zero; of a plain number the tolerance has no unit that would tell.
             Some(_) if plain => Some(Tolerance::Absolute(size)),
@@ -82,14 +82,15 @@ fn inferred(
 ) -> Option<Tolerance> {
     let mut all = Vec::new();
     for (value, expr) in values.iter().zip(&expect.values) {
+        if value.pending {
+            return None;
+        }
         let size = magnitude(value);
         if size == Some(0.0) {
             return no_zero(cx, expr, ty);
         }
         let (Some(digit), Some(size)) = (last_digit(cx, expr, 0), size) else {
-            if !value.pending {
-                cx.error(ExpectError::NoTolerance { span: expr.span });
-            }
+            cx.error(ExpectError::NoTolerance { span: expr.span });
             return None;
         };
         all.push(digit.min(MOST * size));

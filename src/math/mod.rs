@@ -2,6 +2,7 @@
 
 pub mod chebyshev;
 mod dense;
+mod double;
 mod lanes;
 pub mod periodic;
 mod rigid;
@@ -10,6 +11,7 @@ mod scalar;
 mod vec2;
 
 pub use dense::Dense;
+pub use double::Double;
 pub use lanes::Lanes;
 pub use rigid::{acceleration_at, velocity_at};
 pub use root::root;

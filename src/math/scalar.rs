@@ -20,6 +20,9 @@ pub trait Scalar:
     /// The outcome of a comparison, one truth per lane.
     type Mask: Truths;
 
+    /// More digits than `f64`: numbers that a plan holds rounded are formed again.
+    const WIDE: bool = false;
+
     /// The same value in every lane.
     fn of(x: f64) -> Self;
     /// Square root; NaN below zero.

@@ -90,5 +90,6 @@ pub(super) fn leg(replaced: &Replaced, outer: GroupJoint, inner: GroupJoint) -> 
         direction,
         length,
         turn: direction / length,
+        arm: to - from,
     }
 }

@@ -3,7 +3,7 @@
 use super::friction::RubbingGroup;
 use super::triad::{TriadForces, TriadMotion};
 use crate::group::rrr::Sides;
-use crate::math::Vec2;
+use crate::math::{Scalar, V2, Vec2};
 
 /// A point in a body's frame, m; `None` at its origin, where there is nothing to turn.
 pub type Arm = Option<Vec2>;
@@ -55,6 +55,38 @@ pub struct Leg {
     pub length: f64,
     /// The direction over the distance, 1/m.
     pub turn: Vec2,
+    /// From the outer revolute to the inner one, m.
+    pub arm: Vec2,
+}
+
+impl Leg {
+    /// Distance of the two revolutes, m.
+    #[inline(always)]
+    pub fn length<S: Scalar>(&self) -> S {
+        if S::WIDE { V2::of(self.arm).norm() } else { S::of(self.length) }
+    }
+
+    /// The direction from one to the other over the distance, 1/m.
+    #[inline(always)]
+    pub fn turn<S: Scalar>(&self) -> V2<S> {
+        let arm = V2::of(self.arm);
+        if S::WIDE { arm / arm.dot(arm) } else { V2::of(self.turn) }
+    }
+}
+
+/// A unit direction of the plan.
+#[inline(always)]
+pub fn unit<S: Scalar>(direction: Vec2) -> V2<S> {
+    let direction = V2::of(direction);
+    if S::WIDE { direction / direction.norm() } else { direction }
+}
+
+impl Slide {
+    /// Direction of the sliding body against the base.
+    #[inline(always)]
+    pub fn turn<S: Scalar>(&self) -> V2<S> {
+        if S::WIDE { unit(self.along).turned_back(unit(self.direction)) } else { V2::of(self.turn) }
+    }
 }
 
 /// A link of a dyad that may consist of two bodies with a driven joint between them.

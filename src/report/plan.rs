@@ -56,6 +56,11 @@ fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &
         MotionStep::Triad { .. } => {
             "triad: all assemblies by a sextic, then followed with a certificate".to_owned()
         }
+        MotionStep::Cam { cam, .. } => {
+            let index = scene.plan.cams.get(*cam).map_or(0, |c| c.contact.cam);
+            let name = scene.mechanism.cams.get(index).map_or("", |c| c.name.as_str());
+            format!("the law of cam {name}")
+        }
         MotionStep::General { .. } => {
             format!("Newton's method, {} links at once", link_names(scene, group).len())
         }

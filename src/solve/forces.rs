@@ -3,6 +3,7 @@
 use super::state::{Reaction, Shared, State};
 use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
 use crate::math::{Scalar, V2};
+use crate::plan::step::unit;
 use crate::plan::{Arm, EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 
 impl State {
@@ -125,7 +126,7 @@ impl<S: Scalar> State<S> {
 
     #[inline(always)]
     pub(super) fn direction(&self, way: &Way) -> V2<S> {
-        V2::of(way.direction).turned(self.bodies[way.slider].u)
+        unit(way.direction).turned(self.bodies[way.slider].u)
     }
 
     /// One body on a revolute: the effort is found from the moment about it.

@@ -6,6 +6,7 @@ use super::state::{BodyState, Shared, State};
 use crate::group::rrr::Sides;
 use crate::group::{pp, prp, rpp, rpr, rrp};
 use crate::math::{Scalar, Truths, V2, Vec2};
+use crate::plan::step::unit;
 use crate::plan::{Anchor, Arm, Leg, MotionStep, Plan, Slide};
 
 /// Rounding alone may leave a group at a dead centre this much short of closing, relative to its lengths.
@@ -57,10 +58,10 @@ pub(super) fn under<S: Scalar, const LEVEL: u8>(bodies: &[BodyState<S>], body: u
 #[inline(always)]
 pub(super) fn line<S: Scalar>(bodies: &[BodyState<S>], slide: &Slide) -> Line<S> {
     if slide.base == 0 {
-        return Line { origin: V2::of(slide.origin), along: V2::of(slide.along) };
+        return Line { origin: V2::of(slide.origin), along: unit(slide.along) };
     }
     let base = &bodies[slide.base];
-    Line { origin: base.position(slide.origin), along: V2::of(slide.along).turned(base.u) }
+    Line { origin: base.position(slide.origin), along: unit(slide.along).turned(base.u) }
 }
 
 /// Puts a body so that its pin moves as given, at direction `u`, angular velocity and acceleration as given.
@@ -226,19 +227,12 @@ impl<S: Scalar> State<S> {
     ) {
         if slide.base == 0 {
             let moved = Point { p, v: d * s_dot, a: d * s_ddot };
-            place::<S, LEVEL>(
-                &mut self.bodies[slide.body],
-                pin,
-                moved,
-                V2::of(slide.turn),
-                S::zero(),
-                S::zero(),
-            );
+            place::<S, LEVEL>(&mut self.bodies[slide.body], pin, moved, slide.turn(), S::zero(), S::zero());
             return;
         }
         let base = self.bodies[slide.base];
         let moved = slid::<S, LEVEL>(&base, under::<S, LEVEL>(&self.bodies, slide.base, p), d, s_dot, s_ddot);
-        let u = V2::of(slide.turn).turned(base.u);
+        let u = slide.turn().turned(base.u);
         place::<S, LEVEL>(&mut self.bodies[slide.body], pin, moved, u, base.omega, base.alpha);
     }
 
@@ -247,12 +241,13 @@ impl<S: Scalar> State<S> {
         let [one, two] = legs;
         let a = point::<S, LEVEL>(&self.bodies, &one.base);
         let b = point::<S, LEVEL>(&self.bodies, &two.base);
-        let at = sides.of().position(a.p, b.p, S::of(self.branches[branch].root));
+        let sides = if S::WIDE { Sides::new(one.length(), two.length()) } else { sides.of() };
+        let at = sides.position(a.p, b.p, S::of(self.branches[branch].root));
         self.sines[branch] = at.sine;
         self.closes(branch, at.closure, S::of(one.length + two.length));
         self.shared[branch] = Shared { r_1: at.r_1, second: at.r_2, inverse: at.inverse };
-        let u_1 = at.r_1.turned_back(V2::of(one.turn));
-        let u_2 = at.r_2.turned_back(V2::of(two.turn));
+        let u_1 = at.r_1.turned_back(one.turn());
+        let u_2 = at.r_2.turned_back(two.turn());
         let (mut omega, mut alpha) = ((S::zero(), S::zero()), (S::zero(), S::zero()));
         if LEVEL > 0 {
             let group = at.group();
@@ -271,11 +266,11 @@ impl<S: Scalar> State<S> {
         let a = point::<S, LEVEL>(&self.bodies, &leg.base);
         let guide = line(&self.bodies, slide);
         let h = from_point.y + side * slide.radius;
-        let at = rrp::position(a.p, S::of(leg.length), guide.origin, guide.along, S::of(h), S::of(root));
+        let at = rrp::position(a.p, leg.length(), guide.origin, guide.along, S::of(h), S::of(root));
         self.sines[branch] = at.sine;
-        self.closes(branch, at.closure, S::of(leg.length));
+        self.closes(branch, at.closure, leg.length());
         self.shared[branch] = Shared { r_1: at.r_1, second: guide.along, inverse: at.inverse };
-        let u_1 = at.r_1.turned_back(V2::of(leg.turn));
+        let u_1 = at.r_1.turned_back(leg.turn());
         let (mut omega_1, mut alpha_1, mut s_dot, mut s_ddot) = (S::zero(), S::zero(), S::zero(), S::zero());
         if LEVEL > 0 {
             let g = under::<S, LEVEL>(&self.bodies, slide.base, at.p_C);
@@ -301,8 +296,8 @@ impl<S: Scalar> State<S> {
         let at = rpr::position(a.p, b.p, h, S::of(root));
         self.sines[*branch] = at.sine;
         self.closes(*branch, at.closure, h.abs() + (b.p - a.p).norm());
-        let u_1 = at.e.turned_back(V2::of(slide.along));
-        let u_2 = at.e.turned_back(V2::of(slide.direction));
+        let u_1 = at.e.turned_back(unit(slide.along));
+        let u_2 = at.e.turned_back(unit(slide.direction));
         let (mut omega, mut alpha) = (S::zero(), S::zero());
         if LEVEL > 0 {
             let group = rpr::Rpr::new(b.p - a.p, at.e, h, at.s);
@@ -355,7 +350,7 @@ impl<S: Scalar> State<S> {
         let sides = self.branches[branch].sides;
         let a = point::<S, LEVEL>(&self.bodies, base);
         let guide = line(&self.bodies, outer);
-        let d_1 = V2::of(inner.along).turned(guide.along.turned_back(V2::of(outer.direction)));
+        let d_1 = unit(inner.along).turned(guide.along.turned_back(unit(outer.direction)));
         let h_1 = (pin.unwrap_or(Vec2::zero()) - inner.point).turned_back(inner.direction).y
             + sides[0] * inner.radius;
         let h_2 = (inner.origin - outer.point).turned_back(outer.direction).y + sides[1] * outer.radius;
@@ -372,7 +367,7 @@ impl<S: Scalar> State<S> {
             }
         }
         self.place_slider::<LEVEL>(outer, guide.along, &Some(inner.origin), at.p_R, rate.1, second.1);
-        let u_1 = d_1.turned_back(V2::of(inner.direction));
+        let u_1 = d_1.turned_back(unit(inner.direction));
         place::<S, LEVEL>(&mut self.bodies[inner.body], pin, a, u_1, carrier.omega, carrier.alpha);
     }
 

@@ -116,6 +116,8 @@ fn numbers(m: &mut Mechanism) -> Vec<&mut f64> {
                             out.push(r);
                         }
                         ProfileShape::Line(p, _) => vector(p, &mut out),
+                        // cams are tested by themselves
+                        ProfileShape::Rim(_) => {}
                     }
                 }
             }

@@ -14,13 +14,14 @@ use super::super::screen::Screen;
 use super::layout::{ERROR, Layout};
 use super::line::{Said, Written, write_row};
 use super::progress::Progress;
+use super::rows::{Chunk, Rows};
 use super::sink::Sink;
 use super::stop;
 use super::tally::{Kind, Tally};
-use crate::check::{self, ColumnUse, FileRow, Overrides, Row, RowColumn};
+use crate::check::{self, ColumnUse, Overrides, RowColumn};
 use crate::diagnostic::Problems;
 use crate::exercise::Family;
-use crate::exercise::table::{Fault, Lines, RawRow, Separator, Table};
+use crate::exercise::table::{Fault, Lines, Table};
 use crate::report::rows::AnswerColumns;
 use crate::source::Source;
 use crate::syntax::{self, document::Document};
@@ -53,66 +54,9 @@ pub struct Job {
     answers: Option<AnswerColumns>,
 }
 
-/// Where rows come from.
-#[derive(Debug)]
-enum Rows {
-    /// The file as it stands.
-    One,
-    /// Its own table.
-    Own(Vec<FileRow>),
-    /// A table beside it.
-    Csv(String),
-}
-
-/// Rows in memory.
-enum Chunk<'a> {
-    One,
-    Own { rows: &'a [FileRow], before: usize },
-    Csv { lines: Lines, table: &'a str, separator: Separator },
-}
-
-/// A row to solve.
-pub struct Input<'a> {
-    /// Counted from 1.
-    pub number: usize,
-    /// What the column `variant` calls it.
-    pub label: Option<String>,
-    /// Its numbers as written in a table beside the file.
-    pub written: Option<Vec<crate::exercise::table::Cell<'a>>>,
-    /// Its numbers.
-    pub row: Row,
-    /// Its place in the file's own table.
-    pub span: Option<crate::source::Span>,
-}
-
-impl Chunk<'_> {
-    fn len(&self) -> usize {
-        match self {
-            Self::One => 1,
-            Self::Own { rows, .. } => rows.len(),
-            Self::Csv { lines, .. } => lines.len(),
-        }
-    }
-
-    fn get(&self, index: usize, columns: &Arc<[RowColumn]>) -> Result<Input<'_>, (usize, Fault)> {
-        match self {
-            Self::One => Ok(Input { number: 1, label: None, written: None, row: Row::default(), span: None }),
-            Self::Own { rows, before } => {
-                let FileRow { row, label, span } = rows[index].clone();
-                let number = before + index + 1;
-                Ok(Input { number, label, written: None, row, span: Some(span) })
-            }
-            Self::Csv { lines, table, separator } => {
-                let raw = lines.get(index).unwrap_or(RawRow { number: 0, line: 0, bytes: &[] });
-                let read = raw.read(table, columns, *separator).map_err(|fault| (raw.number, fault))?;
-                let (label, written) = (read.label, Some(read.cells));
-                Ok(Input { number: raw.number, label, written, row: read.row, span: None })
-            }
-        }
-    }
-}
-
 type Csv = Table<BufReader<File>>;
+/// What is done with a chunk of rows, of which there are so many where that is known; says whether to go on.
+type Work<'a> = dyn FnMut(&Chunk<'_>, Option<usize>) -> Result<bool, CliError> + 'a;
 
 fn open(name: &str) -> Result<Result<Csv, Fault>, CliError> {
     let fail = |error: std::io::Error| match error.kind() {
@@ -236,7 +180,7 @@ impl Job {
         &self,
         first: usize,
         fixed: Option<usize>,
-        work: &mut dyn FnMut(&Chunk<'_>, Option<usize>) -> Result<bool, CliError>,
+        work: &mut Work<'_>,
     ) -> Result<(), CliError> {
         let mut size = fixed.unwrap_or(first);
         let grown = |size: usize, taken: Duration| {

@@ -4,8 +4,9 @@ use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::super::args::BatchFormat;
-use super::job::{Input, Job};
+use super::job::Job;
 use super::layout::Layout;
+use super::rows::Input;
 use crate::Solved;
 use crate::diagnostic::Problems;
 use crate::exercise::table::Fault;
@@ -73,7 +74,7 @@ impl Written<'_> {
             said = sorted(&problems);
         }
         said.unmet = solved.is_some_and(|s| s.outcomes.iter().any(|o| !o.passed));
-        let error = said.failed.is_some().then(|| first_error(&problems)).unwrap_or_default();
+        let error = if said.failed.is_some() { first_error(&problems) } else { String::new() };
         let answers = solved.map(|s| s.answers(Precision::READABLE));
         if self.format == BatchFormat::Jsonl {
             self.json(input, answers.as_ref(), &problems);

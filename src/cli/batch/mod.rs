@@ -4,6 +4,7 @@ mod job;
 mod layout;
 mod line;
 mod progress;
+mod rows;
 mod sink;
 mod stop;
 mod tally;

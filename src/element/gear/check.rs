@@ -82,16 +82,17 @@ impl GearPair {
         found
     }
 
-    /// Whether the other tip meets a flank below its involute; where the flank is undercut, below the base circle. The
-    /// flanks of a ring end outside, at its root.
+    /// Whether the other tip meets a flank below its involute. Where the flank is undercut the rack has taken away what the
+    /// tip would meet; the flanks of a ring end outside, at its root.
     fn tip_reaches(&self, wheel: usize) -> Option<GearFault> {
-        if self.teeth.internal && wheel == 1 {
+        let undercut = self.teeth.shift[wheel] < self.gears[wheel].x_min - NEAR;
+        if self.teeth.internal && wheel == 1 || undercut {
             return None;
         }
         let sin = libm::sin(self.teeth.pressure_angle);
         let gear = &self.gears[wheel];
         let cut = (self.teeth.addendum - self.teeth.shift[wheel]) * self.teeth.module / sin;
-        let begin = (0.5 * gear.d * sin - cut).max(0.0);
+        let begin = 0.5 * gear.d * sin - cut;
         let [reached, _] = self.lowest(wheel);
         (reached < begin - NEAR * gear.d).then_some(GearFault::Tip { wheel, reached, begin })
     }

@@ -1,0 +1,77 @@
+//! Rows of a batch in memory.
+
+use std::sync::Arc;
+
+use crate::check::{FileRow, Row, RowColumn};
+use crate::exercise::table::{Cell, Fault, Lines, RawRow, Separator};
+use crate::source::Span;
+
+/// Where rows come from.
+#[derive(Debug)]
+pub enum Rows {
+    /// The file as it stands.
+    One,
+    /// Its own table.
+    Own(Vec<FileRow>),
+    /// A table beside it.
+    Csv(String),
+}
+
+/// Rows in memory.
+pub enum Chunk<'a> {
+    /// The file as it stands.
+    One,
+    /// Rows of its own table, behind so many.
+    Own {
+        rows: &'a [FileRow],
+        before: usize,
+    },
+    Csv {
+        lines: Lines,
+        table: &'a str,
+        separator: Separator,
+    },
+}
+
+/// A row to solve.
+pub struct Input<'a> {
+    /// Counted from 1.
+    pub number: usize,
+    /// What the column `variant` calls it.
+    pub label: Option<String>,
+    /// Its numbers as written in a table beside the file.
+    pub written: Option<Vec<Cell<'a>>>,
+    /// Its numbers.
+    pub row: Row,
+    /// Its place in the file's own table.
+    pub span: Option<Span>,
+}
+
+impl Chunk<'_> {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::One => 1,
+            Self::Own { rows, .. } => rows.len(),
+            Self::Csv { lines, .. } => lines.len(),
+        }
+    }
+
+    /// The row of this index, or what is wrong with it.
+    pub fn get(&self, index: usize, columns: &Arc<[RowColumn]>) -> Result<Input<'_>, (usize, Fault)> {
+        match self {
+            Self::One => Ok(Input { number: 1, label: None, written: None, row: Row::default(), span: None }),
+            Self::Own { rows, before } => {
+                let FileRow { row, label, span } = rows[index].clone();
+                let number = before + index + 1;
+                Ok(Input { number, label, written: None, row, span: Some(span) })
+            }
+            Self::Csv { lines, table, separator } => {
+                let raw = lines.get(index).unwrap_or(RawRow { number: 0, line: 0, bytes: &[] });
+                let read = raw.read(table, columns, *separator).map_err(|fault| (raw.number, fault))?;
+                let (label, written) = (read.label, Some(read.cells));
+                Ok(Input { number: raw.number, label, written, row: read.row, span: None })
+            }
+        }
+    }
+}
