@@ -82,8 +82,12 @@ impl Notes {
         pose: &Wanted,
     ) {
         let digits = f64::from(power) * condition.max(f64::MIN_POSITIVE).log10() - f64::EPSILON.log10();
-        // what is no number is reported by itself
-        if condition.is_nan() || digits >= FEW_DIGITS || self.fewest.as_ref().is_some_and(|f| f.0 <= digits) {
+        // what is no number is reported by itself; positions near a double root keep half their digits
+        if condition.is_nan()
+            || what == "positions"
+            || digits >= FEW_DIGITS
+            || self.fewest.as_ref().is_some_and(|f| f.0 <= digits)
+        {
             return;
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 0 and 7
