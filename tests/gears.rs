@@ -122,11 +122,14 @@ fn teeth_that_do_not_run_together_are_found() {
         (90.0, 98.0, None),
     ] {
         let found = faults(teeth([z_1, z_2], 0.002, [0.0; 2], true));
-        let overlap = found.iter().find_map(|f| if let GearFault::Overlap { gap } = f { Some(gap) } else { None });
+        let overlap =
+            found.iter().find_map(|f| if let GearFault::Overlap { gap } = f { Some(gap) } else { None });
         match (gap, overlap) {
             (None, None) => {}
             // the reference looks at 20000 positions of a turn
-            (Some(expected), Some(gap)) => assert!((gap * z_1 / z_2 - expected).abs() < 1e-4, "{z_1} {z_2}: {gap}"),
+            (Some(expected), Some(gap)) => {
+                assert!((gap * z_1 / z_2 - expected).abs() < 1e-4, "{z_1} {z_2}: {gap}")
+            }
             _ => panic!("{z_1} {z_2}: {found:?}"),
         }
     }

@@ -176,12 +176,7 @@ impl Job {
 
     /// Calls `work` on its rows, chunk by chunk, until that says it is enough. Without a size of its own a chunk is as
     /// large as takes a while.
-    fn each_chunk(
-        &self,
-        first: usize,
-        fixed: Option<usize>,
-        work: &mut Work<'_>,
-    ) -> Result<(), CliError> {
+    fn each_chunk(&self, first: usize, fixed: Option<usize>, work: &mut Work<'_>) -> Result<(), CliError> {
         let mut size = fixed.unwrap_or(first);
         let grown = |size: usize, taken: Duration| {
             if fixed.is_none() && taken < SHORT { (2 * size).min(LARGEST_CHUNK) } else { size }
