@@ -40,6 +40,7 @@ fn the_loop_over_positions_allocates_nothing() {
     assert_eq!(allocations(&machines::four_bar([0.1, 0.35, 0.3, 0.4], true, start())), 0);
     assert_eq!(allocations(&machines::six_bar(start())), 0);
     assert_eq!(allocations(&machines::triad(start())), 0);
+    assert_eq!(allocations(&machines::class_iv(start())), 0);
 }
 
 #[test]
