@@ -17,6 +17,7 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
                 ways: [0, 1].map(|i| way(structure, group.joints[i], first + i)),
             }),
             GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
+            GroupKind::Triad => super::triad::forces(structure, group, first),
             GroupKind::Train => {
                 plan.train_forces.push(super::train::forces(structure, group, first, plan));
                 Some(ForceStep::Train { train: plan.train_forces.len() - 1 })
@@ -31,7 +32,7 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
     }
 }
 
-fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
+pub(super) fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
     Hinge {
         body: joint.body.0,
         pin: pin_arm(&structure.replaced, joint, joint.body),

@@ -89,7 +89,8 @@ impl Run<'_, '_> {
         let scene = self.scene;
         let level = scene.plan.effects.level;
         let mut least = 1.0_f64;
-        for (group, sine) in scene.structure.motion.iter().zip(&state.sines) {
+        let groups = scene.structure.motion.iter().zip(&state.certificates);
+        for ((group, &h), sine) in groups.zip(&state.sines) {
             let condition = sine.abs();
             least = least.min(condition);
             if level > Level::Positions && condition <= DEAD {
@@ -101,6 +102,7 @@ impl Run<'_, '_> {
                 Level::Accelerations => ("accelerations", 3),
             };
             self.notes.condition(scene, group, (condition, what, power), pose);
+            self.notes.certificate(scene, group, h, condition, pose);
         }
         Ok(least)
     }

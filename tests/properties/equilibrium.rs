@@ -162,8 +162,6 @@ impl System<'_> {
 
     fn pair(&mut self, id: PairId, kind: &PairKind) {
         match kind {
-            // trains are tested by themselves
-            PairKind::Transmission(_) => {}
             PairKind::Revolute(pins) => {
                 for pin in &pins[1..] {
                     self.hinge(id, pin.link, pins[0].link, self.at(pin.link, pin.at));
@@ -255,8 +253,6 @@ impl System<'_> {
     /// A unit effort between the links of a pair.
     fn in_pair(&self, pair: PairId) -> Vec<(LinkId, Wrench)> {
         match &self.mechanism.pair(pair).kind {
-            // trains are tested by themselves
-            PairKind::Transmission(_) => Vec::new(),
             PairKind::Revolute(pins) => {
                 vec![(pins[1].link, Wrench::couple(1.0)), (pins[0].link, Wrench::couple(-1.0))]
             }
