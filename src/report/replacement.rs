@@ -49,10 +49,9 @@ fn contact(scene: &Scene<'_>, first: &Profile, second: &Profile, internal: bool)
         let centre = if r > 0.0 { "in the centre of" } else { "on" };
         format!("an imaginary block hinged {centre} `{round}` that slides along `{line}`{away}")
     };
-    let is_cam = |p: &Profile| matches!(p.shape, ProfileShape::Rim(_));
-    let cam_first = if is_cam(first) { Some((first, second)) } else { None };
-    let cam_second = if is_cam(second) { Some((second, first)) } else { None };
-    if let Some((cam, follower)) = cam_first.or(cam_second) {
+    let cam = |p: &Profile| matches!(p.shape, ProfileShape::Rim(_));
+    let rubbed = if cam(first) { Some((first, second)) } else { cam(second).then_some((second, first)) };
+    if let Some((cam, follower)) = rubbed {
         let (cam, tip) = (profile_text(scene.mechanism, cam), profile_text(scene.mechanism, follower));
         return match follower.shape {
             ProfileShape::Line(..) => {
