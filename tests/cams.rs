@@ -2,6 +2,7 @@
 //! the formulas: circles and lines that are cut with their neighbours.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests")]
 #![allow(clippy::disallowed_methods, reason = "an independent computation")]
+#![allow(clippy::excessive_precision, reason = "the digits of the reference")]
 
 #[path = "cams/mechanism.rs"]
 mod mechanism;

@@ -2,6 +2,7 @@
 //! cutting lines with circles and the overlap in a ring by following the tips of the pinion.
 #![allow(clippy::unwrap_used, reason = "tests")]
 #![allow(clippy::disallowed_methods, reason = "an independent computation")]
+#![allow(clippy::excessive_precision, reason = "the digits of the reference")]
 
 use assur::element::gear::{GearFault, GearPair, Teeth, involute};
 
