@@ -124,7 +124,7 @@ pub enum SolveError {
         code(mech::solve::not_certified),
         severity(warning),
         help(
-            "the theorem of Newton and Kantorovich asks for h ≤ 0.5 and finds h = {figure}, with the condition figure σ = {condition:.1e}: so near to a dead position rounding errors decide whether there is a solution, or two; choose a position beside it"
+            "the theorem of Newton and Kantorovich asks for h ≤ 0.5 and finds h = {figure}: so near to a dead position rounding errors decide whether there is a solution, or two; choose a position beside it"
         )
     )]
     NotCertified {
@@ -132,10 +132,8 @@ pub enum SolveError {
         pose: String,
         /// The links of the group.
         links: String,
-        /// h
+        /// h, and the condition figure σ.
         figure: String,
-        /// σ
-        condition: f64,
         /// At how many other poses it is so.
         more: String,
         /// The pairs of the group.

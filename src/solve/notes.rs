@@ -121,8 +121,7 @@ impl Notes {
         let warning = SolveError::NotCertified {
             pose: place(scene, pose),
             links: links(scene, group),
-            figure: format!("{h:.1e}"),
-            condition: sigma,
+            figure: format!("{h:.1e}, with the condition figure σ = {sigma:.1e}"),
             more: String::new(),
             labels: labels(scene, group, "this group"),
         };

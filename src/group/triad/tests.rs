@@ -104,7 +104,7 @@ fn all_modes_close_and_none_is_missed() {
         let scene = Scene::random(&mut random, i % 3);
         let ends = scene.ends(0.0);
         let found = modes(&scene.plate, &ends);
-        assert!(found.len() <= 6 && found.len() % 2 == 0, "{} modes", found.len());
+        assert!(found.len() <= 6 && found.len().is_multiple_of(2), "{} modes", found.len());
         counts[found.len()] += 1;
         for mode in &found {
             assert!(residual(&ends, &scene.plate, &mode.pose) < 1e-13, "{mode:?}");
