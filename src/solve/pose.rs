@@ -15,6 +15,9 @@ use crate::plan::{ForceStep, Level};
 
 /// At and below this condition velocities and forces do not exist.
 pub(super) const DEAD: f64 = 1e-12;
+/// A group below this σ loses digits that the groups behind it lose again: what is left of one that hangs on others goes by
+/// the product.
+const LOSES: f64 = 0.05;
 /// Forces without friction over those with it, below which the mechanism is near self-locking.
 const NEAR_LOCKING: f64 = 1e-3;
 
@@ -89,10 +92,13 @@ impl Run<'_, '_> {
         let scene = self.scene;
         let level = scene.plan.effects.level;
         let mut least = 1.0_f64;
+        let mut carried = vec![1.0_f64; state.bodies.len()];
         let groups = scene.structure.motion.iter().zip(&state.certificates);
         for ((group, &h), sine) in groups.zip(&state.sines) {
             let condition = sine.abs();
             least = least.min(condition);
+            let before = group.joints.iter().map(|j| carried[j.base.0]).fold(1.0, f64::min);
+            group.bodies.iter().for_each(|b| carried[b.0] = before * (condition / LOSES).min(1.0));
             if level > Level::Positions && condition <= DEAD {
                 return Err(notes::dead(scene, group, condition, pose));
             }
@@ -101,7 +107,7 @@ impl Run<'_, '_> {
                 Level::Velocities => ("velocities", 2),
                 Level::Accelerations => ("accelerations", 3),
             };
-            self.notes.condition(scene, group, (condition, what, power), pose);
+            self.notes.condition(scene, group, (condition * before, what, power), pose);
             self.notes.certificate(scene, group, h, condition, pose);
         }
         Ok(least)
