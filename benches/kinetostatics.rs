@@ -99,7 +99,8 @@ fn machine(name: &str) -> Mechanism {
         "crank-slider" => machines::crank_slider(0.1, 0.35, 0.0, start),
         "four-bar" => machines::four_bar([0.1, 0.35, 0.3, 0.4], true, start),
         "six-bar" => machines::six_bar(start),
-        _ => machines::triad(start),
+        "triad" => machines::triad(start),
+        _ => machines::class_iv(start),
     }
 }
 
@@ -120,7 +121,7 @@ fn measure(bencher: Bencher, name: &str, stage: Stage) {
     bencher.counter(ItemsCount::new(POSITIONS)).bench_local(|| black_box(bench.revolution(black_box(stage))));
 }
 
-const MACHINES: [&str; 4] = ["crank-slider", "four-bar", "six-bar", "triad"];
+const MACHINES: [&str; 5] = ["crank-slider", "four-bar", "six-bar", "triad", "class-iv"];
 
 #[divan::bench(args = MACHINES)]
 fn a_positions(bencher: Bencher, name: &str) {

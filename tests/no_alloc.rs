@@ -40,6 +40,7 @@ fn the_loop_over_positions_allocates_nothing() {
     assert_eq!(allocations(&machines::four_bar([0.1, 0.35, 0.3, 0.4], true, start())), 0);
     assert_eq!(allocations(&machines::six_bar(start())), 0);
     assert_eq!(allocations(&machines::triad(start())), 0);
+    assert_eq!(allocations(&machines::class_iv(start())), 0);
 }
 
 #[test]
@@ -64,7 +65,48 @@ fn friction_allocates_nothing() {
 }
 
 #[test]
+fn a_cam_allocates_nothing() {
+    let text = include_str!("../examples/cams/lever.mech");
+    let source = assur::source::Source::new("lever.mech", text);
+    let (mechanism, _) = assur::check_source(&source, &assur::check::Overrides::none());
+    assert_eq!(allocations(&mechanism.expect("the example is sound")), 0);
+}
+
+#[test]
 fn the_count_counts() {
     let counted = allocation_counter::measure(|| drop(std::hint::black_box(vec![1_u8])));
     assert_eq!(counted.count_total, 1);
+}
+
+/// A gearbox with losses that drives a crank-slider and a hoist.
+const TRAIN: &str = "
+ground { O (0, 0); line guide through O along 0 deg; wheel ring teeth 60 }
+shaft S { wheel sun teeth 24 }
+shaft H { wheel w radius 0.2 m; wheel h teeth 20; inertia 0.1 kg*m^2 }
+shaft P on H { wheel p teeth 18 }
+mesh a: sun - p { efficiency 0.98 }
+mesh b: p - ring { internal; efficiency 0.98 }
+link crank O-A 100 mm { wheel z teeth 40 at O }
+link rod A-B 400 mm
+link piston { B (0, 0); mass 2 kg }
+revolute O: ground - crank
+revolute A: crank - rod
+revolute B: rod - piston
+prismatic D: piston.B - ground.guide
+mesh k: h - z { efficiency 0.95 }
+slider load { mass 20 kg }
+rope r: load - over(C) - w
+gravity 9.81 m/s^2
+drive S = 0 deg at 100 rpm
+assemble B ahead of O
+force R on piston at B = 100 N @ 180 deg
+find effort(S)
+";
+
+#[test]
+fn a_train_allocates_nothing() {
+    let source = assur::source::Source::new("train.mech", TRAIN);
+    let (mechanism, problems) = assur::check_source(&source, &assur::check::Overrides::none());
+    let mechanism = mechanism.unwrap_or_else(|| panic!("{problems:?}"));
+    assert_eq!(allocations(&mechanism), 0);
 }

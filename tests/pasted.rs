@@ -105,3 +105,30 @@ fn what_holds_or_drives() {
         }
     }
 }
+
+/// The assemblies that `assur check --modes` lists: the line of each, and which the file chooses.
+fn listed(text: &str) -> Vec<(Option<String>, bool)> {
+    let source = Source::new("text.mech", text);
+    let (compiled, _) = assur::compile(&source, &Overrides::none());
+    let compiled = compiled.expect("it is sound");
+    let modes = assur::solve::modes(&compiled.scene()).expect("it is solved");
+    modes.groups.into_iter().flat_map(|g| g.modes).map(|m| (m.line, m.chosen)).collect()
+}
+
+#[test]
+fn a_listed_assembly() {
+    for (name, count) in [("general/class-iii-triad", 2), ("../tests/errors/assembly/ambiguous/six", 6)] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(format!("{name}.mech"));
+        let text = std::fs::read_to_string(&path).expect("a text");
+        let open: String =
+            text.lines().filter(|l| !l.starts_with("assemble")).map(|l| format!("{l}\n")).collect();
+        let modes = listed(&open);
+        assert_eq!(modes.len(), count, "{name}: {modes:?}");
+        assert!(modes.iter().all(|m| !m.1), "{name}: nothing is chosen");
+        for (i, (line, _)) in modes.iter().enumerate() {
+            let line = line.as_ref().expect("there are others");
+            let chosen: Vec<bool> = listed(&format!("{open}{line}\n")).iter().map(|m| m.1).collect();
+            assert!(chosen.iter().enumerate().all(|(k, c)| *c == (k == i)), "{line}: {chosen:?}");
+        }
+    }
+}

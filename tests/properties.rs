@@ -39,6 +39,8 @@ mod rubbing;
 mod run;
 #[path = "properties/sweeps.rs"]
 mod sweeps;
+#[path = "properties/triads.rs"]
+mod triads;
 
 use compare::{Worst, compare};
 use draft::Draft;
@@ -136,7 +138,7 @@ fn every_kind_of_group_is_made_often() {
         }
     }
     assert!(compared > 2000 && far > 1000, "{compared} compared, {far} with balances");
-    assert!(made.len() == 9 && made.values().all(|&n| n > 150), "{made:?}");
+    assert!(made.len() == 10 && made.values().all(|&n| n > 150), "{made:?}");
 }
 
 #[test]

@@ -82,7 +82,7 @@ fn a_row_is_the_file_with_these_values() {
         let none = Overrides::none();
         let mut family = Family::new(&source, &document, &none);
         for _ in 0..ROWS {
-            let values: Vec<f64> = givens.iter().map(|g| g.2 * (0.6 + 0.9 * random(&mut state))).collect();
+            let values: Vec<f64> = givens.iter().map(|g| g.2 * (0.3 + 2.5 * random(&mut state))).collect();
             let cell = |(column, value): (&RowColumn, &f64)| RowCell {
                 value: column.unit.to_si(*value),
                 digit: 1.0,
@@ -103,7 +103,7 @@ fn a_row_is_the_file_with_these_values() {
         }
     }
     // rows of both kinds are compared
-    assert!(solved_rows > 300 && failed_rows > 10, "{solved_rows} solved, {failed_rows} not");
+    assert!(solved_rows > 100 && failed_rows > 10, "{solved_rows} solved, {failed_rows} not");
 }
 
 fn columns_of(source: &Source, givens: &[(String, String, f64)]) -> Arc<[RowColumn]> {

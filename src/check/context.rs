@@ -51,6 +51,11 @@ pub struct Context<'a> {
 impl<'a> Context<'a> {
     /// The state at the start.
     pub fn new(doc: &'a Document, overrides: &'a Overrides) -> Self {
+        Self::with_units(doc, overrides, unit_choice::count(doc))
+    }
+
+    /// As [`Context::new`], where the units are counted already.
+    pub(super) fn with_units(doc: &'a Document, overrides: &'a Overrides, units: UnitUse) -> Self {
         Self {
             doc,
             overrides,
@@ -60,7 +65,7 @@ impl<'a> Context<'a> {
             mech: Mechanism::default(),
             names: Names::default(),
             hinges: Hinges::default(),
-            units: unit_choice::count(doc),
+            units,
             definitions: Definitions::default(),
             sizes: Sizes::default(),
             stretched: None,

@@ -68,6 +68,12 @@ fn flywheel(cx: &mut Context<'_>, flywheel: &Flywheel) -> Option<model::Flywheel
         incomplete(cx, message, "leave `speed` out", speed.span, "the drive has a speed");
         return None;
     }
+    let on_shaft = cx.names.things.get(&flywheel.on.node).is_some_and(|d| d.what == ThingKind::Shaft);
+    if let Some(ratio) = find(&properties, "ratio").filter(|_| on_shaft) {
+        let message = format!("the speed of `{name}` follows from that of its shaft");
+        incomplete(cx, message, "leave `ratio` out", ratio.span, "the shaft is part of the file");
+        return None;
+    }
     let block = flywheel.properties.iter().find(|p| p.name.node == "rim");
     let rim = match block {
         Some(block) => {

@@ -21,12 +21,17 @@ pub(super) fn contacts(cx: &mut Context<'_>) {
             _ => continue,
         };
         let pair = PairId::at(index);
-        match contact(cx, pair, &rim, &other) {
+        // a contact takes its rim from the profiles of the link
+        let profiles = &cx.mech.link(rim.link).cam_profiles;
+        let Some(found) = profiles.iter().find(|r| r.name == rim.name) else { continue };
+        let (cam, centre) = (found.cam, found.centre);
+        let Some(plate) = cx.mech.cams.get(cam) else { continue };
+        match build(cx, &plate.cam, (pair, cam, centre), &rim, &other) {
             Ok(contact) => cx.mech.cam_contacts.push(contact),
-            Err((cam, (message, help))) => {
-                let declared = &cx.mech.pairs[index];
+            Err((message, help)) => {
+                let (declared, cam) = (&cx.mech.pairs[index], plate.span);
                 let (pair, span) = (declared.name.clone(), declared.span);
-                cx.error(CamError::OtherFollower { pair, message, help, span, cam: cx.mech.cams[cam].span });
+                cx.error(CamError::OtherFollower { pair, message, help, span, cam });
                 continue;
             }
         }
@@ -58,21 +63,6 @@ fn same(what: &str, here: f64, designed: f64, scale: f64) -> Result<(), Differen
 struct Stand<'a> {
     frame: LinkId,
     pin: &'a Pin,
-}
-
-fn contact(
-    cx: &Context<'_>,
-    pair: PairId,
-    rim: &Profile,
-    other: &Profile,
-) -> Result<CamContact, (usize, Difference)> {
-    let found = cx.mech.link(rim.link).cam_profiles.iter().find(|r| r.name == rim.name);
-    // a contact takes its rim from this list
-    let Some(found) = found else { return Err((0, (String::new(), String::new()))) };
-    let (index, centre) = (found.cam, found.centre);
-    let cam = &cx.mech.cams[index].cam;
-    let built = build(cx, cam, (pair, index, centre), rim, other);
-    built.map_err(|difference| (index, difference))
 }
 
 fn build(

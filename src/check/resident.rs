@@ -5,26 +5,28 @@
 
 use super::context::Context;
 use super::definition::Definitions;
-use super::hinges::Hinges;
+use super::names::Names;
 use super::row::Row;
-use super::train::Sizes;
+use super::unit_choice::UnitUse;
 use super::{Overrides, definitions, meaning};
 use crate::diagnostic::Problems;
 use crate::model::{Display, Mechanism};
 use crate::syntax::document::Document;
+use indexmap::IndexMap;
 
 /// A document with its names found.
 pub struct Resident<'a> {
-    cx: Context<'a>,
-    fresh: Fresh,
-}
-
-/// What every row starts from.
-struct Fresh {
+    doc: &'a Document,
+    overrides: &'a Overrides,
+    names: Names<'a>,
+    units: UnitUse,
+    order: Vec<String>,
+    results: IndexMap<String, String>,
+    /// What every row starts from.
     mech: Mechanism,
+    displays: Vec<Display>,
     links: usize,
     inside: usize,
-    displays: Vec<Display>,
 }
 
 impl<'a> Resident<'a> {
@@ -35,33 +37,34 @@ impl<'a> Resident<'a> {
         let mut cx = Context::new(document, overrides);
         definitions(&mut cx);
         let quiet = cx.problems.is_empty() && cx.reported.is_empty();
-        let fresh = Fresh {
-            mech: cx.mech.clone(),
-            links: cx.names.links.len(),
-            inside: cx.names.inside.len(),
-            displays: cx.displays(),
-        };
-        quiet.then_some(Self { cx, fresh })
+        let displays = cx.displays();
+        let Context { names, units, definitions, mech, .. } = cx;
+        let (order, results) = definitions.into_names();
+        let (links, inside) = (names.links.len(), names.inside.len());
+        let (doc, overrides) = (document, overrides);
+        quiet.then_some(Self { doc, overrides, names, units, order, results, mech, displays, links, inside })
     }
 
     /// As [`super::check`] with this row.
     pub fn check(&mut self, row: &Row) -> (Option<Mechanism>, Problems) {
-        let cx = &mut self.cx;
-        cx.row.clone_from(row);
-        cx.mech.clone_from(&self.fresh.mech);
-        cx.names.pairs.clear();
-        cx.names.links.truncate(self.fresh.links);
-        cx.names.inside.truncate(self.fresh.inside);
-        cx.hinges = Hinges::default();
-        cx.sizes = Sizes::default();
-        cx.reported.clear();
-        cx.gears.clear();
-        let (order, results) = std::mem::take(&mut cx.definitions).into_names();
-        cx.definitions = Definitions::of_names(order, results);
-        meaning(cx);
-        let problems = std::mem::replace(&mut cx.problems, Problems::new());
-        let mut mechanism = std::mem::take(&mut cx.mech);
-        mechanism.displays.clone_from(&self.fresh.displays);
+        use std::mem::take;
+        let bare = Context::with_units(self.doc, self.overrides, take(&mut self.units));
+        let mut cx = Context {
+            row: row.clone(),
+            names: take(&mut self.names),
+            definitions: Definitions::of_names(take(&mut self.order), take(&mut self.results)),
+            mech: self.mech.clone(),
+            ..bare
+        };
+        meaning(&mut cx);
+        let Context { names, units, definitions, mech, problems, .. } = cx;
+        (self.names, self.units) = (names, units);
+        (self.order, self.results) = definitions.into_names();
+        // what pairs have added
+        self.names.pairs.clear();
+        self.names.links.truncate(self.links);
+        self.names.inside.truncate(self.inside);
+        let mechanism = Mechanism { displays: self.displays.clone(), ..mech };
         ((!problems.has_errors()).then_some(mechanism), problems)
     }
 }

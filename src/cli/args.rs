@@ -23,6 +23,7 @@ const EXAMPLES: &str = "Example: assur solve engine.mech";
 const LONG: &str = "\
 Examples:
   assur check engine.mech                   what the mechanism is built from
+  assur check --modes engine.mech           in which ways it can be assembled
   assur solve engine.mech                   the answers as a readable table
   assur solve examples --format json        one object per file and line
   assur solve engine.mech --set r=120mm     with another crank
@@ -42,7 +43,7 @@ Exit status:
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Show what a mechanism is built from: mobility, structural groups, effects, plan; nothing is solved
-    Check(Problem),
+    Check(Check),
     /// Solve and print the answers
     Solve(Solve),
     /// Hold the solution against the file's own answer key
@@ -68,6 +69,17 @@ pub struct Problem {
     /// Give a `given` another value, as in `--set r=120mm`; may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     pub settings: Vec<(String, String)>,
+}
+
+/// Arguments of `check`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Check {
+    /// What to look at
+    #[command(flatten)]
+    pub problem: Problem,
+    /// List all assemblies of every group at the first pose, each with the line that chooses it
+    #[arg(long)]
+    pub modes: bool,
 }
 
 /// Arguments of `solve`.

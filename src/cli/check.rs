@@ -1,18 +1,36 @@
 //! `assur check`
 
-use super::args::Problem;
+use super::args::Check;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
+use crate::Compiled;
+use crate::diagnostic::Problems;
 use crate::report;
+use crate::report::document::Report;
 
-/// Prints what the mechanisms are built from.
-pub fn run(args: &Problem, screen: &Screen) -> Status {
-    let overrides = args.overrides();
-    for_each_file(&args.files, screen, "\n", |source| {
-        let (compiled, problems) = crate::compile(source, &overrides);
+/// Prints what the mechanisms are built from and, where it is asked for, how they can be assembled.
+pub fn run(args: &Check, screen: &Screen) -> Status {
+    let overrides = args.problem.overrides();
+    for_each_file(&args.problem.files, screen, "\n", |source| {
+        let (compiled, mut problems) = crate::compile(source, &overrides);
         let results = compiled.map_or_else(String::new, |c| {
-            report::text::render(&report::of_structure(source, &c.scene()), screen.look())
+            let mut report = report::of_structure(source, &c.scene());
+            if args.modes {
+                add_modes(&mut report, &c, &mut problems);
+            }
+            report::text::render(&report, screen.look())
         });
         Reply::new(results, &problems, source, screen)
     })
+}
+
+fn add_modes(report: &mut Report, compiled: &Compiled, problems: &mut Problems) {
+    let scene = compiled.scene();
+    match crate::solve::modes(&scene) {
+        Ok(modes) => {
+            report::add_modes(report, &scene, &modes);
+            problems.extend(modes.problem);
+        }
+        Err(errors) => problems.extend(errors),
+    }
 }

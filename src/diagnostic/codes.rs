@@ -204,6 +204,7 @@ pub const CODES: &[Code] = codes! {
     "solve" / "dead_position",
     "solve" / "ill_conditioned",
     "solve" / "way_too_long",
+    "solve" / "not_certified",
     "solve" / "contact_pulls",
     "solve" / "no_extreme",
     "solve" / "no_sweep",

@@ -119,6 +119,9 @@ impl Compared<'_> {
     }
 
     fn differs(&self, expr: &Expr, changed: &Expr) -> bool {
+        if let (Expr::Constant(a), Expr::Constant(b)) = (expr, changed) {
+            return !alike(*a, *b);
+        }
         let poses = self.solution.poses.iter().zip(&self.changed.poses);
         poses.into_iter().any(|(a, b)| {
             let (Ok(here), Ok(there)) = (&a.outcome, &b.outcome) else { return false };

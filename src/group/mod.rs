@@ -26,6 +26,7 @@ pub mod rpp;
 pub mod rpr;
 pub mod rrp;
 pub mod rrr;
+pub mod triad;
 
 #[cfg(test)]
 mod testing;

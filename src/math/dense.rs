@@ -95,6 +95,12 @@ impl Dense {
         true
     }
 
+    /// What row `i` was multiplied by before it was factored: 1 over the sum of its magnitudes.
+    #[must_use]
+    pub fn row_scale(&self, i: usize) -> f64 {
+        self.scale[i]
+    }
+
     /// Sign of the determinant of what was factored; 0 when it could not be.
     #[must_use]
     pub fn sign(&self) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::Plan;
 use super::geometry::{pin, pin_arm};
-use super::step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, OuterJoint, Way};
+use super::step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, MotionStep, OuterJoint, Way};
 use crate::math::Vec2;
 use crate::structure::{Dyad, EffortKind, Group, GroupJoint, GroupKind, JointKind, Structure};
 
@@ -12,11 +12,12 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
         plan.reactions.extend(group.joints.iter().copied());
         let step = match group.kind {
             GroupKind::Driven => driven(structure, group, first),
-            GroupKind::Dyad(kind) => Some(dyad(structure, group, first, kind)),
+            GroupKind::Dyad(kind) => Some(dyad(structure, group, first, kind, &plan.motion)),
             GroupKind::Translation => Some(ForceStep::Translation {
                 ways: [0, 1].map(|i| way(structure, group.joints[i], first + i)),
             }),
             GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
+            GroupKind::Triad => super::triad::forces(structure, group, first),
             GroupKind::Train => {
                 plan.train_forces.push(super::train::forces(structure, group, first, plan));
                 Some(ForceStep::Train { train: plan.train_forces.len() - 1 })
@@ -31,7 +32,7 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
     }
 }
 
-fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
+pub(super) fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
     Hinge {
         body: joint.body.0,
         pin: pin_arm(&structure.replaced, joint, joint.body),
@@ -90,7 +91,13 @@ fn driven(structure: &Structure, group: &Group, slot: usize) -> Option<ForceStep
     })
 }
 
-fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> ForceStep {
+fn dyad(
+    structure: &Structure,
+    group: &Group,
+    first_slot: usize,
+    kind: Dyad,
+    steps: &[MotionStep],
+) -> ForceStep {
     let [first, inner, second] = [group.joints[0], group.joints[1], group.joints[2]];
     let hinge_of = |i: usize| hinge(structure, group.joints[i], first_slot + i);
     let way_of = |i: usize| way(structure, group.joints[i], first_slot + i);
@@ -102,7 +109,10 @@ fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> 
         slot: first_slot + 1,
         sign: if inner.body == second.body { 1.0 } else { -1.0 },
     };
-    let motion = same_motion(structure, group);
+    // the follower of a cam is moved by its law: such a step leaves nothing behind for the forces
+    let leaves =
+        |&step: &usize| matches!(steps.get(step), Some(MotionStep::Rrr { .. } | MotionStep::Rrp { .. }));
+    let motion = same_motion(structure, group).filter(leaves);
     match kind {
         Dyad::Rrr => ForceStep::Rrr { outer: [hinge_of(0), hinge_of(2)], inner: inner_hinge(), motion },
         Dyad::Rrp => ForceStep::Rrp { outer: hinge_of(0), inner: inner_hinge(), way: way_of(2), motion },

@@ -10,6 +10,7 @@ mod loads;
 mod motion;
 pub mod step;
 mod train;
+mod triad;
 
 pub use cam::CamStep;
 pub(crate) use cam::{contact_in, is_follower};
@@ -21,6 +22,7 @@ pub use step::{
     Anchor, Arm, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
     OuterJoint, Slide, Way,
 };
+pub use triad::{TriadForceLeg, TriadForces, TriadLeg, TriadMotion};
 
 pub use train::{
     LawSite, PlannedLaw, TrainEffort, TrainForces, TrainMember, TrainMotion, TrainSource, TrainSupport,
@@ -118,9 +120,17 @@ impl Plan {
     #[must_use]
     pub fn laned(&self) -> bool {
         let closed = |step: &ForceStep| {
-            !matches!(step, ForceStep::General { .. } | ForceStep::Sequence(_) | ForceStep::Rubbing { .. })
+            !matches!(
+                step,
+                ForceStep::Triad(_)
+                    | ForceStep::General { .. }
+                    | ForceStep::Sequence(_)
+                    | ForceStep::Rubbing { .. }
+            )
         };
+        let followed = |step: &MotionStep| matches!(step, MotionStep::Triad { .. });
         self.general.is_empty()
+            && !self.motion.iter().any(followed)
             && self.cams.is_empty()
             && self.laws.is_empty()
             && self.forces.iter().all(closed)

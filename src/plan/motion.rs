@@ -22,6 +22,7 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
                 slides: [0, 1].map(|i| slide(&structure.replaced, group.joints[i], group.joints[i].base)),
             }),
             GroupKind::DrivenLegs(kind) => driven_legs(structure, group, branch, kind),
+            GroupKind::Triad => super::triad::motion(structure, group, branch),
             GroupKind::Train => {
                 let train = super::train::motion(structure, group, plan);
                 let bodies = train.members.iter().filter_map(|m| match m {

@@ -1,6 +1,7 @@
 //! The steps of a plan: plain numbers and slots, nothing to look up.
 
 use super::friction::RubbingGroup;
+use super::triad::{TriadForces, TriadMotion};
 use crate::group::rrr::Sides;
 use crate::math::{Scalar, V2, Vec2};
 
@@ -253,6 +254,13 @@ pub enum MotionStep {
         /// Index into [`super::Plan::trains`].
         train: usize,
     },
+    /// A link on three legs.
+    Triad {
+        /// Group.
+        branch: usize,
+        /// Its links.
+        triad: Box<TriadMotion>,
+    },
     /// The follower of a designed cam.
     Cam {
         /// Group.
@@ -407,6 +415,8 @@ pub enum ForceStep {
         /// Index into [`super::Plan::train_forces`].
         train: usize,
     },
+    /// A link on three legs.
+    Triad(Box<TriadForces>),
     /// Anything else: all equations of equilibrium at once.
     General {
         /// Index into [`super::Plan::balance_systems`].

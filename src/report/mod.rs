@@ -16,6 +16,7 @@ pub mod grade;
 pub mod json;
 pub mod markdown;
 mod mobility;
+mod modes;
 mod pair;
 mod plan;
 mod reactions;
@@ -30,7 +31,7 @@ pub use answers::{Answers, Precision};
 pub use element::full as full_table;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
 
-use crate::solve::Scene;
+use crate::solve::{Modes, Scene};
 use crate::source::Source;
 use document::Report;
 
@@ -46,6 +47,11 @@ pub fn of_structure(source: &Source, scene: &Scene<'_>) -> Report {
     element::cams(scene, &mut report);
     plan::sections(source, scene, &mut report);
     report
+}
+
+/// What `check --modes` prints below: all assemblies of every group at the first pose.
+pub fn add_modes(report: &mut Report, scene: &Scene<'_>, modes: &Modes) {
+    report.section(modes::section(scene, modes));
 }
 
 /// What `solve` prints: structure in short, answers, reactions, expectations, accuracy.

@@ -54,6 +54,9 @@ fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &
     let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
     match step {
         MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("as {} says", with.join(", ")),
+        MotionStep::Triad { .. } => {
+            "triad: all assemblies by a sextic, then followed with a certificate".to_owned()
+        }
         MotionStep::Cam { cam, .. } => {
             let index = scene.plan.cams.get(*cam).map_or(0, |c| c.contact.cam);
             let name = scene.mechanism.cams.get(index).map_or("", |c| c.name.as_str());
@@ -107,6 +110,7 @@ fn closed_form(group: &Group, with: &[String]) -> String {
     let inside = if with.is_empty() { String::new() } else { format!(" ({})", with.join(", ")) };
     match group.kind {
         GroupKind::Translation => "closed form, between two guides".to_owned(),
+        GroupKind::Triad => "closed form, triad: three equations".to_owned(),
         _ => format!("closed form, dyad {}{inside}", group.kind_name()),
     }
 }

@@ -50,7 +50,8 @@ fn contact(scene: &Scene<'_>, first: &Profile, second: &Profile, internal: bool)
         format!("an imaginary block hinged {centre} `{round}` that slides along `{line}`{away}")
     };
     let cam = |p: &Profile| matches!(p.shape, ProfileShape::Rim(_));
-    for (cam, follower) in [(first, second), (second, first)].into_iter().filter(|p| cam(p.0)) {
+    let rubbed = if cam(first) { Some((first, second)) } else { cam(second).then_some((second, first)) };
+    if let Some((cam, follower)) = rubbed {
         let (cam, tip) = (profile_text(scene.mechanism, cam), profile_text(scene.mechanism, follower));
         return match follower.shape {
             ProfileShape::Line(..) => {

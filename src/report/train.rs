@@ -149,7 +149,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
         pose.into_iter().chain(["transmission", "kind"].map(Column::words)).collect();
     let keys = columns.len();
     columns.push(Column::numbers(with_unit("force", &force.unit)));
-    columns.push(Column::words(&with_unit("torques", &torque.unit)));
+    columns.push(Column::words(with_unit("torques", &torque.unit)));
     let mut table = Table::new(columns, keys);
     let all = || poses.iter().flat_map(|(_, p)| p);
     let greatest = force.of_si(all().map(|p| p.force.abs()).fold(0.0, f64::max));

@@ -26,16 +26,18 @@ struct Candidate {
 
 /// A way in which a group can stand.
 #[derive(Clone)]
-struct Way {
+pub(super) struct Way {
     branch: Branch,
-    sine: f64,
+    /// Signed condition figure.
+    pub sine: f64,
+    certificate: f64,
     bodies: Vec<BodyState>,
     /// Memory of a general group that stands so.
     work: Option<(usize, Workspace)>,
 }
 
 impl Way {
-    fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
+    pub(super) fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
         let work = match &scene.plan.motion[index] {
             MotionStep::General { problem, .. } => {
                 state.motion_work.get(*problem).cloned().flatten().map(|work| (*problem, work))
@@ -43,13 +45,15 @@ impl Way {
             _ => None,
         };
         let bodies = scene.structure.motion[index].bodies.iter().map(|b| state.bodies[b.0]).collect();
-        Self { branch: state.branches[index], sine: state.sines[index], bodies, work }
+        let (sine, certificate) = (state.sines[index], state.certificates[index]);
+        Self { branch: state.branches[index], sine, certificate, bodies, work }
     }
 
     /// Puts the group of a state this way.
-    fn put(&self, scene: &Scene<'_>, state: &mut State, index: usize) {
+    pub(super) fn put(&self, scene: &Scene<'_>, state: &mut State, index: usize) {
         state.branches[index] = self.branch;
         state.sines[index] = self.sine;
+        state.certificates[index] = self.certificate;
         state.open = None;
         for (body, stands) in scene.structure.motion[index].bodies.iter().zip(&self.bodies) {
             state.bodies[body.0] = *stands;
@@ -59,7 +63,7 @@ impl Way {
         }
     }
 
-    fn is_same(&self, other: &Self, extent: f64) -> bool {
+    pub(super) fn is_same(&self, other: &Self, extent: f64) -> bool {
         let mut bodies = self.bodies.iter().zip(&other.bodies);
         bodies.all(|(x, y)| (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME)
     }
@@ -75,12 +79,9 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
     for (index, hints) in hints.iter().enumerate() {
         let mut ways: Vec<(usize, Way)> = Vec::new();
         for (i, candidate) in candidates.iter_mut().enumerate() {
-            let first = ways.len();
-            for way in assemblies(scene, &mut candidate.state, index) {
-                if !ways[first..].iter().any(|(_, w)| w.is_same(&way, extent)) {
-                    ways.push((i, way));
-                }
-            }
+            ways.extend(
+                every_way(scene, &mut candidate.state, index, extent).into_iter().map(|way| (i, way)),
+            );
         }
         if ways.is_empty() {
             let state = candidates.swap_remove(0).state;
@@ -99,12 +100,27 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
     nearest(scene, candidates)
 }
 
+/// All ways in which a group can stand, each once.
+pub(super) fn every_way(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64) -> Vec<Way> {
+    let mut ways: Vec<Way> = Vec::new();
+    for way in assemblies(scene, state, index) {
+        if !ways.iter().any(|w| w.is_same(&way, extent)) {
+            ways.push(way);
+        }
+    }
+    ways
+}
+
 /// All ways in which a group can stand; leaves it in one of them.
 fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize) -> Vec<Way> {
     let step = &scene.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
         let mut found = super::general::assemblies(state, index, *problem, &scene.plan.general[*problem]);
         found.retain(|state| cylinders_are_positive(scene, state, index));
+        return found.iter().map(|state| Way::of(scene, state, index)).collect();
+    }
+    if let MotionStep::Triad { triad, .. } = step {
+        let found = super::triad::assemblies(state, index, triad);
         return found.iter().map(|state| Way::of(scene, state, index)).collect();
     }
     let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };

@@ -80,7 +80,7 @@ fn distinct<'s>(scene: &Scene<'_>, states: &[&'s State], group: &Group) -> Vec<&
 }
 
 /// An `assemble` line for every way: by side, order or sign where these tell them apart, else by the place of a point.
-fn lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
+pub(super) fn lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for state in ways {
         match by_kind(scene, state, group) {
@@ -172,7 +172,7 @@ pub(super) fn point_of(scene: &Scene<'_>, group: &Group) -> Option<String> {
 }
 
 /// `assemble L.P near (x, y)` with the point that differs most from way to way.
-fn near_lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
+pub(super) fn near_lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
     let mut best: Option<(f64, (String, usize, Vec2))> = None;
     for point in points(scene, group) {
         let places: Vec<Vec2> = ways.iter().map(|s| s.bodies[point.1].position(point.2)).collect();

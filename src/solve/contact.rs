@@ -73,11 +73,11 @@ impl State {
     fn side(&self, round: Side, d: Vec2, from_line: Vec2, radius: f64) -> Vec2 {
         let n = d.perp();
         let mut height = n.dot(from_line);
-        if height.abs() < 0.5 * radius || radius == 0.0 {
-            if let ProfileShape::Point(p) | ProfileShape::Circle(p, _) = round.1 {
-                let body = &self.bodies[round.0];
-                height = n.dot(body.p - body.position(p));
-            }
+        if (height.abs() < 0.5 * radius || radius == 0.0)
+            && let ProfileShape::Point(p) | ProfileShape::Circle(p, _) = round.1
+        {
+            let body = &self.bodies[round.0];
+            height = n.dot(body.p - body.position(p));
         }
         if height < 0.0 { -n } else { n }
     }

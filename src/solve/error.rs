@@ -118,6 +118,28 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// A position that was iterated to, and may not be a solution.
+    #[error("the position of {links} is not certified{pose}{more}")]
+    #[diagnostic(
+        code(mech::solve::not_certified),
+        severity(warning),
+        help(
+            "the theorem of Newton and Kantorovich asks for h ≤ 0.5 and finds h = {figure}: so near to a dead position rounding errors decide whether there is a solution, or two; choose a position beside it"
+        )
+    )]
+    NotCertified {
+        /// Where.
+        pose: String,
+        /// The links of the group.
+        links: String,
+        /// h, and the condition figure σ.
+        figure: String,
+        /// At how many other poses it is so.
+        more: String,
+        /// The pairs of the group.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
     /// Newton's method did not converge.
     #[error("no way to assemble {links} was found{pose}")]
     #[diagnostic(code(mech::assembly::not_found))]

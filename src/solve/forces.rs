@@ -12,9 +12,10 @@ impl State {
         for (index, step) in plan.forces.iter().enumerate() {
             self.force_sines[index] = match step {
                 ForceStep::Rubbing { plain, group } => self.force_rubbing(plan, index, plain, group),
-                ForceStep::General { .. } | ForceStep::Sequence(_) | ForceStep::Train { .. } => {
-                    self.force_step(plan, step)
-                }
+                ForceStep::General { .. }
+                | ForceStep::Triad(_)
+                | ForceStep::Sequence(_)
+                | ForceStep::Train { .. } => self.force_step(plan, step),
                 closed => self.closed_force(closed),
             };
         }
@@ -36,6 +37,7 @@ impl State {
     pub(super) fn force_step(&mut self, plan: &Plan, step: &ForceStep) -> f64 {
         match step {
             ForceStep::Train { train } => self.force_train(plan, *train, true),
+            ForceStep::Triad(triad) => self.force_triad(triad),
             ForceStep::General { system } => self.force_general(*system, &plan.balance_systems[*system]),
             ForceStep::Sequence(steps) => self.force_sequence(plan, steps),
             closed => self.closed_force(closed),
@@ -69,7 +71,8 @@ impl<S: Scalar> State<S> {
             ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
             ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
             ForceStep::Translation { ways } => self.force_translation(ways),
-            ForceStep::Train { .. }
+            ForceStep::Triad(_)
+            | ForceStep::Train { .. }
             | ForceStep::General { .. }
             | ForceStep::Sequence(_)
             | ForceStep::Rubbing { .. } => S::zero(),

@@ -3,6 +3,7 @@
 use super::solution::Scene;
 use super::state::State;
 use super::words::{body, mm};
+use crate::group::triad::{Miss, gap};
 use crate::group::{Gap, rpr, rrp, rrr};
 use crate::math::Vec2;
 use crate::plan::{Anchor, MotionStep};
@@ -79,6 +80,13 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
             format!("the links about {} do not meet at these values of the drives", name(1)),
             "check the values of the drives inside the links".to_owned(),
         ),
+        MotionStep::Triad { triad, .. } => {
+            let leg = |i: usize| body(scene, group.joints[i].body);
+            let plate = body(scene, crate::structure::BodyId(triad.body));
+            let links = [leg(0), leg(1), leg(2), plate];
+            let names = [0, 1, 2, 3, 4, 5].map(name);
+            triad_text(gap(&triad.plate, &state.triad_ends(triad)), &links, &names)
+        }
         _ => (
             "the guides are parallel".to_owned(),
             format!("turn the guide of {} or {}: they must cross", name(0), name(group.joints.len() - 1)),
@@ -143,6 +151,64 @@ fn reach(
             ),
         ),
         None => unknown(name(1)),
+    }
+}
+
+/// A link on three legs: the links, the plate last; the outer pairs, then the inner ones.
+fn triad_text(miss: Option<Miss>, links: &[String; 4], names: &[String; 6]) -> (String, String) {
+    match miss {
+        Some(Miss::Pair { legs: [i, j], lengths, longest, gap }) => {
+            let sides = [
+                format!("{} to {}", names[i], names[j]),
+                format!("{} from {} to {}", links[i], names[i], names[3 + i]),
+                format!("{} from {} to {}", links[3], names[3 + i], names[3 + j]),
+                format!("{} from {} to {}", links[j], names[j], names[3 + j]),
+            ];
+            let others = (0..4).filter(|k| *k != longest);
+            let shorter: Vec<String> = others.map(|k| format!("{} ({})", sides[k], mm(lengths[k]))).collect();
+            let long = format!("{} ({})", sides[longest], mm(lengths[longest]));
+            let help = if longest == 0 {
+                format!(
+                    "make {}, {} or {} longer by {}, or bring {} and {} nearer",
+                    links[i],
+                    links[3],
+                    links[j],
+                    mm(gap),
+                    names[i],
+                    names[j]
+                )
+            } else {
+                let long = [&links[i], &links[3], &links[j]][longest - 1];
+                format!("make {long} shorter by {}", mm(gap))
+            };
+            let sum = lengths.iter().sum::<f64>() - lengths[longest];
+            let help = help + slip(lengths[longest], sum);
+            (format!("{long} is {} longer than {} together", mm(gap), shorter.join(", ")), help)
+        }
+        Some(Miss::Third { leg, reached, gap }) => {
+            let others: Vec<&String> = (0..3).filter(|i| *i != leg).map(|i| &links[i]).collect();
+            let on = format!("on {} and {} {}", others[0], others[1], links[3]);
+            let way = if gap > 0.0 { "no nearer to" } else { "no farther from" };
+            let (pin, hinge) = (&names[3 + leg], &names[leg]);
+            let own = (reached - gap).abs();
+            if own <= 1e-9 * reached {
+                let text =
+                    format!("{on} brings {pin} no nearer to the guide of {hinge} than {}", mm(reached));
+                return (text, format!("move the guide of {hinge} by {}", mm(reached)));
+            }
+            let (how, change) = if gap > 0.0 { ("short", "longer") } else { ("too long", "shorter") };
+            (
+                format!(
+                    "{on} brings {pin} {way} {hinge} than {}, but {} is {} long: {} {how}",
+                    mm(reached),
+                    links[leg],
+                    mm(own),
+                    mm(gap.abs())
+                ),
+                format!("make {} {change} by {}, or move {hinge}", links[leg], mm(gap.abs())),
+            )
+        }
+        None => unknown(&names[3]),
     }
 }
 

@@ -49,6 +49,7 @@ impl State {
         match work.equations.position(&mut work.poses) {
             Ok(condition) => {
                 self.sines[branch] = condition * work.equations.branch();
+                self.certificates[branch] = work.equations.certificate();
                 self.write_poses(&group.bodies[..group.moving], &work.poses);
                 if LEVEL > 0 {
                     self.general_rates::<LEVEL>(group, &mut work);

@@ -155,6 +155,7 @@ impl<S: Scalar> State<S> {
             MotionStep::Translation { branch, slides } => self.translation::<LEVEL>(*branch, slides),
             MotionStep::Cam { branch, .. }
             | MotionStep::Train { branch, .. }
+            | MotionStep::Triad { branch, .. }
             | MotionStep::General { branch, .. } => {
                 self.open.get_or_insert(*branch);
             }
@@ -439,6 +440,7 @@ impl State {
         match step {
             MotionStep::Train { branch, train } => self.train::<LEVEL>(*branch, &plan.trains[*train]),
             MotionStep::Cam { branch, cam } => self.cam::<LEVEL>(*branch, &plan.cams[*cam]),
+            MotionStep::Triad { branch, triad } => self.triad::<LEVEL>(*branch, triad),
             MotionStep::General { branch, problem } => {
                 self.general::<LEVEL>(*branch, *problem, &plan.general[*problem]);
             }

@@ -40,6 +40,9 @@ pub(super) struct Notes {
     /// Ropes that push, with their pull in place of the normal force.
     slack: Vec<Pull>,
     locking: Option<(SolveError, usize)>,
+    /// The greatest figure h beyond 1/2, with its warning, and how many positions have one.
+    uncertified: Option<(f64, SolveError)>,
+    uncertified_poses: usize,
 }
 
 impl Notes {
@@ -97,6 +100,32 @@ impl Notes {
             labels: labels(scene, group, "near a dead position"),
         };
         self.fewest = Some((digits, warning));
+    }
+
+    /// The figure h of Newton and Kantorovich of a group that was solved by iteration.
+    pub(super) fn certificate(
+        &mut self,
+        scene: &Scene<'_>,
+        group: &Group,
+        h: f64,
+        sigma: f64,
+        pose: &Wanted,
+    ) {
+        if h <= 0.5 {
+            return;
+        }
+        self.uncertified_poses += 1;
+        if self.uncertified.as_ref().is_some_and(|worst| h <= worst.0) {
+            return;
+        }
+        let warning = SolveError::NotCertified {
+            pose: place(scene, pose),
+            links: links(scene, group),
+            figure: format!("{h:.1e}, with the condition figure σ = {sigma:.1e}"),
+            more: String::new(),
+            labels: labels(scene, group, "this group"),
+        };
+        self.uncertified = Some((h, warning));
     }
 
     pub(super) fn pulls(&mut self, scene: &Scene<'_>, pair: PairId, normal: f64, pose: &Wanted) {
@@ -177,6 +206,12 @@ impl Notes {
         }
         warnings.extend(partial_sweep(scene, poses, &self.gaps));
         warnings.extend(self.fewest.map(|f| f.1));
+        if let Some((_, mut warning)) = self.uncertified {
+            if let SolveError::NotCertified { more, .. } = &mut warning {
+                *more = and_at(self.uncertified_poses.saturating_sub(1));
+            }
+            warnings.push(warning);
+        }
         warnings
     }
 }

@@ -93,7 +93,8 @@ impl Run<'_, '_> {
         let level = scene.plan.effects.level;
         let mut least = 1.0_f64;
         let mut carried = vec![1.0_f64; state.bodies.len()];
-        for (group, sine) in scene.structure.motion.iter().zip(&state.sines) {
+        let groups = scene.structure.motion.iter().zip(&state.certificates);
+        for ((group, &h), sine) in groups.zip(&state.sines) {
             let condition = sine.abs();
             least = least.min(condition);
             let before = group.joints.iter().map(|j| carried[j.base.0]).fold(1.0, f64::min);
@@ -107,6 +108,7 @@ impl Run<'_, '_> {
                 Level::Accelerations => ("accelerations", 3),
             };
             self.notes.condition(scene, group, (condition * before, what, power), pose);
+            self.notes.certificate(scene, group, h, condition, pose);
         }
         Ok(least)
     }

@@ -142,6 +142,9 @@ pub struct State<S = f64> {
     pub branches: Vec<Branch>,
     /// Signed condition figures of the groups of motion.
     pub sines: Vec<S>,
+    /// Figures h of Newton and Kantorovich of the groups of motion that are solved by iteration: at most 1/2 where the
+    /// position is certified.
+    pub certificates: Vec<f64>,
     /// Where designed cams touch their followers, by contact: place, m, and unit common normal into the follower.
     pub touches: Vec<(Vec2, Vec2)>,
     /// The first group that does not close.
@@ -187,6 +190,7 @@ impl<S: Scalar + Default> State<S> {
             inputs: vec![DriveInput::default(); plan.drives],
             branches: vec![Branch::FIRST; plan.motion.len()],
             sines: vec![S::one(); plan.motion.len()],
+            certificates: vec![0.0; plan.motion.len()],
             touches: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.cam_contacts],
             open: None,
             shared: vec![Shared::default(); plan.motion.len()],

@@ -239,7 +239,7 @@ fn is_open(error: &SolveError) -> bool {
     matches!(error, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. })
 }
 
-fn with_pose(mut error: SolveError, place: &str) -> SolveError {
+pub(super) fn with_pose(mut error: SolveError, place: &str) -> SolveError {
     match &mut error {
         SolveError::DoesNotClose { pose, .. }
         | SolveError::NotFound { pose, .. }

@@ -10,6 +10,7 @@ use super::inputs::Rates;
 use super::solution::{DriveValue, Scene};
 use super::state::{Branch, State};
 use crate::math::Vec2;
+use crate::plan::MotionStep;
 use crate::structure::{BodyId, JointKind};
 
 /// Below this |σ| both assemblies are tried.
@@ -101,7 +102,7 @@ impl Tracker {
                 target.to_vec()
             };
             let before: Vec<f64> = self.state.branches.iter().map(|b| b.root).collect();
-            self.step(scene, rates, values)?;
+            self.step(scene, rates, values, false)?;
             for (group, (before, after)) in before.iter().zip(&self.state.branches).enumerate() {
                 if before * after.root < 0.0 {
                     switched.push(Switch { group, at: self.values.clone() });
@@ -134,7 +135,8 @@ impl Tracker {
         for _ in 0..50 {
             let middle = 0.5 * (closed + open);
             let mut trial = self.clone();
-            if trial.jump(scene, rates, &at(middle)).is_ok() {
+            trial.history.clear();
+            if trial.step(scene, rates, at(middle), false).is_ok() {
                 closed = middle;
             } else {
                 open = middle;
@@ -143,7 +145,14 @@ impl Tracker {
         at(closed)
     }
 
-    fn step(&mut self, scene: &Scene<'_>, rates: &Rates, values: Vec<DriveValue>) -> Result<(), usize> {
+    /// One step; `over_gap` where the way to it is not followed.
+    fn step(
+        &mut self,
+        scene: &Scene<'_>,
+        rates: &Rates,
+        values: Vec<DriveValue>,
+        over_gap: bool,
+    ) -> Result<(), usize> {
         let mut next = self.state.clone();
         rates.at(&values, &mut next.inputs);
         next.start(scene.plan);
@@ -165,6 +174,11 @@ impl Tracker {
                     next.branches[group].root = -next.branches[group].root;
                     next.step::<0>(scene.plan, step);
                 }
+            }
+            if let (true, MotionStep::Triad { branch, triad }) = (over_gap && next.open.is_some(), step)
+                && next.triad_over_gap(*branch, triad)
+            {
+                next.open = None;
             }
             if let Some(open) = next.open {
                 return Err(open);
@@ -276,7 +290,7 @@ impl Tracker {
         target: &[DriveValue],
     ) -> Result<(), usize> {
         self.history.clear();
-        self.step(scene, rates, target.to_vec())
+        self.step(scene, rates, target.to_vec(), true)
     }
 }
 

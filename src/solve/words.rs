@@ -112,6 +112,9 @@ pub(super) fn stands(scene: &Scene<'_>, group: &Group, condition: f64) -> String
         (GroupKind::Dyad(Dyad::Prp | Dyad::Rpp) | GroupKind::Translation, _) => {
             format!("the guides of {links} are parallel")
         }
+        (GroupKind::Triad, _) => {
+            format!("the legs' lines of force among {links} meet in a point or are parallel")
+        }
         _ => format!("{links} could move a little while all others stand still"),
     };
     if condition > 0.0 { format!("{how} (condition figure σ = {condition:.1e})") } else { how }

@@ -64,6 +64,9 @@ pub enum GroupKind {
     Train,
     /// Laws between rates together with closed chains of links: not solved yet.
     MixedTrain,
+    /// A link with three revolutes to bodies each of which hangs on one outer pair, at least one of these a revolute.
+    /// Joints: outer, outer, outer, inner, inner, inner, leg by leg, those with an outer revolute first.
+    Triad,
     /// Anything else.
     General,
 }
@@ -124,6 +127,8 @@ impl Group {
         } else if let Some(dyad) = group.arrange_driven_legs(all_efforts, replaced) {
             group.kind = GroupKind::DrivenLegs(dyad);
             group.class = 2;
+        } else if group.arrange_triad(replaced) {
+            group.kind = GroupKind::Triad;
         }
         group
     }
@@ -295,7 +300,35 @@ impl Group {
         Some(())
     }
 
-    /// The kind as it is printed: `RRR`, `driven`, `translation`, `general`.
+    /// Looks whether three legs carry one body by revolutes.
+    fn arrange_triad(&mut self, replaced: &Replaced) -> bool {
+        let (inner, mut outer): (Vec<GroupJoint>, Vec<GroupJoint>) =
+            self.joints.iter().partition(|j| j.inner);
+        let shape = (self.bodies.len(), inner.len(), outer.len(), self.efforts.len());
+        let simple = |j: &GroupJoint| match replaced.joint(j.joint).kind {
+            JointKind::Prismatic { angle_redundant, offset, .. } => !angle_redundant && offset == 0.0,
+            JointKind::Revolute(_) => true,
+            JointKind::Law(_) => false,
+        };
+        if shape != (4, 3, 3, 0) || inner.iter().any(|j| j.prismatic) || !outer.iter().all(simple) {
+            return false;
+        }
+        outer.sort_by_key(|j| j.prismatic);
+        let legs: Vec<BodyId> = outer.iter().map(|j| j.body).collect();
+        let Some(&plate) = self.bodies.iter().find(|b| !legs.contains(b)) else { return false };
+        let holds = |leg: BodyId| {
+            inner.iter().copied().find(|j| [[leg, plate], [plate, leg]].contains(&[j.body, j.base]))
+        };
+        let held: Vec<GroupJoint> = legs.iter().filter_map(|&leg| holds(leg)).collect();
+        let apart = legs[0] != legs[1] && legs[1] != legs[2] && legs[2] != legs[0];
+        if held.len() != 3 || !apart || outer[0].prismatic {
+            return false;
+        }
+        self.joints = [outer, held].concat();
+        true
+    }
+
+    /// The kind as it is printed: `RRR`, `driven`, `translation`, `triad`, `general`.
     #[must_use]
     pub fn kind_name(&self) -> &'static str {
         match self.kind {
@@ -304,6 +337,7 @@ impl Group {
             GroupKind::DrivenLegs(dyad) => dyad.name(),
             GroupKind::Translation => "PP",
             GroupKind::Train | GroupKind::MixedTrain => "train",
+            GroupKind::Triad => "triad",
             GroupKind::General => "general",
         }
     }

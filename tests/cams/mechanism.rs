@@ -55,7 +55,7 @@ fn design(cam: &Cam) -> String {
     for phase in cam.program.phases().iter().filter(|p| p.change != 0.0 || p.start > 0.0) {
         let (angle, way) = (phase.angle, phase.change.abs());
         let _ = match phase.change {
-            0.0 if phase.start + phase.angle > 6.28 => Ok(()),
+            0.0 if phase.start + phase.angle > std::f64::consts::TAU - 1e-9 => Ok(()),
             0.0 => writeln!(text, "  dwell {angle:?} rad"),
             up if up > 0.0 => {
                 writeln!(text, "  rise {angle:?} rad through {way:?} {unit} {}", law(phase.law))

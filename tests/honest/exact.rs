@@ -107,7 +107,7 @@ impl Exact {
         for (i, x) in step.as_slice().chunks_exact(3).enumerate() {
             most = most.max(x[0].abs()).max(x[1].abs()).max(x[2].abs());
             let (p, u) = (&mut self.p[i + 1], &mut self.u[i + 1]);
-            *p = *p - V2::new(Real::of(x[0] * size), Real::of(x[1] * size));
+            *p -= V2::new(Real::of(x[0] * size), Real::of(x[1] * size));
             *u = unit(*u - u.perp() * Real::of(x[2]));
         }
         most.is_finite().then_some(most)
@@ -132,7 +132,7 @@ impl Exact {
                     } else {
                         (&mut rates.v, &mut rates.omega)
                     };
-                    *v = *v - V2::new(Real::of(x[0] * size), Real::of(x[1] * size));
+                    *v -= V2::new(Real::of(x[0] * size), Real::of(x[1] * size));
                     *turn = *turn - Real::of(x[2]);
                 }
                 largest = largest.max(most);

@@ -130,8 +130,6 @@ impl Change {
         let mut pair = pair.clone();
         pair.name = self.name(&pair.name);
         match &mut pair.kind {
-            // trains are tested by themselves
-            PairKind::Transmission(_) => {}
             PairKind::Revolute(pins) => {
                 for pin in pins {
                     pin.at = self.point(pin.link, pin.at);
@@ -170,6 +168,8 @@ impl Change {
                 }
                 (*barrel, *rod) = (self.link(*barrel), self.link(*rod));
             }
+            // trains have tests of their own
+            PairKind::Transmission(_) => {}
         }
         pair
     }

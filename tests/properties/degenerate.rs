@@ -101,8 +101,6 @@ fn numbers(m: &mut Mechanism) -> Vec<&mut f64> {
     }
     for pair in &mut m.pairs {
         match &mut pair.kind {
-            // trains are tested by themselves
-            PairKind::Transmission(_) => {}
             PairKind::Revolute(pins) => pins.iter_mut().for_each(|p| vector(&mut p.at, &mut out)),
             PairKind::Prismatic(g) | PairKind::Slot(g) => {
                 vector(&mut g.point, &mut out);
@@ -127,6 +125,7 @@ fn numbers(m: &mut Mechanism) -> Vec<&mut f64> {
                 vector(&mut from.at, &mut out);
                 vector(&mut to.at, &mut out);
             }
+            PairKind::Transmission(_) => {}
         }
     }
     for drive in &mut m.drives {

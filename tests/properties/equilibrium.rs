@@ -162,8 +162,6 @@ impl System<'_> {
 
     fn pair(&mut self, id: PairId, kind: &PairKind) {
         match kind {
-            // trains are tested by themselves
-            PairKind::Transmission(_) => {}
             PairKind::Revolute(pins) => {
                 for pin in &pins[1..] {
                     self.hinge(id, pin.link, pins[0].link, self.at(pin.link, pin.at));
@@ -188,6 +186,7 @@ impl System<'_> {
                 self.force(id, *rod, *barrel, p, n);
                 self.couple(id, *rod, *barrel);
             }
+            PairKind::Transmission(_) => {}
         }
     }
 
@@ -254,8 +253,6 @@ impl System<'_> {
     /// A unit effort between the links of a pair.
     fn in_pair(&self, pair: PairId) -> Vec<(LinkId, Wrench)> {
         match &self.mechanism.pair(pair).kind {
-            // trains are tested by themselves
-            PairKind::Transmission(_) => Vec::new(),
             PairKind::Revolute(pins) => {
                 vec![(pins[1].link, Wrench::couple(1.0)), (pins[0].link, Wrench::couple(-1.0))]
             }
@@ -268,7 +265,7 @@ impl System<'_> {
                 let unit = Wrench::at(self.body(*rod).p.value(), self.body(*rod).u.value());
                 vec![(*rod, unit), (*barrel, unit.times(-1.0))]
             }
-            PairKind::Contact { .. } => Vec::new(),
+            PairKind::Contact { .. } | PairKind::Transmission(_) => Vec::new(),
         }
     }
 

@@ -75,11 +75,10 @@ fn conditions(replaced: &Replaced, efforts: &[Effort], some: &[BodyId], known: &
         }
         let in_known = members.iter().filter(|b| known.contains(b)).count();
         count += match joint.kind {
-            // trains are tested by themselves
-            JointKind::Law(_) => 0,
             JointKind::Revolute(_) => 2 * (inside - 1) - 2 * in_known.saturating_sub(1),
             JointKind::Prismatic { angle_redundant, .. } if inside == 2 => 2 - usize::from(angle_redundant),
             JointKind::Prismatic { .. } => 0,
+            JointKind::Law(_) => usize::from(inside == members.len()),
         };
     }
     for effort in efforts {

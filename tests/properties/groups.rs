@@ -98,8 +98,6 @@ impl Draft {
     /// Coordinate of a pair as it stands: the difference of angles, or the place along the line.
     pub fn coordinate(&self, pair: PairId) -> f64 {
         match &self.mechanism.pair(pair).kind {
-            // trains are tested by themselves
-            PairKind::Transmission(_) => f64::NAN,
             PairKind::Revolute(pins) => {
                 let (a, b) = (self.frame(pins[0].link).u, self.frame(pins[1].link).u);
                 b.turned_back(a).angle()
@@ -111,7 +109,7 @@ impl Draft {
             PairKind::Cylinder { from, to, .. } => {
                 (self.frame(to.link).place(to.at) - self.frame(from.link).place(from.at)).norm()
             }
-            PairKind::Contact { .. } => f64::NAN,
+            PairKind::Contact { .. } | PairKind::Transmission(_) => f64::NAN,
         }
     }
 
@@ -429,6 +427,7 @@ impl Draft {
         })?;
         let plate = self.link(pins[0]);
         let mut links = vec![plate];
+        let mut sliders = 0;
         for (anchor, pin) in anchors.into_iter().zip(pins) {
             let leg = self.link(anchor.at);
             links.push(leg);
@@ -439,10 +438,12 @@ impl Draft {
                 // a slider that moves across the leg it stands for
                 let d = (pin - anchor.at).perp() / (pin - anchor.at).norm();
                 self.prismatic(leg, anchor.host, pin, d);
+                sliders += 1;
             }
             self.revolute(plate, leg, pin);
         }
-        self.made(links, "general");
+        // three sliders have no sextic
+        self.made(links, if sliders < 3 { "triad" } else { "general" });
         Some(())
     }
 

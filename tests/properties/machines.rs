@@ -144,6 +144,27 @@ pub fn six_bar(angles: Positions) -> Mechanism {
     m
 }
 
+/// A crank that moves one corner of a closed contour of four links: class IV.
+pub fn class_iv(angles: Positions) -> Mechanism {
+    let mut m = ground();
+    let crank = bar(&mut m, "crank", 0.01);
+    revolute(&mut m, "O", (LinkId::GROUND, at(0.0, 0.0)), (crank, at(0.0, 0.0)));
+    let left = link(&mut m, "left", 1.4, at(0.12, 0.06), 0.006);
+    let right = link(&mut m, "right", 1.8, at(-0.06, 0.1), 0.009);
+    let (lower, upper) = (bar(&mut m, "lower", 0.14), bar(&mut m, "upper", 0.26));
+    revolute(&mut m, "P", (crank, at(0.01, 0.0)), (left, at(0.0, 0.0)));
+    revolute(&mut m, "Q", (LinkId::GROUND, at(0.5, 0.02)), (right, at(0.0, 0.0)));
+    revolute(&mut m, "A", (left, at(0.2, 0.04)), (lower, at(0.0, 0.0)));
+    revolute(&mut m, "B", (lower, at(0.14, 0.0)), (right, at(-0.15, 0.12)));
+    revolute(&mut m, "C", (left, at(0.16, 0.14)), (upper, at(0.0, 0.0)));
+    revolute(&mut m, "D", (upper, at(0.26, 0.0)), (right, at(-0.05, 0.22)));
+    hint(&mut m, HintKind::Near { point: (left, at(0.2, 0.04)), place: at(0.23, 0.07) });
+    hint(&mut m, HintKind::Near { point: (right, at(-0.05, 0.22)), place: at(0.45, 0.24) });
+    drive(&mut m, crank, angles);
+    balance(&mut m, crank);
+    m
+}
+
 /// A crank that moves one leg of a class III triad; the others stand on the ground. At 0° the plate is at (0.3, 0.3).
 pub fn triad(angles: Positions) -> Mechanism {
     let mut m = ground();

@@ -96,7 +96,6 @@ impl Check<'_> {
         let mut owner: Vec<usize> = (0..sums.len()).collect();
         for (i, pair) in m.pairs.iter().enumerate() {
             let points: Vec<(LinkId, Vec2)> = match &pair.kind {
-                PairKind::Transmission(_) => Vec::new(),
                 PairKind::Revolute(pins) => {
                     pins.iter().map(|p| (p.link, self.body(p.link).point(p.at).value())).collect()
                 }
@@ -118,6 +117,7 @@ impl Check<'_> {
                     }
                     continue;
                 }
+                PairKind::Transmission(_) => continue,
             };
             for (link, p) in points {
                 sums[link.index()].add(Wrench::at(p, self.reaction(i, link)));

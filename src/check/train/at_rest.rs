@@ -16,6 +16,7 @@ pub(in crate::check) fn at_rest(cx: &mut Context<'_>) {
     if !linked && !acts && asks && !asks_of_motion(cx) {
         cx.mech.links.truncate(1);
         cx.mech.pairs.clear();
+        cx.mech.scales.clear();
     }
 }
 

@@ -42,6 +42,8 @@ pub struct General {
     pub constraints: Vec<Constraint>,
     /// Length that weighs rotations against translations, m.
     pub(super) length: f64,
+    /// See [`General::certificate`].
+    pub(super) certificate: f64,
     pub(super) jacobian: Dense,
     pub(super) rows: Vec<Row>,
     residuals: Vec<f64>,
@@ -69,6 +71,7 @@ impl General {
             moving,
             constraints,
             length: if extent > 0.0 { extent } else { 1.0 },
+            certificate: f64::INFINITY,
             jacobian: Dense::new(unknowns),
             rows: Vec::with_capacity(rows),
             residuals: vec![0.0; unknowns],
@@ -139,7 +142,12 @@ impl General {
     /// Factors the last position, if it closes.
     fn accept(&mut self, now: &[Pose]) -> Result<f64, Failure> {
         let residual = self.residual(now);
-        if residual <= SMALL * self.size(now) { self.factor(now) } else { Err(self.open(now)) }
+        if residual > SMALL * self.size(now) {
+            return Err(self.open(now));
+        }
+        let condition = self.factor(now)?;
+        self.certificate = self.certify(condition, self.size(now));
+        Ok(condition)
     }
 
     /// A chain that is too short by a gap has its least squares where every joint opens by a share of it.

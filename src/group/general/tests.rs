@@ -388,3 +388,39 @@ fn the_shape_must_be_square() {
     assert_eq!(General::new(1, 2, vec![joint]).err(), Some(shape));
     assert!(General::new(1, 1, vec![joint, Constraint::parallel(0, Vec2::zero(), 5, Vec2::zero())]).is_err());
 }
+
+#[test]
+fn a_position_is_certified_until_rounding_hides_it() {
+    // two links of length 1, the pins 2 cos φ apart: σ falls with φ
+    let at = |x: f64| Pose { p: Vec2::new(x, 0.0), u: Vec2::new(1.0, 0.0) };
+    for (phi, certain) in [(1.0, true), (1e-2, true), (1e-4, true), (1e-6, true), (3e-9, false)] {
+        let mut group = dyad(1.0, 1.0);
+        let (one, two) = (Vec2::direction(phi), Vec2::direction(std::f64::consts::PI - phi));
+        let far = 2.0 * libm::cos(phi);
+        let mut poses = vec![at(0.0), at(far), at(0.0), at(far)];
+        (poses[0].u, poses[1].u) = (one, two);
+        if group.position(&mut poses).is_ok() {
+            assert_eq!(group.certificate() <= 0.5, certain, "{phi}: {}", group.certificate());
+        } else {
+            assert!(!certain, "{phi}");
+        }
+    }
+}
+
+#[test]
+fn a_certified_position_is_as_near_as_the_certificate_says() {
+    // h bounds the distance of the solution of the disturbed equations: 2η = 2h / βλ
+    let mut random = Random::new(75);
+    for _ in 0..100 {
+        let known = [Body::random(&mut random), Body::random(&mut random)];
+        let (p_A, p_B) = (known[0].origin(0.0), known[1].origin(0.0));
+        let span = (p_B - p_A).norm();
+        let (l_1, l_2) = (span * random.within(0.6, 0.9), span * random.within(0.6, 0.9));
+        let p = rrr::position(p_A, p_B, l_1, l_2, random.sign());
+        let mut group = dyad(l_1, l_2);
+        let mut poses = vec![near(&mut random, p_A, p.r_1), near(&mut random, p_B, p.r_2)];
+        poses.extend(known.iter().map(|body| pose_of(body, 0.0)));
+        group.position(&mut poses).expect("it closes");
+        assert!(group.certificate() < 1e-9, "{}", group.certificate());
+    }
+}

@@ -1,0 +1,32 @@
+//! All assemblies of every group at the first pose.
+
+use super::document::{Column, Section, Table};
+use crate::solve::{Modes, Scene};
+
+/// One row per assembly.
+pub(super) fn section(scene: &Scene<'_>, modes: &Modes) -> Section {
+    let mut columns = vec![Column::right("#"), Column::words("kind")];
+    columns.push(Column::right("assembly"));
+    columns.push(Column::right("condition"));
+    columns.extend(["chosen", "to choose it write"].map(Column::words));
+    let mut table = Table::new(columns, 3);
+    for group in &modes.groups {
+        let structure = &scene.structure.motion[group.group];
+        for (i, mode) in group.modes.iter().enumerate() {
+            table.row(vec![
+                (group.group + 1).to_string(),
+                structure.kind_name().to_owned(),
+                format!("{} of {}", i + 1, group.modes.len()),
+                crate::units::significant(mode.condition, 3),
+                if mode.chosen { "chosen" } else { "" }.to_owned(),
+                mode.line.clone().unwrap_or_default(),
+            ]);
+        }
+    }
+    let mut section = Section::new(format!("Assemblies{}", modes.pose));
+    section.table(table);
+    if modes.groups.iter().any(|g| g.searched) {
+        section.text("The assemblies of general groups are searched for: there may be others.");
+    }
+    section
+}
