@@ -41,9 +41,9 @@ const TAIL: &str = "
 - 10,000 turns of a four-bar and of a parallelogram end on their branch and at their angle, to the rounding of the angle
   itself (`tests/hard/long.rs`). A way of more than 11,111 turns between two positions is refused.
 - In a chain of 1,000 dyads what one dyad loses is carried on by the next: the bound grows with their number.
-- Groups in series multiply what they lose: σ is the least of all groups, and the position of a group that hangs on another
-  one near its dead position may lose more than ε/σ. What is warned of covers it in all random cases but those of several
-  groups near their dead positions one behind another.
+- Groups in series multiply what they lose: σ in the report is the least of all groups, and a group that hangs on another
+  one near its dead position may lose more than ε/σ^k (up to 3e8 times that in positions, over the random cases below). The
+  warning of lost digits goes by the product of the σ below 0.05 and covers it.
 - A third crank on a parallelogram is a constraint too many and an error (`examples/hard/redundant.mech`); a roller that turns
   freely is set aside and named.
 
@@ -56,7 +56,10 @@ ASSUR_CASES=100000 cargo test --test honest -- --nocapture
 draws random mechanisms (a driven link and up to five groups of all kinds), most of them with groups near their dead positions
 down to σ = 1e-16, driven elsewhere, scaled from 1e-4 to 1e4 and shifted. Every answer is judged against Newton's method in
 double-double on the constraints of all pairs and an independent system of Newton and Euler: it has the digits that the warning
-tells, or seven where there is none. Everything else is refused with a diagnostic. A part of 10,000 runs with all tests.
+tells, or seven where there is none. What has no answer is refused with a diagnostic. A part of 10,000 runs with all tests and
+holds. Of the 100,000, 81,469 answers are judged and 17,279 refused; forces of 13,259 are not judged, because a load hangs on
+the sign of nothing or the system of the test is too ill-conditioned itself; some of the others claim no digit at all. Open are
+two answers (seeds 51367 and 88962), near which the test's own Newton finds no solution: which of the two is wrong is not known.
 ";
 
 /// Rounded up to a power of ten, or of four.

@@ -27,7 +27,12 @@ impl Tally {
         let hard = scenes::scene(seed);
         let run = match Run::new(&hard.mechanism) {
             Ok(run) => run,
-            Err(e) => return self.wrong.push(format!("seed {seed}: {e:.300}")),
+            Err(e) if hard.easy => return self.wrong.push(format!("seed {seed}: {e:.300}")),
+            Err(_) => {
+                self.refused += 1;
+                *self.reasons.entry("not determined").or_insert(0) += 1;
+                return;
+            }
         };
         let solved = match &run.solution {
             Ok(solution) => match solution.poses.first().map(|p| &p.outcome) {
