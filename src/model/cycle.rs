@@ -77,7 +77,7 @@ pub struct Rim {
 pub enum FlywheelPart {
     /// Its moment of inertia, kg m². Needs no pose.
     Inertia,
-    /// [W], the greatest less the least of the work, J. Needs no pose.
+    /// The fluctuation \[W\], the greatest less the least of the work, J. Needs no pose.
     Fluctuation,
     /// Axial width of the rim, m. Needs no pose.
     RimWidth,

@@ -5,6 +5,9 @@ use crate::model::{LinkId, PairId, PairKind};
 use crate::plan::{FrictionElement, Rub};
 use crate::structure::EffortSource;
 
+/// Useful power less than this part of the power put in is rounding.
+const NOTHING: f64 = 1e-13;
+
 /// Friction between two links at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rubbing {
@@ -122,7 +125,17 @@ impl View<'_> {
             return 0.0;
         }
         let (ideal, actual) = (self.without_friction().power_of_efforts(), self.power_of_efforts());
+        if self.overcomes_friction_alone() {
+            return 0.0;
+        }
         if ideal > 0.0 { ideal / actual } else { actual / ideal }
+    }
+
+    /// The efforts drive, and without friction they would have nothing to do: a shaft that turns under a load at rest.
+    #[must_use]
+    pub fn overcomes_friction_alone(&self) -> bool {
+        let (ideal, actual) = (self.without_friction().power_of_efforts(), self.power_of_efforts());
+        !self.state.locked && actual > 0.0 && ideal.abs() <= NOTHING * actual
     }
 
     /// Power of all unknown efforts, W.

@@ -49,7 +49,7 @@ impl Run<'_, '_> {
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
         let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
         let view = View { frictionless: ideal, quantities: &solved.quantities, ..view };
-        if view.efficiency() > 0.0 || view.efficiency().is_nan() {
+        if view.efficiency() > 0.0 || view.efficiency().is_nan() || view.overcomes_friction_alone() {
             return;
         }
         match &mut self.friction.locked {

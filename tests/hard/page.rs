@@ -44,7 +44,7 @@ const TAIL: &str = "
 - Groups in series multiply what they lose: σ in the report is the least of all groups, and a group that hangs on another
   one near its dead position may lose more than ε/σ^k (up to 3e8 times that in positions, over the random cases below). The
   warning of lost digits goes by the product of the σ below 0.05 and covers it.
-- A third crank on a parallelogram is a constraint too many and an error (`examples/hard/redundant.mech`); a roller that turns
+- A third crank on a parallelogram is a constraint too many and an error (`tests/errors/determinacy/repeated/equal_cranks.mech`); a roller that turns
   freely is set aside and named.
 
 ## No silent wrong answer

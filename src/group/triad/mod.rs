@@ -4,7 +4,7 @@
 //! of known motion, r_i = A_i − O_i, or a slider that holds A_i on a line of one, through Q_i with the left normal n_i.
 //! G is the mean of the A_i on the plate, ρ_i = A_i − G, and ρ² the mean of the ρ_i².
 //!
-//! Position, see [`position`] and [`modes`]:
+//! Position, see [`position`] and [`modes()`]:
 //!
 //! ```text
 //! φ_i = (|r_i|² − l_i²) / 2l_i = 0,    or    φ_i = n_i·(A_i − Q_i) = 0.

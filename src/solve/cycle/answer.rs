@@ -25,7 +25,7 @@ pub struct CycleAnswer {
 pub struct FlywheelAnswer {
     /// Its moment of inertia, kg m²; zero where the links alone run evenly enough.
     pub inertia: f64,
-    /// [W], J.
+    /// The fluctuation \[W\], J.
     pub fluctuation: f64,
     /// Mean torque on its shaft, N m: what balances the other side.
     pub mean_torque: f64,
@@ -37,7 +37,7 @@ pub struct FlywheelAnswer {
     pub extremes: [f64; 2],
     /// Reduced moment of inertia of the moving links on its shaft, kg m²: mean, least, greatest.
     pub links: [f64; 3],
-    /// Estimated error of [W], J.
+    /// Estimated error of \[W\], J.
     pub error: f64,
     /// Positions solved for it.
     pub samples: usize,
