@@ -8,6 +8,7 @@ mod general;
 mod geometry;
 mod loads;
 mod motion;
+mod settings;
 pub mod step;
 mod train;
 mod triad;
@@ -18,6 +19,7 @@ pub use effects::{Effects, Level, level_of, needs_forces};
 pub use friction::{FrictionElement, Rub, RubbingGroup};
 pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
 pub use loads::{ForceLine, LoadStep};
+pub use settings::{Numbers, Settings};
 pub use step::{
     Anchor, Arm, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
     OuterJoint, Slide, Way,
@@ -77,6 +79,8 @@ pub struct Plan {
     pub efforts: usize,
     /// What is computed.
     pub effects: Effects,
+    /// How accurately.
+    pub settings: Settings,
 }
 
 /// Plans what the file calls for.

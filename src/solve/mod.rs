@@ -55,7 +55,7 @@ pub use friction_error::FrictionError;
 pub use lanes::{Place, SideBySide, WIDTH};
 pub use modes::{GroupModes, Mode, Modes, modes};
 pub use open::unplaced_reactions;
-pub use precise::precise;
+pub use precise::{Edge, in_scalar, precise};
 pub use solution::{DriveValue, OpenSizes, Pose, PoseOrigin, Residuals, Scene, Solution, Solved};
 pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};
 pub use sweep::{solve, solve_with};

@@ -27,8 +27,10 @@ use way::Way;
 
 /// The most equally spaced samples.
 const MOST_SAMPLES: usize = 128;
-/// The fewest.
+/// The fewest; half of them where few digits are wanted.
 const FEWEST_SAMPLES: usize = 16;
+/// More digits than this are not few.
+const COARSE: f64 = 1e-9;
 
 /// Finds the functions over the sweep and the flywheels of a file.
 pub(super) fn cycles(scene: &Scene<'_>, statics: &mut Statics) -> Result<Vec<SolveError>, SolveError> {
@@ -200,7 +202,8 @@ fn smooth_mean(
     expr: &Expr,
 ) -> Result<Option<crate::math::periodic::Mean>, Undefined> {
     let mut samples: Vec<f64> = Vec::new();
-    let mut count = FEWEST_SAMPLES;
+    let tolerance = sampler.settings().samples;
+    let mut count = if tolerance > COARSE { FEWEST_SAMPLES / 2 } else { FEWEST_SAMPLES };
     while count <= MOST_SAMPLES {
         let mut next = Vec::with_capacity(count);
         for i in 0..count {
@@ -214,7 +217,7 @@ fn smooth_mean(
         }
         samples = next;
         let mean = crate::math::periodic::mean(&samples);
-        if mean.has_converged() {
+        if mean.has_converged(tolerance) {
             return Ok(Some(mean));
         }
         count *= 2;
