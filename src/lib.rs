@@ -1,5 +1,6 @@
 //! `assur`: a small declarative language for planar mechanism problems, and the compiler that solves them.
 
+pub mod accuracy;
 pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;

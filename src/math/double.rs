@@ -35,6 +35,12 @@ fn two_product(x: f64, y: f64) -> Double {
 const TURN: [f64; 3] = [std::f64::consts::TAU, 2.449_293_598_294_706_4e-16, -5.989_539_619_436_679e-33];
 
 impl Double {
+    /// Rounded to `f64`.
+    #[must_use]
+    pub const fn rounded(self) -> f64 {
+        self.high
+    }
+
     /// The direction (cos, sin) of an angle, rad: the Taylor series of a 32nd of what is left of whole turns, then five
     /// doublings.
     #[must_use]

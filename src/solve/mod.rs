@@ -1,6 +1,7 @@
 //! Plan × positions → Solution.
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
+mod again;
 mod assemble;
 mod cam;
 mod choices;
@@ -11,6 +12,7 @@ mod driven_legs;
 mod effort;
 mod error;
 mod evaluate;
+mod exact;
 mod extremes;
 mod flywheel_answers;
 mod forces;
@@ -45,9 +47,11 @@ mod triad;
 mod view;
 mod words;
 
-pub use cycle::{CycleAnswer, FlywheelAnswer};
+pub use again::Again;
+pub use cycle::{CycleAnswer, FlywheelAnswer, over_cycle};
 pub use error::SolveError;
 pub use evaluate::compare;
+pub use exact::{Exact, exact, has_exact};
 pub use extremes::Statics;
 pub use friction::RubbingWork;
 pub use friction_answers::Rubbing;
@@ -60,4 +64,5 @@ pub use solution::{DriveValue, OpenSizes, Pose, PoseOrigin, Residuals, Scene, So
 pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};
 pub use sweep::{solve, solve_with};
 pub use train::{LawForce, TrainWork};
+pub use track::extent;
 pub use view::View;

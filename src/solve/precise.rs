@@ -8,11 +8,16 @@ use crate::plan::{Level, Plan};
 pub trait Edge: Scalar + Default {
     /// The direction (cos, sin) of an angle, rad.
     fn direction(angle: f64) -> V2<Self>;
+    /// The same number with twice the digits of `f64`.
+    fn widened(self) -> Double;
 }
 
 impl Edge for f32 {
     fn direction(angle: f64) -> V2<Self> {
         V2::of(Vec2::direction(angle))
+    }
+    fn widened(self) -> Double {
+        Double::of(f64::from(self))
     }
 }
 
@@ -20,11 +25,17 @@ impl Edge for f64 {
     fn direction(angle: f64) -> V2<Self> {
         Vec2::direction(angle)
     }
+    fn widened(self) -> Double {
+        Double::of(self)
+    }
 }
 
 impl Edge for Double {
     fn direction(angle: f64) -> V2<Self> {
         Self::direction(angle)
+    }
+    fn widened(self) -> Double {
+        self
     }
 }
 

@@ -14,6 +14,7 @@ mod way;
 
 pub use answer::{CycleAnswer, FlywheelAnswer};
 pub(super) use flywheel::reduced_inertia;
+pub(super) use sampler::loads_name_quantities;
 
 use super::error::SolveError;
 use super::extremes::Statics;
@@ -62,6 +63,17 @@ pub(super) fn cycles(scene: &Scene<'_>, statics: &mut Statics) -> Result<Vec<Sol
         statics.cycles[index] = cycle(scene, statics, &mut sampler, index);
     }
     Ok(warnings)
+}
+
+/// The functions over the sweep and the flywheels of a solved file once more: with the settings of the scene's plan.
+///
+/// # Errors
+/// As [`super::solve`]: a flywheel that cannot be found.
+pub fn over_cycle(scene: &Scene<'_>, found: &Statics) -> Result<Statics, SolveError> {
+    let mut statics = found.clone();
+    statics.flywheels.clear();
+    cycles(scene, &mut statics)?;
+    Ok(statics)
 }
 
 /// Whether an expression can be computed before any function over the sweep and any flywheel is known. Quantities may
@@ -113,7 +125,8 @@ fn found(
     }
     let breaks = switches::breaks(scene, statics, sampler, expr)?;
     let splits = breaks.iter().map(|s| sampler.way.value(*s)).collect();
-    let answer = |value, error| CycleAnswer { value, error, splits, ..CycleAnswer::default() };
+    let answer =
+        |value, error, scale| CycleAnswer { value, error, scale, splits, ..CycleAnswer::default() };
     let length = sampler.way.length();
     let whole = matches!(how, CycleFunction::Mean | CycleFunction::Integral);
     let factor = if how == CycleFunction::Integral { length } else { 1.0 };
@@ -122,18 +135,21 @@ fn found(
         && comes_again(scene, statics, sampler, expr)?
         && let Some(mean) = smooth_mean(statics, sampler, expr)?
     {
-        return Ok(answer(mean.value * factor, mean.error * factor.abs()));
+        return Ok(answer(mean.value * factor, mean.error * factor.abs(), mean.scale * factor.abs()));
     }
     let all = panels::piecewise(sampler, statics, &[expr], &breaks)?;
     let [piecewise] = all.as_slice() else { return Err(Undefined::Unresolved) };
     if whole {
-        return Ok(answer(piecewise.integral() * factor, piecewise.error * factor.abs()));
+        let (error, scale) = (piecewise.error * factor.abs(), piecewise.scale * factor.abs());
+        return Ok(answer(piecewise.integral() * factor, error, scale));
     }
     let sign = if how == CycleFunction::Min { -1.0 } else { 1.0 };
     let (s, value) = extreme(statics, sampler, expr, piecewise, sign)?;
     Ok(match how {
-        CycleFunction::Argmax => answer(sampler.way.value(s), piecewise.error.min(1.0) * length.abs()),
-        _ => answer(value, piecewise.error),
+        CycleFunction::Argmax => {
+            answer(sampler.way.value(s), piecewise.error.min(1.0) * length.abs(), length.abs())
+        }
+        _ => answer(value, piecewise.error, piecewise.scale),
     })
 }
 
@@ -156,8 +172,9 @@ fn of_work(statics: &Statics, how: CycleFunction, expr: &Expr) -> Option<CycleAn
     };
     let at = found.extremes[usize::from(greatest)];
     let value = if how == CycleFunction::Argmax { at } else { sign * found.work(at) };
-    let error = if how == CycleFunction::Argmax { 1e-12 } else { found.error };
-    Some(CycleAnswer { value, error, splits: found.splits.clone(), ..CycleAnswer::default() })
+    let argmax = how == CycleFunction::Argmax;
+    let (error, scale) = if argmax { (1e-12, found.way.1.abs()) } else { (found.error, found.fluctuation) };
+    Some(CycleAnswer { value, error, scale, splits: found.splits.clone(), ..CycleAnswer::default() })
 }
 
 /// Whether the quantity is at the sweep's end what it was at its beginning: an angle that goes round is not.

@@ -307,7 +307,8 @@ fn names_quantity(expr: &Expr) -> bool {
     found
 }
 
-fn loads_name_quantities(mechanism: &Mechanism) -> bool {
+/// Whether a load hangs on quantities of the file.
+pub(in super::super) fn loads_name_quantities(mechanism: &Mechanism) -> bool {
     mechanism.loads.iter().any(|load| {
         let value = match &load.kind {
             LoadKind::Force { value, .. }
