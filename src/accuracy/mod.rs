@@ -11,7 +11,8 @@ mod study;
 mod within;
 
 pub use answer::Source;
+pub use clock::micros;
 pub use error::{Error, Scales};
 pub use knob::{Absent, Kind, Knob, Row};
 pub use study::{Recommendation, Study, study};
-pub use within::{AccuracyError, Reached, candidates, reached};
+pub use within::{AccuracyError, Reached, candidates, out_of_reach, reached};

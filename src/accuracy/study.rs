@@ -82,8 +82,12 @@ pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Stud
     let scales = scales(scene, &exact);
     let mut all = Measured { scene, again, inputs, exact, scales };
     let full = all.error(scene.plan);
-    let condition =
-        solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok()).map(|s| s.condition).fold(1.0, f64::min);
+    let condition = solution
+        .poses
+        .iter()
+        .filter_map(|p| p.outcome.as_ref().ok())
+        .map(|s| s.condition)
+        .fold(1.0, f64::min);
     let floor = match source {
         // the same formulas, the rounding of twice the digits
         Source::DoubleDouble => full.greatest().max(f64::EPSILON) * f64::EPSILON,
@@ -220,8 +224,7 @@ impl Measured<'_, '_> {
         let plan = self.scene.plan;
         let (count, drives) = (self.again.len(), plan.drives.max(1));
         let filled = count.max(FILL).next_multiple_of(FILL);
-        let inputs: Vec<DriveInput> =
-            self.inputs.iter().copied().cycle().take(filled * drives).collect();
+        let inputs: Vec<DriveInput> = self.inputs.iter().copied().cycle().take(filled * drives).collect();
         let mut lanes = SideBySide::new(plan, self.again.run(plan, 0));
         let (mut got, exact) = (vec![Answer::default(); count], &self.exact);
         lanes.run(&inputs, |i, place| {

@@ -5,7 +5,8 @@
 
 use super::answer::{Answer, Source};
 use super::error::{errors, scales};
-use super::study::estimated;
+use super::knob::Knob;
+use super::study::{Study, estimated};
 use crate::model::Mechanism;
 use crate::plan::{Level, Numbers, Settings};
 use crate::solve::{Scene, Solution, has_exact};
@@ -112,20 +113,34 @@ impl Reached {
 
     /// What is said where it is not.
     #[must_use]
-    pub fn error(&self, mechanism: &Mechanism) -> AccuracyError {
-        // the next power of ten above what is reached
-        let reachable = libm::pow(10.0, libm::ceil(libm::log10(self.error.max(f64::EPSILON))));
-        let help = format!(
-            "write `--within {reachable:.0e}`, or keep away from the position of the least condition: `assur solve` prints it for every pose"
-        );
-        let label = |span: crate::source::Span| {
-            LabeledSpan::new_with_span(Some("driven to these positions".to_owned()), span)
-        };
-        AccuracyError::OutOfReach {
-            wanted: significant(self.within, 2),
-            reached: format!("{:.0e}", self.error),
-            help,
-            labels: mechanism.drives.iter().map(|d| label(d.span)).collect(),
-        }
+    pub fn missed(&self, mechanism: &Mechanism) -> AccuracyError {
+        missed(mechanism, "--within", self.within, self.error)
+    }
+}
+
+/// What is said where no setting keeps what is wanted.
+#[must_use]
+pub fn out_of_reach(study: &Study, mechanism: &Mechanism) -> AccuracyError {
+    // each kind of setting by its best: the worst of them is what all together reach
+    let best = |knob: &Knob| knob.rows.iter().filter_map(|r| r.error).fold(f64::INFINITY, f64::min);
+    let reached = study.knobs.iter().map(best).fold(0.0, f64::max);
+    missed(mechanism, "--for", study.wanted, reached)
+}
+
+fn missed(mechanism: &Mechanism, option: &str, wanted: f64, reached: f64) -> AccuracyError {
+    // the next power of ten above what is reached
+    let reachable = libm::pow(10.0, libm::ceil(libm::log10(reached.max(f64::EPSILON))));
+    let instead =
+        if reachable < 1.0 { format!("write `{option} {reachable:.0e}`, or ") } else { String::new() };
+    let label = |span: crate::source::Span| {
+        LabeledSpan::new_with_span(Some("driven to these positions".to_owned()), span)
+    };
+    AccuracyError::OutOfReach {
+        wanted: significant(wanted, 2),
+        reached: format!("{reached:.0e}"),
+        help: format!(
+            "{instead}keep away from the position of the least condition: `assur solve` prints it for every pose"
+        ),
+        labels: mechanism.drives.iter().map(|d| label(d.span)).collect(),
     }
 }

@@ -7,6 +7,7 @@ mod answers;
 mod columns;
 pub mod csv;
 mod cycle;
+pub mod diagram;
 pub mod document;
 pub mod dxf;
 mod element;
@@ -25,11 +26,13 @@ mod results;
 pub mod rows;
 mod scale;
 pub mod text;
+mod tradeoff;
 mod train;
 
 pub use answers::{Answers, Precision};
 pub use element::full as full_table;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
+pub use tradeoff::{of_study, study_json};
 
 use crate::solve::{Modes, Scene};
 use crate::source::Source;

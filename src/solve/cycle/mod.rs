@@ -125,8 +125,7 @@ fn found(
     }
     let breaks = switches::breaks(scene, statics, sampler, expr)?;
     let splits = breaks.iter().map(|s| sampler.way.value(*s)).collect();
-    let answer =
-        |value, error, scale| CycleAnswer { value, error, scale, splits, ..CycleAnswer::default() };
+    let answer = |value, error, scale| CycleAnswer { value, error, scale, splits, ..CycleAnswer::default() };
     let length = sampler.way.length();
     let whole = matches!(how, CycleFunction::Mean | CycleFunction::Integral);
     let factor = if how == CycleFunction::Integral { length } else { 1.0 };
