@@ -7,9 +7,7 @@ use super::knob::{Absent, Kind, Knob, Row, not_closed};
 use super::{Error, Scales};
 use crate::math::Double;
 use crate::plan::{Plan, Settings};
-use crate::solve::{
-    Again, DriveInput, Edge, Scene, SideBySide, Solution, State, Statics, WIDTH, exact as exactly, over_cycle,
-};
+use crate::solve::{Again, DriveInput, Edge, Scene, SideBySide, Solution, State, Statics, WIDTH, over_cycle};
 use std::hint::black_box;
 
 /// The most positions that are solved again.
@@ -69,12 +67,12 @@ pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Stud
     let mut source = Source::DoubleDouble;
     let mut exact = Vec::new();
     for i in 0..again.len() {
-        let state = again.run(scene.plan, i);
-        exact.push(match exactly(scene, state) {
+        let got = Answer::of(again.run(scene.plan, i));
+        exact.push(match again.exact() {
             Some(found) => Answer::exact(found),
             None => {
                 source = Source::Full;
-                Answer::of(state)
+                got
             }
         });
     }
@@ -109,7 +107,7 @@ pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Stud
         for kind in [Kind::Friction, Kind::Newton, Kind::Triad] {
             match kind.absent(scene.plan) {
                 Some(why) => study.absent.push(Absent { what: kind.name(), why }),
-                None => study.knobs.push(all.tolerances(kind)),
+                None => study.knobs.push(all.tolerances(kind, floor)),
             }
         }
     }
@@ -140,13 +138,14 @@ impl Measured<'_, '_> {
         (self.micros(&plan), self.error(&plan).greatest())
     }
 
-    fn tolerances(&mut self, kind: Kind) -> Knob {
+    fn tolerances(&mut self, kind: Kind, floor: f64) -> Knob {
         let row = |&tolerance: &f64| {
             let settings = kind.setting(tolerance);
             let (micros, error) = self.with(settings);
-            let error = Some(error).filter(|e| e.is_finite());
+            let is_floor = error < floor;
+            let error = Some(error.max(floor)).filter(|e| e.is_finite());
             let setting = power(tolerance);
-            Row { setting, samples: None, micros, error, is_floor: false, settings: Some(settings) }
+            Row { setting, samples: None, micros, error, is_floor, settings: Some(settings) }
         };
         Knob { kind, rows: kind.tolerances().iter().map(row).collect() }
     }
@@ -177,7 +176,7 @@ impl Measured<'_, '_> {
         } else {
             let plan = self.scene.plan;
             let (micros, error) = (self.micros(plan), self.error(plan).greatest());
-            rows.push(row("f64", micros, error, source == Source::Full));
+            rows.push(row("f64", micros, error.max(floor), source == Source::Full));
             absent.push(Absent { what: "f32, lanes", why: not_closed(plan) });
             if source == Source::DoubleDouble {
                 rows.push(row("double-double", self.reference_micros(), floor, true));
@@ -189,9 +188,13 @@ impl Measured<'_, '_> {
     }
 
     fn reference_micros(&mut self) -> f64 {
-        let (scene, count) = (*self.scene, self.again.len());
-        let states: Vec<State> = (0..count).map(|i| self.again.run(scene.plan, i).clone()).collect();
-        let all = micros(|| states.iter().for_each(|s| drop(black_box(exactly(&scene, s)))));
+        let (plan, count) = (self.scene.plan, self.again.len());
+        let all = micros(|| {
+            for i in 0..count {
+                self.again.run(plan, i);
+                drop(black_box(self.again.exact()));
+            }
+        });
         all / count as f64
     }
 
@@ -244,8 +247,7 @@ impl Measured<'_, '_> {
 
 /// `1e-6`
 fn power(tolerance: f64) -> String {
-    let text = format!("{tolerance:.0e}");
-    text
+    format!("{tolerance:.0e}")
 }
 
 fn over_the_cycle(scene: &Scene<'_>, found: &Statics, study: &mut Study) {
@@ -263,10 +265,13 @@ fn over_the_cycle(scene: &Scene<'_>, found: &Statics, study: &mut Study) {
 }
 
 fn cycle_knob(scene: &Scene<'_>, full: &Statics, kind: Kind) -> Knob {
+    // the reference is the finest setting: its own error is estimated
+    let floor = estimated(full);
     let row = |&tolerance: &f64| {
         let settings = kind.setting(tolerance);
         let (micros, error, samples) = cycle(scene, full, settings);
-        let is_floor = settings == Settings::FULL;
+        let is_floor = error.is_some_and(|e| e < floor) || settings == Settings::FULL;
+        let error = error.map(|e| e.max(floor));
         Row { setting: power(tolerance), samples, micros, error, is_floor, settings: Some(settings) }
     };
     Knob { kind, rows: kind.tolerances().iter().map(row).collect() }
@@ -327,11 +332,18 @@ fn recommend(all: &mut Measured<'_, '_>, statics: &Statics, study: &Study) -> Op
     let together = match first {
         None => None,
         Some(_) if closed || double => scalar,
-        Some(_) => Some(all.with(settings)),
+        Some(_) => {
+            let (micros, error) = all.with(settings);
+            Some((micros, error.max(study.floor)))
+        }
     };
     let cycle = study.knobs.iter().find(|k| k.kind == Kind::Samples).map(|knob| {
         let (micros, error, _) = cycle(all.scene, statics, settings);
-        (micros, error.unwrap_or(f64::INFINITY), knob.rows.last().map_or(f64::NAN, |r| r.micros))
+        (
+            micros,
+            error.map_or(f64::INFINITY, |e| e.max(estimated(statics))),
+            knob.rows.last().map_or(f64::NAN, |r| r.micros),
+        )
     });
     Some(Recommendation { settings: chosen, together, full, cycle })
 }

@@ -79,7 +79,7 @@ pub fn reached(scene: &Scene<'_>, solution: &Solution, within: f64) -> Reached {
     for solved in solved {
         condition = condition.min(solved.condition);
         got.push(Answer::of(&solved.state));
-        exact.extend(crate::solve::exact(scene, &solved.state).map(Answer::exact));
+        exact.extend(solution.exact(scene, solved).map(Answer::exact));
     }
     let settings = scene.plan.settings;
     let source = if exact.len() == got.len() { Source::DoubleDouble } else { Source::Full };

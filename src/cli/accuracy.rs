@@ -58,8 +58,7 @@ fn printed(
         return report::study_json(&source.name, measured) + "\n";
     }
     let whole = micros(|| drop(std::hint::black_box(whole(source, overrides))));
-    let poses = solved.solution.poses.len().max(1);
-    let report = report::of_study(&source.name, &solved.compiled.scene(), measured, whole / poses as f64);
+    let report = report::of_study(&source.name, &solved.compiled.scene(), measured, whole);
     match args.format {
         AccuracyFormat::Markdown => report::markdown::render(&report),
         _ => report::text::render(&report, screen.look()),

@@ -1,6 +1,7 @@
 //! Error against time, both logarithmic, one line per kind of setting: a drawing in SVG.
 
 use crate::accuracy::{Kind, Knob, Study};
+use crate::units::significant;
 use std::fmt::Write;
 
 const WIDTH: f64 = 760.0;
@@ -10,8 +11,9 @@ const FRAME: [f64; 4] = [86.0, 58.0, 560.0, 404.0];
 const INK: &str = "#222222";
 const PALE: &str = "#e3e3e3";
 
-/// One axis: powers of ten, and where they lie.
+/// A logarithmic axis and where it lies.
 struct Axis {
+    /// Powers of ten.
     from: f64,
     to: f64,
     start: f64,
@@ -19,29 +21,44 @@ struct Axis {
 }
 
 impl Axis {
-    /// Over positive numbers, widened to whole powers of ten or, on a short axis, to halves.
+    /// Over positive numbers, with something to spare.
     fn over(values: impl Iterator<Item = f64>, start: f64, end: f64) -> Option<Self> {
         let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
         for x in values.filter(|x| *x > 0.0).map(libm::log10) {
             (least, greatest) = (least.min(x), greatest.max(x));
         }
-        let (from, to) = ((least - 0.05).floor(), (greatest + 0.05).ceil());
-        (from < to).then_some(Self { from, to, start, end })
+        let spare = 0.3_f64.max(0.05 * (greatest - least));
+        (least <= greatest).then_some(Self { from: least - spare, to: greatest + spare, start, end })
     }
 
     fn place(&self, x: f64) -> f64 {
         self.start + (libm::log10(x) - self.from) / (self.to - self.from) * (self.end - self.start)
     }
 
-    /// Powers that carry a number.
-    fn powers(&self, most: f64) -> Vec<i32> {
+    /// Powers of ten on the axis, at most about so many.
+    fn powers(&self, most: f64) -> Vec<f64> {
         let step = ((self.to - self.from) / most).ceil().max(1.0);
-        let mut at = self.from;
+        let mut at = (self.from / step).ceil() * step;
         let mut all = Vec::new();
         while at <= self.to {
-            #[allow(clippy::cast_possible_truncation)] // a power of ten
-            all.push(at as i32);
+            all.push(at);
             at += step;
+        }
+        all
+    }
+
+    /// 1, 2, 5, 10, … on the axis; powers of ten alone where it is long.
+    fn ticks(&self) -> Vec<f64> {
+        let times: &[f64] = if self.to - self.from > 3.0 { &[1.0] } else { &[1.0, 2.0, 5.0] };
+        let mut all = Vec::new();
+        let mut power = self.from.floor();
+        while power <= self.to {
+            let ten = libm::pow(10.0, power);
+            all.extend(times.iter().map(|t| t * ten).filter(|x| {
+                let at = libm::log10(*x);
+                at >= self.from && at <= self.to
+            }));
+            power += 1.0;
         }
         all
     }
@@ -131,19 +148,18 @@ pub fn svg(title: &str, study: &Study) -> Option<String> {
 
 fn axes(out: &mut String, x: &Axis, y: &Axis) {
     let [left, top, right, bottom] = FRAME;
-    let ten = |power: i32| libm::pow(10.0, f64::from(power));
-    for power in x.powers(8.0) {
-        let at = x.place(ten(power));
+    for tick in x.ticks() {
+        let at = x.place(tick);
         line(out, (at, top), (at, bottom), PALE);
         line(out, (at, bottom), (at, bottom + 5.0), INK);
-        power_of_ten(out, at, bottom + 21.0, "middle", power);
+        text(out, at, bottom + 20.0, "middle", 12.0, &significant(tick, 1));
     }
-    minor(out, x, |at| ((at, bottom), (at, bottom + 3.0)));
     for power in y.powers(9.0) {
-        let at = y.place(ten(power));
+        let at = y.place(libm::pow(10.0, power));
         line(out, (left, at), (right, at), PALE);
         line(out, (left - 5.0, at), (left, at), INK);
-        power_of_ten(out, left - 9.0, at + 4.0, "end", power);
+        text(out, left - 28.0, at + 5.0, "end", 12.0, "10");
+        text(out, left - 27.0, at - 1.0, "start", 9.0, &significant(power, 2).replace('-', "−"));
     }
     let _ = writeln!(
         out,
@@ -159,40 +175,18 @@ fn axes(out: &mut String, x: &Axis, y: &Axis) {
     );
 }
 
-/// Ticks at 2 … 9 times the powers, where there are few powers.
-fn minor(out: &mut String, axis: &Axis, tick: impl Fn(f64) -> ((f64, f64), (f64, f64))) {
-    if axis.to - axis.from > 4.0 {
-        return;
-    }
-    let mut power = axis.from;
-    while power < axis.to {
-        for times in 2..10 {
-            let (from, to) = tick(axis.place(f64::from(times) * libm::pow(10.0, power)));
-            line(out, from, to, INK);
-        }
-        power += 1.0;
-    }
-}
-
-fn power_of_ten(out: &mut String, x: f64, y: f64, anchor: &str, power: i32) {
-    let _ = writeln!(
-        out,
-        r#"<text x="{x:.1}" y="{y:.1}" text-anchor="{anchor}" font-size="12" fill="{INK}">10<tspan dy="-5" font-size="9">{}</tspan></text>"#,
-        power.to_string().replace('-', "−")
-    );
-}
-
 fn series(out: &mut String, knob: &Knob, x: &Axis, y: &Axis) {
     let places: Vec<(f64, f64)> = points(knob).map(|p| (x.place(p.0), y.place(p.1))).collect();
     let path: Vec<String> = places.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
     let fill = colour(knob.kind);
     // scalars are no tolerances: between them there is nothing
-    let dash = if knob.kind == Kind::Scalar { r#" stroke-dasharray="2 4""# } else { "" };
-    let _ = writeln!(
-        out,
-        r#"<polyline points="{}" fill="none" stroke="{fill}" stroke-width="1.6"{dash}/>"#,
-        path.join(" ")
-    );
+    if knob.kind != Kind::Scalar {
+        let _ = writeln!(
+            out,
+            r#"<polyline points="{}" fill="none" stroke="{fill}" stroke-width="1.6"/>"#,
+            path.join(" ")
+        );
+    }
     for (u, v) in &places {
         sign(out, knob.kind, *u, *v);
     }

@@ -1,6 +1,7 @@
 //! Positions of a solved file solved again: each from a step before it, as the sweep comes to it.
 
 use super::cycle::loads_name_quantities;
+use super::exact::{Exact, exact};
 use super::extremes::Statics;
 use super::inputs::Rates;
 use super::pose::balanced;
@@ -72,6 +73,12 @@ impl<'a> Again<'a> {
     #[must_use]
     pub fn inputs(&self) -> Vec<DriveInput> {
         self.starts.iter().flat_map(|s| s.inputs.iter().copied()).collect()
+    }
+
+    /// The position last solved with twice the digits, see [`exact`].
+    #[must_use]
+    pub fn exact(&self) -> Option<Exact> {
+        exact(&self.scene, &self.state, &self.evaluated)
     }
 
     /// The assemblies at a position.

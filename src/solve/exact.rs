@@ -4,6 +4,7 @@ use super::precise::precise;
 use super::solution::Scene;
 use super::state::{BodyState, Reaction, State};
 use crate::math::{Double, V2};
+use crate::model::{LoadId, Value};
 
 /// One position with twice the digits.
 #[derive(Clone, Debug)]
@@ -17,8 +18,13 @@ pub struct Exact {
 }
 
 /// The position in which a solved state stands, with twice the digits; `None` where there is no such way to solve its plan.
+/// # Given
+/// `evaluated` values of the loads that are expressions.
 #[must_use]
-pub fn exact(scene: &Scene<'_>, state: &State) -> Option<Exact> {
+pub fn exact(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]) -> Option<Exact> {
+    if !evaluated.is_empty() {
+        return None;
+    }
     let exact = precise(scene.plan, state).filter(|exact| exact.open.is_none())?;
     Some(Exact { bodies: exact.bodies, reactions: exact.reactions, efforts: exact.efforts })
 }

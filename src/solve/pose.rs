@@ -78,7 +78,7 @@ impl Run<'_, '_> {
     /// The position once more with twice the digits, rounded; the loads follow from its motion.
     fn with_twice_the_digits(&self, state: &mut State) {
         let scene = self.scene;
-        let Some(exact) = exact(scene, state) else { return };
+        let Some(exact) = exact(scene, state, &self.evaluated) else { return };
         exact.round_motion(state);
         if scene.plan.effects.forces {
             state.run_loads(scene, &self.evaluated);

@@ -9,8 +9,10 @@ use crate::model::Expr;
 
 /// Panels per turn of the drive at the start.
 const PER_TURN: f64 = 8.0;
-/// The same where few digits are wanted.
-const FEW_PER_TURN: f64 = 3.0;
+/// The same where few digits are wanted, and where very few are.
+const FEW_PER_TURN: [f64; 2] = [3.0, 1.5];
+/// More digits than this are not very few.
+const VERY_COARSE: f64 = 1e-5;
 /// The most panels.
 const MOST: usize = 2000;
 
@@ -124,7 +126,11 @@ pub(super) fn piecewise(
 /// The stretches between the breaks, divided where they are long.
 fn first_panels(sampler: &Sampler<'_>, breaks: &[f64]) -> Vec<(f64, f64)> {
     let turns = sampler.way.turns.unwrap_or(1.0).abs().max(0.5);
-    let per_turn = if sampler.settings().samples > COARSE { FEW_PER_TURN } else { PER_TURN };
+    let per_turn = match sampler.settings().samples {
+        wanted if wanted > VERY_COARSE => FEW_PER_TURN[1],
+        wanted if wanted > COARSE => FEW_PER_TURN[0],
+        _ => PER_TURN,
+    };
     let longest = 1.0 / (per_turn * turns);
     let mut panels = Vec::new();
     let ends = breaks.iter().copied().chain([1.0]);
