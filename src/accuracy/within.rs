@@ -14,6 +14,10 @@ use crate::units::significant;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error as ThisError;
 
+/// Joints must meet to a millionth of the extent, whatever is wanted: no last step of Newton's method is longer, and no gap
+/// wider.
+const LARGEST_STEP: f64 = 1e-4;
+const LARGEST_GAP: f64 = 1e-8;
 /// What rounding alone may do, in units of ε/σ^k: see docs/stability.md.
 const ROUNDING: f64 = 64.0;
 
@@ -59,8 +63,8 @@ pub fn candidates(scene: &Scene<'_>, wanted: f64) -> Vec<Settings> {
     // what Newton's methods leave is of the order of the square of a step; a hundredth of what is wanted for each
     let left = 0.01 * wanted;
     let loose = Settings {
-        newton: (0.01 * left.sqrt()).max(full.newton),
-        triad: left.max(full.triad),
+        newton: (0.01 * left.sqrt()).clamp(full.newton, LARGEST_STEP),
+        triad: left.clamp(full.triad, LARGEST_GAP),
         samples: (0.1 * wanted).max(full.samples),
         root: (0.1 * left).max(full.root),
         ..full.with_friction(left)

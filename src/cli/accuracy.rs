@@ -82,7 +82,11 @@ fn drawn(
 ) -> Reply {
     let title = &solved.compiled.mechanism.title;
     let title = if title.is_empty() { &source.name } else { title };
-    let Some(svg) = report::diagram::svg(title, measured) else { return reply };
+    let Some(svg) = report::diagram::svg(title, measured) else {
+        let why = "nothing can be set in this problem".to_owned();
+        let complaint = complaint(CliError::Unwritable { name: path.to_owned(), why }, screen);
+        return Reply { diagnostics: reply.diagnostics + &complaint, status: Status::Unusable, ..reply };
+    };
     let written = Sink::file(Path::new(path)).and_then(|mut sink| {
         sink.write(&svg)?;
         sink.finish()

@@ -144,10 +144,7 @@ fn recommended(study: &Study, solve: f64) -> Section {
     let saved = 100.0 * (positions + cycle) / solve;
     let saves =
         if saved >= 1.0 { format!("{} %", significant(saved, 2)) } else { "less than 1 %".to_owned() };
-    section.text(format!(
-        "Of a whole `assur solve`, {} µs from text to report, that saves {saves}.",
-        time(solve)
-    ));
+    section.text(format!("Of a whole solve, {} µs from text to report, that saves {saves}.", time(solve)));
     section
 }
 

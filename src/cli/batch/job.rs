@@ -344,6 +344,7 @@ impl<'r> Run<'r> {
     /// Counts rows; explains the first that fail for a reason.
     fn tell(&self, said: Vec<(usize, Said)>, tally: &mut Tally, progress: &Progress) {
         for (number, said) in said {
+            said.reached.iter().for_each(|reached| tally.reached(reached));
             let fails = said.failed.is_some();
             let failed = said.failed.iter().map(|code| (Kind::Failed, code.clone()));
             let all = failed.chain(said.unmet.then(|| (Kind::Unmet, String::new())));
