@@ -31,6 +31,7 @@ mod open;
 mod pose;
 mod positions;
 mod precise;
+mod pressure_angle;
 mod refused;
 mod residual;
 mod rubbing;
