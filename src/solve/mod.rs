@@ -43,6 +43,7 @@ mod track;
 mod train;
 mod train_view;
 mod triad;
+mod turn;
 mod view;
 mod words;
 
