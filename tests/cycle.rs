@@ -223,7 +223,8 @@ fn x(deg: f64) -> f64 {
 
 /// A crank-rocker or crank-slider with masses under gravity, and nothing else.
 fn smooth_machine() -> impl Strategy<Value = String> {
-    let lengths = (0.05..0.15, 0.3..0.5, 0.3..0.5, 0.4..0.5);
+    // the crank turns fully: r + d is at most l + c, r + |l - c| at most d
+    let lengths = (0.05..0.15, 0.35..0.5, 0.35..0.5, 0.4..0.5);
     let masses = (0.5..5.0, 0.5..5.0, 0.01..0.2, 0.01..0.2, -0.1..0.1, -200.0..200.0);
     (lengths, masses, any::<bool>()).prop_map(|((r, l, c, d), (m2, m3, j2, j3, s, rate), rocker)| {
         let last = if rocker {
@@ -264,8 +265,8 @@ proptest! {
     fn a_cycle_of_inertia_and_weights_takes_no_work(text in smooth_machine()) {
         let solved = solved(&format!("{text}find mean(power(Mb)), max(abs(power(Mb))), integral(Mb), max(abs(Mb))\n"));
         let values: Vec<f64> = solved.solution.statics.cycles.iter().map(|c| c.value).collect();
-        prop_assert!(values[0].abs() < 1e-12 * values[1], "{values:?}");
-        prop_assert!(values[2].abs() < 1e-11 * values[3], "{values:?}");
+        prop_assert!(values[0].abs() <= 1e-12 * values[1], "{values:?}");
+        prop_assert!(values[2].abs() <= 1e-11 * values[3], "{values:?}");
     }
 
     /// The fluctuation of work against sums over many positions; a mean against the sum.

@@ -1,13 +1,9 @@
 //! Dead positions, strokes and time ratios: the extremes of a pair's coordinate over one turn of the drive.
 
-use super::assemble::assemble;
 use super::cycle::{CycleAnswer, FlywheelAnswer};
 use super::error::{SolveError, label};
-use super::inputs::Rates;
-use super::solution::{DriveValue, Scene};
-use super::state::State;
-use super::track::Tracker;
-use super::view::View;
+use super::solution::Scene;
+use super::turn::{Failure, Turn};
 use super::words::four;
 use crate::model::{Expr, Mechanism, PairId, Positions, Query};
 use crate::source::Span;
@@ -108,7 +104,8 @@ pub(super) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
             return Err(none(scene, first, why, help.to_owned(), labels));
         }
     };
-    let turn = Turn::new(scene).map_err(|why| match why {
+    let pairs: Vec<PairId> = wanted.iter().map(|ask| ask.pair).collect();
+    let turn = Turn::new(scene, &pairs).map_err(|why| match why {
         Failure::Error(e) => *e,
         Failure::Open(limit) => {
             let at = limit
@@ -124,12 +121,12 @@ pub(super) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
         }
     })?;
     let mut out = Vec::new();
-    for ask in wanted {
-        let extremes = turn.extremes(scene, ask.pair).ok_or_else(|| {
+    for (i, ask) in wanted.iter().enumerate() {
+        let extremes = turn.extremes(scene, i).ok_or_else(|| {
             let why =
                 format!("the coordinate of `{}` does not go to and fro", scene.mechanism.pair(ask.pair).name);
             let help = "name the pair of a link that swings or slides between two ends".to_owned();
-            none(scene, &ask, why, help, Vec::new())
+            none(scene, ask, why, help, Vec::new())
         })?;
         out.push((ask.pair, extremes));
     }
@@ -219,109 +216,4 @@ pub(super) fn every_query(mechanism: &Mechanism, look: &mut impl FnMut(&Query, S
             list.iter().for_each(|(_, e)| ask(e, expect.span));
         }
     }
-}
-
-enum Failure {
-    Error(Box<SolveError>),
-    /// Over the turn; the last drive value that closes, where one does.
-    Open(Option<f64>),
-}
-
-/// One turn of the drive, sampled with unit speed.
-struct Turn {
-    samples: Vec<Sample>,
-}
-
-struct Sample {
-    at: f64,
-    state: State,
-    angles: Vec<f64>,
-}
-
-/// Samples per turn: no coordinate of a common mechanism turns back twice within two degrees.
-const SAMPLES: usize = 180;
-
-impl Turn {
-    fn new(scene: &Scene<'_>) -> Result<Self, Failure> {
-        let rates = Rates::unit(scene);
-        let mut start = State::new(scene.plan);
-        let values = [DriveValue::Scalar(0.0)];
-        rates.at(&values, &mut start.inputs);
-        let state = assemble(scene, start).map_err(|e| match e {
-            SolveError::DoesNotClose { .. } | SolveError::NotFound { .. } => Failure::Open(None),
-            e => Failure::Error(Box::new(e)),
-        })?;
-        let mut tracker = Tracker::new(scene, state, &values);
-        let mut samples = Vec::with_capacity(SAMPLES + 1);
-        for i in 0..=SAMPLES {
-            #[allow(clippy::cast_precision_loss)]
-            let at = TAU * i as f64 / SAMPLES as f64;
-            if i > 0 {
-                let target = [DriveValue::Scalar(at)];
-                if tracker.go(scene, &rates, &target).is_err() {
-                    let limit = tracker.limit(scene, &rates, &target);
-                    return Err(Failure::Open(limit.first().and_then(|v| match v {
-                        DriveValue::Scalar(x) => Some(*x),
-                        _ => None,
-                    })));
-                }
-            }
-            let mut state = tracker.state.clone();
-            state.run_motion::<1>(scene.plan);
-            samples.push(Sample { at, state, angles: tracker.angles.clone() });
-        }
-        Ok(Self { samples })
-    }
-
-    /// Coordinate and its derivative with respect to the drive.
-    fn seen(scene: &Scene<'_>, state: &State, angles: &[f64], pair: PairId) -> (f64, f64) {
-        let statics = Statics::EMPTY;
-        let view = View::new(scene, state, angles, &statics);
-        (view.displacement(pair), view.relative_velocity(pair))
-    }
-
-    fn extremes(&self, scene: &Scene<'_>, pair: PairId) -> Option<Extremes> {
-        let mut found: Vec<(f64, f64)> = Vec::new();
-        for two in self.samples.windows(2) {
-            let [a, b] = two else { continue };
-            let (_, rate_a) = Self::seen(scene, &a.state, &a.angles, pair);
-            let (_, rate_b) = Self::seen(scene, &b.state, &b.angles, pair);
-            if rate_a == 0.0 {
-                found.push((a.at, Self::seen(scene, &a.state, &a.angles, pair).0));
-            } else if rate_a * rate_b < 0.0 {
-                found.push(refine(scene, a, b.at, rate_a, rate_b, pair));
-            }
-        }
-        let least = found.iter().copied().min_by(|x, y| x.1.total_cmp(&y.1))?;
-        let greatest = found.iter().copied().max_by(|x, y| x.1.total_cmp(&y.1))?;
-        if greatest.1 <= least.1 {
-            return None;
-        }
-        Some(Extremes {
-            least: least.1,
-            greatest: greatest.1,
-            at_least: least.0.rem_euclid(TAU),
-            at_greatest: greatest.0.rem_euclid(TAU),
-        })
-    }
-}
-
-/// The root of the derivative between two samples: drive value and coordinate.
-fn refine(scene: &Scene<'_>, a: &Sample, end: f64, rate_a: f64, rate_b: f64, pair: PairId) -> (f64, f64) {
-    let rates = Rates::unit(scene);
-    let mut state = a.state.clone();
-    let mut at = |x: f64| {
-        rates.at(&[DriveValue::Scalar(x)], &mut state.inputs);
-        state.run_motion::<1>(scene.plan);
-        // within two degrees no angle turns by half a turn
-        let angles: Vec<f64> = state
-            .bodies
-            .iter()
-            .zip(a.state.bodies.iter().zip(&a.angles))
-            .map(|(new, (old, angle))| angle + libm::atan2(old.u.cross(new.u), old.u.dot(new.u)))
-            .collect();
-        Turn::seen(scene, &state, &angles, pair)
-    };
-    let x = crate::math::root(a.at, end, rate_a, rate_b, |x| at(x).1);
-    (x, at(x).0)
 }

@@ -33,6 +33,7 @@ mod open;
 mod pose;
 mod positions;
 mod precise;
+mod pressure_angle;
 mod refused;
 mod residual;
 mod rubbing;
@@ -44,6 +45,7 @@ mod track;
 mod train;
 mod train_view;
 mod triad;
+mod turn;
 mod view;
 mod words;
 

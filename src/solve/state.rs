@@ -132,7 +132,7 @@ pub(super) struct Shared<S> {
 }
 
 /// The state of one position, or of several side by side.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct State<S = f64> {
     /// Bodies, the ground first.
     pub bodies: Vec<BodyState<S>>,
@@ -234,5 +234,15 @@ impl State {
                 .collect(),
             ..Self::closed(plan)
         }
+    }
+
+    /// Takes over what motion starts from, of a state of the same plan: where the bodies are and how they are assembled.
+    pub(super) fn start_from(&mut self, other: &Self) {
+        self.bodies.clone_from(&other.bodies);
+        self.branches.clone_from(&other.branches);
+        self.sines.clone_from(&other.sines);
+        self.certificates.clone_from(&other.certificates);
+        self.touches.clone_from(&other.touches);
+        self.open = other.open;
     }
 }

@@ -51,16 +51,43 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
         rates: Rates::of(scene, &statics),
         statics,
         evaluated: Vec::new(),
+        before: None,
         poses: Vec::new(),
         notes: Notes::default(),
         friction: FrictionNotes::default(),
     };
-    let trackers = run.follow(&wanted).map_err(|e| vec![e])?;
-    run.beside(&wanted, &trackers);
+    let mut near = beside(scene, &run.statics, &wanted[0]).into_iter().map(Near::new).collect::<Vec<_>>();
+    run.follow(&wanted, &mut near).map_err(|e| vec![e])?;
+    run.beside(near);
     let friction = run.friction_problems();
     let mut warnings = run.notes.into_warnings(scene, &run.poses);
     warnings.extend(cycle_warnings);
     Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction, open: OpenSizes::default() })
+}
+
+/// A pose beside the sweep, with the tracker at the nearest position of the sweep that closed.
+struct Near {
+    pose: Wanted,
+    away: f64,
+    tracker: Option<Tracker>,
+}
+
+impl Near {
+    const fn new(pose: Wanted) -> Self {
+        Self { pose, away: f64::INFINITY, tracker: None }
+    }
+
+    /// Keeps the tracker if its position is nearer than those before.
+    fn look(&mut self, tracker: &Tracker, drives: &[DriveValue]) {
+        let away = away(drives, &self.pose.drives);
+        if away < self.away {
+            self.away = away;
+            match &mut self.tracker {
+                Some(kept) => kept.start_from(tracker),
+                None => self.tracker = Some(tracker.clone()),
+            }
+        }
+    }
 }
 
 /// Why a position was not reached, and the tracker where it was before.
@@ -82,6 +109,8 @@ pub(super) struct Run<'a, 's> {
     pub rates: Rates,
     pub statics: Statics,
     pub evaluated: Vec<(LoadId, Value)>,
+    /// Memory for the place before a step of the sweep.
+    before: Option<Tracker>,
     poses: Vec<Pose>,
     pub notes: Notes,
     /// What is said of friction.
@@ -89,12 +118,10 @@ pub(super) struct Run<'a, 's> {
 }
 
 impl Run<'_, '_> {
-    /// Follows the sweep; the trackers at its positions, where they closed.
-    fn follow(&mut self, wanted: &[Wanted]) -> Result<Vec<Option<Tracker>>, SolveError> {
-        let mut trackers: Vec<Option<Tracker>> = Vec::with_capacity(wanted.len());
+    /// Follows the sweep, past the poses beside it.
+    fn follow(&mut self, wanted: &[Wanted], near: &mut [Near]) -> Result<(), SolveError> {
         let mut current: Option<Tracker> = None;
         let mut first_error = None;
-        let keep_all = !beside(self.scene, &self.statics, &wanted[0]).is_empty();
         for (i, pose) in wanted.iter().enumerate() {
             let before = i.checked_sub(1).map(|i| &wanted[i]);
             let came = match current.take() {
@@ -108,7 +135,7 @@ impl Run<'_, '_> {
                     }
                     let outcome = self.solved(&tracker, pose);
                     self.push(pose, outcome);
-                    trackers.push(keep_all.then(|| tracker.clone()));
+                    near.iter_mut().for_each(|n| n.look(&tracker, &pose.drives));
                     current = Some(tracker);
                 }
                 Err(stuck) => {
@@ -123,7 +150,6 @@ impl Run<'_, '_> {
                         self.notes.gap_begins(limit);
                     }
                     self.push(pose, Err(error));
-                    trackers.push(None);
                     current = back;
                 }
             }
@@ -132,7 +158,7 @@ impl Run<'_, '_> {
             (false, Some(error)) if self.poses.iter().all(|p| p.outcome.as_ref().is_err_and(is_open)) => {
                 Err(error)
             }
-            _ => Ok(trackers),
+            _ => Ok(()),
         }
     }
 
@@ -166,19 +192,21 @@ impl Run<'_, '_> {
         }
     }
 
-    fn moved(&self, tracker: &mut Tracker, pose: &Wanted) -> Result<Way, Box<Stuck>> {
-        let before = tracker.clone();
+    fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Way, Box<Stuck>> {
         if tracker.is_too_long(self.scene, &pose.drives) {
             let labels =
                 self.scene.mechanism.drives.iter().map(|d| label("driven that far", d.span)).collect();
             let error = SolveError::WayTooLong { pose: place(self.scene, pose), labels };
-            return Err(Box::new(Stuck { error, back: Some(before) }));
+            return Err(Box::new(Stuck { error, back: Some(tracker.clone()) }));
         }
+        let mut before = self.before.take().unwrap_or_else(|| tracker.clone());
+        before.start_from(tracker);
         if let Ok(switched) = tracker.go(self.scene, &self.rates, &pose.drives) {
+            self.before = Some(before);
             return Ok(Way::Followed(switched));
         }
         // the way is closed somewhere; the position itself may not be
-        *tracker = before.clone();
+        tracker.start_from(&before);
         match tracker.jump(self.scene, &self.rates, &pose.drives) {
             Ok(()) => Ok(Way::Blocked(before.limit(self.scene, &self.rates, &pose.drives))),
             Err(group) => {
@@ -195,34 +223,17 @@ impl Run<'_, '_> {
     }
 
     /// Poses beside the sweep: each followed from the nearest position of the sweep that closed.
-    fn beside(&mut self, wanted: &[Wanted], trackers: &[Option<Tracker>]) {
-        for pose in beside(self.scene, &self.statics, &wanted[0]) {
-            let near = wanted
-                .iter()
-                .zip(trackers)
-                .filter_map(|(w, t)| t.as_ref().map(|t| (self.away(&w.drives, &pose.drives), t)))
-                .min_by(|x, y| x.0.total_cmp(&y.0));
-            let outcome = match near {
-                Some((_, tracker)) => {
-                    let mut tracker = tracker.clone();
-                    match self.moved(&mut tracker, &pose) {
-                        Ok(_) => self.solved(&tracker, &pose),
-                        Err(stuck) => Err(stuck.error),
-                    }
-                }
+    fn beside(&mut self, near: Vec<Near>) {
+        for Near { pose, tracker, .. } in near {
+            let outcome = match tracker {
+                Some(mut tracker) => match self.moved(&mut tracker, &pose) {
+                    Ok(_) => self.solved(&tracker, &pose),
+                    Err(stuck) => Err(stuck.error),
+                },
                 None => self.assembled(&pose).map_err(|e| e.error).and_then(|t| self.solved(&t, &pose)),
             };
             self.push(&pose, outcome);
         }
-    }
-
-    fn away(&self, a: &[DriveValue], b: &[DriveValue]) -> f64 {
-        let each = a.iter().zip(b).map(|(a, b)| match (a, b) {
-            (DriveValue::Scalar(a), DriveValue::Scalar(b)) => (a - b).abs(),
-            (DriveValue::Point(a), DriveValue::Point(b)) => (*a - *b).norm(),
-            _ => 0.0,
-        });
-        each.sum()
     }
 
     fn push(&mut self, pose: &Wanted, outcome: Result<Solved, SolveError>) {
@@ -233,6 +244,16 @@ impl Run<'_, '_> {
             outcome,
         });
     }
+}
+
+/// How far drive values are apart.
+fn away(a: &[DriveValue], b: &[DriveValue]) -> f64 {
+    let each = a.iter().zip(b).map(|(a, b)| match (a, b) {
+        (DriveValue::Scalar(a), DriveValue::Scalar(b)) => (a - b).abs(),
+        (DriveValue::Point(a), DriveValue::Point(b)) => (*a - *b).norm(),
+        _ => 0.0,
+    });
+    each.sum()
 }
 
 fn is_open(error: &SolveError) -> bool {

@@ -12,6 +12,7 @@ use super::state::{Branch, State};
 use crate::math::Vec2;
 use crate::plan::MotionStep;
 use crate::structure::{BodyId, JointKind};
+use std::rc::Rc;
 
 /// Below this |σ| both assemblies are tried.
 const CAREFUL: f64 = 0.3;
@@ -55,11 +56,13 @@ pub(super) struct Switch {
 pub(super) struct Tracker {
     /// The state at the last position that closed.
     pub state: State,
+    /// Memory for the next one; after a step the one before.
+    spare: State,
     /// Continuous angles of the bodies, rad.
     pub angles: Vec<f64>,
     values: Vec<DriveValue>,
     /// Places before the present one, the last first, each well apart from the next.
-    history: Vec<Place>,
+    history: Vec<Rc<Place>>,
     extent: f64,
 }
 
@@ -78,7 +81,16 @@ impl Tracker {
         for &body in &scene.plan.turning {
             angles[body] = state.bodies[body].way;
         }
-        Self { state, angles, values: values.to_vec(), history: Vec::new(), extent: extent(scene) }
+        let spare = state.clone();
+        Self { state, spare, angles, values: values.to_vec(), history: Vec::new(), extent: extent(scene) }
+    }
+
+    /// Puts the tracker where another one of the same scene stands.
+    pub(super) fn start_from(&mut self, other: &Self) {
+        self.state.start_from(&other.state);
+        self.angles.clone_from(&other.angles);
+        self.values.clone_from(&other.values);
+        self.history.clone_from(&other.history);
     }
 
     /// Moves to other drive values. Returns the groups whose assembly changed on the way, with the values where; on failure
@@ -101,10 +113,10 @@ impl Tracker {
             } else {
                 target.to_vec()
             };
-            let before: Vec<f64> = self.state.branches.iter().map(|b| b.root).collect();
             self.step(scene, rates, values, false)?;
-            for (group, (before, after)) in before.iter().zip(&self.state.branches).enumerate() {
-                if before * after.root < 0.0 {
+            let branches = self.spare.branches.iter().zip(&self.state.branches);
+            for (group, (before, after)) in branches.enumerate() {
+                if before.root * after.root < 0.0 {
                     switched.push(Switch { group, at: self.values.clone() });
                 }
             }
@@ -153,8 +165,29 @@ impl Tracker {
         values: Vec<DriveValue>,
         over_gap: bool,
     ) -> Result<(), usize> {
-        let mut next = self.state.clone();
-        rates.at(&values, &mut next.inputs);
+        let mut next = std::mem::take(&mut self.spare);
+        let found = self.solve_next(scene, rates, &values, over_gap, &mut next);
+        if found.is_ok() {
+            self.remember(scene);
+            self.follow_angles(scene, &next);
+            std::mem::swap(&mut self.state, &mut next);
+            self.values = values;
+        }
+        self.spare = next;
+        found
+    }
+
+    /// The state at the next values, each group with the assembly that the motion leads to.
+    fn solve_next(
+        &self,
+        scene: &Scene<'_>,
+        rates: &Rates,
+        values: &[DriveValue],
+        over_gap: bool,
+        next: &mut State,
+    ) -> Result<(), usize> {
+        next.start_from(&self.state);
+        rates.at(values, &mut next.inputs);
         next.start(scene.plan);
         let mut predicted = None;
         for (group, step) in scene.plan.motion.iter().enumerate() {
@@ -163,14 +196,14 @@ impl Tracker {
             if near
                 && next.has_two_roots(step)
                 && next.open.is_none()
-                && let Some(predicted) = predicted.get_or_insert_with(|| self.predicted(scene, &values))
+                && let Some(predicted) = predicted.get_or_insert_with(|| self.predicted(scene, values))
             {
                 let bodies = &scene.structure.motion[group].bodies;
-                let kept = distance(&next, predicted, bodies, self.extent);
+                let kept = distance(next, predicted, bodies, self.extent);
                 next.branches[group].root = -next.branches[group].root;
                 next.step::<0>(scene.plan, step);
-                let other_is_farther = distance(&next, predicted, bodies, self.extent) >= kept;
-                if other_is_farther || !self.passes_change_point(scene, rates, &values, group) {
+                let other_is_farther = distance(next, predicted, bodies, self.extent) >= kept;
+                if other_is_farther || !self.passes_change_point(scene, rates, values, group) {
                     next.branches[group].root = -next.branches[group].root;
                     next.step::<0>(scene.plan, step);
                 }
@@ -184,7 +217,10 @@ impl Tracker {
                 return Err(open);
             }
         }
-        self.remember(scene);
+        Ok(())
+    }
+
+    fn follow_angles(&mut self, scene: &Scene<'_>, next: &State) {
         for (angle, (old, new)) in self.angles.iter_mut().zip(self.state.bodies.iter().zip(&next.bodies)) {
             *angle = continued(*angle, old.u, new.u);
         }
@@ -192,9 +228,6 @@ impl Tracker {
         for &body in &scene.plan.turning {
             self.angles[body] = next.bodies[body].way;
         }
-        self.state = next;
-        self.values = values;
-        Ok(())
     }
 
     /// Whether |σ| of a group vanishes on the way to these values: found by golden section.
@@ -246,7 +279,7 @@ impl Tracker {
         let way = |last: &Place| length(&ways(scene, self.extent, &last.values, &self.values));
         if self.history.first().is_none_or(|last| way(last) >= APART) {
             let poses = self.state.bodies.iter().map(|b| (b.p, b.u)).collect();
-            self.history.insert(0, Place { values: self.values.clone(), poses });
+            self.history.insert(0, Rc::new(Place { values: self.values.clone(), poses }));
             self.history.truncate(KEPT);
         }
     }

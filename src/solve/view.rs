@@ -194,21 +194,6 @@ impl View<'_> {
         Some([0, 1].map(|i| legs[i].direction.turned(self.state.bodies[bodies[i].0].u)))
     }
 
-    /// Between the common normal of a contact (or the normal of a slot) and the velocity of the follower's point, 0 to
-    /// 90°. The follower is the link that is solved later.
-    fn pressure_angle(&self, pair: PairId) -> f64 {
-        let Some(normal) = self.contact_normal(pair) else { return f64::NAN };
-        let links = self.mechanism.pair(pair).kind.links();
-        let rank = |link: LinkId| {
-            let body = BodyId(link.index());
-            self.structure.motion.iter().position(|g| g.bodies.contains(&body)).map_or(0, |r| r + 1)
-        };
-        let Some(&follower) = links.iter().max_by_key(|l| rank(**l)) else { return f64::NAN };
-        let body = self.body(follower);
-        let v = body.v + (normal.0 - body.p).perp() * body.omega;
-        libm::atan2(normal.1.cross(v).abs(), normal.1.dot(v).abs())
-    }
-
     /// The reaction's force on a link in a pair: all joints that stand for the pair.
     #[must_use]
     pub fn reaction(&self, pair: PairId, link: LinkId) -> Vec2 {

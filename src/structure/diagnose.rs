@@ -8,7 +8,9 @@ use super::error::{StructureError, counted, label, listed, with_lines};
 use super::floating::{MOST_LABELS, names};
 use super::incidence::{Defect, Part};
 use super::joint::{JointKind, Replaced};
-use super::remedy::{Adds, links, missing_efforts, missing_pairs, needless_efforts, needless_parts};
+use super::remedy::{
+    Adds, links, missing_efforts, missing_meshes, missing_pairs, needless_efforts, needless_parts,
+};
 use super::repeated::repeated;
 use super::trial::Trial;
 use crate::model::Mechanism;
@@ -145,6 +147,11 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     } else {
         format!("{loose} can still move in {}; ", ways(missing))
     };
+    let meshes = missing_meshes(trial, defect);
+    if !meshes.is_empty() {
+        text += &with_lines(&format!("nothing runs between wheels; add {}", one_of(&meshes)), &meshes);
+        text += "\nor ";
+    }
     if !pairs.is_empty() {
         text += &with_lines(&format!("a pair may be missing; add {}", one_of(&pairs)), &pairs);
         text += "\nor ";

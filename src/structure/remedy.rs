@@ -5,7 +5,7 @@ use super::incidence::{Defect, Fit, Part};
 use super::joint::{BodyId, BodyOrigin, Replaced};
 use super::trial::Trial;
 use crate::math::Vec2;
-use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Pin};
+use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Pin, Wheel};
 
 /// Changes tried of each sort.
 const MOST_TRIED: usize = 24;
@@ -122,6 +122,32 @@ pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, guides_too: bool)
     let least = found.iter().map(|f| f.0.missing).min().unwrap_or(0);
     let best = found.into_iter().filter(|f| f.0.missing == least);
     best.map(|f| f.1).take(MOST_SHOWN).collect()
+}
+
+/// Gear pairs between wheels that nothing runs on yet: a wheel of what is loose and one of another link.
+pub(super) fn missing_meshes(trial: Trial<'_>, defect: &Defect) -> Vec<String> {
+    let mechanism = trial.mechanism;
+    let runs = |wheel: &Wheel| {
+        mechanism.pairs.iter().any(|p| match &p.kind {
+            PairKind::Transmission(t) => {
+                t.ends.iter().any(|end| end.split(['(', ')']).any(|word| word == wheel.name))
+            }
+            _ => false,
+        })
+    };
+    let idle: Vec<&Wheel> = mechanism.wheels.iter().filter(|w| !runs(w)).take(MOST_TRIED).collect();
+    let mut lines = Vec::new();
+    for wheel in links(trial.replaced, &defect.under).flat_map(|l| idle.iter().filter(move |w| w.link == l)) {
+        for other in idle.iter().filter(|other| other.link != wheel.link) {
+            let (a, b) = if other.span.start < wheel.span.start { (other, wheel) } else { (wheel, other) };
+            let line = format!("mesh {}: {} - {}", free_pair_name(mechanism, "k"), a.name, b.name);
+            if !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
+    }
+    lines.truncate(MOST_SHOWN);
+    lines
 }
 
 type Candidate = (&'static str, String, String, PairKind);

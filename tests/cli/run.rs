@@ -153,3 +153,19 @@ pub fn rounded(text: &str) -> String {
     }
     out
 }
+
+/// The cells of a table.
+pub fn rows(text: &str) -> Vec<Vec<String>> {
+    let cells = |line: &str| {
+        let cells = assur::exercise::table::cells(line, assur::exercise::table::Separator::Comma).unwrap();
+        cells.into_iter().map(|c| c.text.into_owned()).collect()
+    };
+    text.lines().map(cells).collect()
+}
+
+/// A column of a table by its name.
+pub fn column(text: &str, name: &str) -> Vec<String> {
+    let rows = rows(text);
+    let i = rows[0].iter().position(|h| h == name).unwrap_or_else(|| panic!("{name} in {text}"));
+    rows[1..].iter().map(|r| r.get(i).cloned().unwrap_or_default()).collect()
+}

@@ -4,8 +4,9 @@ use super::number::with_unit;
 use super::typed::{Dim, Type, Typed, mend, phrase};
 use crate::check::context::Context;
 use crate::check::error::UnitsError;
+use crate::check::names::QuantityKind;
 use crate::source::Span;
-use crate::syntax::document::Expr;
+use crate::syntax::document::{Expr, ExprKind};
 use crate::units::Dimension;
 
 impl Context<'_> {
@@ -76,9 +77,21 @@ impl Context<'_> {
             self.error(UnitsError::Missing { what, want, span, example: format!("`{example}`") });
             return false;
         }
-        let help = mend(want, found);
+        let help = self.bare_definition(found, want, expr).or_else(|| mend(want, found));
         self.error(UnitsError::Mismatch { what, want: phrase(want), found: phrase(found), span, help });
         false
+    }
+
+    /// A name that was given a number without its unit.
+    fn bare_definition(&self, found: Dimension, want: Dimension, expr: &Expr) -> Option<String> {
+        let ExprKind::Name(name) = &expr.kind else { return None };
+        let (word, value) = match self.names.quantities.get(name)?.what {
+            QuantityKind::Given(value) => ("given", value),
+            QuantityKind::Let(value) => ("let", value),
+            _ => return None,
+        };
+        let example = (found == Dimension::NUMBER).then(|| with_unit(value, &self.usual_unit(want)))??;
+        Some(format!("write the unit where `{name}` is defined: `{word} {name} = {example}`"))
     }
 
     /// Reports a vector where a number is due, and the like.

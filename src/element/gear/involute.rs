@@ -46,7 +46,6 @@ pub fn inverse_involute(value: f64) -> Option<f64> {
 }
 
 #[cfg(test)]
-#[allow(clippy::excessive_precision, clippy::approx_constant, reason = "the digits of the reference")]
 mod tests {
     use super::*;
 

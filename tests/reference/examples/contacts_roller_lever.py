@@ -25,3 +25,6 @@ key("position(lever.D)", s.position("lever.D"), "mm", " at pose 6")
 key("reaction(N, lever)", s.reaction("N", "lever"), "N", " at pose 6")
 key("reaction(C, lever)", s.reaction("C", "lever"), "N", " at pose 6")
 key("reaction(A, cam)", s.reaction("A", "cam"), "N", " at pose 6")
+# between the normal along the centres' line and the velocity of the roller's centre
+n, v = s.reaction("N", "lever"), s.velocity("lever.D")
+key("pressure_angle(N)", mp.atan2(abs(n[0] * v[1] - n[1] * v[0]), abs(n[0] * v[0] + n[1] * v[1])), "deg", " at pose 6")

@@ -1,0 +1,131 @@
+//! One turn of the drive: where the coordinates of pairs turn back.
+
+use super::assemble::assemble;
+use super::error::SolveError;
+use super::extremes::{Extremes, Statics};
+use super::inputs::Rates;
+use super::solution::{DriveValue, Scene};
+use super::state::{BodyState, Branch, State};
+use super::track::Tracker;
+use super::view::View;
+use crate::model::PairId;
+use std::f64::consts::TAU;
+
+/// Why there is no turn.
+pub(super) enum Failure {
+    /// The first position has no assembly, or several.
+    Error(Box<SolveError>),
+    /// Over the turn; the last drive value that closes, where one does.
+    Open(Option<f64>),
+}
+
+/// One turn of the drive, sampled with unit speed.
+pub(super) struct Turn {
+    pairs: Vec<PairId>,
+    samples: Vec<Sample>,
+    /// A state of the mechanism, to go on from.
+    state: State,
+}
+
+struct Sample {
+    at: f64,
+    branches: Vec<Branch>,
+    bodies: Vec<BodyState>,
+    angles: Vec<f64>,
+    /// Coordinate of each pair and its derivative with respect to the drive.
+    seen: Vec<(f64, f64)>,
+}
+
+/// Samples per turn: no coordinate of a common mechanism turns back twice within two degrees.
+const SAMPLES: usize = 180;
+
+impl Turn {
+    /// Follows the drive over a turn and looks at the coordinates of these pairs.
+    pub(super) fn new(scene: &Scene<'_>, pairs: &[PairId]) -> Result<Self, Failure> {
+        let rates = Rates::unit(scene);
+        let mut start = State::new(scene.plan);
+        let values = [DriveValue::Scalar(0.0)];
+        rates.at(&values, &mut start.inputs);
+        let mut state = assemble(scene, start).map_err(|e| match e {
+            SolveError::DoesNotClose { .. } | SolveError::NotFound { .. } => Failure::Open(None),
+            e => Failure::Error(Box::new(e)),
+        })?;
+        let mut tracker = Tracker::new(scene, state.clone(), &values);
+        let mut samples = Vec::with_capacity(SAMPLES + 1);
+        for i in 0..=SAMPLES {
+            #[allow(clippy::cast_precision_loss)]
+            let at = TAU * i as f64 / SAMPLES as f64;
+            let target = [DriveValue::Scalar(at)];
+            if i > 0 && tracker.go(scene, &rates, &target).is_err() {
+                let limit = tracker.limit(scene, &rates, &target);
+                return Err(Failure::Open(limit.first().and_then(|v| match v {
+                    DriveValue::Scalar(x) => Some(*x),
+                    _ => None,
+                })));
+            }
+            state.start_from(&tracker.state);
+            rates.at(&target, &mut state.inputs);
+            state.run_motion::<1>(scene.plan);
+            let angles = tracker.angles.clone();
+            let seen = pairs.iter().map(|pair| seen(scene, &state, &angles, *pair)).collect();
+            let (branches, bodies) = (state.branches.clone(), state.bodies.clone());
+            samples.push(Sample { at, branches, bodies, angles, seen });
+        }
+        Ok(Self { pairs: pairs.to_vec(), samples, state })
+    }
+
+    /// Extremes of the coordinate of a pair, by its number; `None` where it does not go to and fro.
+    pub(super) fn extremes(&self, scene: &Scene<'_>, pair: usize) -> Option<Extremes> {
+        let mut found: Vec<(f64, f64)> = Vec::new();
+        for two in self.samples.windows(2) {
+            let [a, b] = two else { continue };
+            let (coordinate, rate_a) = a.seen[pair];
+            let (_, rate_b) = b.seen[pair];
+            if rate_a == 0.0 {
+                found.push((a.at, coordinate));
+            } else if rate_a * rate_b < 0.0 {
+                found.push(self.refine(scene, a, b.at, [rate_a, rate_b], self.pairs[pair]));
+            }
+        }
+        let least = found.iter().copied().min_by(|x, y| x.1.total_cmp(&y.1))?;
+        let greatest = found.iter().copied().max_by(|x, y| x.1.total_cmp(&y.1))?;
+        if greatest.1 <= least.1 {
+            return None;
+        }
+        Some(Extremes {
+            least: least.1,
+            greatest: greatest.1,
+            at_least: least.0.rem_euclid(TAU),
+            at_greatest: greatest.0.rem_euclid(TAU),
+        })
+    }
+
+    /// The root of the derivative behind a sample: drive value and coordinate.
+    fn refine(&self, scene: &Scene<'_>, a: &Sample, end: f64, ends: [f64; 2], pair: PairId) -> (f64, f64) {
+        let rates = Rates::unit(scene);
+        let mut state = self.state.clone();
+        state.branches.clone_from(&a.branches);
+        state.bodies.clone_from(&a.bodies);
+        let mut at = |x: f64| {
+            rates.at(&[DriveValue::Scalar(x)], &mut state.inputs);
+            state.run_motion::<1>(scene.plan);
+            // within two degrees no angle turns by half a turn
+            let angles: Vec<f64> = state
+                .bodies
+                .iter()
+                .zip(a.bodies.iter().zip(&a.angles))
+                .map(|(new, (old, angle))| angle + libm::atan2(old.u.cross(new.u), old.u.dot(new.u)))
+                .collect();
+            seen(scene, &state, &angles, pair)
+        };
+        let x = crate::math::root(a.at, end, ends[0], ends[1], |x| at(x).1);
+        (x, at(x).0)
+    }
+}
+
+/// Coordinate and its derivative with respect to the drive.
+fn seen(scene: &Scene<'_>, state: &State, angles: &[f64], pair: PairId) -> (f64, f64) {
+    let statics = Statics::EMPTY;
+    let view = View::new(scene, state, angles, &statics);
+    (view.displacement(pair), view.relative_velocity(pair))
+}
