@@ -40,12 +40,13 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub(super) fn known_load(&mut self, step: &LoadStep) {
         match step {
-            LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, inertia } => {
+            LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, gravity, inertia } => {
                 let b = &self.bodies[*body];
+                let mass = S::of(*mass);
                 let heavy = Heavy {
-                    mass: S::of(*mass),
+                    mass,
                     moment_of_inertia: S::of(*moment_of_inertia),
-                    weight: V2::of(*weight),
+                    weight: if S::WIDE { V2::of(*gravity) * mass } else { V2::of(*weight) },
                 };
                 self.wrenches[*body] =
                     if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };
