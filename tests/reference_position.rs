@@ -1,12 +1,16 @@
 //! Every position of every example against the reference of 30 digits, which is solved from the equations of all bodies at
 //! once: what `f64` and its closed forms lose stays below the bound of docs/stability.md.
 
+#[path = "properties/digits.rs"]
+mod digits;
+
 use assur::check::Overrides;
-use assur::math::{Double, Scalar, V2, Vec2};
+use assur::math::{Double, Scalar, V2};
 use assur::plan::Level;
 use assur::solve::{Reference, Scene, Solved, precise};
 use assur::source::Source;
 use assur::structure::{EffortKind, JointKind};
+use digits::{closed_form_errors, force_error, motion_errors};
 use std::path::{Path, PathBuf};
 
 /// The constant of docs/stability.md.
@@ -45,75 +49,6 @@ fn each_position(mut judge: impl FnMut(&str, &Scene<'_>, &Solved, &Reference)) -
         }
     }
     count
-}
-
-fn off(got: Vec2, want: V2<Double>) -> f64 {
-    (V2::of(got) - want).norm().high
-}
-
-fn off_by(got: f64, want: Double) -> f64 {
-    (want - Double::of(got)).high.abs()
-}
-
-/// The greatest coordinate of an origin, m; 1 where all are zero.
-fn size(exact: &Reference) -> f64 {
-    let size = exact.bodies.iter().map(|b| b.p.norm().high).fold(0.0, f64::max);
-    if size > 0.0 { size } else { 1.0 }
-}
-
-/// Errors of positions, velocities, accelerations, relative to the greatest in play.
-fn motion_errors(solved: &Solved, exact: &Reference) -> [f64; 3] {
-    let size = size(exact);
-    let (mut errors, mut most) = ([0.0_f64; 3], [1.0, f64::MIN_POSITIVE, f64::MIN_POSITIVE]);
-    for (got, want) in solved.state.bodies.iter().zip(&exact.bodies) {
-        let pairs = [
-            (off(got.p, want.p) / size, off(got.u, want.u)),
-            (off(got.v, want.v) / size, off_by(got.omega, want.omega)),
-            (off(got.a, want.a) / size, off_by(got.alpha, want.alpha)),
-        ];
-        for (error, (along, turn)) in errors.iter_mut().zip(pairs) {
-            *error = error.max(along).max(turn);
-        }
-        let omega = want.omega.high.abs();
-        most[1] = most[1].max(want.v.norm().high / size).max(omega);
-        most[2] = most[2].max(want.a.norm().high / size).max(want.alpha.high.abs()).max(omega * omega);
-    }
-    [0, 1, 2].map(|i| errors[i] / most[i])
-}
-
-/// The greatest error of a force, or of a moment over the size, relative to the greatest force in play.
-fn force_error(scene: &Scene<'_>, solved: &Solved, exact: &Reference) -> f64 {
-    let (size, state) = (size(exact), &solved.state);
-    let mut error = 0.0_f64;
-    let mut most = exact.applied.iter().map(|w| w.force.norm().high).fold(f64::MIN_POSITIVE, f64::max);
-    for (joint, (got, want)) in scene.plan.reactions.iter().zip(state.reactions.iter().zip(&exact.reactions))
-    {
-        error = error.max(off(got.force, want.force));
-        most = most.max(want.force.norm().high);
-        // the couples of a chain of guides are shared as one likes
-        let kind = &scene.structure.replaced.joint(joint.joint).kind;
-        if !matches!(kind, JointKind::Prismatic { in_chain: true, .. }) {
-            error = error.max(off_by(got.couple, want.couple) / size);
-            most = most.max(want.couple.high.abs() / size);
-        }
-    }
-    for (slot, (got, want)) in state.efforts.iter().zip(&exact.efforts).enumerate() {
-        let force = matches!(
-            scene.structure.efforts.get(slot).map(|e| e.kind),
-            Some(EffortKind::Line(_) | EffortKind::Coordinate(_))
-        );
-        let scale = if force { 1.0 } else { size };
-        error = error.max(off_by(*got, *want) / scale);
-        most = most.max(want.high.abs() / scale);
-    }
-    for (got, law) in exact.multipliers.iter().zip(&state.law_forces) {
-        error = error.max(off_by(law.multiplier, *got));
-        most = most.max(got.high.abs());
-    }
-    for (got, want) in state.frictions.iter().zip(&exact.frictions) {
-        error = error.max(off_by(*got, *want) / size.max(1.0));
-    }
-    error / most
 }
 
 #[test]
@@ -201,33 +136,10 @@ fn closed_forms_with_as_many_digits_agree() {
     let mut count = 0;
     each_position(|name, scene, solved, exact| {
         let Some(closed) = precise(scene.plan, &solved.state) else { return };
-        let size = size(exact);
-        let sigma = solved.condition;
-        let mut near = |what: &str, got: Double, want: Double, most: f64, power: i32| {
-            let error = (got - want).high.abs() / most;
-            let bound = 1e-29 / sigma.powi(power);
-            assert!(error <= bound, "{name}: {what} {got:?} for {want:?}, off by {error:e} of {bound:e}");
-        };
-        let turning = exact.bodies.iter().map(|b| b.omega.high.abs()).fold(f64::MIN_POSITIVE, f64::max);
-        for (got, want) in closed.bodies.iter().zip(&exact.bodies) {
-            near("place", got.p.x, want.p.x, size, 1);
-            near("place", got.p.y, want.p.y, size, 1);
-            near("direction", got.u.x, want.u.x, 1.0, 1);
-            near("direction", got.u.y, want.u.y, 1.0, 1);
-            near("angular velocity", got.omega, want.omega, turning, 2);
-            near(
-                "angular acceleration",
-                got.alpha,
-                want.alpha,
-                (turning * turning).max(f64::MIN_POSITIVE),
-                3,
-            );
-        }
-        let forces = exact.reactions.iter().map(|r| r.force.norm().high);
-        let most = forces.fold(f64::MIN_POSITIVE, f64::max);
-        for (got, want) in closed.reactions.iter().zip(&exact.reactions) {
-            near("reaction", got.force.x, want.force.x, most, 3);
-            near("reaction", got.force.y, want.force.y, most, 3);
+        let errors = closed_form_errors(&closed, exact);
+        for (error, power) in errors.into_iter().zip([1, 2, 3, 3]) {
+            let bound = 1e-29 / solved.condition.powi(power);
+            assert!(error <= bound, "{name}: {errors:?}, condition {:e}", solved.condition);
         }
         count += 1;
     });
