@@ -13,6 +13,8 @@
 #[path = "../properties/change.rs"]
 mod change;
 mod claim;
+#[path = "../properties/digits.rs"]
+mod digits;
 #[path = "../hard/double_double.rs"]
 mod double_double;
 #[path = "../properties/draft.rs"]

@@ -42,6 +42,12 @@ pub fn motion_errors(solved: &Solved, exact: &Reference) -> [f64; 3] {
 
 /// The greatest error of a force, or of a moment over the size, relative to the greatest force in play.
 pub fn force_error(scene: &Scene<'_>, solved: &Solved, exact: &Reference) -> f64 {
+    let (error, most) = force_errors(scene, solved, exact);
+    error / most
+}
+
+/// That error and that force, N.
+pub fn force_errors(scene: &Scene<'_>, solved: &Solved, exact: &Reference) -> (f64, f64) {
     let (size, state) = (size(exact), &solved.state);
     let mut error = 0.0_f64;
     let mut most = exact.applied.iter().map(|w| w.force.norm().high).fold(f64::MIN_POSITIVE, f64::max);
@@ -72,7 +78,7 @@ pub fn force_error(scene: &Scene<'_>, solved: &Solved, exact: &Reference) -> f64
     for (got, want) in state.frictions.iter().zip(&exact.frictions) {
         error = error.max(off_by(*got, *want) / size.max(1.0));
     }
-    error / most
+    (error, most)
 }
 
 /// What the closed forms with twice the digits are off: positions, velocities, accelerations, forces, each relative to the
