@@ -14,8 +14,8 @@ type D = Double;
 
 /// Steps of Newton's method.
 const STEPS: usize = 25;
-/// A step that is this part of the forces leaves the last digits only.
-const SETTLED: f64 = 1e-26;
+/// Where steps do not come to rest at the last digits, what they may be as a part of the forces.
+const RESTLESS: f64 = 1e-18;
 /// What bodies may lack of equilibrium, relative to the forces in play.
 const BALANCED: f64 = 1e-27;
 
@@ -144,7 +144,7 @@ impl System<'_> {
                 return None;
             }
             values.iter_mut().zip(&step).for_each(|(x, dx)| *x = *x - *dx);
-            if most <= SETTLED * scale && most >= 0.5 * last || most == 0.0 {
+            if most <= RESTLESS * scale && most >= 0.5 * last || most == 0.0 {
                 return Some(values);
             }
             last = most;
