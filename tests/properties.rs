@@ -182,27 +182,21 @@ fn answers_agree_with_thirty_digits() {
         let f = digits::force_error(&scene, solved, &exact);
         for (i, (error, power)) in [(p, 1), (v, 2), (a, 3), (f, 3)].into_iter().enumerate() {
             let c = error * sigma.powi(power) / f64::EPSILON;
-            if c > losses[i] {
-                println!("seed {seed} {i} {c:e}");
-            }
+            assert!(c <= 64.0, "seed {seed}: {error:e} of kind {i}, condition {sigma:e}");
             losses[i] = losses[i].max(c);
         }
         positions += 1;
+        // the angles of two guides of one body agree to rounding only: which of them holds is taken differently
+        let twice_guided =
+            |m: &assur::plan::MotionStep| matches!(m, assur::plan::MotionStep::Translation { .. });
+        if run.plan.motion.iter().any(twice_guided) {
+            continue;
+        }
         let Some(precise) = assur::solve::precise(&run.plan, &solved.state) else { continue };
         let errors = digits::closed_form_errors(&precise, &exact);
         for (error, power) in errors.into_iter().zip([1, 2, 3, 3]) {
             let bound = 1e-28 / sigma.powi(power);
-            if !(error <= bound) {
-                println!(
-                    "seed {seed}: {errors:?}, condition {sigma:e} {:?}",
-                    run.plan
-                        .motion
-                        .iter()
-                        .map(|m| format!("{m:?}").split(' ').next().unwrap().to_owned())
-                        .collect::<Vec<_>>()
-                );
-                break;
-            }
+            assert!(error <= bound, "seed {seed}: {errors:?}, condition {sigma:e}");
         }
         closed += 1;
     }

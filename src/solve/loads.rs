@@ -6,6 +6,7 @@ use super::view::View;
 use crate::force::spring::spring;
 use crate::math::{Scalar, V2, Vec2};
 use crate::model::{LoadId, LoadKind, Query, Value};
+use crate::plan::step::unit;
 use crate::plan::{Arm, LoadStep, Plan};
 use crate::structure::JointKind;
 
@@ -76,7 +77,8 @@ impl<S: Scalar> State<S> {
     pub fn set_lines(&mut self, plan: &Plan) {
         for line in &plan.lines {
             let p = self.bodies[line.body].position(line.at);
-            let n = line.frame.map_or(V2::of(line.along), |f| V2::of(line.along).turned(self.bodies[f].u));
+            let along = unit(line.along);
+            let n = line.frame.map_or(along, |f| along.turned(self.bodies[f].u));
             self.lines[line.effort] = (p, n);
         }
     }

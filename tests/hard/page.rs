@@ -58,8 +58,8 @@ down to σ = 1e-16, driven elsewhere, scaled from 1e-4 to 1e4 and shifted. Every
 double-double on the constraints of all pairs and an independent system of Newton and Euler, which the reference of 30 digits
 (`solve::reference`) takes over where it is ill-conditioned itself: it has the digits that the warning tells, or seven where
 there is none. What has no answer is refused with a diagnostic. A part of 10,000 runs with all tests. Of the 100,000, 81,908
-answers are judged and 17,277 refused; forces of 9,197 are not judged, because a load hangs on the sign of nothing; the others
-claim no digit at all. All hold.
+answers are judged and 17,277 refused; forces of 5,689 are not judged, because a load hangs on the sign of nothing or no digit
+is claimed; the other cases claim no digit either. All hold.
 ";
 
 /// Rounded up to a power of ten, or of four.
