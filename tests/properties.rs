@@ -9,6 +9,8 @@ mod compare;
 mod degenerate;
 #[path = "properties/derivatives.rs"]
 mod derivatives;
+#[path = "properties/digits.rs"]
+mod digits;
 #[path = "properties/draft.rs"]
 mod draft;
 #[path = "properties/equilibrium.rs"]
@@ -163,4 +165,41 @@ fn positions_side_by_side_have_the_bits_of_each_alone() {
         laned += lanes::compare(&run, seed).expect("the same bits");
     }
     assert!(laned > 500, "{laned} positions in lanes");
+}
+
+#[test]
+fn answers_agree_with_thirty_digits() {
+    let (mut positions, mut closed, mut losses) = (0, 0, [0.0_f64; 4]);
+    for seed in 7000..8500 {
+        let Ok(run) = Run::new(&generate::mechanism(seed).mechanism) else { continue };
+        let (Ok(solved), Ok(solution)) = (run.solved(0), &run.solution) else { continue };
+        let scene = run.scene();
+        let exact =
+            solution.reference(&scene, solved).unwrap_or_else(|| panic!("seed {seed} has no reference"));
+        assert!(exact.closure < 1e-29 && exact.equilibrium < 1e-27, "seed {seed}: {exact:?}");
+        let sigma = solved.condition;
+        let [p, v, a] = digits::motion_errors(solved, &exact);
+        let f = digits::force_error(&scene, solved, &exact);
+        for (i, (error, power)) in [(p, 1), (v, 2), (a, 3), (f, 3)].into_iter().enumerate() {
+            let c = error * sigma.powi(power) / f64::EPSILON;
+            assert!(c <= 64.0, "seed {seed}: {error:e} of kind {i}, condition {sigma:e}");
+            losses[i] = losses[i].max(c);
+        }
+        positions += 1;
+        // the angles of two guides of one body agree to rounding only: which of them holds is taken differently
+        let twice_guided =
+            |m: &assur::plan::MotionStep| matches!(m, assur::plan::MotionStep::Translation { .. });
+        if run.plan.motion.iter().any(twice_guided) {
+            continue;
+        }
+        let Some(precise) = assur::solve::precise(&run.plan, &solved.state) else { continue };
+        let errors = digits::closed_form_errors(&precise, &exact);
+        for (error, power) in errors.into_iter().zip([1, 2, 3, 3]) {
+            let bound = 1e-28 / sigma.powi(power);
+            assert!(error <= bound, "seed {seed}: {errors:?}, condition {sigma:e}");
+        }
+        closed += 1;
+    }
+    println!("{positions} positions, {closed} in closed form, c = {losses:?}");
+    assert!(positions > 1000 && closed > 300, "{positions} positions, {closed} in closed form");
 }

@@ -1,7 +1,7 @@
 //! What one position gave, with twice the digits: in this form answers are compared.
 
 use crate::math::{Double, Scalar, V2};
-use crate::solve::{BodyState, Edge, Exact, Place, Reaction, State};
+use crate::solve::{BodyState, Edge, Place, Reaction, Reference, State, Wrench};
 
 /// What answers are held against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +21,8 @@ pub struct Answer {
     pub reactions: Vec<Reaction<Double>>,
     /// Efforts by slot.
     pub efforts: Vec<Double>,
+    /// The greatest force of a load on a body, N.
+    pub load: f64,
 }
 
 fn wide<S: Edge>(v: V2<S>) -> V2<Double> {
@@ -43,6 +45,10 @@ fn wide_reaction<S: Edge>(r: &Reaction<S>) -> Reaction<Double> {
     Reaction { force: wide(r.force), couple: r.couple.widened() }
 }
 
+fn greatest<S: Edge>(loads: &[Wrench<S>]) -> f64 {
+    loads.iter().map(|w| w.force.norm().widened().rounded()).fold(0.0, f64::max)
+}
+
 impl Answer {
     /// Of a state; nothing of one that does not close.
     #[must_use]
@@ -54,13 +60,15 @@ impl Answer {
             bodies: state.bodies.iter().map(wide_body).collect(),
             reactions: state.reactions.iter().map(wide_reaction).collect(),
             efforts: state.efforts.iter().map(|e| e.widened()).collect(),
+            load: greatest(&state.applied),
         }
     }
 
     /// With twice the digits.
     #[must_use]
-    pub fn exact(exact: Exact) -> Self {
-        Self { bodies: exact.bodies, reactions: exact.reactions, efforts: exact.efforts }
+    pub fn exact(exact: Reference) -> Self {
+        let load = greatest(&exact.applied);
+        Self { bodies: exact.bodies, reactions: exact.reactions, efforts: exact.efforts, load }
     }
 
     /// Of one of several positions side by side.
@@ -73,6 +81,7 @@ impl Answer {
             bodies: (0..like.bodies.len()).map(|i| wide_body(&place.body(i))).collect(),
             reactions: (0..like.reactions.len()).map(|i| wide_reaction(&place.reaction(i))).collect(),
             efforts: (0..like.efforts.len()).map(|i| Double::of(place.effort(i))).collect(),
+            load: like.load,
         }
     }
 }

@@ -8,14 +8,14 @@
 //! | --- | --- | --- |
 //! | position | \|Δp\| of a body's origin, L \|Δu\| of its direction | L |
 //! | velocity | \|Δv\|, L \|Δω\| | the greatest \|v\|, L \|ω\| |
-//! | acceleration | \|Δa\|, L \|Δα\| | the greatest \|a\|, L \|α\| |
-//! | force | \|ΔF\| of a reaction, of an unknown force | the greatest reaction or unknown force |
+//! | acceleration | \|Δa\|, L \|Δα\| | the greatest \|a\|, L \|α\|, L ω² |
+//! | force | \|ΔF\| of a reaction, of an unknown force | the greatest reaction, unknown force, load on a body |
 //! | moment | \|ΔM\| of a couple in a pair, of an unknown torque | the greatest of them, and L times the greatest force |
 
 use super::answer::Answer;
 use crate::math::{Double, V2};
 use crate::plan::Level;
-use crate::solve::{Scene, extent};
+use crate::solve::{Scene, extent, knows_couple};
 use crate::structure::EffortKind;
 
 /// The greatest magnitudes in play.
@@ -93,8 +93,11 @@ pub(super) fn scales(scene: &Scene<'_>, answers: &[Answer]) -> Scales {
             }
             if level > Level::Velocities {
                 most.acceleration = most.acceleration.max(size(b.a)).max(extent * b.alpha.rounded().abs());
+                // what is nothing is not judged by itself
+                most.acceleration = most.acceleration.max(extent * b.omega.rounded() * b.omega.rounded());
             }
         }
+        most.force = most.force.max(answer.load);
         for r in &answer.reactions {
             most.force = most.force.max(size(r.force));
             most.moment = most.moment.max(r.couple.rounded().abs());
@@ -132,10 +135,11 @@ pub(super) fn error(scene: &Scene<'_>, scales: &Scales, got: &Answer, exact: &An
     }
     // a reaction that the reference does not know either is not compared
     let known = |x: Double| x.rounded().is_finite();
-    for (a, b) in got.reactions.iter().zip(&exact.reactions) {
+    for (i, (a, b)) in got.reactions.iter().zip(&exact.reactions).enumerate() {
         if known(b.force.x) && known(b.force.y) && known(b.couple) {
             let force = over(size(a.force - b.force), scales.force);
-            let moment = over(magnitude((a.couple - b.couple).rounded()), scales.moment);
+            let couple = magnitude((a.couple - b.couple).rounded());
+            let moment = if knows_couple(scene, i) { over(couple, scales.moment) } else { 0.0 };
             error = error.worse(Error { force, moment, ..Error::default() });
         }
     }

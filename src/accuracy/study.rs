@@ -12,6 +12,8 @@ use std::hint::black_box;
 
 /// The most positions that are solved again.
 const MOST: usize = 360;
+/// ε of double-double.
+const DOUBLE: f64 = 4.0 * f64::EPSILON * f64::EPSILON;
 /// Times are alike where the longer is no more than this times the shorter.
 const ALIKE: f64 = 1.03;
 /// Side by side go so many at least, repeated where the file has fewer.
@@ -67,11 +69,14 @@ struct Measured<'a, 's> {
 pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Study {
     let mut again = Again::new(scene, solution, MOST);
     let mut source = Source::DoubleDouble;
-    let mut exact = Vec::new();
+    let (mut exact, mut off) = (Vec::new(), 0.0_f64);
     for i in 0..again.len() {
         let got = Answer::of(again.run(scene.plan, i));
-        exact.push(match again.exact() {
-            Some(found) => Answer::exact(found),
+        exact.push(match again.reference() {
+            Some(found) => {
+                off = off.max(found.closure).max(found.equilibrium);
+                Answer::exact(found)
+            }
             None => {
                 source = Source::Full;
                 got
@@ -89,10 +94,10 @@ pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Stud
         .map(|s| s.condition)
         .fold(1.0, f64::min);
     let floor = match source {
-        // the same formulas, the rounding of twice the digits
-        Source::DoubleDouble => full.greatest().max(f64::EPSILON) * f64::EPSILON,
-        Source::Full => f64::EPSILON / condition,
-    };
+        // what its own equations are off, or its rounding
+        Source::DoubleDouble => off.max(DOUBLE),
+        Source::Full => f64::EPSILON,
+    } / condition;
     let mut study = Study {
         positions: all.again.len(),
         source,
@@ -173,8 +178,8 @@ impl Measured<'_, '_> {
             }
             let (micros, error) = self.closed::<f64>();
             rows.push(row("f64", micros, error, false));
-            let (micros, _) = self.closed::<Double>();
-            rows.push(row("double-double", micros, floor, true));
+            let (micros, error) = self.closed::<Double>();
+            rows.push(row("double-double", micros, error.max(floor), error < floor));
         } else {
             let plan = self.scene.plan;
             let (micros, error) = (self.micros(plan), self.error(plan).greatest());
@@ -194,7 +199,7 @@ impl Measured<'_, '_> {
         let all = micros(|| {
             for i in 0..count {
                 self.again.run(plan, i);
-                drop(black_box(self.again.exact()));
+                drop(black_box(self.again.reference()));
             }
         });
         all / count as f64

@@ -9,7 +9,7 @@ use super::knob::Knob;
 use super::study::{Study, estimated};
 use crate::model::Mechanism;
 use crate::plan::{Level, Numbers, Settings};
-use crate::solve::{Scene, Solution, has_exact};
+use crate::solve::{Scene, Solution};
 use crate::units::significant;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error as ThisError;
@@ -70,7 +70,8 @@ pub fn candidates(scene: &Scene<'_>, wanted: f64) -> Vec<Settings> {
         ..full.with_friction(left)
     };
     let mut all = vec![loose, full, Settings { scalar: Numbers::DoubleDouble, ..full }];
-    all.retain(|s| s.scalar == Numbers::Double || has_exact(scene));
+    // the state of a transmission holds more than forces: it is not put together again
+    all.retain(|s| s.scalar == Numbers::Double || scene.plan.laws.is_empty());
     all.dedup();
     all
 }
@@ -83,7 +84,7 @@ pub fn reached(scene: &Scene<'_>, solution: &Solution, within: f64) -> Reached {
     for solved in solved {
         condition = condition.min(solved.condition);
         got.push(Answer::of(&solved.state));
-        exact.extend(solution.exact(scene, solved).map(Answer::exact));
+        exact.extend(solution.reference(scene, solved).map(Answer::exact));
     }
     let settings = scene.plan.settings;
     let source = if exact.len() == got.len() { Source::DoubleDouble } else { Source::Full };

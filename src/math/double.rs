@@ -35,18 +35,27 @@ fn two_product(x: f64, y: f64) -> Double {
 const TURN: [f64; 3] = [std::f64::consts::TAU, 2.449_293_598_294_706_4e-16, -5.989_539_619_436_679e-33];
 
 impl Double {
+    /// π.
+    pub const PI: Self = Self { high: 0.5 * TURN[0], low: 0.5 * TURN[1] };
+
     /// Rounded to `f64`.
     #[must_use]
     pub const fn rounded(self) -> f64 {
         self.high
     }
 
-    /// The direction (cos, sin) of an angle, rad: the Taylor series of a 32nd of what is left of whole turns, then five
-    /// doublings.
+    /// The direction (cos, sin) of an angle, rad.
     #[must_use]
     pub fn direction(angle: f64) -> V2<Self> {
-        let turns = (angle / TURN[0]).round();
-        let taken = TURN.iter().fold(Self::of(angle), |left, &part| left - two_product(turns, part));
+        Self::of(angle).as_direction()
+    }
+
+    /// The direction (cos, sin) of the angle, rad: the Taylor series of a 32nd of what is left of whole turns, then five
+    /// doublings.
+    #[must_use]
+    pub fn as_direction(self) -> V2<Self> {
+        let turns = (self.high / TURN[0]).round();
+        let taken = TURN.iter().fold(self, |left, &part| left - two_product(turns, part));
         let small = taken * Self::of(1.0 / 32.0);
         let (mut cos, mut sin, mut term) = (Self::zero(), Self::zero(), Self::one());
         for i in 0..24_u32 {
@@ -59,6 +68,14 @@ impl Double {
             term = term * small / Self::of(f64::from(i + 1));
         }
         (0..5).fold(V2::new(cos, sin), |u, _| u.turned(u))
+    }
+
+    /// The angle in (−π, π] of a direction, rad: the nearest `f64` with what it leaves, whose sine is it to all digits.
+    #[must_use]
+    pub fn angle_of(direction: V2<Self>) -> Self {
+        let near = libm::atan2(direction.y.high, direction.x.high);
+        let left = Self::direction(near).cross(direction);
+        Self::of(near) + left
     }
 }
 
@@ -201,6 +218,17 @@ mod tests {
             near(u.x, cos.0, cos.1);
         }
         assert_eq!(Double::direction(0.0), V2::new(Double::one(), Double::zero()));
+    }
+
+    #[test]
+    fn angles_come_back() {
+        for angle in [0.0, 1e-20, 0.3, -0.7, 1.6, 3.1, -3.1] {
+            let angle = Double { high: angle, low: angle * 3e-17 };
+            let back = Double::angle_of(angle.as_direction());
+            assert!((back - angle).high.abs() <= 1e-30, "{angle:?}: {back:?}");
+        }
+        let straight = V2::new(-Double::one(), Double::zero());
+        assert!((Double::angle_of(straight) - Double::PI).high.abs() <= 1e-31);
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! 2-vectors, the scalar trait, exact ratios and small linear solves with their condition.
 
+mod angular;
 pub mod chebyshev;
 mod dense;
 mod double;
+mod factors;
 mod lanes;
 pub mod periodic;
 pub mod ratio;
@@ -11,8 +13,10 @@ mod root;
 mod scalar;
 mod vec2;
 
+pub use angular::Angular;
 pub use dense::Dense;
 pub use double::Double;
+pub use factors::Factors;
 pub use lanes::Lanes;
 pub use ratio::Ratio;
 pub use rigid::{acceleration_at, velocity_at};

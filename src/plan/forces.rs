@@ -1,6 +1,7 @@
 //! Steps of forces, one per structural group, from the outermost loads to the efforts.
 
 use super::Plan;
+use super::formed::Formed;
 use super::geometry::{pin, pin_arm};
 use super::step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, MotionStep, OuterJoint, Way};
 use crate::math::Vec2;
@@ -104,8 +105,9 @@ fn dyad(
     let inner_hinge = || Inner {
         pin: pin(&structure.replaced, inner, first.body),
         second_pin: pin_arm(&structure.replaced, inner, second.body),
-        arms: [first, second]
-            .map(|o| pin(&structure.replaced, inner, o.body) - pin(&structure.replaced, o, o.body)),
+        arms: [first, second].map(|o| {
+            Formed::between(pin(&structure.replaced, o, o.body), pin(&structure.replaced, inner, o.body))
+        }),
         slot: first_slot + 1,
         sign: if inner.body == second.body { 1.0 } else { -1.0 },
     };
@@ -161,7 +163,7 @@ fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dy
     let inner_hinge = Inner {
         pin: pin(&structure.replaced, inner, ends[0]),
         second_pin: pin_arm(&structure.replaced, inner, ends[1]),
-        arms: [Vec2::zero(); 2],
+        arms: [Formed::default(); 2],
         slot: first_slot + 1,
         sign: if inner.body == ends[1] { 1.0 } else { -1.0 },
     };

@@ -1,5 +1,6 @@
 //! From joints to the numbers of the steps.
 
+use super::formed::Formed;
 use super::step::{Anchor, Arm, Leg, Slide};
 use crate::math::Vec2;
 use crate::structure::{BodyId, GroupJoint, JointKind, Replaced};
@@ -91,6 +92,6 @@ pub(super) fn leg(replaced: &Replaced, outer: GroupJoint, inner: GroupJoint) -> 
         direction,
         length,
         turn: direction / length,
-        arm: to - from,
+        arm: Formed::between(from, to),
     }
 }

@@ -25,6 +25,8 @@ pub enum LoadStep {
         moment_of_inertia: f64,
         /// Weight, N; null without gravity.
         weight: Vec2,
+        /// Weight over mass, m/s².
+        gravity: Vec2,
         /// With inertia forces.
         inertia: bool,
     },
@@ -109,13 +111,14 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
         if let Some(m) = &link.mass
             && (effects.gravity || effects.inertia)
         {
+            let gravity = if hangs(mechanism, body) { Vec2::new(gravity.norm(), 0.0) } else { gravity };
             steps.push(LoadStep::Mass {
                 body,
                 centre: arm(m.centre),
                 mass: m.mass,
                 moment_of_inertia: m.inertia,
-                weight: if hangs(mechanism, body) { Vec2::new(gravity.norm(), 0.0) } else { gravity }
-                    * m.mass,
+                weight: gravity * m.mass,
+                gravity,
                 inertia: effects.inertia,
             });
         }

@@ -3,6 +3,7 @@
 mod cam;
 mod effects;
 mod forces;
+mod formed;
 mod friction;
 mod general;
 mod geometry;
@@ -16,6 +17,7 @@ mod triad;
 pub use cam::CamStep;
 pub(crate) use cam::{contact_in, is_follower};
 pub use effects::{Effects, Level, level_of, needs_forces};
+pub use formed::Formed;
 pub use friction::{FrictionElement, Rub, RubbingGroup};
 pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
 pub use loads::{ForceLine, LoadStep};

@@ -1,10 +1,10 @@
 //! Steps of motion, one per structural group.
 
+use super::formed::Formed;
 use super::geometry::{anchor, arm, leg, pin, pin_arm, slide};
 use super::step::{DrivenJoint, DrivenLeg, MotionStep};
 use super::{Plan, TrainMember};
 use crate::group::rrr::Sides;
-use crate::math::Vec2;
 use crate::model::Mechanism;
 use crate::structure::{Dyad, EffortKind, EffortSource, Group, GroupKind, Structure};
 
@@ -73,7 +73,6 @@ fn driven(structure: &Structure, group: &Group, branch: usize) -> Option<MotionS
 fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> MotionStep {
     let replaced = &structure.replaced;
     let [first, inner, second] = [group.joints[0], group.joints[1], group.joints[2]];
-    let in_axes = |v: Vec2, axis: Vec2| v.turned_back(axis);
     match kind {
         Dyad::Rrr => {
             let legs = [leg(replaced, first, inner), leg(replaced, second, inner)];
@@ -82,7 +81,7 @@ fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Moti
         Dyad::Rrp => {
             let slide = slide(replaced, second, second.base);
             let pin = pin(replaced, inner, second.body);
-            let from_point = in_axes(pin - slide.point, slide.direction);
+            let from_point = Formed::between(slide.point, pin).in_axes(slide.direction);
             MotionStep::Rrp { branch, leg: leg(replaced, first, inner), slide, pin: arm(pin), from_point }
         }
         Dyad::Rpr => {
@@ -91,8 +90,8 @@ fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Moti
             MotionStep::Rpr {
                 branch,
                 bases: [anchor(replaced, first), anchor(replaced, second)],
-                from_origin: in_axes(pins[0] - slide.origin, slide.along),
-                from_point: in_axes(pins[1] - slide.point, slide.direction),
+                from_origin: Formed::between(slide.origin, pins[0]).in_axes(slide.along),
+                from_point: Formed::between(slide.point, pins[1]).in_axes(slide.direction),
                 pins: pins.map(arm),
                 slide,
             }
@@ -100,7 +99,8 @@ fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Moti
         Dyad::Prp => {
             let slides = [slide(replaced, first, first.base), slide(replaced, second, second.base)];
             let pins = [pin(replaced, inner, first.body), pin(replaced, inner, second.body)];
-            let from_point = [0, 1].map(|i| in_axes(pins[i] - slides[i].point, slides[i].direction));
+            let from_point =
+                [0, 1].map(|i| Formed::between(slides[i].point, pins[i]).in_axes(slides[i].direction));
             MotionStep::Prp { branch, slides, pins: pins.map(arm), from_point }
         }
         Dyad::Rpp => MotionStep::Rpp {
@@ -122,7 +122,7 @@ fn driven_legs(structure: &Structure, group: &Group, branch: usize, kind: Dyad) 
     }
     let slide = slide(replaced, second, second.base);
     let pin = pin(replaced, group.joints[1], second.body);
-    let from_point = (pin - slide.point).turned_back(slide.direction);
+    let from_point = Formed::between(slide.point, pin).in_axes(slide.direction);
     Some(MotionStep::DrivenRrp {
         branch,
         leg: driven_leg(structure, group, 0)?,
@@ -141,7 +141,7 @@ fn driven_leg(structure: &Structure, group: &Group, outer: usize) -> Option<Driv
         body: outer.body.0,
         base: anchor(replaced, outer),
         pin: arm(from),
-        arm: pin(replaced, inner, outer.body) - from,
+        arm: Formed::between(from, pin(replaced, inner, outer.body)),
         joint: None,
     };
     let Some(&joint) = group.joints[3..].iter().find(|j| j.base == outer.body) else { return Some(leg) };
@@ -161,14 +161,14 @@ fn driven_leg(structure: &Structure, group: &Group, outer: usize) -> Option<Driv
             let base = anchor(replaced, joint);
             let hinge = pin(replaced, joint, joint.body);
             let sign = if second == joint.body { 1.0 } else { -1.0 };
-            let (pin, to_inner) = (arm(hinge), to - hinge);
+            let (pin, to_inner) = (arm(hinge), Formed::between(hinge, to));
             let turn = DrivenJoint::Turn { base, body: joint.body.0, pin, arm: to_inner, drive, sign };
-            DrivenLeg { arm: base.at - from, joint: Some(turn), ..leg }
+            DrivenLeg { arm: Formed::between(from, base.at), joint: Some(turn), ..leg }
         }
         _ => {
             let slide = slide(replaced, joint, joint.base);
-            let turned = slide.along.turned_back(slide.direction);
-            let arm = slide.origin - from + (to - slide.point).turned(turned);
+            let inner = Formed::between(slide.point, to).carried(slide.direction, slide.along);
+            let arm = Formed::between(from, slide.origin).plus(inner);
             DrivenLeg { arm, joint: Some(DrivenJoint::Shift { slide, drive }), ..leg }
         }
     })

@@ -1,5 +1,6 @@
 //! The steps of a plan: plain numbers and slots, nothing to look up.
 
+use super::formed::Formed;
 use super::friction::RubbingGroup;
 use super::triad::{TriadForces, TriadMotion};
 use crate::group::rrr::Sides;
@@ -56,20 +57,20 @@ pub struct Leg {
     /// The direction over the distance, 1/m.
     pub turn: Vec2,
     /// From the outer revolute to the inner one, m.
-    pub arm: Vec2,
+    pub arm: Formed,
 }
 
 impl Leg {
     /// Distance of the two revolutes, m.
     #[inline(always)]
     pub fn length<S: Scalar>(&self) -> S {
-        if S::WIDE { V2::of(self.arm).norm() } else { S::of(self.length) }
+        if S::WIDE { self.arm.of::<S>().norm() } else { S::of(self.length) }
     }
 
     /// The direction from one to the other over the distance, 1/m.
     #[inline(always)]
     pub fn turn<S: Scalar>(&self) -> V2<S> {
-        let arm = V2::of(self.arm);
+        let arm = self.arm.of::<S>();
         if S::WIDE { arm / arm.dot(arm) } else { V2::of(self.turn) }
     }
 }
@@ -100,7 +101,7 @@ pub struct DrivenLeg {
     pub pin: Arm,
     /// From the outer revolute to the inner one, in the body's frame, m; of a leg with a driven joint the part that does
     /// not change.
-    pub arm: Vec2,
+    pub arm: Formed,
     /// The driven joint.
     pub joint: Option<DrivenJoint>,
 }
@@ -124,7 +125,7 @@ pub enum DrivenJoint {
         /// The revolute in the second body's frame.
         pin: Arm,
         /// From it to the inner revolute, in the second body's frame, m.
-        arm: Vec2,
+        arm: Formed,
         /// Slot of the drive.
         drive: usize,
         /// The angle of the second body is this times the drive's value.
@@ -179,7 +180,7 @@ pub enum MotionStep {
         /// The inner revolute in the slider's frame.
         pin: Arm,
         /// The inner revolute from the sliding point, in the axes of the guide, m.
-        from_point: Vec2,
+        from_point: Formed,
     },
     /// Dyad RRR with driven joints inside its links.
     DrivenRrr {
@@ -199,7 +200,7 @@ pub enum MotionStep {
         /// The inner revolute in the slider's frame.
         pin: Arm,
         /// The inner revolute from the sliding point, in the axes of the guide, m.
-        from_point: Vec2,
+        from_point: Formed,
     },
     /// Dyad RPR: the first body carries the line.
     Rpr {
@@ -212,9 +213,9 @@ pub enum MotionStep {
         /// The inner guide, on the first body.
         slide: Slide,
         /// The first outer revolute from the line's origin, in the axes of the line, m.
-        from_origin: Vec2,
+        from_origin: Formed,
         /// The second outer revolute from the sliding point, in the axes of the line, m.
-        from_point: Vec2,
+        from_point: Formed,
     },
     /// Dyad PRP.
     Prp {
@@ -225,7 +226,7 @@ pub enum MotionStep {
         /// The inner revolute in the frames of the sliders.
         pins: [Arm; 2],
         /// The inner revolute from the sliding points, in the axes of the guides, m.
-        from_point: [Vec2; 2],
+        from_point: [Formed; 2],
     },
     /// Dyad RPP: the first body is hung by a revolute and slides along a line of the second, which slides on a base.
     Rpp {
@@ -461,7 +462,7 @@ pub struct Inner {
     /// The pin in the second body's frame.
     pub second_pin: Arm,
     /// From the outer pins to this one in the frames of their bodies, m; of a guide nothing.
-    pub arms: [Vec2; 2],
+    pub arms: [Formed; 2],
     /// Slot of the reaction.
     pub slot: usize,
     /// The reaction kept is this times the force of the first body on the second.

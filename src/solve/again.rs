@@ -1,10 +1,10 @@
 //! Positions of a solved file solved again: each from a step before it, as the sweep comes to it.
 
 use super::cycle::loads_name_quantities;
-use super::exact::{Exact, exact};
 use super::extremes::Statics;
 use super::inputs::Rates;
 use super::pose::balanced;
+use super::reference::{Reference, reference};
 use super::solution::{Pose, PoseOrigin, Scene, Solution, Solved};
 use super::state::{BodyState, Branch, DriveInput, State};
 use super::track::{Tracker, step_before};
@@ -75,10 +75,10 @@ impl<'a> Again<'a> {
         self.starts.iter().flat_map(|s| s.inputs.iter().copied()).collect()
     }
 
-    /// The position last solved with twice the digits, see [`exact`].
+    /// The position last solved with twice the digits, see [`reference`].
     #[must_use]
-    pub fn exact(&self) -> Option<Exact> {
-        exact(&self.scene, &self.state, &self.evaluated)
+    pub fn reference(&self) -> Option<Reference> {
+        reference(&self.scene, &self.state, &self.evaluated)
     }
 
     /// The assemblies at a position.

@@ -12,8 +12,9 @@
 use super::motion::{Branch2, Point, line, place, point, under};
 use super::state::State;
 use crate::group::{rrp, rrr};
-use crate::math::{Scalar, V2, Vec2};
-use crate::plan::{self, DrivenJoint, DrivenLeg, DrivenPart, Hinge, Inner, OuterJoint, Slide};
+use crate::math::{Scalar, V2};
+use crate::plan::step::unit;
+use crate::plan::{self, DrivenJoint, DrivenLeg, DrivenPart, Formed, Hinge, Inner, OuterJoint, Slide};
 
 /// The arm of a leg in the frame of its first body, with its derivatives.
 struct Arm<S> {
@@ -38,12 +39,12 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     fn arm(&self, leg: &DrivenLeg) -> Arm<S> {
         match &leg.joint {
-            None => Arm { w: V2::of(leg.arm), rate: V2::zero(), second: V2::zero() },
+            None => Arm { w: leg.arm.of(), rate: V2::zero(), second: V2::zero() },
             Some(DrivenJoint::Shift { slide, drive }) => {
                 let input = self.inputs[*drive];
-                let along = V2::of(slide.along * slide.sense);
+                let along = unit::<S>(slide.along) * S::of(slide.sense);
                 Arm {
-                    w: V2::of(leg.arm) + along * input.value,
+                    w: leg.arm.of::<S>() + along * input.value,
                     rate: along * input.rate,
                     second: along * input.acceleration,
                 }
@@ -51,9 +52,9 @@ impl<S: Scalar> State<S> {
             Some(DrivenJoint::Turn { arm, drive, sign, .. }) => {
                 let input = self.inputs[*drive];
                 let sign = S::of(*sign);
-                let r = V2::of(*arm).turned(V2::new(input.place.x, sign * input.place.y));
+                let r = arm.of::<S>().turned(V2::new(input.place.x, sign * input.place.y));
                 Arm {
-                    w: V2::of(leg.arm) + r,
+                    w: leg.arm.of::<S>() + r,
                     rate: r.perp() * (sign * input.rate),
                     second: r.perp() * (sign * input.acceleration) - r * (input.rate * input.rate),
                 }
@@ -114,14 +115,14 @@ impl<S: Scalar> State<S> {
         leg: &DrivenLeg,
         slide: &Slide,
         pin: &plan::Arm,
-        from_point: Vec2,
+        from_point: Formed,
     ) {
         let Branch2 { root, .. } = self.branch(branch, 0);
         let a = point::<S, LEVEL>(&self.bodies, &leg.base);
         let guide = line(&self.bodies, slide);
         let arm = self.arm(leg);
         let length = arm.w.norm();
-        let at = rrp::position(a.p, length, guide.origin, guide.along, S::of(from_point.y), S::of(root));
+        let at = rrp::position(a.p, length, guide.origin, guide.along, from_point.of::<S>().y, S::of(root));
         self.closes(branch, at.closure, length);
         let u = at.r_1.turned_back(arm.w) / (length * length);
         let (mut omega, mut alpha, mut s_dot, mut s_ddot) = (S::zero(), S::zero(), S::zero(), S::zero());

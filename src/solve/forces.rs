@@ -199,7 +199,7 @@ impl<S: Scalar> State<S> {
             let Shared { r_1, second, inverse } = self.shared[step];
             return (rrr::Rrr { r_1, r_2: second, inverse }, self.sines[step]);
         }
-        let [r_1, r_2] = [0, 1].map(|i| V2::of(inner.arms[i]).turned(self.bodies[outer[i].body].u));
+        let [r_1, r_2] = [0, 1].map(|i| inner.arms[i].of::<S>().turned(self.bodies[outer[i].body].u));
         (rrr::Rrr::new(r_1, r_2), r_1.cross(r_2) / (r_1.norm() * r_2.norm()))
     }
 
@@ -216,7 +216,7 @@ impl<S: Scalar> State<S> {
             let Shared { r_1, second, inverse } = self.shared[step];
             return (rrp::Rrp { r_1, d: second, inverse }, self.sines[step]);
         }
-        let (r_1, d) = (V2::of(inner.arms[0]).turned(self.bodies[outer.body].u), self.direction(way));
+        let (r_1, d) = (inner.arms[0].of::<S>().turned(self.bodies[outer.body].u), self.direction(way));
         (rrp::Rrp::new(r_1, d), r_1.dot(d) / r_1.norm())
     }
 

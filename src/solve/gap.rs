@@ -28,7 +28,7 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
         MotionStep::Rrp { branch, leg, slide, from_point, .. } => {
             let base = &state.bodies[slide.base];
             let (q, d) = (base.position(slide.origin), slide.along.turned(base.u));
-            let h = from_point.y + state.branches[*branch].sides[0] * slide.radius;
+            let h = from_point.of::<f64>().y + state.branches[*branch].sides[0] * slide.radius;
             let p_A = at(&leg.base);
             match rrp::gap(p_A, leg.length, q, d, h) {
                 Some(Gap::TooFar(far) | Gap::TooNear(far)) => (
@@ -55,7 +55,8 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
         }
         MotionStep::Rpr { branch, bases, slide, from_origin, from_point, .. } => {
             let (p_A, p_B) = (at(&bases[0]), at(&bases[1]));
-            let h = from_point.y + state.branches[*branch].sides[0] * slide.radius - from_origin.y;
+            let side = state.branches[*branch].sides[0];
+            let h = from_point.of::<f64>().y + side * slide.radius - from_origin.of::<f64>().y;
             match rpr::gap(p_A, p_B, h) {
                 Some(Gap::TooFar(gap) | Gap::TooNear(gap)) => (
                     format!(

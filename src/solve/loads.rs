@@ -6,6 +6,7 @@ use super::view::View;
 use crate::force::spring::spring;
 use crate::math::{Scalar, V2, Vec2};
 use crate::model::{LoadId, LoadKind, Query, Value};
+use crate::plan::step::unit;
 use crate::plan::{Arm, LoadStep, Plan};
 use crate::structure::JointKind;
 
@@ -40,12 +41,13 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub(super) fn known_load(&mut self, step: &LoadStep) {
         match step {
-            LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, inertia } => {
+            LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, gravity, inertia } => {
                 let b = &self.bodies[*body];
+                let mass = S::of(*mass);
                 let heavy = Heavy {
-                    mass: S::of(*mass),
+                    mass,
                     moment_of_inertia: S::of(*moment_of_inertia),
-                    weight: V2::of(*weight),
+                    weight: if S::WIDE { V2::of(*gravity) * mass } else { V2::of(*weight) },
                 };
                 self.wrenches[*body] =
                     if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };
@@ -75,7 +77,8 @@ impl<S: Scalar> State<S> {
     pub fn set_lines(&mut self, plan: &Plan) {
         for line in &plan.lines {
             let p = self.bodies[line.body].position(line.at);
-            let n = line.frame.map_or(V2::of(line.along), |f| V2::of(line.along).turned(self.bodies[f].u));
+            let along = unit(line.along);
+            let n = line.frame.map_or(along, |f| along.turned(self.bodies[f].u));
             self.lines[line.effort] = (p, n);
         }
     }

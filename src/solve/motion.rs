@@ -7,7 +7,7 @@ use crate::group::rrr::Sides;
 use crate::group::{pp, prp, rpp, rpr, rrp};
 use crate::math::{Scalar, Truths, V2, Vec2};
 use crate::plan::step::unit;
-use crate::plan::{Anchor, Arm, Leg, MotionStep, Plan, Slide};
+use crate::plan::{Anchor, Arm, Formed, Leg, MotionStep, Plan, Slide};
 
 /// Rounding alone may leave a group at a dead centre this much short of closing, relative to its lengths, in units of ε.
 const CLOSURE: f64 = 16.0;
@@ -267,12 +267,19 @@ impl<S: Scalar> State<S> {
     }
 
     #[inline(always)]
-    fn rrp<const LEVEL: u8>(&mut self, branch: usize, leg: &Leg, slide: &Slide, pin: &Arm, from_point: Vec2) {
+    fn rrp<const LEVEL: u8>(
+        &mut self,
+        branch: usize,
+        leg: &Leg,
+        slide: &Slide,
+        pin: &Arm,
+        from_point: Formed,
+    ) {
         let Branch2 { root, side } = self.branch(branch, 0);
         let a = point::<S, LEVEL>(&self.bodies, &leg.base);
         let guide = line(&self.bodies, slide);
-        let h = from_point.y + side * slide.radius;
-        let at = rrp::position(a.p, leg.length(), guide.origin, guide.along, S::of(h), S::of(root));
+        let h = from_point.of::<S>().y + S::of(side * slide.radius);
+        let at = rrp::position(a.p, leg.length(), guide.origin, guide.along, h, S::of(root));
         self.sines[branch] = at.sine;
         self.closes(branch, at.closure, leg.length());
         self.shared[branch] = Shared { r_1: at.r_1, second: guide.along, inverse: at.inverse };
@@ -297,8 +304,7 @@ impl<S: Scalar> State<S> {
         let Branch2 { root, side } = self.branch(*branch, 0);
         let a = point::<S, LEVEL>(&self.bodies, &bases[0]);
         let b = point::<S, LEVEL>(&self.bodies, &bases[1]);
-        let h = from_point.y + side * slide.radius - from_origin.y;
-        let h = S::of(h);
+        let h = from_point.of::<S>().y + S::of(side * slide.radius) - from_origin.of::<S>().y;
         let at = rpr::position(a.p, b.p, h, S::of(root));
         self.sines[*branch] = at.sine;
         self.closes(*branch, at.closure, h.abs() + (b.p - a.p).norm());
@@ -323,13 +329,13 @@ impl<S: Scalar> State<S> {
         branch: usize,
         slides: &[Slide; 2],
         pins: &[Arm; 2],
-        from_point: &[Vec2; 2],
+        from_point: &[Formed; 2],
     ) {
         let sides = self.branches[branch].sides;
         let guides = [line(&self.bodies, &slides[0]), line(&self.bodies, &slides[1])];
-        let h = [0, 1].map(|i| from_point[i].y + sides[i] * slides[i].radius);
+        let h = [0, 1].map(|i| from_point[i].of::<S>().y + S::of(sides[i] * slides[i].radius));
         let group = prp::Prp::new(guides[0].along, guides[1].along);
-        let at = group.position(guides[0].origin, S::of(h[0]), guides[1].origin, S::of(h[1]));
+        let at = group.position(guides[0].origin, h[0], guides[1].origin, h[1]);
         self.sines[branch] = at.sine;
         let (mut rate, mut second) = ((S::zero(), S::zero()), (S::zero(), S::zero()));
         if LEVEL > 0 {
@@ -357,11 +363,13 @@ impl<S: Scalar> State<S> {
         let a = point::<S, LEVEL>(&self.bodies, base);
         let guide = line(&self.bodies, outer);
         let d_1 = unit(inner.along).turned(guide.along.turned_back(unit(outer.direction)));
-        let h_1 = (pin.unwrap_or(Vec2::zero()) - inner.point).turned_back(inner.direction).y
-            + sides[0] * inner.radius;
-        let h_2 = (inner.origin - outer.point).turned_back(outer.direction).y + sides[1] * outer.radius;
+        let apart =
+            |from: Vec2, to: Vec2, axis: Vec2| (V2::of(to) - V2::of(from)).turned_back(unit::<S>(axis)).y;
+        let h_1 =
+            apart(inner.point, pin.unwrap_or(Vec2::zero()), inner.direction) + S::of(sides[0] * inner.radius);
+        let h_2 = apart(outer.point, inner.origin, outer.direction) + S::of(sides[1] * outer.radius);
         let group = rpp::Rpp::new(d_1, guide.along);
-        let at = group.position(a.p, S::of(h_1), guide.origin, S::of(h_2));
+        let at = group.position(a.p, h_1, guide.origin, h_2);
         self.sines[branch] = at.sine;
         let carrier = self.bodies[outer.base];
         let (mut rate, mut second) = ((S::zero(), S::zero()), (S::zero(), S::zero()));
@@ -381,10 +389,11 @@ impl<S: Scalar> State<S> {
     fn translation<const LEVEL: u8>(&mut self, branch: usize, slides: &[Slide; 2]) {
         let sides = self.branches[branch].sides;
         let guides = [line(&self.bodies, &slides[0]), line(&self.bodies, &slides[1])];
-        let from_second = (slides[0].point - slides[1].point).turned_back(slides[1].direction);
-        let h = [sides[0] * slides[0].radius, from_second.y + sides[1] * slides[1].radius];
+        let apart = V2::of(slides[0].point) - V2::of(slides[1].point);
+        let from_second = apart.turned_back(unit::<S>(slides[1].direction));
+        let h = [S::of(sides[0] * slides[0].radius), from_second.y + S::of(sides[1] * slides[1].radius)];
         let group = pp::Pp::new(guides[0].along, guides[1].along);
-        let at = group.position(guides[0].origin, S::of(h[0]), guides[1].origin, S::of(h[1]));
+        let at = group.position(guides[0].origin, h[0], guides[1].origin, h[1]);
         self.sines[branch] = at.sine;
         let (mut rate, mut second) = ((S::zero(), S::zero()), (S::zero(), S::zero()));
         if LEVEL > 0 {

@@ -11,6 +11,8 @@ use crate::structure::{EffortKind, EffortSource, Group};
 
 /// With fewer digits left a warning tells how many: σ = 1e-3 for accelerations, 5e-5 for velocities and forces.
 const FEW_DIGITS: f64 = 7.0;
+/// Digits that forces of inertia lose beside: 16 ε/σ³.
+const GATHERED: f64 = 1.2;
 
 /// Drive values between which a sweep does not close; absent at its ends.
 #[derive(Debug, Default)]
@@ -81,7 +83,10 @@ impl Notes {
         (condition, what, power): (f64, &'static str, u8),
         pose: &Wanted,
     ) {
-        let digits = f64::from(power) * condition.max(f64::MIN_POSITIVE).log10() - f64::EPSILON.log10();
+        // forces of inertia add up what the accelerations of several links lose
+        let gathered = if power == 3 && scene.plan.effects.inertia { GATHERED } else { 0.0 };
+        let left = f64::from(power) * condition.max(f64::MIN_POSITIVE).log10() - f64::EPSILON.log10();
+        let digits = left - gathered;
         // what is no number is reported by itself; positions near a double root keep half their digits
         if condition.is_nan()
             || what == "positions"

@@ -1,7 +1,6 @@
 //! What solving gives: one state per position, with residuals and condition.
 
 use super::error::SolveError;
-use super::exact::{Exact, exact};
 use super::extremes::Statics;
 use super::friction_error::FrictionError;
 use super::state::State;
@@ -136,14 +135,6 @@ impl Solution {
             .filter(|(origin, error)| !(matches!(origin, PoseOrigin::Sweep(_)) && open(error)))
             .map(|(_, error)| error.clone())
             .collect()
-    }
-
-    /// One of its positions with twice the digits, see [`exact`].
-    #[must_use]
-    pub fn exact(&self, scene: &Scene<'_>, solved: &Solved) -> Option<Exact> {
-        let mut evaluated = Vec::new();
-        self.view(scene, solved).evaluated_loads(&mut evaluated);
-        exact(scene, &solved.state, &evaluated)
     }
 
     /// One of its positions, seen from the language.

@@ -216,6 +216,9 @@ fn is_free_roller(mechanism: &Mechanism, link: LinkId) -> bool {
     let mut hinge = None;
     let mut centres = Vec::new();
     for pair in &mechanism.pairs {
+        if matches!(&pair.kind, PairKind::Cylinder { barrel, rod, .. } if [*barrel, *rod].contains(&link)) {
+            return false;
+        }
         if !pair.kind.links().contains(&link) {
             continue;
         }

@@ -1,5 +1,6 @@
 //! What an answer claims, and what is true of it.
 
+use crate::digits::force_errors;
 use crate::double_double::DoubleDouble as Real;
 use crate::equilibrium::{Forces, equilibrium};
 use crate::exact::Exact;
@@ -102,13 +103,20 @@ fn forces(
     let bodies: Vec<Body> =
         (0..rates.len()).map(|i| Body::moving(rounded(exact.p[i]), rounded(exact.u[i]), &rates[i])).collect();
     let Some(forces) = equilibrium(m, &bodies, &rates) else { return Ok(None) };
-    // a load that hangs on the sign of nothing, or a system that f64 does not solve to eight digits
-    if forces.doubtful || forces.condition < 1e-7 {
+    // a load that hangs on the sign of nothing
+    if forces.doubtful {
         return Ok(None);
     }
     // where nothing acts, what rounding makes of the inertia is judged relative to the masses in motion
     let masses: f64 = m.links.iter().filter_map(|l| Some(l.mass?.mass)).sum();
     let floor = 1e-6 * masses * size * turning * turning;
+    // a system that f64 does not solve to eight digits
+    if forces.condition < 1e-7 {
+        let (solution, solved) = (run.solution.as_ref().map_err(|e| format!("{e:?}"))?, run.solved(0)?);
+        let Some(exact) = solution.reference(&run.scene(), solved) else { return Ok(None) };
+        let (error, most) = force_errors(&run.scene(), solved, &exact);
+        return Ok(Some(error / most.max(floor)));
+    }
     let most = forces.most.0.max(forces.most.1 / size).max(floor).max(f64::MIN_POSITIVE);
     Ok(Some(off(run, &run.view(0)?, &forces, size) / most))
 }

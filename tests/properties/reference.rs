@@ -112,10 +112,23 @@ fn law(drive: &Drive) -> Jet {
     Jet { value, rate, second: drive.acceleration.as_ref().map_or(0.0, number) }
 }
 
+/// Links that guides keep from turning against each other, by a number alike.
+struct Alike(Vec<usize>);
+
+impl Alike {
+    /// Whether a guide between two links is the first that does so: of others the directions agree to rounding only.
+    fn joins(&mut self, a: LinkId, b: LinkId) -> bool {
+        let (from, to) = (self.0[a.index()], self.0[b.index()]);
+        self.0.iter_mut().filter(|x| **x == from).for_each(|x| *x = to);
+        from != to
+    }
+}
+
 /// All constraints; zero where they hold. With `driven` false the drives stand still.
 pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driven: bool) -> Vec<Jet<S>> {
     let mut out = Vec::new();
     let body = |link: LinkId| &bodies[link.index()];
+    let mut turning = Alike((0..bodies.len()).collect());
     for pair in &mechanism.pairs {
         match &pair.kind {
             // trains are tested by themselves
@@ -129,19 +142,23 @@ pub fn constraints<S: Direction>(mechanism: &Mechanism, bodies: &[Body<S>], driv
             }
             PairKind::Prismatic(g) => {
                 out.push(height(g, bodies));
-                out.push(body(g.slider).axis(g.direction).cross(body(g.guide).axis(g.along)));
+                if turning.joins(g.slider, g.guide) {
+                    out.push(body(g.slider).axis(g.direction).cross(body(g.guide).axis(g.along)));
+                }
             }
             PairKind::Slot(g) => out.push(height(g, bodies)),
             PairKind::Contact { first, second, internal } => {
                 out.push(contact(first, second, *internal, bodies));
             }
-            PairKind::Cylinder { barrel, rod, from, to } => {
-                let (tube, rod) = (body(*barrel), body(*rod));
+            PairKind::Cylinder { barrel, rod: end, from, to } => {
+                let (tube, rod) = (body(*barrel), body(*end));
                 let apart = body(from.link).point(from.at).minus(tube.p);
                 let also = body(to.link).point(to.at).minus(rod.p);
                 out.extend([apart.x, apart.y, also.x, also.y]);
                 out.push(tube.u.cross(rod.p.minus(tube.p)));
-                out.push(tube.u.cross(rod.u));
+                if turning.joins(*barrel, *end) {
+                    out.push(tube.u.cross(rod.u));
+                }
             }
         }
     }

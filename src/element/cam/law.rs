@@ -4,7 +4,7 @@
 //! formulas are those of Norton, *Cam Design and Manufacturing Handbook*, chapters 2 and 3 (modified trapezoid
 //! A = 8π/(2 + π) = 4.888, modified sine A = 4π²/(4 + π) = 5.528), integrated from the acceleration.
 
-use std::f64::consts::PI;
+use crate::math::Angular;
 
 /// A law of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,57 +50,65 @@ impl Law {
     /// f, f′, f″, f‴ at x in [0, 1]; at a joint those of the formula behind it.
     #[must_use]
     pub fn at(self, x: f64) -> Jet {
+        self.on_part(self.part_at(x), x)
+    }
+
+    /// The formula that holds at x.
+    pub(super) fn part_at(self, x: f64) -> usize {
         let joints = self.joints();
-        let part = joints[1..joints.len() - 1].iter().filter(|j| x >= **j - NEAR).count();
-        self.on_part(part, x)
+        joints[1..joints.len() - 1].iter().filter(|j| x >= **j - NEAR).count()
     }
 
     /// The same by the formula between two joints, which holds at both of them.
     #[must_use]
-    pub fn on_part(self, part: usize, x: f64) -> Jet {
+    pub fn on_part<S: Angular>(self, part: usize, x: S) -> [S; 4] {
         let parts = self.joints().len() - 1;
+        let one = S::one();
         // a part in the middle has one formula; it is taken from that half in which x lies
-        let mirrored = if 2 * part + 1 == parts { x > 0.5 } else { 2 * part >= parts };
+        let mirrored = if 2 * part + 1 == parts { S::of(0.5).lt(x) } else { 2 * part >= parts };
         if mirrored {
-            let [s, v, a, j] = self.first_half(parts - 1 - part, 1.0 - x);
-            [1.0 - s, v, -a, j]
+            let [s, v, a, j] = self.first_half(parts - 1 - part, one - x);
+            [one - s, v, -a, j]
         } else {
             self.first_half(part, x)
         }
     }
 
-    fn first_half(self, part: usize, x: f64) -> Jet {
+    fn first_half<S: Angular>(self, part: usize, x: S) -> [S; 4] {
+        let (of, pi, zero, one) = (S::of, S::pi(), S::zero(), S::one());
         match self {
-            Self::Dwell => [0.0; 4],
-            Self::Uniform => [x, 1.0, 0.0, 0.0],
-            Self::Parabolic => [2.0 * x * x, 4.0 * x, 4.0, 0.0],
+            Self::Dwell => [zero; 4],
+            Self::Uniform => [x, one, zero, zero],
+            Self::Parabolic => [of(2.0) * x * x, of(4.0) * x, of(4.0), zero],
             Self::Harmonic => {
-                let (sin, cos) = libm::sincos(PI * x);
-                let half = libm::sin(0.5 * PI * x);
-                [half * half, 0.5 * PI * sin, 0.5 * PI * PI * cos, -0.5 * PI * PI * PI * sin]
+                let (sin, cos) = (pi * x).sine_cosine();
+                let (half, _) = (of(0.5) * pi * x).sine_cosine();
+                let half_pi = of(0.5) * pi;
+                [half * half, half_pi * sin, half_pi * pi * cos, -half_pi * pi * pi * sin]
             }
             Self::Cycloidal => {
-                let (sin, cos) = libm::sincos(2.0 * PI * x);
-                let half = libm::sin(PI * x);
-                [x - sin / (2.0 * PI), 2.0 * half * half, 2.0 * PI * sin, 4.0 * PI * PI * cos]
+                let (sin, cos) = (of(2.0) * pi * x).sine_cosine();
+                let (half, _) = (pi * x).sine_cosine();
+                let turn = of(2.0) * pi;
+                [x - sin / turn, of(2.0) * half * half, turn * sin, of(4.0) * pi * pi * cos]
             }
             Self::Poly345 => {
-                let y = 1.0 - x;
+                let y = one - x;
                 [
-                    x * x * x * (10.0 - x * (15.0 - 6.0 * x)),
-                    30.0 * x * x * y * y,
-                    60.0 * x * y * (1.0 - 2.0 * x),
-                    60.0 - 360.0 * x * y,
+                    x * x * x * (of(10.0) - x * (of(15.0) - of(6.0) * x)),
+                    of(30.0) * x * x * y * y,
+                    of(60.0) * x * y * (one - of(2.0) * x),
+                    of(60.0) - of(360.0) * x * y,
                 ]
             }
             Self::Poly4567 => {
-                let y = 1.0 - x;
+                let y = one - x;
                 let xy = x * y;
                 [
-                    x * x * x * x * (35.0 - x * (84.0 - x * (70.0 - 20.0 * x))),
-                    140.0 * xy * xy * xy,
-                    420.0 * xy * xy * (1.0 - 2.0 * x),
-                    840.0 * xy * (1.0 - 5.0 * xy),
+                    x * x * x * x * (of(35.0) - x * (of(84.0) - x * (of(70.0) - of(20.0) * x))),
+                    of(140.0) * xy * xy * xy,
+                    of(420.0) * xy * xy * (one - of(2.0) * x),
+                    of(840.0) * xy * (one - of(5.0) * xy),
                 ]
             }
             Self::ModifiedTrapezoid => modified_trapezoid(part, x),
@@ -109,50 +117,55 @@ impl Law {
     }
 }
 
-/// a = A sin 4πx: the first eighth of both modified laws.
-fn first_eighth(a: f64, x: f64) -> Jet {
-    let w = 4.0 * PI;
-    let (sin, cos) = libm::sincos(w * x);
-    [a / w * (x - sin / w), a / w * (1.0 - cos), a * sin, a * w * cos]
+/// a = A sin wx, w = 4π: the first eighth of both modified laws.
+fn first_eighth<S: Angular>(a: S, x: S) -> [S; 4] {
+    let w = S::of(4.0) * S::pi();
+    let (sin, cos) = (w * x).sine_cosine();
+    [a / w * (x - sin / w), a / w * (S::one() - cos), a * sin, a * w * cos]
 }
 
 /// a = A sin 4πx up to 1/8, A up to 3/8, A cos 4π(x − 3/8) up to the middle.
-fn modified_trapezoid(part: usize, x: f64) -> Jet {
-    const A: f64 = 8.0 * PI / (2.0 + PI);
-    const W: f64 = 4.0 * PI;
-    const S_1: f64 = A / W * (0.125 - 1.0 / W);
-    const V_2: f64 = A / W + A / 4.0;
-    const S_2: f64 = S_1 + A / (4.0 * W) + A / 32.0;
+fn modified_trapezoid<S: Angular>(part: usize, x: S) -> [S; 4] {
+    let (of, pi) = (S::of, S::pi());
+    let a = of(8.0) * pi / (of(2.0) + pi);
+    let w = of(4.0) * pi;
+    let s_1 = a / w * (of(0.125) - S::one() / w);
     match part {
-        0 => first_eighth(A, x),
+        0 => first_eighth(a, x),
         1 => {
-            let y = x - 0.125;
-            [S_1 + y * (A / W + 0.5 * A * y), A / W + A * y, A, 0.0]
+            let y = x - of(0.125);
+            [s_1 + y * (a / w + of(0.5) * a * y), a / w + a * y, a, S::zero()]
         }
         _ => {
-            let y = x - 0.375;
-            let (sin, cos) = libm::sincos(W * y);
-            [S_2 + V_2 * y + A / (W * W) * (1.0 - cos), V_2 + A / W * sin, A * cos, -A * W * sin]
+            let y = x - of(0.375);
+            let (sin, cos) = (w * y).sine_cosine();
+            let v_2 = a / w + a / of(4.0);
+            let s_2 = s_1 + a / (of(4.0) * w) + a / of(32.0);
+            let bent = a / (w * w) * (S::one() - cos);
+            [s_2 + v_2 * y + bent, v_2 + a / w * sin, a * cos, -a * w * sin]
         }
     }
 }
 
 /// a = A sin 4πx up to 1/8, A sin(4πx/3 + π/3) up to the middle.
-fn modified_sine(part: usize, x: f64) -> Jet {
-    const A: f64 = 4.0 * PI * PI / (4.0 + PI);
-    const W: f64 = 4.0 * PI;
-    const K: f64 = W / 3.0;
-    const S_1: f64 = A / W * (0.125 - 1.0 / W);
+fn modified_sine<S: Angular>(part: usize, x: S) -> [S; 4] {
+    let (of, pi) = (S::of, S::pi());
+    let a = of(4.0) * pi * pi / (of(4.0) + pi);
     if part == 0 {
-        return first_eighth(A, x);
+        return first_eighth(a, x);
     }
-    let (sin, cos) = libm::sincos(K * x + PI / 3.0);
-    [S_1 + A / W * (x - 0.125) - A / (K * K) * (sin - 1.0), A / W - A / K * cos, A * sin, A * K * cos]
+    let w = of(4.0) * pi;
+    let k = w / of(3.0);
+    let s_1 = a / w * (of(0.125) - S::one() / w);
+    let (sin, cos) = (k * x + pi / of(3.0)).sine_cosine();
+    let way = s_1 + a / w * (x - of(0.125)) - a / (k * k) * (sin - S::one());
+    [way, a / w - a / k * cos, a * sin, a * k * cos]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     const LAWS: [Law; 8] = [
         Law::Uniform,

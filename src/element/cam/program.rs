@@ -1,6 +1,7 @@
 //! The motion of a follower over one turn of its cam: phases one after the other.
 
 use super::law::{Jet, Law};
+use crate::math::{Double, Scalar};
 use std::f64::consts::TAU;
 
 /// Angles nearer than this are one, rad.
@@ -80,6 +81,19 @@ impl Program {
         phase.scaled(phase.law.at(((phi - phase.start) / phase.angle).clamp(0.0, 1.0)))
     }
 
+    /// [`Program::at`] with twice the digits, by the formula that holds at the nearest `f64`.
+    #[must_use]
+    pub fn precise_at(&self, phi: Double) -> [Double; 4] {
+        let near = wrapped(phi.high);
+        let turns = Double::of(((phi.high - near) / TAU).round());
+        let index = self.phases.partition_point(|p| p.start <= near + NEAR);
+        let Some(phase) = self.phases.get(index.saturating_sub(1)) else { return [Double::zero(); 4] };
+        let part = phase.law.part_at(((near - phase.start) / phase.angle).clamp(0.0, 1.0));
+        let way = phi - turns * Double::of(2.0) * Double::PI - Double::of(phase.start);
+        let x = (way / Double::of(phase.angle)).max(Double::zero()).min(Double::one());
+        phase.scaled(phase.law.on_part(part, x))
+    }
+
     /// The same by the formula of a part, which holds at both its ends.
     #[must_use]
     pub fn on_part(&self, part: &Part, phi: f64) -> Jet {
@@ -117,9 +131,9 @@ impl Program {
 
 impl Phase {
     /// The way of the law in units of the follower, per radian of the cam.
-    fn scaled(&self, [s, v, a, j]: Jet) -> Jet {
-        let (h, b) = (self.change, 1.0 / self.angle);
-        [self.from + h * s, h * b * v, h * b * b * a, h * b * b * b * j]
+    fn scaled<S: Scalar>(&self, [s, v, a, j]: [S; 4]) -> [S; 4] {
+        let (h, b) = (S::of(self.change), S::one() / S::of(self.angle));
+        [S::of(self.from) + h * s, h * b * v, h * b * b * a, h * b * b * b * j]
     }
 }
 
