@@ -39,11 +39,21 @@ pub struct Effects {
 
 impl Effects {
     pub(super) fn of(mechanism: &Mechanism) -> Self {
+        let mut wanted = Wanted::default();
+        wanted.requests(mechanism);
+        Self::wanted(mechanism, wanted)
+    }
+
+    /// What would be computed if everything were asked for that the file declares.
+    #[must_use]
+    pub fn declared(mechanism: &Mechanism) -> Self {
+        Self::wanted(mechanism, Wanted { level: Level::Accelerations, forces: true })
+    }
+
+    fn wanted(mechanism: &Mechanism, mut wanted: Wanted) -> Self {
         let timed = mechanism.drives.iter().any(|d| d.speed.is_some() || d.acceleration.is_some());
         let moving = timed || mechanism.drives.iter().any(|d| d.sense.is_some());
         let has_mass = mechanism.links.iter().any(|l| l.mass.is_some());
-        let mut wanted = Wanted::default();
-        wanted.requests(mechanism);
         let forces = wanted.forces;
         let inertia = forces && timed && has_mass && !mechanism.ignore_inertia;
         let rubs = mechanism.pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some()));
@@ -112,6 +122,13 @@ impl Effects {
             names.push("reactions");
         }
         names
+    }
+
+    /// What the file declares and nothing asks for: it has no step.
+    #[must_use]
+    pub fn not_asked_for(&self, mechanism: &Mechanism) -> Vec<&'static str> {
+        let computed = self.computed();
+        Self::declared(mechanism).computed().into_iter().filter(|name| !computed.contains(name)).collect()
     }
 }
 
