@@ -261,13 +261,15 @@ fn effects_of_no_strength_change_no_bit_of_the_forces() {
         assert!(text.contains(from), "{text}");
         solved(&text.replace(from, to))
     };
+    // a force below all rounding: a spring without stiffness is refused
     let spring = Declared { spring: true, ..all };
-    let slack = with(
-        spring,
-        "stiffness 900 N/m; free_length 80 mm; damping 5 N*s/m",
-        "stiffness 0 N/m; free_length 80 mm",
-    );
+    let slack = with(spring, "900 N/m; free_length 80 mm; damping 5 N*s/m", "1e-300 N/m; free_length 80 mm");
     same(&answers, &slack, Level::Accelerations, true);
+    let smooth = text(Declared { friction: true, ..all }, Drive::AtSpeed, find)
+        .replace("friction 0.1 ", "friction 0 ")
+        .replace("friction_circle 1 mm", "friction_circle 0 mm")
+        .replace("friction 0.12 ", "friction 0 ");
+    same(&answers, &solved(&smooth), Level::Accelerations, true);
     let never =
         with(Declared { part_of_stroke: true, ..all }, "displacement(H) > 0.3 m", "displacement(H) > 3 m");
     same(&answers, &never, Level::Accelerations, true);

@@ -38,11 +38,10 @@ def in_environment():
 
 def built():
     """The paths of `assur` and of the program that measures files."""
-    subprocess.run(["cargo", "build", "--release", "--quiet"], cwd=ROOT, check=True)
-    out = subprocess.run(["cargo", "bench", "--no-run", "--bench", "position", "--message-format", "json"], cwd=ROOT, check=True,
-                         capture_output=True, text=True).stdout
-    names = [m.get("executable") for m in map(json.loads, out.splitlines()) if m.get("target", {}).get("name") == "position"]
-    return ROOT / "target" / "release" / "assur", next(n for n in names if n)
+    command = ["cargo", "build", "--release", "--bin", "assur", "--bench", "position", "--message-format", "json"]
+    out = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
+    made = [m for m in map(json.loads, out.splitlines()) if m.get("executable")]
+    return [next(m["executable"] for m in made if m["target"]["name"] == name) for name in ("assur", "position")]
 
 
 def least(run, repeats):

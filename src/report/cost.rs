@@ -9,6 +9,8 @@ pub(super) fn add_columns(costs: &Costs, table: &mut Table) {
     let steps = || costs.motion.iter().chain(&costs.loads).chain(&costs.forces);
     table.columns.push(times());
     table.columns.push(Column::right("share"));
+    // the table is not broken
+    table.keys = table.columns.len();
     for (row, &time) in table.rows.iter_mut().zip(steps()) {
         row.extend([nanoseconds(time), share(time, costs.total)]);
     }
@@ -36,11 +38,11 @@ pub(super) fn section(scene: &Scene<'_>, costs: &Costs) -> Section {
     for (name, part) in parts {
         if let Some(time) = part {
             let text = format!("{} ns, {} of the plan", nanoseconds(time), share(time, costs.total));
-            facts.push((format!("of this {name}"), text));
+            facts.push((name.to_owned(), text));
         }
     }
     for (name, time) in &costs.beside {
-        facts.push((format!("beside the plan {name}"), format!("{} ns", nanoseconds(*time))));
+        facts.push(((*name).to_owned(), format!("{} ns beside the plan", nanoseconds(*time))));
     }
     let idle = scene.plan.effects.not_asked_for(scene.mechanism);
     if !idle.is_empty() {

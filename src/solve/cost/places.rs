@@ -45,7 +45,8 @@ pub(super) fn places(
         },
         _ => (Over::Positions, [values, Vec::new()]),
     };
-    let first = first(scene, rates, &ways[0])?;
+    // the file's own position, where it has one alone
+    let first = first(scene, rates, if over == Over::Turn { &ways[0][..1] } else { &ways[0] })?;
     let mut places = Vec::with_capacity(ENOUGH);
     for way in ways {
         let mut tracker = first.clone();
