@@ -6,6 +6,7 @@ mod cam;
 mod choices;
 mod contact;
 mod coordinate;
+mod cost;
 mod cycle;
 mod driven_legs;
 mod effort;
@@ -48,6 +49,7 @@ mod turn;
 mod view;
 mod words;
 
+pub use cost::{Costs, Over, costs};
 pub use cycle::{CycleAnswer, FlywheelAnswer};
 pub use error::SolveError;
 pub use evaluate::compare;
