@@ -24,6 +24,7 @@ const LONG: &str = "\
 Examples:
   assur check engine.mech                   what the mechanism is built from
   assur check --modes engine.mech           in which ways it can be assembled
+  assur check --plan engine.mech            what every step and effect costs per position
   assur solve engine.mech                   the answers as a readable table
   assur solve examples --format json        one object per file and line
   assur solve engine.mech --set r=120mm     with another crank
@@ -44,7 +45,7 @@ Exit status:
 /// Subcommands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Show what a mechanism is built from: mobility, structural groups, effects, plan; nothing is solved
+    /// Show what a mechanism is built from: mobility, structural groups, effects, plan
     Check(Check),
     /// Solve and print the answers
     Solve(Solve),
@@ -82,6 +83,9 @@ pub struct Check {
     /// List all assemblies of every group at the first pose, each with the line that chooses it
     #[arg(long)]
     pub modes: bool,
+    /// Run the plan over the file's positions, or a turn of its drive, and list what every step and effect costs
+    #[arg(long)]
+    pub plan: bool,
 }
 
 /// Arguments of `solve`.

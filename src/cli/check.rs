@@ -7,14 +7,17 @@ use crate::Compiled;
 use crate::diagnostic::Problems;
 use crate::report;
 use crate::report::document::Report;
+use crate::solve::Costs;
 
-/// Prints what the mechanisms are built from and, where it is asked for, how they can be assembled.
+/// Prints what the mechanisms are built from and, where it is asked for, what their plans cost and how they can be
+/// assembled.
 pub fn run(args: &Check, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
     for_each_file(&args.problem.files, screen, "\n", |source| {
         let (compiled, mut problems) = crate::compile(source, &overrides);
         let results = compiled.map_or_else(String::new, |c| {
-            let mut report = report::of_structure(source, &c.scene());
+            let costs = if args.plan && !problems.has_errors() { costs(&c, &mut problems) } else { None };
+            let mut report = report::of_structure(source, &c.scene(), costs.as_ref());
             if args.modes {
                 add_modes(&mut report, &c, &mut problems);
             }
@@ -22,6 +25,16 @@ pub fn run(args: &Check, screen: &Screen) -> Status {
         });
         Reply::new(results, &problems, source, screen)
     })
+}
+
+fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {
+    match crate::solve::costs(&compiled.scene()) {
+        Ok(costs) => costs,
+        Err(errors) => {
+            problems.extend(errors);
+            None
+        }
+    }
 }
 
 fn add_modes(report: &mut Report, compiled: &Compiled, problems: &mut Problems) {

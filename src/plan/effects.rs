@@ -1,6 +1,8 @@
 //! The effects that a file calls for. An effect that nothing calls for has no step in the plan.
 
-use crate::model::{Expr, FindKind, FlywheelPart, LoadKind, Mechanism, PairKind, Query, Relation};
+use crate::model::{
+    Expr, FindKind, FlywheelPart, LoadKind, Mechanism, PairKind, QuantityId, Query, Relation,
+};
 
 /// How far motion is followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -39,11 +41,21 @@ pub struct Effects {
 
 impl Effects {
     pub(super) fn of(mechanism: &Mechanism) -> Self {
+        let mut wanted = Wanted::default();
+        wanted.requests(mechanism);
+        Self::wanted(mechanism, wanted)
+    }
+
+    /// What would be computed if everything were asked for that the file declares.
+    #[must_use]
+    pub fn declared(mechanism: &Mechanism) -> Self {
+        Self::wanted(mechanism, Wanted { level: Level::Accelerations, forces: true, ..Wanted::default() })
+    }
+
+    fn wanted(mechanism: &Mechanism, mut wanted: Wanted) -> Self {
         let timed = mechanism.drives.iter().any(|d| d.speed.is_some() || d.acceleration.is_some());
         let moving = timed || mechanism.drives.iter().any(|d| d.sense.is_some());
         let has_mass = mechanism.links.iter().any(|l| l.mass.is_some());
-        let mut wanted = Wanted::default();
-        wanted.requests(mechanism);
         let forces = wanted.forces;
         let inertia = forces && timed && has_mass && !mechanism.ignore_inertia;
         let rubs = mechanism.pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some()));
@@ -113,6 +125,13 @@ impl Effects {
         }
         names
     }
+
+    /// What the file declares and nothing asks for: it has no step.
+    #[must_use]
+    pub fn not_asked_for(&self, mechanism: &Mechanism) -> Vec<&'static str> {
+        let computed = self.computed();
+        Self::declared(mechanism).computed().into_iter().filter(|name| !computed.contains(name)).collect()
+    }
 }
 
 /// Whether a transmission has an efficiency.
@@ -127,13 +146,15 @@ fn loses(mechanism: &Mechanism) -> bool {
 struct Wanted {
     level: Level,
     forces: bool,
+    /// The file's quantities that something asked for names: a definition alone asks for nothing.
+    named: Vec<QuantityId>,
 }
 
 impl Wanted {
     fn requests(&mut self, mechanism: &Mechanism) {
         for find in &mechanism.finds {
             match &find.kind {
-                FindKind::Value { expr, .. } => self.expr(expr),
+                FindKind::Value { expr, .. } => self.expr(mechanism, expr),
                 // with `find reactions` everything of every pose is reported
                 FindKind::Reactions => {
                     self.forces = true;
@@ -143,15 +164,14 @@ impl Wanted {
             }
         }
         for expect in &mechanism.expects {
-            self.expr(&expect.expr);
+            self.expr(mechanism, &expect.expr);
             match &expect.relation {
-                Relation::Equal(values) => values.iter().for_each(|e| self.expr(e)),
-                Relation::Compare(_, bound) => self.expr(bound),
+                Relation::Equal(values) => values.iter().for_each(|e| self.expr(mechanism, e)),
+                Relation::Compare(_, bound) => self.expr(mechanism, bound),
                 Relation::Truth => {}
             }
         }
-        mechanism.quantities.iter().for_each(|q| self.expr(&q.expr));
-        mechanism.cycles.iter().for_each(|c| self.expr(&c.expr));
+        mechanism.cycles.iter().for_each(|c| self.expr(mechanism, &c.expr));
         if !mechanism.flywheels.is_empty() {
             self.forces = true;
             self.level = self.level.max(Level::Velocities);
@@ -161,27 +181,34 @@ impl Wanted {
     fn loads(&mut self, mechanism: &Mechanism) {
         for load in &mechanism.loads {
             if let Some(when) = &load.when {
-                self.expr(when);
+                self.expr(mechanism, when);
             }
             match &load.kind {
                 LoadKind::ForceAgainstMotion { value, .. }
                 | LoadKind::Torque { value, against_motion: true, .. } => {
-                    self.expr(value);
+                    self.expr(mechanism, value);
                     self.level = self.level.max(Level::Velocities);
                 }
                 LoadKind::Force { value, .. }
                 | LoadKind::Torque { value, .. }
                 | LoadKind::InPair { value, .. } => {
-                    self.expr(value);
+                    self.expr(mechanism, value);
                 }
             }
         }
     }
 
-    fn expr(&mut self, expr: &Expr) {
-        expr.queries(&mut |query| {
-            self.level = self.level.max(level_of(query));
-            self.forces |= needs_forces(query);
+    fn expr(&mut self, mechanism: &Mechanism, expr: &Expr) {
+        expr.parts(&mut |part| match part {
+            Expr::Query(query) => {
+                self.level = self.level.max(level_of(query));
+                self.forces |= needs_forces(query);
+            }
+            Expr::Quantity(id) if !self.named.contains(id) => {
+                self.named.push(*id);
+                self.expr(mechanism, &mechanism.quantities[id.index()].expr);
+            }
+            _ => {}
         });
     }
 }

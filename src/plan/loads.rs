@@ -64,8 +64,8 @@ pub enum LoadStep {
         stiffness: f64,
         /// Length without load, m.
         free_length: f64,
-        /// Damping, N s/m.
-        damping: f64,
+        /// Damping, N s/m; none without a damper, so that no velocities are looked at.
+        damping: Option<f64>,
     },
 }
 
@@ -154,7 +154,7 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
         ends: [s.from, s.to].map(|(link, at)| Anchor { body: link.index(), at }),
         stiffness: s.stiffness,
         free_length: s.free_length,
-        damping: s.damping,
+        damping: (s.damping > 0.0).then_some(s.damping),
     }));
     steps
 }

@@ -143,6 +143,15 @@ impl Plan {
             && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
     }
 
+    /// Whether a step of motion starts from where its bodies stand.
+    #[must_use]
+    pub fn goes_on(&self) -> bool {
+        let goes_on = |step: &MotionStep| {
+            matches!(step, MotionStep::Triad { .. } | MotionStep::Train { .. } | MotionStep::General { .. })
+        };
+        self.motion.iter().any(goes_on)
+    }
+
     /// Slot of a link's body.
     #[must_use]
     pub fn is_imaginary(structure: &Structure, body: usize) -> bool {

@@ -5,6 +5,7 @@
 mod accuracy;
 mod answers;
 mod columns;
+mod cost;
 pub mod csv;
 mod cycle;
 pub mod diagram;
@@ -34,13 +35,14 @@ pub use element::full as full_table;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
 pub use tradeoff::{of_study, study_json};
 
-use crate::solve::{Modes, Scene};
+use crate::solve::{Costs, Modes, Scene};
 use crate::source::Source;
 use document::Report;
 
-/// What `check` prints: structure, order of solution, effects, steps. Nothing is solved for it.
+/// What `check` prints: structure, order of solution, effects, steps, with their costs where they were measured. Nothing is
+/// solved for it.
 #[must_use]
-pub fn of_structure(source: &Source, scene: &Scene<'_>) -> Report {
+pub fn of_structure(source: &Source, scene: &Scene<'_>, costs: Option<&Costs>) -> Report {
     let mut report = headed(&source.name, scene);
     if has_mechanism(scene) {
         mobility::sections(scene, &mut report);
@@ -48,7 +50,7 @@ pub fn of_structure(source: &Source, scene: &Scene<'_>) -> Report {
     replacement::section(scene, &mut report);
     train::laws(scene, &mut report);
     element::cams(scene, &mut report);
-    plan::sections(source, scene, &mut report);
+    plan::sections(source, scene, costs, &mut report);
     report
 }
 

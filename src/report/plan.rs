@@ -1,17 +1,18 @@
 //! The steps of the plan in words.
 
+use super::cost;
 use super::document::{Report, Section, Table};
 use super::mobility::{link_names, source_name};
 use super::train::motion_in_words as train_in_words;
 use crate::diagnostic::place;
 use crate::model::{LinkId, LoadKind, Unsupported};
 use crate::plan::{ForceStep, LoadStep, MotionStep};
-use crate::solve::Scene;
+use crate::solve::{Costs, Scene};
 use crate::source::Source;
 use crate::structure::{Effort, Group, GroupKind};
 
-/// What is done at every position, and what is understood but not solved yet.
-pub(super) fn sections(source: &Source, scene: &Scene<'_>, report: &mut Report) {
+/// What is done at every position, at which cost where it was measured, and what is understood but not solved yet.
+pub(super) fn sections(source: &Source, scene: &Scene<'_>, costs: Option<&Costs>, report: &mut Report) {
     let mut table = Table::of_words(&["step", "what", "how"]);
     let mut step = |what: String, how: String| {
         let number = (table.rows.len() + 1).to_string();
@@ -30,8 +31,14 @@ pub(super) fn sections(source: &Source, scene: &Scene<'_>, report: &mut Report) 
         step(what, force_in_words(scene, group, &scene.structure.efforts, force));
     }
     let mut section = Section::new("Plan");
+    if let Some(costs) = costs {
+        cost::add_columns(costs, &mut table);
+    }
     section.table(table);
     report.section(section);
+    if let Some(costs) = costs {
+        report.section(cost::section(scene, costs));
+    }
     let mut unsupported: Vec<&Unsupported> = scene.mechanism.unsupported.iter().collect();
     unsupported.sort_by_key(|u| u.span);
     let line = |u: &&Unsupported| format!("{} (line {})", u.what, place(&source.text, u.span.start).line);

@@ -63,8 +63,10 @@ impl<S: Scalar> State<S> {
             LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
                 let (b_1, b_2) = (&self.bodies[one.body], &self.bodies[two.body]);
                 let (p_1, p_2) = (b_1.position(one.at), b_2.position(two.at));
-                let v = b_2.velocity(two.at) - b_1.velocity(one.at);
-                let got = spring(p_2 - p_1, v, S::of(*stiffness), S::of(*free_length), S::of(*damping));
+                let (v, damping) = damping.map_or((V2::zero(), S::zero()), |damping| {
+                    (b_2.velocity(two.at) - b_1.velocity(one.at), S::of(damping))
+                });
+                let got = spring(p_2 - p_1, v, S::of(*stiffness), S::of(*free_length), damping);
                 self.apply(one.body, p_1, got.f_1);
                 self.apply(two.body, p_2, -got.f_1);
             }

@@ -7,6 +7,7 @@ mod cam;
 mod choices;
 mod contact;
 mod coordinate;
+mod cost;
 mod cycle;
 mod driven_legs;
 mod effort;
@@ -51,6 +52,7 @@ mod view;
 mod words;
 
 pub use again::Again;
+pub use cost::{Costs, Over, costs};
 pub use cycle::{CycleAnswer, FlywheelAnswer, over_cycle};
 pub use error::SolveError;
 pub use evaluate::compare;

@@ -12,7 +12,7 @@ use super::sweep::Run;
 use super::track::Tracker;
 use super::view::View;
 use crate::model::{LoadId, PairId, PairKind, Query, TransmissionKind, Value};
-use crate::plan::{ForceStep, Level, Numbers};
+use crate::plan::{ForceStep, Level, LoadStep, Numbers};
 
 /// At and below this condition velocities and forces do not exist.
 pub(super) const DEAD: f64 = 1e-12;
@@ -189,7 +189,7 @@ impl Run<'_, '_> {
     }
 }
 
-/// Loads and forces of a state whose motion is known; `quantities` where loads name quantities of the file.
+/// Loads and forces of a state whose motion is known; `quantities` where loads may name quantities of the file.
 pub(super) fn balanced(
     scene: &Scene<'_>,
     statics: &Statics,
@@ -198,9 +198,12 @@ pub(super) fn balanced(
     evaluated: &mut Vec<(LoadId, Value)>,
     quantities: bool,
 ) {
-    let view = View::new(scene, state, angles, statics);
-    let motion = if quantities { view.all_quantities() } else { Vec::new() };
-    View { quantities: &motion, ..view }.evaluated_loads(evaluated);
+    evaluated.clear();
+    if scene.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))) {
+        let view = View::new(scene, state, angles, statics);
+        let motion = if quantities { view.all_quantities() } else { Vec::new() };
+        View { quantities: &motion, ..view }.evaluated_loads(evaluated);
+    }
     state.run_loads(scene, evaluated);
     state.applied.clone_from(&state.wrenches);
     state.set_lines(scene.plan);

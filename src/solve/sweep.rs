@@ -29,15 +29,7 @@ pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
 /// # Errors
 /// As [`solve`].
 pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
-    let mut errors = refused::not_supported(scene.mechanism);
-    errors.extend(refused::cams(scene));
-    errors.extend(refused::missing_speeds(scene));
-    errors.extend(open::without_position(scene));
-    errors.extend(open::without_place(scene));
-    errors.extend(open::friction_beside(scene));
-    if !errors.is_empty() {
-        return Err(errors);
-    }
+    can_be_solved(scene)?;
     let needs_poses = scene.mechanism.links.len() > 1;
     if !needs_poses {
         return Ok(Solution::default());
@@ -88,6 +80,17 @@ impl Near {
             }
         }
     }
+}
+
+/// Everything that can be refused before any position is looked at.
+pub(super) fn can_be_solved(scene: &Scene<'_>) -> Result<(), Vec<SolveError>> {
+    let mut errors = refused::not_supported(scene.mechanism);
+    errors.extend(refused::cams(scene));
+    errors.extend(refused::missing_speeds(scene));
+    errors.extend(open::without_position(scene));
+    errors.extend(open::without_place(scene));
+    errors.extend(open::friction_beside(scene));
+    if errors.is_empty() { Ok(()) } else { Err(errors) }
 }
 
 /// Why a position was not reached, and the tracker where it was before.

@@ -58,7 +58,7 @@ impl Loads<'_> {
             }
             LoadStep::Torque { body, torque, .. } => self.couple(*body, D::of(*torque)),
             LoadStep::Spring { ends, stiffness, free_length, damping, .. } => {
-                self.spring(ends, [*stiffness, *free_length, *damping].map(D::of));
+                self.spring(ends, [*stiffness, *free_length, damping.unwrap_or(0.0)].map(D::of));
             }
             LoadStep::Evaluated(_) => {}
         }

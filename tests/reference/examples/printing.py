@@ -41,10 +41,10 @@ def key(text, value, unit="", tail=""):
         print(f"expect {text} = {written(value, unit)} within 1e-9{tail}")
 
 
-def keys(text, values, unit):
-    """Print a list of expected values, one per pose, within 1e-9 of the greatest."""
+def keys(text, values, unit, places=9):
+    """Print a list of expected values, one per pose, within 1e-9 of the greatest, or to more places."""
     scale = max(size(v) for v in values) / UNITS[unit]
-    places = [written(v, unit) for v in values]
-    lines = [", ".join(places[i:i + 3]) for i in range(0, len(places), 3)]
-    tol = f"1e{int(mp.floor(mp.log10(scale))) - 9} {unit}"
+    cells = [written(v, unit) for v in values]
+    lines = [", ".join(cells[i:i + 3]) for i in range(0, len(cells), 3)]
+    tol = f"1e{int(mp.floor(mp.log10(scale))) - places} {unit}"
     print(f"expect {text} = " + ",\n            ".join(lines) + f" within {tol}")

@@ -1,0 +1,114 @@
+//! What every effect costs that is asked for: Andrews' mechanism, three dyads on a crank, from its text, over a revolution
+//! of 360 positions. Items are positions. `cargo bench --bench ladder`; the figures stand in `docs/effects.md`.
+
+mod run;
+
+use assur::math::Vec2;
+use assur::model::Mechanism;
+use assur::solve::State;
+use divan::counter::ItemsCount;
+use divan::{Bencher, black_box};
+use run::{Run, asking, side_by_side};
+
+fn main() {
+    powers_balance();
+    divan::main();
+}
+
+const LADDER: [&str; 4] = ["a positions", "b velocities", "c accelerations", "e reactions"];
+
+/// The example with 360 positions, asking for one thing.
+fn text(what: &str) -> String {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/kinetostatics/andrews.mech");
+    let example = std::fs::read_to_string(path).expect("the example").replace("in 12 steps", "in 360 steps");
+    let find = match what {
+        "a positions" => "position(AH.H)",
+        "b velocities" => "velocity(AH.H)",
+        "c accelerations" => "acceleration(AH.H)",
+        _ => "Mb, reactions",
+    };
+    asking(&example, find)
+}
+
+#[divan::bench(args = LADDER)]
+fn one_by_one(bencher: Bencher<'_, '_>, what: &str) {
+    let mut run = Run::of(&text(what));
+    let positions = run.positions();
+    bencher.counter(ItemsCount::new(positions)).bench_local(|| black_box(run.one_by_one()));
+}
+
+#[divan::bench(args = LADDER)]
+fn side_by_side_in_lanes(bencher: Bencher<'_, '_>, what: &str) {
+    let run = Run::of(&text(what));
+    let (mut lanes, forces) = (run.lanes(), run.compiled.plan.effects.forces);
+    bencher
+        .counter(ItemsCount::new(run.positions()))
+        .bench_local(|| black_box(side_by_side(&mut lanes, &run.inputs, forces)));
+}
+
+/// Of one position: the reduced moment of inertia I, half its derivative, and −V′, for the crank's angle as the coordinate.
+#[derive(Clone, Copy, Default)]
+struct Reduced {
+    inertia: f64,
+    half_rise: f64,
+    drop: f64,
+}
+
+impl Reduced {
+    /// From motion at a steady speed ω: Σ m v² + J ω² over ω², Σ m v·a + J ω α over ω³, and the power of the spring over ω.
+    fn of(mechanism: &Mechanism, state: &State) -> Self {
+        let omega = state.bodies[1].omega;
+        let mut sum = Self::default();
+        for (link, body) in mechanism.links.iter().zip(&state.bodies) {
+            let Some(mass) = &link.mass else { continue };
+            let r = mass.centre.turned(body.u);
+            let v = body.v + r.perp() * body.omega;
+            let a = body.a + r.perp() * body.alpha - r * (body.omega * body.omega);
+            sum.inertia += mass.mass * v.dot(v) + mass.inertia * body.omega * body.omega;
+            sum.half_rise += mass.mass * v.dot(a) + mass.inertia * body.omega * body.alpha;
+        }
+        for spring in &mechanism.springs {
+            let (one, two) = (&state.bodies[spring.from.0.index()], &state.bodies[spring.to.0.index()]);
+            let d: Vec2 = two.position(spring.to.1) - one.position(spring.from.1);
+            let rate = d.dot(two.velocity(spring.to.1) - one.velocity(spring.from.1));
+            sum.drop -= spring.stiffness * (1.0 - spring.free_length / d.norm()) * rate;
+        }
+        Self {
+            inertia: sum.inertia / (omega * omega),
+            half_rise: sum.half_rise / (omega * omega * omega),
+            drop: sum.drop / omega,
+        }
+    }
+}
+
+/// Accelerations and from them the reduced dynamics: what a motion under loads needs at every position. No reactions.
+#[divan::bench]
+fn one_by_one_d_reduced(bencher: Bencher<'_, '_>) {
+    let mut run = Run::of(&text("c accelerations"));
+    let positions = run.positions();
+    bencher.counter(ItemsCount::new(positions)).bench_local(|| {
+        let mut sum = 0.0;
+        for input in &run.inputs {
+            run.state.inputs[0] = *input;
+            run.state.run_motion::<2>(&run.compiled.plan);
+            let reduced = Reduced::of(&run.compiled.mechanism, &run.state);
+            sum += reduced.inertia + reduced.half_rise + reduced.drop;
+        }
+        black_box(sum)
+    });
+}
+
+/// The balancing torque from the reduced dynamics is that from the reactions: Mb = I′ω²/2 + V′ − M.
+fn powers_balance() {
+    let mut run = Run::of(&text("e reactions"));
+    let inputs = run.inputs.clone();
+    for input in inputs {
+        run.inputs = vec![input];
+        run.one_by_one();
+        let Reduced { half_rise, drop, .. } = Reduced::of(&run.compiled.mechanism, &run.state);
+        let omega = run.state.bodies[1].omega;
+        let torque = half_rise * omega * omega - drop - 0.033;
+        let got = run.state.efforts[0];
+        assert!((torque - got).abs() < 1e-11 * (1.0 + got.abs()), "{torque} {got}");
+    }
+}

@@ -1,0 +1,88 @@
+//! A `.mech` text, compiled once, and its plan run over the text's positions through the public interface.
+#![allow(dead_code)] // every bench uses some of it
+
+use assur::Compiled;
+use assur::check::Overrides;
+use assur::plan::Level;
+use assur::solve::{DriveInput, SideBySide, State, solve};
+use assur::source::Source;
+
+/// A text ready to be run.
+pub struct Run {
+    pub compiled: Compiled,
+    /// Assembled at the first position.
+    pub state: State,
+    /// All drives at the first position, at the second, and so on.
+    pub inputs: Vec<DriveInput>,
+}
+
+impl Run {
+    /// Compiles a text, solves it once, and keeps where its drives stand. What is run again keeps the assembly of the first
+    /// position.
+    pub fn of(text: &str) -> Self {
+        let (compiled, problems) =
+            assur::compile(&Source::new("scene.mech", text.to_owned()), &Overrides::none());
+        assert!(!problems.has_errors(), "the scene is sound");
+        let compiled = compiled.expect("the scene compiles");
+        let solution = solve(&compiled.scene()).expect("the scene is solved");
+        let states: Vec<&State> = solution
+            .poses
+            .iter()
+            .map(|p| &p.outcome.as_ref().expect("every position closes").state)
+            .collect();
+        assert!(states.iter().all(|s| s.branches == states[0].branches), "no change points");
+        let inputs = states.iter().flat_map(|s| s.inputs.clone()).collect();
+        Self { state: states[0].clone(), inputs, compiled }
+    }
+
+    pub fn positions(&self) -> usize {
+        self.inputs.len() / self.compiled.plan.drives
+    }
+
+    /// Everything that the plan holds, position by position; the sum of something of every position, so that nothing is
+    /// left out.
+    pub fn one_by_one(&mut self) -> f64 {
+        let (scene, state) = (self.compiled.scene(), &mut self.state);
+        let plan = scene.plan;
+        let mut sum = 0.0;
+        for input in self.inputs.chunks_exact(plan.drives) {
+            state.inputs.copy_from_slice(input);
+            match plan.effects.level {
+                Level::Positions => state.run_motion::<0>(plan),
+                Level::Velocities => state.run_motion::<1>(plan),
+                Level::Accelerations => state.run_motion::<2>(plan),
+            }
+            if plan.effects.forces {
+                state.run_loads(&scene, &[]);
+                state.set_lines(plan);
+                state.run_forces(plan);
+                sum += state.efforts[0];
+            }
+            sum += state.bodies[1].p.x;
+        }
+        sum
+    }
+
+    /// The same side by side.
+    pub fn lanes(&self) -> SideBySide<'_> {
+        SideBySide::new(&self.compiled.plan, &self.state)
+    }
+}
+
+/// One round of positions side by side.
+pub fn side_by_side(lanes: &mut SideBySide<'_>, inputs: &[DriveInput], forces: bool) -> f64 {
+    let mut sum = 0.0;
+    lanes.run(inputs, |_, place| {
+        sum += place.body(1).p.x;
+        if forces {
+            sum += place.effort(0);
+        }
+    });
+    sum
+}
+
+/// The text with other requests: everything from its first `find` on is left out.
+pub fn asking(text: &str, find: &str) -> String {
+    let (machine, _) = text.split_once("\nfind ").expect("a scene that asks for something");
+    format!("{machine}\nfind {find}\n")
+}

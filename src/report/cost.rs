@@ -1,0 +1,85 @@
+//! What the plan costs per position: by step, by effect, and what costs nothing because nothing asks for it.
+
+use super::document::{Block, Column, Section, Table};
+use crate::solve::{Costs, Over, Scene};
+use crate::structure::{BodyOrigin, Group};
+
+/// Adds time and share to the rows of the steps: motion, loads, forces.
+pub(super) fn add_columns(costs: &Costs, table: &mut Table) {
+    let steps = || costs.motion.iter().chain(&costs.loads).chain(&costs.forces);
+    table.columns.push(times());
+    table.columns.push(Column::right("share"));
+    // the table is not broken
+    table.keys = table.columns.len();
+    for (row, &time) in table.rows.iter_mut().zip(steps()) {
+        row.extend([nanoseconds(time), share(time, costs.total)]);
+    }
+}
+
+/// The effects with their times; of these contacts and transmissions; what is not asked for.
+pub(super) fn section(scene: &Scene<'_>, costs: &Costs) -> Section {
+    let mut section = Section::new("Cost per position");
+    let columns = vec![Column::words("effect"), times(), Column::right("share")];
+    let mut table = Table::new(columns, 3);
+    for (name, time) in &costs.effects {
+        table.row(vec![(*name).to_owned(), nanoseconds(*time), share(*time, costs.total)]);
+    }
+    table.row(vec!["the plan".to_owned(), nanoseconds(costs.total), share(costs.total, costs.total)]);
+    section.table(table);
+    let mut facts: Vec<(String, String)> = Vec::new();
+    let contacts = |group: &Group| {
+        let bodies = &scene.structure.replaced.bodies;
+        group.bodies.iter().any(|b| matches!(bodies[b.0].origin, BodyOrigin::Imaginary(_)))
+    };
+    let parts = [
+        ("contacts", of_groups(scene, costs, contacts)),
+        ("transmissions", of_groups(scene, costs, |group| !group.laws.is_empty())),
+    ];
+    for (name, part) in parts {
+        if let Some(time) = part {
+            let text = format!("{} ns, {} of the plan", nanoseconds(time), share(time, costs.total));
+            facts.push((name.to_owned(), text));
+        }
+    }
+    for (name, time) in &costs.beside {
+        facts.push(((*name).to_owned(), format!("{} ns beside the plan", nanoseconds(*time))));
+    }
+    let idle = scene.plan.effects.not_asked_for(scene.mechanism);
+    if !idle.is_empty() {
+        facts.push(("not asked for".to_owned(), idle.join(", ")));
+    }
+    facts.push(("measured".to_owned(), measured(scene, costs)));
+    section.blocks.push(Block::Facts(facts));
+    section
+}
+
+/// What the steps of some groups cost together; `None` where there are no such groups.
+fn of_groups(scene: &Scene<'_>, costs: &Costs, wanted: impl Fn(&Group) -> bool) -> Option<f64> {
+    let motion = scene.structure.motion.iter().zip(&costs.motion);
+    let forces = scene.structure.forces.iter().zip(&costs.forces);
+    let times: Vec<f64> = motion.chain(forces).filter(|(group, _)| wanted(group)).map(|(_, t)| *t).collect();
+    (!times.is_empty()).then(|| times.iter().sum())
+}
+
+fn measured(scene: &Scene<'_>, costs: &Costs) -> String {
+    let places = costs.places;
+    match (costs.over, scene.mechanism.drives.as_slice()) {
+        (Over::Turn, [drive]) => {
+            format!("at {places} places of a turn of {}, least of many times", drive.name)
+        }
+        _ if places == 1 => "at the file's position, least of many times".to_owned(),
+        _ => format!("at {places} of the file's positions, least of many times"),
+    }
+}
+
+fn times() -> Column {
+    Column::numbers("time [ns]")
+}
+
+fn nanoseconds(time: f64) -> String {
+    format!("{:.1}", time * 1e9)
+}
+
+fn share(time: f64, total: f64) -> String {
+    if total > 0.0 { format!("{:.0} %", 100.0 * time / total) } else { "0 %".to_owned() }
+}

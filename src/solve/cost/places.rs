@@ -1,0 +1,98 @@
+//! Places to run a plan at: assembled and followed once, before anything is measured.
+
+use super::super::assemble::assemble;
+use super::super::error::SolveError;
+use super::super::extremes::Statics;
+use super::super::inputs::Rates;
+use super::super::positions::{sweep, turns};
+use super::super::solution::{DriveValue, Scene};
+use super::super::state::State;
+use super::super::track::Tracker;
+
+/// So many places are enough; more would leave the nearest memory.
+const ENOUGH: usize = 64;
+
+/// Where the plan was run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    /// The positions of the file, or some of them at equal distances.
+    Positions,
+    /// A turn of the drive, as far as the mechanism closes.
+    Turn,
+}
+
+/// An assembled place.
+pub(super) struct Place {
+    /// Inputs, assemblies, bodies.
+    pub state: State,
+    /// Angles of the bodies, rad.
+    pub angles: Vec<f64>,
+}
+
+/// The positions of a file that close; of one alone those of a turn of its drive.
+pub(super) fn places(
+    scene: &Scene<'_>,
+    statics: &Statics,
+    rates: &Rates,
+) -> Result<(Over, Vec<Place>), SolveError> {
+    let wanted = sweep(scene, statics);
+    let apart = wanted.len().div_ceil(ENOUGH).max(1);
+    let values: Vec<Vec<DriveValue>> = wanted.into_iter().step_by(apart).map(|w| w.drives).collect();
+    let (over, ways) = match (values.as_slice(), scene.mechanism.drives.as_slice()) {
+        ([one], [drive]) if turns(scene, drive) => match one[0] {
+            DriveValue::Scalar(start) => (Over::Turn, turn(start)),
+            _ => (Over::Positions, [values, Vec::new()]),
+        },
+        _ => (Over::Positions, [values, Vec::new()]),
+    };
+    // the file's own position, where it has one alone
+    let first = first(scene, rates, if over == Over::Turn { &ways[0][..1] } else { &ways[0] })?;
+    let mut places = Vec::with_capacity(ENOUGH);
+    for way in ways {
+        let mut tracker = first.clone();
+        for values in way {
+            // the way may be closed, and the position beyond it open to a jump; where neither is, the next one is tried
+            let back = tracker.clone();
+            let reached = tracker.go(scene, rates, &values).is_ok() || {
+                tracker = back.clone();
+                over != Over::Turn && tracker.jump(scene, rates, &values).is_ok()
+            };
+            if reached {
+                rates.at(&values, &mut tracker.state.inputs);
+                places.push(Place { state: tracker.state.clone(), angles: tracker.angles.clone() });
+            } else {
+                tracker = back;
+                if over == Over::Turn {
+                    break;
+                }
+            }
+        }
+    }
+    Ok((over, places))
+}
+
+/// The first position that can be assembled; the error of the first where none can.
+fn first(scene: &Scene<'_>, rates: &Rates, way: &[Vec<DriveValue>]) -> Result<Tracker, SolveError> {
+    let assembled = |values: &[DriveValue]| {
+        let mut state = State::new(scene.plan);
+        rates.at(values, &mut state.inputs);
+        assemble(scene, state).map(|state| Tracker::new(scene, state, values))
+    };
+    let found = assembled(way.first().map_or(&[], Vec::as_slice));
+    match found {
+        Err(SolveError::DoesNotClose { .. } | SolveError::NotFound { .. }) => {
+            way.iter().skip(1).find_map(|values| assembled(values).ok()).map_or(found, Ok)
+        }
+        found => found,
+    }
+}
+
+/// Half a turn from the start to either side.
+fn turn(start: f64) -> [Vec<Vec<DriveValue>>; 2] {
+    #[allow(clippy::cast_precision_loss)] // 64
+    let at = |i: usize, sense: f64| {
+        vec![DriveValue::Scalar(start + sense * std::f64::consts::TAU * i as f64 / ENOUGH as f64)]
+    };
+    let half = ENOUGH / 2;
+    [(0..half).map(|i| at(i, 1.0)).collect(), (1..=half).map(|i| at(i, -1.0)).collect()]
+}
