@@ -259,7 +259,7 @@ fn accuracy_is_measured() {
         Crank-slider (a.mech)
 
         Measured
-         2 positions, held against the same positions in double-double, itself good to about 5e-32.
+         2 positions, held against the same positions in double-double, itself good to about 2e-31.
          Errors are the greatest of all: positions over 0.35 m, velocities over 35 m/s.
          Times are the least of many repeats, on one thread; lanes are 4 wide with ….
 
@@ -269,7 +269,7 @@ fn accuracy_is_measured() {
          f32 µs 5e-8 7.3
          f64 in lanes µs 2e-16 15.8
          f64 µs 2e-16 15.8
-         double-double µs ~ 5e-32 31.3
+         double-double µs 3e-31 30.6
 
         Not set here
          - friction: none in this problem
