@@ -1,5 +1,6 @@
 //! `assur`: a small declarative language for planar mechanism problems, and the compiler that solves them.
 
+pub mod accuracy;
 pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -18,6 +19,7 @@ pub mod structure;
 pub mod syntax;
 pub mod units;
 
+use accuracy::Reached;
 use check::Overrides;
 use diagnostic::Problems;
 use exercise::{Outcome, OwnRows};
@@ -58,6 +60,8 @@ pub struct Solved {
     pub solution: Solution,
     /// Its expectations, one per pose.
     pub outcomes: Vec<Outcome>,
+    /// What accuracy was wanted and reached, where one was.
+    pub reached: Option<Reached>,
 }
 
 /// Text → [`Mechanism`], with all that was found on the way. No mechanism comes out where there is an error.
@@ -131,7 +135,35 @@ pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
     problems.extend(solution.failures());
     let (outcomes, errors) = exercise::evaluate(&scene, &solution);
     problems.extend(errors);
-    (Ok(Solved { compiled, solution, outcomes }), problems)
+    (Ok(Solved { compiled, solution, outcomes, reached: None }), problems)
+}
+
+/// As [`solve`], with the cheapest settings whose answers keep a wanted accuracy, see [`accuracy::candidates`]. Where none
+/// do, the finest answer comes out beside an error.
+pub fn solve_within(mut compiled: Compiled, within: Option<f64>) -> (Result<Solved, Compiled>, Problems) {
+    let Some(wanted) = within else { return solve(compiled) };
+    let mut candidates = accuracy::candidates(&compiled.scene(), wanted);
+    candidates.reverse();
+    while let Some(settings) = candidates.pop() {
+        compiled.plan.settings = settings;
+        let is_last = candidates.is_empty();
+        let (found, mut problems) = solve(compiled);
+        compiled = match found {
+            Ok(mut solved) => {
+                let reached = accuracy::reached(&solved.compiled.scene(), &solved.solution, wanted);
+                if reached.is_kept() || is_last {
+                    let missed = (!reached.is_kept()).then(|| reached.missed(&solved.compiled.mechanism));
+                    problems.extend(missed);
+                    solved.reached = Some(reached);
+                    return (Ok(solved), problems);
+                }
+                solved.compiled
+            }
+            Err(compiled) if is_last => return (Err(compiled), problems),
+            Err(compiled) => compiled,
+        };
+    }
+    (Err(compiled), Problems::new())
 }
 
 /// Text → [`Solved`], with all that was found on the way. A solution comes out even where an expectation cannot be
@@ -187,6 +219,7 @@ impl Solved {
     #[must_use]
     pub fn answers(&self, precision: report::Precision) -> report::Answers<'_> {
         let scene = self.compiled.scene();
-        report::Answers { scene, solution: &self.solution, outcomes: &self.outcomes, precision }
+        let reached = self.reached.as_ref();
+        report::Answers { scene, solution: &self.solution, outcomes: &self.outcomes, reached, precision }
     }
 }

@@ -50,7 +50,7 @@ fn stage_of(code: &str) -> &str {
     code.split("::").nth(1).unwrap_or_default()
 }
 
-/// What is said about a text; a first line `// --set r=120mm` gives it a value from outside. The files of the early
+/// What is said about a text; a first line `// --set r=120mm` gives it a value from outside, `// --within 1e-9` an accuracy. The files of the early
 /// stages are no whole mechanisms: they are read, or checked, but not solved.
 fn said(source: &Source, stage: &str) -> String {
     if stage == "syntax" {
@@ -62,6 +62,14 @@ fn said(source: &Source, stage: &str) -> String {
     let set = source.text.lines().next().and_then(|line| line.strip_prefix("// --set ")?.split_once('='));
     let values = set.into_iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
     let overrides = Overrides::set(values);
+    let within = source.text.lines().next().and_then(|line| line.strip_prefix("// --within ")?.parse().ok());
+    if let Some(within) = within {
+        let (compiled, mut problems) = assur::compile(source, &Overrides::none());
+        if let Some(compiled) = compiled {
+            problems.append(assur::solve_within(compiled, Some(within)).1);
+        }
+        return render(&problems, source, Style::PLAIN);
+    }
     let problems = match stage {
         "name" | "unit" | "geometry" => assur::check_source(source, &overrides).1,
         _ => assur::test_source(source, &overrides).1,

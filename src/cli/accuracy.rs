@@ -1,13 +1,101 @@
 //! `assur accuracy`
 
-use super::args::Problem;
-use super::error::CliError;
-use super::reply::{Status, complaint};
-use super::screen::Screen;
+use std::path::Path;
 
-/// Not supported yet.
-pub fn run(_: &Problem, screen: &Screen) -> Status {
-    let help = "`assur solve` prints the residuals and the condition of every pose";
-    screen.complain(&complaint(CliError::NotSupportedYet { command: "accuracy", help }, screen));
-    Status::Unusable
+use super::args::{Accuracy, AccuracyFormat};
+use super::batch::Sink;
+use super::error::CliError;
+use super::files;
+use super::reply::{Reply, Status, complaint, for_each_file};
+use super::screen::Screen;
+use crate::accuracy::{Study, micros, out_of_reach, study};
+use crate::check::Overrides;
+use crate::report::{self, Precision};
+use crate::source::Source;
+use crate::{Solved, solve_source};
+
+/// Prints what accuracy costs in time.
+pub fn run(args: &Accuracy, screen: &Screen) -> Status {
+    let overrides = args.problem.overrides();
+    if let (Some(name), true) = (&args.plot, files::expand(&args.problem.files).len() > 1) {
+        let name = name.clone();
+        screen.complain(&complaint(CliError::OneDrawing { name }, screen));
+        return Status::Unusable;
+    }
+    for_each_file(
+        &args.problem.files,
+        screen,
+        if args.format == AccuracyFormat::Json { "" } else { "\n" },
+        |source| {
+            let (solved, mut problems) = solve_source(source, &overrides);
+            let Some(solved) = solved.filter(|_| !problems.has_errors()) else {
+                return Reply::new(String::new(), &problems, source, screen);
+            };
+            let scene = solved.compiled.scene();
+            let measured = study(&scene, &solved.solution, args.wanted);
+            if measured.recommendation.is_none() {
+                problems.push(out_of_reach(&measured, scene.mechanism));
+            }
+            let results = printed(args, source, &overrides, &solved, &measured, screen);
+            let reply = Reply::new(results, &problems, source, screen);
+            match &args.plot {
+                Some(path) => drawn(path, source, &solved, &measured, reply, screen),
+                None => reply,
+            }
+        },
+    )
+}
+
+fn printed(
+    args: &Accuracy,
+    source: &Source,
+    overrides: &Overrides,
+    solved: &Solved,
+    measured: &Study,
+    screen: &Screen,
+) -> String {
+    if args.format == AccuracyFormat::Json {
+        return report::study_json(&source.name, measured) + "\n";
+    }
+    let whole = micros(|| drop(std::hint::black_box(whole(source, overrides))));
+    let report = report::of_study(&source.name, &solved.compiled.scene(), measured, whole);
+    match args.format {
+        AccuracyFormat::Markdown => report::markdown::render(&report),
+        _ => report::text::render(&report, screen.look()),
+    }
+}
+
+/// All that `assur solve` does, but for reading the file and writing to the screen.
+fn whole(source: &Source, overrides: &Overrides) -> String {
+    let (solved, _) = solve_source(source, overrides);
+    let report = solved.map(|s| report::of_answers(&source.name, &s.answers(Precision::READABLE)));
+    report.map(|r| report::text::render(&r, report::text::Look::PLAIN)).unwrap_or_default()
+}
+
+fn drawn(
+    path: &str,
+    source: &Source,
+    solved: &Solved,
+    measured: &Study,
+    reply: Reply,
+    screen: &Screen,
+) -> Reply {
+    let title = &solved.compiled.mechanism.title;
+    let title = if title.is_empty() { &source.name } else { title };
+    let Some(svg) = report::diagram::svg(title, measured) else {
+        let why = "nothing can be set in this problem".to_owned();
+        let complaint = complaint(CliError::Unwritable { name: path.to_owned(), why }, screen);
+        return Reply { diagnostics: reply.diagnostics + &complaint, status: Status::Unusable, ..reply };
+    };
+    let written = Sink::file(Path::new(path)).and_then(|mut sink| {
+        sink.write(&svg)?;
+        sink.finish()
+    });
+    match written {
+        Ok(()) => reply,
+        Err(error) => {
+            let diagnostics = reply.diagnostics + &complaint(error, screen);
+            Reply { diagnostics, status: Status::Unusable, ..reply }
+        }
+    }
 }

@@ -28,6 +28,8 @@ Examples:
   assur solve engine.mech                   the answers as a readable table
   assur solve examples --format json        one object per file and line
   assur solve engine.mech --set r=120mm     with another crank
+  assur solve engine.mech --within 1e-6     only as accurate as that
+  assur accuracy engine.mech --plot a.svg   what accuracy costs in time
   assur test 'homework/**/*.mech'           the answer key
   assur profile cam.mech --format dxf       a cam as a drawing
   assur batch engine.mech --variants T.csv --out answers.csv
@@ -53,8 +55,8 @@ pub enum Command {
     Batch(Batch),
     /// Mark given answers by an answer key
     Grade(Grade),
-    /// Show what accuracy costs in time
-    Accuracy(Problem),
+    /// Show what accuracy costs in time: every setting that trades the one for the other, measured on this machine
+    Accuracy(Accuracy),
     /// Print the profile of a cam for other programs
     Profile(Profile),
     /// Explain a diagnostic by its code
@@ -95,6 +97,45 @@ pub struct Solve {
     /// How to print the answers
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,
+    /// Take the cheapest settings whose answers keep this error, as 1e-6; it is measured and reported
+    #[arg(long, value_name = "ERROR", value_parser = accuracy)]
+    pub within: Option<f64>,
+}
+
+/// Arguments of `accuracy`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Accuracy {
+    /// What to measure
+    #[command(flatten)]
+    pub problem: Problem,
+    /// The error for which settings are recommended
+    #[arg(long = "for", value_name = "ERROR", default_value = "1e-9", value_parser = accuracy)]
+    pub wanted: f64,
+    /// Draw error against time into this file
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<String>,
+    /// How to print the tables
+    #[arg(long, value_enum, default_value_t = AccuracyFormat::Table)]
+    pub format: AccuracyFormat,
+}
+
+/// How measurements are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AccuracyFormat {
+    /// Tables to read
+    Table,
+    /// One object per file and line
+    Json,
+    /// Tables to paste into a document
+    Markdown,
+}
+
+/// An error as a part of the quantity.
+fn accuracy(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(x) if x > 0.0 && x < 1.0 => Ok(x),
+        _ => Err("write a part of the greatest value, as 1e-6".to_owned()),
+    }
 }
 
 /// Arguments of `batch`.
@@ -115,6 +156,9 @@ pub struct Batch {
     /// Write the answer key for `assur grade` to this file
     #[arg(long, value_name = "KEY.csv")]
     pub key: Option<String>,
+    /// Take for every row the cheapest settings whose answers keep this error, as 1e-6
+    #[arg(long, value_name = "ERROR", value_parser = accuracy)]
+    pub within: Option<f64>,
     /// How many threads to use [default: all]
     #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<usize>,

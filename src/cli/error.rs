@@ -52,14 +52,12 @@ pub enum CliError {
         /// What is wrong.
         why: String,
     },
-    /// A subcommand that exists in name.
-    #[error("`assur {command}` is not supported yet")]
-    NotSupportedYet {
-        /// The subcommand.
-        command: &'static str,
-        /// What to do instead.
-        #[help]
-        help: &'static str,
+    /// Several files, one drawing.
+    #[error("`{name}` can hold the drawing of one file, and there are several")]
+    #[diagnostic(help("give `--plot` with one file"))]
+    OneDrawing {
+        /// The drawing.
+        name: String,
     },
     /// No cam, or several and no choice.
     #[error("{message}")]

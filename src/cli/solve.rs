@@ -26,7 +26,7 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
         let (document, found) = syntax::parse(source);
         match OwnRows::of(source, &document, &overrides) {
             Some(Ok(rows)) if !found.has_errors() => {
-                return of_rows(args.format, apart, source, rows, found, screen);
+                return of_rows(args.format, apart, source, rows.within(args.within), found, screen);
             }
             Some(Err(problems)) if !found.has_errors() => {
                 let line = || json(source, Err(None), &problems);
@@ -38,7 +38,7 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
         let (compiled, mut problems) = crate::compile(source, &overrides);
         let solved = match compiled {
             Some(compiled) if !problems.has_errors() => {
-                let (solved, found) = crate::solve(compiled);
+                let (solved, found) = crate::solve_within(compiled, args.within);
                 problems.append(found);
                 solved.map_err(Some)
             }

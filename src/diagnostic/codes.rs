@@ -212,6 +212,7 @@ pub const CODES: &[Code] = codes! {
     "solve" / "needless_flywheel",
     "solve" / "effort_cannot_hold",
     "solve" / "not_finite",
+    "accuracy" / "out_of_reach",
     "request" / "not_supported_yet",
     "request" / "needs_speed",
     "train" / "no_position",

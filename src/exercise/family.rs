@@ -15,13 +15,22 @@ pub struct Family<'a> {
     resident: Option<Resident<'a>>,
     /// The structure of the last row, where nothing was to be said of it.
     structure: Option<Structure>,
+    /// The accuracy that is wanted.
+    within: Option<f64>,
 }
 
 impl<'a> Family<'a> {
     /// A document that could be read, with values that replace those of all rows.
     #[must_use]
     pub fn new(source: &'a Source, document: &'a Document, overrides: &'a Overrides) -> Self {
-        Self { source, document, overrides, resident: Resident::new(document, overrides), structure: None }
+        let resident = Resident::new(document, overrides);
+        Self { source, document, overrides, resident, structure: None, within: None }
+    }
+
+    /// With settings that keep an accuracy, row by row.
+    #[must_use]
+    pub fn within(self, within: Option<f64>) -> Self {
+        Self { within, ..self }
     }
 
     /// The mechanism of a row with its structure and its plan, and all that was found on the way.
@@ -49,7 +58,7 @@ impl<'a> Family<'a> {
     pub fn solve(&mut self, row: &Row) -> (Option<Solved>, Problems) {
         let (compiled, mut problems) = self.compile(row);
         let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
-        let (solved, found) = crate::solve(compiled);
+        let (solved, found) = crate::solve_within(compiled, self.within);
         problems.append(found);
         (solved.ok(), problems)
     }

@@ -48,6 +48,12 @@ impl<'a> OwnRows<'a> {
         Some(Ok(Self { family, rows, columns }))
     }
 
+    /// With settings that keep an accuracy, row by row.
+    #[must_use]
+    pub fn within(self, within: Option<f64>) -> Self {
+        Self { family: self.family.within(within), ..self }
+    }
+
     /// Its columns.
     #[must_use]
     pub fn columns(&self) -> &[RowColumn] {

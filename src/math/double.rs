@@ -38,6 +38,12 @@ impl Double {
     /// π.
     pub const PI: Self = Self { high: 0.5 * TURN[0], low: 0.5 * TURN[1] };
 
+    /// Rounded to `f64`.
+    #[must_use]
+    pub const fn rounded(self) -> f64 {
+        self.high
+    }
+
     /// The direction (cos, sin) of an angle, rad.
     #[must_use]
     pub fn direction(angle: f64) -> V2<Self> {

@@ -20,6 +20,6 @@ pub use factors::Factors;
 pub use lanes::Lanes;
 pub use ratio::Ratio;
 pub use rigid::{acceleration_at, velocity_at};
-pub use root::root;
+pub use root::{root, root_within};
 pub use scalar::{Scalar, Truths};
 pub use vec2::{V2, Vec2};

@@ -1,11 +1,26 @@
 //! A root between two values of opposite sign.
 
+/// As near as a root can be found, see [`root_within`].
+pub const NEAREST: f64 = 4.0 * f64::EPSILON;
+
 /// The root of `f` between `a` and `b`, where it has the values `f_a` and `f_b` of opposite sign, to the last digit of
-/// the greater of |a| and |b|: regula falsi in the variant called Illinois, which halves the value at an end that stays.
+/// the greater of |a| and |b|.
 #[must_use]
-pub fn root(a: f64, b: f64, f_a: f64, f_b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+pub fn root(a: f64, b: f64, f_a: f64, f_b: f64, f: impl FnMut(f64) -> f64) -> f64 {
+    root_within(NEAREST, (a, b), (f_a, f_b), f)
+}
+
+/// The root of `f` between two places, where it has these values of opposite sign, to `tolerance` times the greater
+/// magnitude of the places: regula falsi in the variant called Illinois, which halves the value at an end that stays.
+#[must_use]
+pub fn root_within(
+    tolerance: f64,
+    (a, b): (f64, f64),
+    (f_a, f_b): (f64, f64),
+    mut f: impl FnMut(f64) -> f64,
+) -> f64 {
     let (mut low, mut high, mut f_low, mut f_high) = (a, b, f_a, f_b);
-    let small = 4.0 * f64::EPSILON * a.abs().max(b.abs());
+    let small = tolerance * a.abs().max(b.abs());
     let mut side = 0;
     for _ in 0..100 {
         let x = low + (high - low) * (f_low / (f_low - f_high));

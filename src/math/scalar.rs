@@ -23,6 +23,9 @@ pub trait Scalar:
     /// More digits than `f64`: numbers that a plan holds rounded are formed again.
     const WIDE: bool = false;
 
+    /// ε of its rounding where that is not finer than that of `f64`.
+    const ROUNDING: f64 = f64::EPSILON;
+
     /// The same value in every lane.
     fn of(x: f64) -> Self;
     /// Square root; NaN below zero.
@@ -124,6 +127,8 @@ macro_rules! float {
 
 float!(f64, |x| x, {});
 float!(f32, |x| x as f32, {
+    const ROUNDING: f64 = 1.0 / 8_388_608.0;
+
     #[inline(always)]
     fn splitter() -> Self {
         4097.0

@@ -10,6 +10,7 @@ mod general;
 mod geometry;
 mod loads;
 mod motion;
+mod settings;
 pub mod step;
 mod train;
 mod triad;
@@ -22,6 +23,7 @@ pub use formed::Formed;
 pub use friction::{FrictionElement, Rub, RubbingGroup};
 pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
 pub use loads::{ForceLine, LoadStep};
+pub use settings::{Numbers, Settings};
 pub use step::{Anchor, Arm, DrivenJoint, DrivenLeg, Leg, MotionStep, Slide};
 pub use triad::{TriadForceLeg, TriadForces, TriadLeg, TriadMotion};
 
@@ -78,6 +80,8 @@ pub struct Plan {
     pub efforts: usize,
     /// What is computed.
     pub effects: Effects,
+    /// How accurately.
+    pub settings: Settings,
 }
 
 /// Plans what the file calls for.

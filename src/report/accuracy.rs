@@ -26,6 +26,9 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
         table.row(cells);
     }
     let mut section = Section::new("Accuracy: residuals of independent equations, condition (1 is best)");
+    if let Some(reached) = answers.reached {
+        section.text(super::tradeoff::reached(reached));
+    }
     section.table(table);
     section.table(super::cycle::accuracy(answers, |r| order_of(r, precision)));
     report.section(section);

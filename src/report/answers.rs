@@ -1,5 +1,6 @@
 //! What a report of answers is made from.
 
+use crate::accuracy::Reached;
 use crate::exercise::Outcome;
 use crate::model::{DriveTarget, FindKind};
 use crate::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution};
@@ -14,6 +15,8 @@ pub struct Answers<'a> {
     pub solution: &'a Solution,
     /// What became of its expectations.
     pub outcomes: &'a [Outcome],
+    /// What accuracy was wanted and reached, where one was.
+    pub reached: Option<&'a Reached>,
     /// How numbers are rounded for people.
     pub precision: Precision,
 }

@@ -8,6 +8,7 @@ mod columns;
 mod cost;
 pub mod csv;
 mod cycle;
+pub mod diagram;
 pub mod document;
 pub mod dxf;
 mod element;
@@ -26,11 +27,13 @@ mod results;
 pub mod rows;
 mod scale;
 pub mod text;
+mod tradeoff;
 mod train;
 
 pub use answers::{Answers, Precision};
 pub use element::full as full_table;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
+pub use tradeoff::{of_study, study_json};
 
 use crate::solve::{Costs, Modes, Scene};
 use crate::source::Source;

@@ -66,7 +66,7 @@ impl AnswerColumns {
         answers.extend(finds(false));
         let solution = crate::solve::Solution::default();
         let precision = super::Precision::READABLE;
-        let blank = Answers { scene: *scene, solution: &solution, outcomes: &[], precision };
+        let blank = Answers { scene: *scene, solution: &solution, outcomes: &[], reached: None, precision };
         for (slot, effort) in blank.efforts().into_iter().enumerate() {
             let wanted = effort.of_drive || blank.wants_reactions();
             if wanted && !answers[drives..].iter().any(|a| a.name == effort.name) {

@@ -18,8 +18,6 @@ use super::state::{Reaction, State, Wrench};
 use crate::math::Vec2;
 use crate::plan::{ForceStep, FrictionElement, Plan, Rub, RubbingGroup};
 
-/// Newton's method has settled when its step is this part of the friction: what is left is of the order of its square.
-const SETTLED: f64 = 1e-9;
 /// Newton's steps are at most this many; with a solution four suffice.
 pub(super) const STEPS: u32 = 25;
 /// Velocities below this part of the greatest are none.
@@ -305,7 +303,7 @@ fn newton(plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork, pattern: u3
             step = step.max(dx.abs());
         }
         // the error left is of the order of the square of the step
-        if step <= SETTLED * scale {
+        if step <= plan.settings.friction_step * scale {
             return confirmed && determinant > 0.0;
         }
     }

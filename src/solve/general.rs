@@ -5,7 +5,7 @@ use crate::group::general::{
     self, Acceleration, Constraint, General, Law, Line, Load, Point, Pose, Velocity,
 };
 use crate::math::Vec2;
-use crate::plan::{BalanceSystem, GeneralMotion, UnknownForce, Way};
+use crate::plan::{BalanceSystem, GeneralMotion, Settings, UnknownForce, Way};
 
 /// Starts of the search for assemblies: many for few bodies, as `group::general::assemblies` advises.
 const STARTS: usize = 400;
@@ -38,7 +38,13 @@ impl Workspace {
 }
 
 impl State {
-    pub(super) fn general<const LEVEL: u8>(&mut self, branch: usize, problem: usize, group: &GeneralMotion) {
+    pub(super) fn general<const LEVEL: u8>(
+        &mut self,
+        branch: usize,
+        problem: usize,
+        group: &GeneralMotion,
+        small: f64,
+    ) {
         let Some(mut work) = self.motion_work.get_mut(problem).and_then(Option::take) else {
             self.open.get_or_insert(branch);
             return;
@@ -46,7 +52,7 @@ impl State {
         self.set_drives(&mut work.equations, group);
         self.set_sides(&mut work.equations, group, self.branches[branch]);
         self.read_poses(&group.bodies, &mut work.poses);
-        match work.equations.position(&mut work.poses) {
+        match work.equations.position(&mut work.poses, small) {
             Ok(condition) => {
                 self.sines[branch] = condition * work.equations.branch();
                 self.certificates[branch] = work.equations.certificate();
@@ -237,7 +243,7 @@ pub(super) fn assemblies(before: &State, branch: usize, problem: usize, group: &
             found.open = None;
             found.write_poses(&group.bodies[..group.moving], &poses);
             // Newton's method from the answer itself: sets the condition figure
-            found.general::<0>(branch, problem, group);
+            found.general::<0>(branch, problem, group, Settings::FULL.newton);
             if found.open.is_none() {
                 out.push(found);
             }

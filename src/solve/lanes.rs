@@ -14,6 +14,16 @@ pub const WIDTH: usize = 4;
 /// Blocks that go step by step together.
 const BLOCKS: usize = 4;
 
+/// The instructions that positions side by side go through on this machine.
+#[must_use]
+pub fn instructions() -> &'static str {
+    #[cfg(target_arch = "x86_64")]
+    if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
+        return "AVX2";
+    }
+    "no AVX2"
+}
+
 /// Memory for positions side by side, laid out once.
 #[derive(Debug)]
 pub struct SideBySide<'a> {

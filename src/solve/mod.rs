@@ -1,6 +1,7 @@
 //! Plan × positions → Solution.
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
+mod again;
 mod assemble;
 mod cam;
 mod choices;
@@ -36,6 +37,7 @@ mod pressure_angle;
 mod reference;
 mod refused;
 mod residual;
+mod rounded;
 mod rubbing;
 mod solution;
 mod state;
@@ -50,22 +52,25 @@ mod turn;
 mod view;
 mod words;
 
+pub use again::Again;
 pub use cost::{Costs, Over, costs};
-pub use cycle::{CycleAnswer, FlywheelAnswer};
+pub use cycle::{CycleAnswer, FlywheelAnswer, over_cycle};
 pub use error::SolveError;
 pub use evaluate::compare;
 pub use extremes::Statics;
 pub use friction::RubbingWork;
 pub use friction_answers::Rubbing;
 pub use friction_error::FrictionError;
-pub use lanes::{Place, SideBySide, WIDTH};
+pub use lanes::{Place, SideBySide, WIDTH, instructions};
 pub use modes::{GroupModes, Mode, Modes, modes};
 pub use open::unplaced_reactions;
-pub use precise::precise;
+pub use precise::{Edge, in_scalar, precise};
 pub use reference::{Reference, reference};
+pub use rounded::knows_couple;
 pub use solution::{DriveValue, OpenSizes, Pose, PoseOrigin, Residuals, Scene, Solution, Solved};
 pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};
 pub use sweep::{solve, solve_with};
+pub use track::extent;
 pub use train::LawForce;
 pub use train_forces::TrainWork;
 pub use view::View;

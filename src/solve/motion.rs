@@ -9,8 +9,8 @@ use crate::math::{Scalar, Truths, V2, Vec2};
 use crate::plan::step::unit;
 use crate::plan::{Anchor, Arm, Formed, Leg, MotionStep, Plan, Slide};
 
-/// Rounding alone may leave a group at a dead centre this much short of closing, relative to its lengths.
-const CLOSURE: f64 = 16.0 * f64::EPSILON;
+/// Rounding alone may leave a group at a dead centre this much short of closing, relative to its lengths, in units of ε.
+const CLOSURE: f64 = 16.0;
 
 /// Position, velocity and acceleration of a point.
 #[derive(Clone, Copy)]
@@ -165,7 +165,7 @@ impl<S: Scalar> State<S> {
     /// Keeps the first group that does not close.
     #[inline(always)]
     pub(super) fn closes(&mut self, branch: usize, closure: S, scale: S) {
-        if !(S::of(-CLOSURE) * scale).lt(closure).all() {
+        if !(S::of(-CLOSURE * S::ROUNDING) * scale).lt(closure).all() {
             self.open.get_or_insert(branch);
         }
     }
@@ -449,9 +449,9 @@ impl State {
         match step {
             MotionStep::Train { branch, train } => self.train::<LEVEL>(*branch, &plan.trains[*train]),
             MotionStep::Cam { branch, cam } => self.cam::<LEVEL>(*branch, &plan.cams[*cam]),
-            MotionStep::Triad { branch, triad } => self.triad::<LEVEL>(*branch, triad),
+            MotionStep::Triad { branch, triad } => self.triad::<LEVEL>(*branch, triad, plan.settings.triad),
             MotionStep::General { branch, problem } => {
-                self.general::<LEVEL>(*branch, *problem, &plan.general[*problem]);
+                self.general::<LEVEL>(*branch, *problem, &plan.general[*problem], plan.settings.newton);
             }
             closed => self.closed_form::<LEVEL>(closed),
         }

@@ -4,6 +4,7 @@ use super::error::SolveError;
 use super::extremes::Statics;
 use super::notes;
 use super::positions::Wanted;
+use super::reference::reference;
 use super::residual::residuals;
 use super::solution::{Residuals, Scene, Solved};
 use super::state::State;
@@ -11,7 +12,7 @@ use super::sweep::Run;
 use super::track::Tracker;
 use super::view::View;
 use crate::model::{LoadId, PairId, PairKind, Query, TransmissionKind, Value};
-use crate::plan::{ForceStep, Level, LoadStep};
+use crate::plan::{ForceStep, Level, LoadStep, Numbers};
 
 /// At and below this condition velocities and forces do not exist.
 pub(super) const DEAD: f64 = 1e-12;
@@ -35,6 +36,9 @@ impl Run<'_, '_> {
         let mut condition = self.motion_condition(&state, pose)?;
         if scene.plan.effects.forces {
             condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
+        }
+        if scene.plan.settings.scalar == Numbers::DoubleDouble {
+            self.with_twice_the_digits(&mut state);
         }
         let frictionless = scene.plan.effects.loses().then(|| {
             let mut state = state.clone();
@@ -69,6 +73,19 @@ impl Run<'_, '_> {
         self.note_trains(&solved, pose);
         self.note_friction(&solved, pose);
         Ok(solved)
+    }
+
+    /// The position once more with twice the digits, rounded; the loads follow from its motion.
+    fn with_twice_the_digits(&self, state: &mut State) {
+        let scene = self.scene;
+        let Some(exact) = reference(scene, state, &self.evaluated) else { return };
+        exact.round_motion(state);
+        if scene.plan.effects.forces {
+            state.run_loads(scene, &self.evaluated);
+            state.applied.clone_from(&state.wrenches);
+            state.set_lines(scene.plan);
+            exact.round_forces(scene, state);
+        }
     }
 
     /// 1 unless friction multiplies the forces a thousandfold: near self-locking they go as 1/(1 − f/f_locking), and what

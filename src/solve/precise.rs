@@ -1,8 +1,43 @@
-//! One position with twice the digits: the reference for what `f64` loses.
+//! One position in another scalar: with twice the digits, the reference for what `f64` loses; with half of them.
 
 use super::state::{DriveInput, State};
 use crate::math::{Double, Scalar, V2, Vec2};
 use crate::plan::{Level, Plan};
+
+/// A scalar in which a position can be computed from drive values in `f64`.
+pub trait Edge: Scalar + Default {
+    /// The direction (cos, sin) of an angle, rad.
+    fn direction(angle: f64) -> V2<Self>;
+    /// The same number with twice the digits of `f64`.
+    fn widened(self) -> Double;
+}
+
+impl Edge for f32 {
+    fn direction(angle: f64) -> V2<Self> {
+        V2::of(Vec2::direction(angle))
+    }
+    fn widened(self) -> Double {
+        Double::of(f64::from(self))
+    }
+}
+
+impl Edge for f64 {
+    fn direction(angle: f64) -> V2<Self> {
+        Vec2::direction(angle)
+    }
+    fn widened(self) -> Double {
+        Double::of(self)
+    }
+}
+
+impl Edge for Double {
+    fn direction(angle: f64) -> V2<Self> {
+        Self::direction(angle)
+    }
+    fn widened(self) -> Double {
+        self
+    }
+}
 
 /// Motion, loads and forces of the position that a state's inputs ask for, with its assemblies, all operations with twice
 /// the digits; angles of drives are turned into directions with as many. `None` where a step has no closed form or a load
@@ -11,41 +46,61 @@ use crate::plan::{Level, Plan};
 /// does not use them.
 #[must_use]
 pub fn precise(plan: &Plan, reference: &State) -> Option<State<Double>> {
+    in_scalar(plan, reference)
+}
+
+/// As [`precise`], in any scalar.
+#[must_use]
+pub fn in_scalar<S: Edge>(plan: &Plan, reference: &State) -> Option<State<S>> {
     if !plan.laned() {
         return None;
     }
     let mut state = State::closed(plan);
     state.branches.clone_from(&reference.branches);
-    for (out, input) in state.inputs.iter_mut().zip(&reference.inputs) {
-        *out = input_of(input);
-    }
-    state.start(plan);
-    for step in &plan.motion {
-        match plan.effects.level {
-            Level::Positions => state.closed_form::<0>(step),
-            Level::Velocities => state.closed_form::<1>(step),
-            Level::Accelerations => state.closed_form::<2>(step),
-        }
-    }
-    if plan.effects.forces {
-        state.known_loads(plan);
-        state.set_lines(plan);
-        for (index, step) in plan.forces.iter().enumerate() {
-            state.force_sines[index] = state.closed_force(step);
-        }
-    }
+    state.set_inputs(&reference.inputs);
+    state.run_closed(plan);
     Some(state)
 }
 
-fn input_of(input: &DriveInput) -> DriveInput<Double> {
-    // a point has no value of its own
-    let angle = input.place == Vec2::direction(input.value);
-    DriveInput {
-        place: if angle { Double::direction(input.value) } else { V2::of(input.place) },
-        value: Double::of(input.value),
-        rate: Double::of(input.rate),
-        acceleration: Double::of(input.acceleration),
-        velocity: V2::of(input.velocity),
-        point_acceleration: V2::of(input.point_acceleration),
+impl<S: Edge> State<S> {
+    /// What the drives say, in another scalar.
+    pub fn set_inputs(&mut self, inputs: &[DriveInput]) {
+        for (out, input) in self.inputs.iter_mut().zip(inputs) {
+            *out = input.in_scalar();
+        }
+    }
+
+    /// Motion, loads and forces of a plan that is [laned](Plan::laned). Allocates nothing.
+    pub fn run_closed(&mut self, plan: &Plan) {
+        self.start(plan);
+        match plan.effects.level {
+            Level::Positions => plan.motion.iter().for_each(|step| self.closed_form::<0>(step)),
+            Level::Velocities => plan.motion.iter().for_each(|step| self.closed_form::<1>(step)),
+            Level::Accelerations => plan.motion.iter().for_each(|step| self.closed_form::<2>(step)),
+        }
+        if plan.effects.forces {
+            self.known_loads(plan);
+            self.set_lines(plan);
+            for (index, step) in plan.forces.iter().enumerate() {
+                self.force_sines[index] = self.closed_force(step);
+            }
+        }
+    }
+}
+
+impl DriveInput {
+    /// In another scalar; the direction of an angle is formed in it.
+    #[must_use]
+    pub fn in_scalar<S: Edge>(&self) -> DriveInput<S> {
+        // a point has no value of its own
+        let angle = self.place == Vec2::direction(self.value);
+        DriveInput {
+            place: if angle { S::direction(self.value) } else { V2::of(self.place) },
+            value: S::of(self.value),
+            rate: S::of(self.rate),
+            acceleration: S::of(self.acceleration),
+            velocity: V2::of(self.velocity),
+            point_acceleration: V2::of(self.point_acceleration),
+        }
     }
 }

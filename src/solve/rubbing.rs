@@ -26,8 +26,6 @@ use crate::group::{rrp, rrr};
 use crate::math::Vec2;
 use crate::plan::{EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 
-/// Newton's method has settled when the error that its step leaves is this part of the forces.
-const SETTLED: f64 = 1e-15;
 /// A force below this part of the forces is none.
 const NOTHING: f64 = 1e-12;
 
@@ -45,6 +43,8 @@ struct Dyad {
     weights: [f64; 3],
     /// Normal of the guide.
     normal: Vec2,
+    /// Newton's method has settled when the error that its step leaves is this part of the forces.
+    settled: f64,
 }
 
 /// In which sense the lines of action are taken where the force turns round.
@@ -151,7 +151,7 @@ impl Dyad {
             let left_1 = across(w_A, e_A, inverse_A) + middle;
             let left_2 = if GUIDE { 0.0 } else { across(w_B, e_B, inverse_B) + middle };
             let square = f.dot(f) + loads;
-            let least = SETTLED * SETTLED * square;
+            let least = self.settled * self.settled * square;
             if left_1 * left_1 <= least * row_1.dot(row_1) && left_2 * left_2 <= least * row_2.dot(row_2) {
                 let pressed = |w: f64, e: Vec2, v: Vec2| {
                     let along = w.abs() * e.dot(v);
@@ -264,6 +264,7 @@ impl State {
             force_2: F_2,
             weights: [w_A, w_C * inner.sign, w_B],
             normal: Vec2::zero(),
+            settled: plan.settings.friction,
         };
         let start = group.reactions(F_1, M_1, F_2, M_2).f_C;
         let f = dyad.solve::<false>(start, steps)?;
@@ -300,6 +301,7 @@ impl State {
             force_2: F_2,
             weights: [w_A, w_C * inner.sign, w_B],
             normal: n,
+            settled: plan.settings.friction,
         };
         let start = group.reactions(F_1, M_1, F_2, 0.0).f_C;
         let f = dyad.solve::<true>(start, steps)?;

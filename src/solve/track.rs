@@ -349,7 +349,8 @@ fn distance(state: &State, predicted: &[Pose], bodies: &[BodyId], extent: f64) -
 }
 
 /// A length of the mechanism's order, m: the farthest point of a joint from the origin of its body.
-pub(super) fn extent(scene: &Scene<'_>) -> f64 {
+#[must_use]
+pub fn extent(scene: &Scene<'_>) -> f64 {
     let points = scene.structure.replaced.joints.iter().flat_map(|j| match &j.kind {
         JointKind::Revolute(members) => members.iter().map(|m| m.1.norm()).collect(),
         JointKind::Prismatic { point, through, offset, .. } => vec![point.norm(), through.norm(), *offset],
@@ -365,6 +366,21 @@ pub(super) fn between(a: DriveValue, b: DriveValue, part: f64) -> DriveValue {
         (DriveValue::Point(a), DriveValue::Point(b)) => DriveValue::Point(a + (b - a) * part),
         _ => b,
     }
+}
+
+/// Drive values one largest step before these.
+pub(super) fn step_before(scene: &Scene<'_>, values: &[DriveValue]) -> Vec<DriveValue> {
+    let length = 0.02 * extent(scene);
+    let drives = scene.mechanism.drives.iter().zip(values);
+    let before = drives.map(|(drive, value)| match value {
+        DriveValue::Scalar(x) if super::positions::turns(scene, drive) => {
+            DriveValue::Scalar(x - LARGEST_TURN)
+        }
+        DriveValue::Scalar(x) => DriveValue::Scalar(x - length),
+        DriveValue::Point(p) => DriveValue::Point(*p - Vec2::new(length, 0.0)),
+        DriveValue::None => DriveValue::None,
+    });
+    before.collect()
 }
 
 /// The way between drive values, component by component, in largest steps.

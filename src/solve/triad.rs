@@ -10,9 +10,9 @@ use crate::plan::{OuterJoint, TriadForces, TriadLeg, TriadMotion};
 impl State {
     /// Follows the link from where it stands.
     #[inline(never)]
-    pub(super) fn triad<const LEVEL: u8>(&mut self, branch: usize, triad: &TriadMotion) {
+    pub(super) fn triad<const LEVEL: u8>(&mut self, branch: usize, triad: &TriadMotion, small: f64) {
         let (before, now) = (self.triad_stands(triad), self.triad_ends(triad));
-        match triad.plate.follow(&before, &now, &self.triad_pose(triad)) {
+        match triad.plate.follow(&before, &now, &self.triad_pose(triad), small) {
             Some(found) => self.place_triad::<LEVEL>(branch, triad, &now, &found),
             None => {
                 self.open.get_or_insert(branch);

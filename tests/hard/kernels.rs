@@ -225,7 +225,7 @@ fn by_newton(dyad: &Dyad, turn: f64) -> Option<Vec2> {
         Pose { p: dyad.p_B, u: (p.r_2 / dyad.l_2).turned(u) },
         Pose { p: Vec2::zero(), u: Vec2::new(1.0, 0.0) },
     ];
-    group.position(&mut poses).ok().map(|_| poses[0].point(tip_1))
+    group.position(&mut poses, 1e-12).ok().map(|_| poses[0].point(tip_1))
 }
 
 #[test]

@@ -47,7 +47,7 @@ fn a_turn_of_the_triad_agrees_with_the_general_solver() {
         assert!(state.certificates.iter().all(|h| *h < 1e-9), "{:?}", state.certificates);
         let (mut group, poses, slots) = general(&run, state);
         let mut found = poses.clone();
-        group.position(&mut found).expect("closes");
+        group.position(&mut found, 1e-12).expect("closes");
         let velocity = |slot: &usize| Velocity { v: state.bodies[*slot].v, omega: state.bodies[*slot].omega };
         let mut velocities: Vec<Velocity> = slots.iter().map(velocity).collect();
         group.velocity(&mut velocities);

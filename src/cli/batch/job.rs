@@ -49,6 +49,8 @@ pub struct Job {
     pub document: Document,
     /// What replaces the values of all rows.
     pub overrides: Overrides,
+    /// The accuracy that is wanted.
+    within: Option<f64>,
     rows: Rows,
     columns: Arc<[RowColumn]>,
     answers: Option<AnswerColumns>,
@@ -84,6 +86,7 @@ impl Job {
         source: Source,
         overrides: &Overrides,
         table: Option<&str>,
+        within: Option<f64>,
         screen: &Screen,
     ) -> Result<Option<Self>, CliError> {
         let (document, problems) = syntax::parse(&source);
@@ -121,7 +124,7 @@ impl Job {
             return Ok(None);
         };
         let columns = Arc::from(columns);
-        let mut job = Self { source, document, overrides, rows, columns, answers: None };
+        let mut job = Self { source, document, overrides, within, rows, columns, answers: None };
         job.answers = job.first_answers()?;
         Ok(Some(job))
     }
@@ -141,7 +144,7 @@ impl Job {
 
     /// Solves its rows one after another.
     pub fn family(&self) -> Family<'_> {
-        Family::new(&self.source, &self.document, &self.overrides)
+        Family::new(&self.source, &self.document, &self.overrides).within(self.within)
     }
 
     /// The headers of its lines.
@@ -341,6 +344,7 @@ impl<'r> Run<'r> {
     /// Counts rows; explains the first that fail for a reason.
     fn tell(&self, said: Vec<(usize, Said)>, tally: &mut Tally, progress: &Progress) {
         for (number, said) in said {
+            said.reached.iter().for_each(|reached| tally.reached(reached));
             let fails = said.failed.is_some();
             let failed = said.failed.iter().map(|code| (Kind::Failed, code.clone()));
             let all = failed.chain(said.unmet.then(|| (Kind::Unmet, String::new())));

@@ -8,6 +8,7 @@ use super::job::Job;
 use super::layout::Layout;
 use super::rows::Input;
 use crate::Solved;
+use crate::accuracy::Reached;
 use crate::diagnostic::Problems;
 use crate::exercise::table::Fault;
 use crate::exercise::{Family, InRow, row_words};
@@ -43,6 +44,8 @@ pub struct Said {
     pub unmet: bool,
     /// Codes of its warnings.
     pub warned: Vec<String>,
+    /// The accuracy that was wanted and reached, where one was.
+    pub reached: Option<Reached>,
     /// All of it, with the text it is about where that is not the file's.
     pub problems: Option<(Option<Source>, Problems)>,
 }
@@ -73,6 +76,7 @@ impl Written<'_> {
         if !problems.is_empty() {
             said = sorted(&problems);
         }
+        said.reached = solved.and_then(|s| s.reached);
         said.unmet = solved.is_some_and(|s| s.outcomes.iter().any(|o| !o.passed));
         let error = if said.failed.is_some() { first_error(&problems) } else { String::new() };
         let answers = solved.map(|s| s.answers(Precision::READABLE));

@@ -18,7 +18,7 @@ use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
 use job::{Job, Run};
 use layout::Layout;
-use sink::Sink;
+pub use sink::Sink;
 use tally::Tally;
 
 /// Stack of a thread: that of the main thread.
@@ -47,7 +47,7 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
     for input in files::expand(&args.problem.files) {
         let job = input
             .and_then(files::Input::read)
-            .and_then(|source| Job::new(source, &overrides, args.variants.as_deref(), screen));
+            .and_then(|source| Job::new(source, &overrides, args.variants.as_deref(), args.within, screen));
         match job {
             Ok(Some(job)) => jobs.push(job),
             Ok(None) => status = status.max(Status::Wrong),

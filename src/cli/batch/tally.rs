@@ -1,5 +1,6 @@
 //! What became of the rows, in one line.
 
+use crate::accuracy::Reached;
 use indexmap::IndexMap;
 
 /// So many rows are named, the others counted.
@@ -31,6 +32,8 @@ pub struct Tally {
     solved: usize,
     failed: usize,
     groups: IndexMap<(Kind, String), Group>,
+    /// The accuracy that was wanted, and the greatest error of all rows.
+    reached: Option<(f64, f64)>,
 }
 
 impl Tally {
@@ -43,6 +46,12 @@ impl Tally {
     pub fn failed_row(&mut self, row: usize, code: &str) {
         self.failed += 1;
         self.note(Kind::Failed, row, code);
+    }
+
+    /// Keeps the greatest error of all rows.
+    pub fn reached(&mut self, row: &Reached) {
+        let worst = self.reached.map_or(0.0, |r| r.1);
+        self.reached = Some((row.within, row.error.max(worst)));
     }
 
     /// Notes what is to be said of a row. Returns how often it has been said.
@@ -91,6 +100,9 @@ impl Tally {
             for ((_, code), group) in self.groups.iter().filter(|((k, _), _)| *k == kind) {
                 parts.push(group.words(kind, code));
             }
+        }
+        if let Some((within, worst)) = self.reached {
+            parts.push(format!("within {within:.0e}: all rows to {worst:.0e}"));
         }
         parts.join(", ")
     }

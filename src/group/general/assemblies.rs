@@ -6,6 +6,9 @@ use crate::math::Vec2;
 /// Two assemblies closer than this, relative to the length of the group, are one.
 const DISTINCT: f64 = 1e-6;
 
+/// A step below this, relative to the length of the group, ends the iteration.
+const SMALL: f64 = 1e-12;
+
 /// Assemblies of a group, by Newton's method from many starts. For use when a problem is set up: it allocates.
 /// # Given
 /// `poses` of all bodies; the known ones are read, and the group's own are the first start. `starts` number of
@@ -24,7 +27,7 @@ pub fn assemblies(group: &mut General, poses: &[Pose], starts: usize) -> Vec<Vec
                 *pose = scattered(start, body, centre, reach);
             }
         }
-        if group.position(&mut trial).is_ok() {
+        if group.position(&mut trial, SMALL).is_ok() {
             trial.truncate(group.moving);
             let known = found.iter().any(|other| distance(other, &trial, group.length) < DISTINCT);
             if !known {

@@ -8,7 +8,7 @@ use crate::math::{Dense, Vec2};
 const STEPS: usize = 60;
 /// Greatest rotation in one step, rad.
 const TURN: f64 = 0.5;
-/// A step below this, relative to the length of the group, ends the iteration.
+/// A position closes that misses by no more than this, relative to the greatest coordinate.
 const SMALL: f64 = 1e-12;
 
 /// Why no position was found.
@@ -86,18 +86,19 @@ impl General {
 
     /// Finds the position to which Newton's method leads from `poses`, and factors its Jacobian.
     /// # Given
-    /// `poses` of all bodies; those of the group are the start, and on success the answer.
+    /// `poses` of all bodies; those of the group are the start, and on success the answer. A step below `small`, relative
+    /// to the length of the group, ends the iteration.
     /// # Returns
     /// The condition figure, in (0, 1].
     /// # Errors
     /// [`Failure::NotClosed`], [`Failure::Singular`]; `poses` are then as they were.
-    pub fn position(&mut self, poses: &mut [Pose]) -> Result<f64, Failure> {
+    pub fn position(&mut self, poses: &mut [Pose], small: f64) -> Result<f64, Failure> {
         let (mut now, mut next) = (std::mem::take(&mut self.now), std::mem::take(&mut self.next));
         for buffer in [&mut now, &mut next] {
             buffer.clear();
             buffer.extend_from_slice(poses);
         }
-        let outcome = self.iterate(&mut now, &mut next);
+        let outcome = self.iterate(&mut now, &mut next, small);
         if outcome.is_ok() {
             poses[..self.moving].copy_from_slice(&now[..self.moving]);
         }
@@ -106,7 +107,7 @@ impl General {
     }
 
     /// The iteration from `now`, which holds the answer on success.
-    fn iterate(&mut self, now: &mut [Pose], next: &mut [Pose]) -> Result<f64, Failure> {
+    fn iterate(&mut self, now: &mut [Pose], next: &mut [Pose], small: f64) -> Result<f64, Failure> {
         let mut error = self.residual(now);
         let mut last = f64::INFINITY;
         for _ in 0..STEPS {
@@ -116,11 +117,11 @@ impl General {
                 self.step.copy_from_slice(&self.residuals);
                 self.jacobian.solve(&mut self.step);
                 let size = greatest(&self.step) / self.length;
-                let quadratic = size <= SMALL && size <= 0.25 * last;
+                let quadratic = size <= small && size <= 0.25 * last;
                 if quadratic || self.is_rounding(size, rounding) {
                     self.advance(now, next, 1.0);
                     now.copy_from_slice(next);
-                    return self.accept(now);
+                    return self.accept(now, small);
                 }
                 last = size;
             } else if error <= rounding {
@@ -140,9 +141,9 @@ impl General {
     }
 
     /// Factors the last position, if it closes.
-    fn accept(&mut self, now: &[Pose]) -> Result<f64, Failure> {
+    fn accept(&mut self, now: &[Pose], small: f64) -> Result<f64, Failure> {
         let residual = self.residual(now);
-        if residual > SMALL * self.size(now) {
+        if residual > small.max(SMALL) * self.size(now) {
             return Err(self.open(now));
         }
         let condition = self.factor(now)?;

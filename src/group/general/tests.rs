@@ -37,7 +37,7 @@ impl Scene {
         for (pose, body) in poses[group.moving..].iter_mut().zip(&self.known) {
             *pose = pose_of(body, t);
         }
-        group.position(&mut poses).expect("a position near one that closes");
+        group.position(&mut poses, 1e-12).expect("a position near one that closes");
         poses
     }
 
@@ -118,7 +118,7 @@ fn finds_what_the_dyad_of_revolutes_finds() {
         let mut group = dyad(l_1, l_2);
         let mut poses = vec![near(&mut random, p_A, p.r_1), near(&mut random, p_B, p.r_2)];
         poses.extend(known.iter().map(|body| pose_of(body, 0.0)));
-        let sigma = group.position(&mut poses).expect("closes");
+        let sigma = group.position(&mut poses, 1e-12).expect("closes");
         assert!(sigma > 1e-3 && sigma <= 1.0);
         close((poses[0].u - p.r_1 / l_1).norm() + (poses[1].u - p.r_2 / l_2).norm(), 0.0, 1e-13, 1.0);
 
@@ -166,7 +166,7 @@ fn finds_what_the_dyads_with_a_slider_find() {
         let ground = Pose { p: Vec2::zero(), u: x };
         let start = [near(&mut random, p_A, want.r_1), near(&mut random, want.p_C, d)];
         let mut poses = vec![start[0], start[1], ground, Pose { p: p_Q, u: d }];
-        group.position(&mut poses).expect("closes");
+        group.position(&mut poses, 1e-12).expect("closes");
         close((poses[1].p - want.p_C).norm() + (poses[1].u - d).norm(), 0.0, 1e-12, 1.0);
 
         // The oscillating guide: a pin at p_A on a line that turns about the origin of the guide.
@@ -182,7 +182,7 @@ fn finds_what_the_dyads_with_a_slider_find() {
         ];
         let mut group = General::new(1, 3, joints).expect("three constraints per body");
         let mut poses = vec![near(&mut random, p_Q, want.e), ground, Pose { p: p_Q, u: d }];
-        group.position(&mut poses).expect("closes");
+        group.position(&mut poses, 1e-12).expect("closes");
         close((poses[0].u - want.e).norm(), 0.0, 1e-12, 1.0 / want.sine.abs());
     }
 }
@@ -275,7 +275,7 @@ fn drives_of_every_kind() {
     for _ in 0..100 {
         let mut scene = driven(&mut random);
         let mut poses = scene.poses.clone();
-        if scene.group.position(&mut poses).is_ok_and(|sigma| sigma > 3e-2) {
+        if scene.group.position(&mut poses, 1e-12).is_ok_and(|sigma| sigma > 3e-2) {
             scene.poses = poses;
             scene.check_derivatives();
             scene.check_reactions(&mut random);
@@ -358,7 +358,9 @@ fn what_does_not_close_says_by_how_much() {
     let mut start = [0.0, 3.0, 0.0, 3.0].map(|at| Pose { p: Vec2::new(at, 0.3), u: x });
     start[1].u = Vec2::new(0.6, 0.8);
     let mut poses = start;
-    let Err(Failure::NotClosed { gap }) = group.position(&mut poses) else { panic!("it cannot close") };
+    let Err(Failure::NotClosed { gap }) = group.position(&mut poses, 1e-12) else {
+        panic!("it cannot close")
+    };
     close(gap, 1.0, 1e-3, 1.0);
     assert_eq!(poses, start);
 }
@@ -378,7 +380,7 @@ fn a_redundant_group_is_singular() {
     poses.extend((0..3).map(|i| Pose { p: Vec2::new(f64::from(i), 0.0), u: up }));
     poses.push(Pose { p: Vec2::zero(), u: x });
     assert_eq!(group.factor(&poses), Err(Failure::Singular));
-    assert_eq!(group.position(&mut poses), Err(Failure::Singular));
+    assert_eq!(group.position(&mut poses, 1e-12), Err(Failure::Singular));
 }
 
 #[test]
@@ -399,7 +401,7 @@ fn a_position_is_certified_until_rounding_hides_it() {
         let far = 2.0 * libm::cos(phi);
         let mut poses = vec![at(0.0), at(far), at(0.0), at(far)];
         (poses[0].u, poses[1].u) = (one, two);
-        if group.position(&mut poses).is_ok() {
+        if group.position(&mut poses, 1e-12).is_ok() {
             assert_eq!(group.certificate() <= 0.5, certain, "{phi}: {}", group.certificate());
         } else {
             assert!(!certain, "{phi}");
@@ -420,7 +422,7 @@ fn a_certified_position_is_as_near_as_the_certificate_says() {
         let mut group = dyad(l_1, l_2);
         let mut poses = vec![near(&mut random, p_A, p.r_1), near(&mut random, p_B, p.r_2)];
         poses.extend(known.iter().map(|body| pose_of(body, 0.0)));
-        group.position(&mut poses).expect("it closes");
+        group.position(&mut poses, 1e-12).expect("it closes");
         assert!(group.certificate() < 1e-9, "{}", group.certificate());
     }
 }

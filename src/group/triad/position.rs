@@ -35,7 +35,7 @@ use crate::math::Vec2;
 /// A part of the way below this is a dead position.
 const LEAST: f64 = 1.0 / 65536.0;
 /// Rounding errors of a residual in units of the greatest coordinate.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
+pub const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Steps of Newton's method with certificate: its error falls as 2^(−2^k).
 const STEPS: usize = 8;
 /// Steps without: at a dead position every step halves the error only.
@@ -213,8 +213,8 @@ impl Plate {
 
     /// Newton's method where it is certified that it leads to the position to which the motion leads.
     #[inline(always)]
-    fn certified(&self, from: &[End; 3], to: &[End; 3], start: &Pose) -> Option<Followed> {
-        let (mut pose, rounding) = (*start, ROUNDING * self.size(to, start));
+    fn certified(&self, from: &[End; 3], to: &[End; 3], start: &Pose, small: f64) -> Option<Followed> {
+        let (mut pose, rounding) = (*start, small.max(ROUNDING) * self.size(to, start));
         for k in 0..STEPS {
             let local = self.local(to, &pose);
             if k == 0 && !self.leads(from, to, &local) {
@@ -262,20 +262,21 @@ impl Plate {
 
     /// The position to which the motion leads from a pose.
     /// # Given
-    /// `pose` closes with the ends `from`; they go to `to`.
+    /// `pose` closes with the ends `from`; they go to `to`. An error of `small`, relative to the greatest coordinate, may
+    /// be left.
     /// # Returns
     /// `None` where the motion does not lead there.
     #[inline]
     #[must_use]
-    pub fn follow(&self, from: &[End; 3], to: &[End; 3], pose: &Pose) -> Option<Followed> {
-        match self.certified(from, to, pose) {
+    pub fn follow(&self, from: &[End; 3], to: &[End; 3], pose: &Pose, small: f64) -> Option<Followed> {
+        match self.certified(from, to, pose, small) {
             Some(found) => Some(found),
-            None => self.in_parts(from, to, pose),
+            None => self.in_parts(from, to, pose, small),
         }
     }
 
     #[cold]
-    fn in_parts(&self, from: &[End; 3], to: &[End; 3], start: &Pose) -> Option<Followed> {
+    fn in_parts(&self, from: &[End; 3], to: &[End; 3], start: &Pose, small: f64) -> Option<Followed> {
         // where nothing moves, near a dead position, the pose stays
         if let Some(found) = self.closed(to, start, &self.local(to, start)) {
             return Some(found);
@@ -286,7 +287,7 @@ impl Plate {
         let (mut done, mut part, mut certified) = (0.0, 0.5, true);
         let (mut pose, mut before) = (*start, None);
         loop {
-            if let Some(found) = self.certified(&at(done), &at(done + part), &pose) {
+            if let Some(found) = self.certified(&at(done), &at(done + part), &pose, small) {
                 before = Some((pose, part));
                 (pose, done) = (found.pose, done + part);
                 if done >= 1.0 {

@@ -56,7 +56,7 @@ impl Scene {
     }
 
     fn at(&self, t: f64) -> Pose {
-        let found = self.plate.follow(&self.ends(0.0), &self.ends(t), &self.pose);
+        let found = self.plate.follow(&self.ends(0.0), &self.ends(t), &self.pose, 0.0);
         let found = found.expect("a position near one that closes");
         assert!(found.certified);
         found.pose
@@ -249,11 +249,11 @@ fn long_ways_lead_where_short_ones_lead() {
     let mut last = from;
     for k in 1..=400 {
         let (_, next, _) = line(1.5 - f64::from(k) * 0.001);
-        let found = plate.follow(&last, &next, &pose).expect("it closes");
+        let found = plate.follow(&last, &next, &pose, 0.0).expect("it closes");
         assert!(found.certified && found.h < 1e-6);
         (pose, last) = (found.pose, next);
     }
-    let direct = plate.follow(&from, &last, &start).expect("it closes");
+    let direct = plate.follow(&from, &last, &start, 0.0).expect("it closes");
     assert!(direct.certified && plate.apart(&direct.pose, &pose) < 1e-13);
 }
 
@@ -265,7 +265,7 @@ fn a_motion_that_turns_back_is_open() {
         x += 0.01;
         let (_, next, _) = line(x);
         assert!(x < 9.0, "it must end");
-        match plate.follow(&last, &next, &pose) {
+        match plate.follow(&last, &next, &pose, 0.0) {
             Some(found) => (pose, last) = (found.pose, next),
             None => break next,
         }

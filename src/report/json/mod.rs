@@ -4,6 +4,7 @@
 mod cycle;
 mod entries;
 mod pose;
+mod reached;
 mod structure;
 mod train;
 
@@ -18,6 +19,7 @@ use crate::solve::Scene;
 use cycle::{AccuracyView, FlywheelView};
 use entries::{Entries, Number, Reading};
 use pose::PoseView;
+use reached::ReachedView;
 use structure::StructureView;
 
 /// Name and version of the format.
@@ -35,6 +37,8 @@ struct SolutionView<'a> {
     structure: Option<StructureView<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     effects: Option<Vec<&'static str>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    accuracy: Option<ReachedView>,
     #[serde(skip_serializing_if = "Option::is_none")]
     poses: Option<Vec<PoseView<'a>>>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
@@ -119,6 +123,7 @@ pub fn render_row(
         variant,
         structure: scene.map(StructureView::of),
         effects: scene.map(|s| s.plan.effects.names()),
+        accuracy: answers.and_then(|a| a.reached).map(ReachedView::of),
         poses: answers.map(|a| a.poses().map(|p| PoseView::of(a, p)).collect()),
         cycle: Entries(answers.map(of_cycle).unwrap_or_default()),
         cycle_accuracy: answers.map_or_else(|| Entries(Vec::new()), cycle::accuracy),

@@ -14,6 +14,7 @@ mod way;
 
 pub use answer::{CycleAnswer, FlywheelAnswer};
 pub(super) use flywheel::reduced_inertia;
+pub(super) use sampler::loads_name_quantities;
 
 use super::error::SolveError;
 use super::extremes::Statics;
@@ -27,8 +28,10 @@ use way::Way;
 
 /// The most equally spaced samples.
 const MOST_SAMPLES: usize = 128;
-/// The fewest.
+/// The fewest; half of them where few digits are wanted.
 const FEWEST_SAMPLES: usize = 16;
+/// More digits than this are not few.
+const COARSE: f64 = 1e-9;
 
 /// Finds the functions over the sweep and the flywheels of a file.
 pub(super) fn cycles(scene: &Scene<'_>, statics: &mut Statics) -> Result<Vec<SolveError>, SolveError> {
@@ -60,6 +63,17 @@ pub(super) fn cycles(scene: &Scene<'_>, statics: &mut Statics) -> Result<Vec<Sol
         statics.cycles[index] = cycle(scene, statics, &mut sampler, index);
     }
     Ok(warnings)
+}
+
+/// The functions over the sweep and the flywheels of a solved file once more: with the settings of the scene's plan.
+///
+/// # Errors
+/// As [`super::solve`]: a flywheel that cannot be found.
+pub fn over_cycle(scene: &Scene<'_>, found: &Statics) -> Result<Statics, SolveError> {
+    let mut statics = found.clone();
+    statics.flywheels.clear();
+    cycles(scene, &mut statics)?;
+    Ok(statics)
 }
 
 /// Whether an expression can be computed before any function over the sweep and any flywheel is known. Quantities may
@@ -111,7 +125,7 @@ fn found(
     }
     let breaks = switches::breaks(scene, statics, sampler, expr)?;
     let splits = breaks.iter().map(|s| sampler.way.value(*s)).collect();
-    let answer = |value, error| CycleAnswer { value, error, splits, ..CycleAnswer::default() };
+    let answer = |value, error, scale| CycleAnswer { value, error, scale, splits, ..CycleAnswer::default() };
     let length = sampler.way.length();
     let whole = matches!(how, CycleFunction::Mean | CycleFunction::Integral);
     let factor = if how == CycleFunction::Integral { length } else { 1.0 };
@@ -120,18 +134,21 @@ fn found(
         && comes_again(scene, statics, sampler, expr)?
         && let Some(mean) = smooth_mean(statics, sampler, expr)?
     {
-        return Ok(answer(mean.value * factor, mean.error * factor.abs()));
+        return Ok(answer(mean.value * factor, mean.error * factor.abs(), mean.scale * factor.abs()));
     }
     let all = panels::piecewise(sampler, statics, &[expr], &breaks)?;
     let [piecewise] = all.as_slice() else { return Err(Undefined::Unresolved) };
     if whole {
-        return Ok(answer(piecewise.integral() * factor, piecewise.error * factor.abs()));
+        let (error, scale) = (piecewise.error * factor.abs(), piecewise.scale * factor.abs());
+        return Ok(answer(piecewise.integral() * factor, error, scale));
     }
     let sign = if how == CycleFunction::Min { -1.0 } else { 1.0 };
     let (s, value) = extreme(statics, sampler, expr, piecewise, sign)?;
     Ok(match how {
-        CycleFunction::Argmax => answer(sampler.way.value(s), piecewise.error.min(1.0) * length.abs()),
-        _ => answer(value, piecewise.error),
+        CycleFunction::Argmax => {
+            answer(sampler.way.value(s), piecewise.error.min(1.0) * length.abs(), length.abs())
+        }
+        _ => answer(value, piecewise.error, piecewise.scale),
     })
 }
 
@@ -154,8 +171,9 @@ fn of_work(statics: &Statics, how: CycleFunction, expr: &Expr) -> Option<CycleAn
     };
     let at = found.extremes[usize::from(greatest)];
     let value = if how == CycleFunction::Argmax { at } else { sign * found.work(at) };
-    let error = if how == CycleFunction::Argmax { 1e-12 } else { found.error };
-    Some(CycleAnswer { value, error, splits: found.splits.clone(), ..CycleAnswer::default() })
+    let argmax = how == CycleFunction::Argmax;
+    let (error, scale) = if argmax { (1e-12, found.way.1.abs()) } else { (found.error, found.fluctuation) };
+    Some(CycleAnswer { value, error, scale, splits: found.splits.clone(), ..CycleAnswer::default() })
 }
 
 /// Whether the quantity is at the sweep's end what it was at its beginning: an angle that goes round is not.
@@ -200,7 +218,8 @@ fn smooth_mean(
     expr: &Expr,
 ) -> Result<Option<crate::math::periodic::Mean>, Undefined> {
     let mut samples: Vec<f64> = Vec::new();
-    let mut count = FEWEST_SAMPLES;
+    let tolerance = sampler.settings().samples;
+    let mut count = if tolerance > COARSE { FEWEST_SAMPLES / 2 } else { FEWEST_SAMPLES };
     while count <= MOST_SAMPLES {
         let mut next = Vec::with_capacity(count);
         for i in 0..count {
@@ -214,7 +233,7 @@ fn smooth_mean(
         }
         samples = next;
         let mean = crate::math::periodic::mean(&samples);
-        if mean.has_converged() {
+        if mean.has_converged(tolerance) {
             return Ok(Some(mean));
         }
         count *= 2;

@@ -1,6 +1,7 @@
 //! Quantities as Chebyshev series, panel by panel.
 
 use super::super::extremes::Statics;
+use super::COARSE;
 use super::answer::Undefined;
 use super::sampler::Sampler;
 use crate::math::chebyshev::{NODES, Nodes, Series};
@@ -8,8 +9,10 @@ use crate::model::Expr;
 
 /// Panels per turn of the drive at the start.
 const PER_TURN: f64 = 8.0;
-/// What a panel may leave off, of the greatest value, where it is as long as the sweep.
-const SMALL: f64 = 2e-15;
+/// The same where few digits are wanted, and where very few are.
+const FEW_PER_TURN: [f64; 2] = [3.0, 1.5];
+/// More digits than this are not very few.
+const VERY_COARSE: f64 = 1e-5;
 /// The most panels.
 const MOST: usize = 2000;
 
@@ -75,6 +78,8 @@ pub(super) fn piecewise(
     breaks: &[f64],
 ) -> Result<Vec<Piecewise>, Undefined> {
     let nodes = Nodes::new();
+    // what a panel may leave off, of the greatest value, where it is as long as the sweep
+    let small = sampler.settings().samples;
     let mut waiting = first_panels(sampler, breaks);
     let mut sampled = Vec::new();
     for (from, to) in &waiting {
@@ -100,7 +105,7 @@ pub(super) fn piecewise(
     while let (Some((from, to)), Some(panel)) = (waiting.pop(), sampled.pop()) {
         let length = to - from;
         let left_off = |(_, series): &(_, Series)| series.tail() * length;
-        if panel.iter().zip(&scales).all(|(p, scale)| left_off(p) <= SMALL * scale) {
+        if panel.iter().zip(&scales).all(|(p, scale)| left_off(p) <= small * scale) {
             for ((_, series), out) in panel.into_iter().zip(&mut done) {
                 out.error += series.tail() * length;
                 out.panels.push(series);
@@ -121,7 +126,12 @@ pub(super) fn piecewise(
 /// The stretches between the breaks, divided where they are long.
 fn first_panels(sampler: &Sampler<'_>, breaks: &[f64]) -> Vec<(f64, f64)> {
     let turns = sampler.way.turns.unwrap_or(1.0).abs().max(0.5);
-    let longest = 1.0 / (PER_TURN * turns);
+    let per_turn = match sampler.settings().samples {
+        wanted if wanted > VERY_COARSE => FEW_PER_TURN[1],
+        wanted if wanted > COARSE => FEW_PER_TURN[0],
+        _ => PER_TURN,
+    };
+    let longest = 1.0 / (per_turn * turns);
     let mut panels = Vec::new();
     let ends = breaks.iter().copied().chain([1.0]);
     let mut from = 0.0;

@@ -13,7 +13,7 @@ use super::answer::Undefined;
 use super::hangs_on_forces;
 use super::way::Way;
 use crate::model::{Expr, LoadId, LoadKind, Mechanism, PairKind, Query, Value};
-use crate::plan::Level;
+use crate::plan::{Level, Settings};
 use std::collections::HashMap;
 
 /// The fewest intervals between places where the mechanism is known beforehand.
@@ -136,6 +136,11 @@ impl<'a> Sampler<'a> {
         let near = 1e-9 * extent(&self.scene);
         let mut bodies = first.bodies.iter().zip(&last.bodies);
         bodies.all(|(a, b)| (a.p - b.p).norm() <= near && (a.u - b.u).norm() <= 1e-9)
+    }
+
+    /// How accurately.
+    pub(super) fn settings(&self) -> Settings {
+        self.scene.plan.settings
     }
 
     /// Intervals between equally spaced places where the mechanism is known beforehand.
@@ -302,7 +307,8 @@ fn names_quantity(expr: &Expr) -> bool {
     found
 }
 
-fn loads_name_quantities(mechanism: &Mechanism) -> bool {
+/// Whether a load hangs on quantities of the file.
+pub(in super::super) fn loads_name_quantities(mechanism: &Mechanism) -> bool {
     mechanism.loads.iter().any(|load| {
         let value = match &load.kind {
             LoadKind::Force { value, .. }

@@ -6,7 +6,7 @@ use super::super::extremes::Statics;
 use super::super::solution::Scene;
 use super::answer::Undefined;
 use super::sampler::Sampler;
-use crate::math::{Vec2, root};
+use crate::math::{Vec2, root_within};
 use crate::model::{
     Axis, BinaryOp, Expr, Function, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, PointRef,
     QuantityId, Query, Value,
@@ -181,6 +181,7 @@ impl<'a> Switches<'a> {
 /// The roots of each function over the sweep. A vector counts where it is null.
 fn roots(statics: &Statics, sampler: &mut Sampler<'_>, all: &[Expr]) -> Result<Vec<Vec<f64>>, Undefined> {
     let intervals = sampler.intervals();
+    let tolerance = sampler.settings().root;
     let mut table: Vec<Vec<Vec2>> = vec![Vec::new(); all.len()];
     let mut places = Vec::new();
     let mut index = 0.0;
@@ -216,7 +217,7 @@ fn roots(statics: &Statics, sampler: &mut Sampler<'_>, all: &[Expr]) -> Result<V
                 let s = if f_b == 0.0 {
                     places[i]
                 } else {
-                    root(places[i - 1], places[i], f_a, f_b, |s| of(at(s)))
+                    root_within(tolerance, (places[i - 1], places[i]), (f_a, f_b), |s| of(at(s)))
                 };
                 let here = at(s);
                 if let Some(why) = failed {

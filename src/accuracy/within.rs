@@ -1,0 +1,151 @@
+//! The settings that a wanted accuracy asks for, by a rule that no clock decides.
+//!
+//! The solver's settings stand in a fixed order of cost: tolerances loosened to what is wanted, all the digits of `f64`, twice
+//! its digits. The first is taken whose answers keep what is wanted at every position, measured against the reference.
+
+use super::answer::{Answer, Source};
+use super::error::{errors, scales};
+use super::knob::Knob;
+use super::study::{Study, estimated};
+use crate::model::Mechanism;
+use crate::plan::{Level, Numbers, Settings};
+use crate::solve::{Scene, Solution};
+use crate::units::significant;
+use miette::{Diagnostic, LabeledSpan};
+use thiserror::Error as ThisError;
+
+/// Joints must meet to a millionth of the extent, whatever is wanted: no last step of Newton's method is longer, and no gap
+/// wider.
+const LARGEST_STEP: f64 = 1e-4;
+const LARGEST_GAP: f64 = 1e-8;
+/// What rounding alone may do, in units of ε/σ^k: see docs/stability.md.
+const ROUNDING: f64 = 64.0;
+
+/// What was wanted, and what was reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// The greatest error wanted.
+    pub within: f64,
+    /// The greatest error of all positions; measured or, without a reference of twice the digits, estimated from the condition.
+    pub error: f64,
+    /// What it was measured against.
+    pub source: Source,
+    /// The settings.
+    pub settings: Settings,
+    /// The number of positions, that of a cycle's quantities apart.
+    pub positions: usize,
+}
+
+/// A wanted accuracy that is out of reach.
+#[derive(Clone, Debug, ThisError, Diagnostic)]
+pub enum AccuracyError {
+    /// No settings keep what is wanted.
+    #[error("an accuracy of {wanted} is out of reach: the answers are known to {reached}")]
+    #[diagnostic(code(mech::accuracy::out_of_reach))]
+    OutOfReach {
+        /// What is wanted.
+        wanted: String,
+        /// What is reached.
+        reached: String,
+        /// What to do.
+        #[help]
+        help: String,
+        /// The drives.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+}
+
+/// Settings for a wanted accuracy, the cheapest first.
+#[must_use]
+pub fn candidates(scene: &Scene<'_>, wanted: f64) -> Vec<Settings> {
+    let full = Settings::FULL;
+    // what Newton's methods leave is of the order of the square of a step; a hundredth of what is wanted for each
+    let left = 0.01 * wanted;
+    let loose = Settings {
+        newton: (0.01 * left.sqrt()).clamp(full.newton, LARGEST_STEP),
+        triad: left.clamp(full.triad, LARGEST_GAP),
+        samples: (0.1 * wanted).max(full.samples),
+        root: (0.1 * left).max(full.root),
+        ..full.with_friction(left)
+    };
+    let mut all = vec![loose, full, Settings { scalar: Numbers::DoubleDouble, ..full }];
+    // the state of a transmission holds more than forces: it is not put together again
+    all.retain(|s| s.scalar == Numbers::Double || scene.plan.laws.is_empty());
+    all.dedup();
+    all
+}
+
+/// What a solution reaches. Errors of functions over the sweep count as they are estimated.
+#[must_use]
+pub fn reached(scene: &Scene<'_>, solution: &Solution, within: f64) -> Reached {
+    let solved = solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok()).filter(|s| !s.state.locked);
+    let (mut got, mut exact, mut condition) = (Vec::new(), Vec::new(), 1.0_f64);
+    for solved in solved {
+        condition = condition.min(solved.condition);
+        got.push(Answer::of(&solved.state));
+        exact.extend(solution.reference(scene, solved).map(Answer::exact));
+    }
+    let settings = scene.plan.settings;
+    let source = if exact.len() == got.len() { Source::DoubleDouble } else { Source::Full };
+    let error = match source {
+        Source::DoubleDouble => {
+            let scales = scales(scene, &exact);
+            errors(scene, &scales, got.iter().zip(&exact)).greatest()
+        }
+        Source::Full => {
+            let power = match scene.plan.effects.level {
+                Level::Positions => 1,
+                Level::Velocities => 2,
+                Level::Accelerations => 3,
+            };
+            let power = if scene.plan.effects.forces { power.max(2) } else { power };
+            let loose = settings.newton.powi(2).max(settings.friction).max(settings.triad);
+            ROUNDING * f64::EPSILON.max(if settings == Settings::FULL { 0.0 } else { loose })
+                / condition.powi(power)
+        }
+    };
+    let error = error.max(estimated(&solution.statics));
+    Reached { within, error, source, settings, positions: got.len() }
+}
+
+impl Reached {
+    /// Whether what is wanted is kept.
+    #[must_use]
+    pub fn is_kept(&self) -> bool {
+        self.error <= self.within
+    }
+
+    /// What is said where it is not.
+    #[must_use]
+    pub fn missed(&self, mechanism: &Mechanism) -> AccuracyError {
+        missed(mechanism, "--within", self.within, self.error)
+    }
+}
+
+/// What is said where no setting keeps what is wanted.
+#[must_use]
+pub fn out_of_reach(study: &Study, mechanism: &Mechanism) -> AccuracyError {
+    // each kind of setting by its best: the worst of them is what all together reach
+    let best = |knob: &Knob| knob.rows.iter().filter_map(|r| r.error).fold(f64::INFINITY, f64::min);
+    let reached = study.knobs.iter().map(best).fold(0.0, f64::max);
+    missed(mechanism, "--for", study.wanted, reached)
+}
+
+fn missed(mechanism: &Mechanism, option: &str, wanted: f64, reached: f64) -> AccuracyError {
+    // the next power of ten above what is reached
+    let reachable = libm::pow(10.0, libm::ceil(libm::log10(reached.max(f64::EPSILON))));
+    let instead =
+        if reachable < 1.0 { format!("write `{option} {reachable:.0e}`, or ") } else { String::new() };
+    let label = |span: crate::source::Span| {
+        LabeledSpan::new_with_span(Some("driven to these positions".to_owned()), span)
+    };
+    AccuracyError::OutOfReach {
+        wanted: significant(wanted, 2),
+        reached: format!("{reached:.0e}"),
+        help: format!(
+            "{instead}keep away from the position of the least condition: `assur solve` prints it for every pose"
+        ),
+        labels: mechanism.drives.iter().map(|d| label(d.span)).collect(),
+    }
+}

@@ -1,0 +1,279 @@
+//! What accuracy costs in time, as tables and as JSON.
+
+use serde::Serialize;
+
+use super::answers::NONE;
+use super::document::{Column, Report, Section, Table};
+use super::headed;
+use crate::accuracy::{Kind, Knob, Reached, Recommendation, Row, Source, Study};
+use crate::plan::{Numbers, Settings};
+use crate::solve::{Scene, WIDTH, instructions};
+use crate::units::significant;
+
+/// Name and version of the format.
+const SCHEMA: &str = "assur.accuracy/1";
+
+/// What `accuracy` prints. `solve` is the time of a whole `assur solve`, µs.
+#[must_use]
+pub fn of_study(file: &str, scene: &Scene<'_>, study: &Study, solve: f64) -> Report {
+    let mut report = headed(file, scene);
+    report.notes.clear();
+    report.section(held_against(study));
+    for knob in &study.knobs {
+        let mut section = Section::new(heading(knob.kind));
+        section.table(table(knob));
+        report.section(section);
+    }
+    let mut section = Section::new("Not set here");
+    section.list(study.absent.iter().map(|a| format!("{}: {}", a.what, a.why)).collect());
+    report.section(section);
+    report.section(recommended(study, solve));
+    report
+}
+
+fn held_against(study: &Study) -> Section {
+    let mut section = Section::new("Measured");
+    let against = match study.source {
+        Source::DoubleDouble => "the same positions in double-double",
+        Source::Full => "f64 with all settings at their finest",
+    };
+    section.text(format!(
+        "{} position{}, held against {against}, itself good to about {:.0e}.",
+        study.positions,
+        if study.positions == 1 { "" } else { "s" },
+        study.floor
+    ));
+    let full = &study.full;
+    let kinds = [
+        ("positions", full.position, study.scales.extent, "m"),
+        ("velocities", full.velocity, study.scales.velocity, "m/s"),
+        ("accelerations", full.acceleration, study.scales.acceleration, "m/s^2"),
+        ("forces", full.force, study.scales.force, "N"),
+        ("moments", full.moment, study.scales.moment, "N*m"),
+    ];
+    let in_play: Vec<String> = kinds
+        .iter()
+        .filter(|k| k.2 > 0.0)
+        .map(|(what, _, scale, unit)| format!("{what} over {} {unit}", significant(*scale, 3)))
+        .collect();
+    section.text(format!("Errors are the greatest of all: {}.", in_play.join(", ")));
+    section.text(format!(
+        "Times are the least of many repeats, on one thread; lanes are {WIDTH} wide with {}.",
+        instructions()
+    ));
+    section
+}
+
+fn heading(kind: Kind) -> String {
+    let says = match kind {
+        Kind::Scalar => "what every position is computed with",
+        Kind::Friction => "when the iteration of friction ends, as a part of the forces",
+        Kind::Newton => "when Newton's method of a general group ends, by its last step",
+        Kind::Triad => "when Newton's method of a triad ends, by the error that is left",
+        Kind::Samples => "when functions over the sweep take no more samples, by their estimated error",
+        Kind::Root => "how near places are found where a function over the sweep is not smooth",
+    };
+    let name = kind.name();
+    let (first, rest) = name.split_at(1);
+    format!("{}{rest}: {says}", first.to_uppercase())
+}
+
+fn error_text(row: &Row) -> String {
+    match row.error {
+        None => NONE.to_owned(),
+        Some(error) if row.is_floor => format!("~ {error:.0e}"),
+        Some(error) => format!("{error:.0e}"),
+    }
+}
+
+fn digits(row: &Row) -> String {
+    match row.error {
+        None => NONE.to_owned(),
+        Some(error) => format!("{:.1}", -libm::log10(error.max(1e-40))),
+    }
+}
+
+fn time(micros: f64) -> String {
+    significant(micros, 3)
+}
+
+fn table(knob: &Knob) -> Table {
+    let per = if knob.kind.per_cycle() { "µs per cycle" } else { "µs per position" };
+    let mut columns = vec![Column::words(knob.kind.sets())];
+    let sampled = knob.rows.iter().any(|r| r.samples.is_some());
+    if sampled {
+        columns.push(Column::right("samples"));
+    }
+    columns.extend([Column::numbers(per), Column::right("error"), Column::right("digits")]);
+    let mut table = Table::new(columns, 1);
+    for row in &knob.rows {
+        let mut cells = vec![row.setting.clone()];
+        if sampled {
+            cells.push(row.samples.map_or_else(|| NONE.to_owned(), |n| n.to_string()));
+        }
+        cells.extend([time(row.micros), error_text(row), digits(row)]);
+        table.row(cells);
+    }
+    table
+}
+
+fn recommended(study: &Study, solve: f64) -> Section {
+    let mut section = Section::new(format!("For an error of {:.0e}", study.wanted));
+    let Some(found) = &study.recommendation else {
+        section.text("No setting keeps it.");
+        return section;
+    };
+    let settings = found.settings.iter().map(|(kind, setting)| format!("{}: {setting}", kind.name()));
+    section.list(settings.collect());
+    if let Some((micros, error)) = found.together {
+        section.text(format!(
+            "Together {} µs per position with an error of {error:.0e}, {} of what f64 takes with all its digits.",
+            time(micros),
+            share(micros, found.full)
+        ));
+    }
+    if let Some((micros, error, full)) = found.cycle {
+        section.text(format!(
+            "Over the cycle {} µs with an error of {error:.0e}, {} of what all digits take.",
+            time(micros),
+            share(micros, full)
+        ));
+    }
+    let positions = found.together.map_or(0.0, |t| study.positions as f64 * (found.full - t.0));
+    let cycle = found.cycle.map_or(0.0, |c| c.2 - c.0);
+    let saved = 100.0 * (positions + cycle) / solve;
+    let saves =
+        if saved >= 1.0 { format!("{} %", significant(saved, 2)) } else { "less than 1 %".to_owned() };
+    section.text(format!("Of a whole solve, {} µs from text to report, that saves {saves}.", time(solve)));
+    section
+}
+
+fn share(part: f64, whole: f64) -> String {
+    format!("{} %", significant(100.0 * part / whole, 2))
+}
+
+/// What accuracy was wanted and reached, in one line.
+pub(super) fn reached(reached: &Reached) -> String {
+    let against = match reached.source {
+        Source::DoubleDouble => format!("the greatest of {} against double-double", positions(reached)),
+        Source::Full => "estimated from the condition".to_owned(),
+    };
+    let error = format!("{:.0e}", reached.error);
+    format!("within {:.0e}: {error}, {against}; {}", reached.within, words(&reached.settings))
+}
+
+fn positions(reached: &Reached) -> String {
+    format!("{} position{}", reached.positions, if reached.positions == 1 { "" } else { "s" })
+}
+
+/// Settings in words.
+fn words(settings: &Settings) -> String {
+    let numbers = match settings.scalar {
+        Numbers::Double => "f64",
+        Numbers::DoubleDouble => "double-double",
+    };
+    if (Settings { scalar: Numbers::Double, ..*settings }) == Settings::FULL {
+        return format!("{numbers}, all its digits");
+    }
+    format!(
+        "{numbers}, friction {:.0e}, general groups {:.0e}, triads {:.0e}, samples {:.0e}, switching points {:.0e}",
+        settings.friction, settings.newton, settings.triad, settings.samples, settings.root
+    )
+}
+
+#[derive(Serialize)]
+struct StudyView<'a> {
+    schema: &'static str,
+    file: &'a str,
+    positions: usize,
+    reference: &'static str,
+    floor: f64,
+    instructions: &'static str,
+    lanes: usize,
+    knobs: Vec<KnobView<'a>>,
+    absent: Vec<AbsentView>,
+    #[serde(rename = "for")]
+    wanted: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    recommendation: Option<RecommendationView<'a>>,
+}
+
+#[derive(Serialize)]
+struct KnobView<'a> {
+    name: &'static str,
+    per: &'static str,
+    settings: Vec<RowView<'a>>,
+}
+
+#[derive(Serialize)]
+struct RowView<'a> {
+    setting: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    samples: Option<usize>,
+    microseconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<f64>,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    estimated: bool,
+}
+
+#[derive(Serialize)]
+struct AbsentView {
+    name: &'static str,
+    why: &'static str,
+}
+
+#[derive(Serialize)]
+struct RecommendationView<'a> {
+    settings: Vec<(&'static str, &'a str)>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    microseconds: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<f64>,
+}
+
+/// The same as one line of JSON.
+#[must_use]
+pub fn study_json(file: &str, study: &Study) -> String {
+    let knobs = study.knobs.iter().map(|knob| KnobView {
+        name: knob.kind.name(),
+        per: if knob.kind.per_cycle() { "cycle" } else { "position" },
+        settings: knob
+            .rows
+            .iter()
+            .map(|r| RowView {
+                setting: &r.setting,
+                samples: r.samples,
+                microseconds: r.micros,
+                error: r.error,
+                estimated: r.is_floor,
+            })
+            .collect(),
+    });
+    let view = StudyView {
+        schema: SCHEMA,
+        file,
+        positions: study.positions,
+        reference: match study.source {
+            Source::DoubleDouble => "double-double",
+            Source::Full => "f64",
+        },
+        floor: study.floor,
+        instructions: instructions(),
+        lanes: WIDTH,
+        knobs: knobs.collect(),
+        absent: study.absent.iter().map(|a| AbsentView { name: a.what, why: a.why }).collect(),
+        wanted: study.wanted,
+        recommendation: study.recommendation.as_ref().map(view_of),
+    };
+    // a view of texts and finite numbers is always written
+    serde_json::to_string(&view).unwrap_or_default()
+}
+
+fn view_of(found: &Recommendation) -> RecommendationView<'_> {
+    RecommendationView {
+        settings: found.settings.iter().map(|(kind, setting)| (kind.name(), setting.as_str())).collect(),
+        microseconds: found.together.map(|t| t.0),
+        error: found.together.map(|t| t.1),
+    }
+}
