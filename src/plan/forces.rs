@@ -1,9 +1,10 @@
 //! Steps of forces, one per structural group, from the outermost loads to the efforts.
 
 use super::Plan;
+use super::force_step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, OuterJoint, Way};
 use super::formed::Formed;
 use super::geometry::{pin, pin_arm};
-use super::step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, MotionStep, OuterJoint, Way};
+use super::step::MotionStep;
 use crate::math::Vec2;
 use crate::structure::{Dyad, EffortKind, Group, GroupJoint, GroupKind, JointKind, Structure};
 

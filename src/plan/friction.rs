@@ -1,7 +1,7 @@
 //! Which joints rub, and how: one element per sliding or turning contact, each in the group that finds its reaction.
 
 use super::Plan;
-use super::step::{EffortLine, ForceStep, Way};
+use super::force_step::{EffortLine, ForceStep, Way};
 use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
 use crate::structure::{BodyId, Group, JointKind, Structure};
 

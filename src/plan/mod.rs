@@ -2,6 +2,7 @@
 
 mod cam;
 mod effects;
+mod force_step;
 mod forces;
 mod formed;
 mod friction;
@@ -17,15 +18,13 @@ mod triad;
 pub use cam::CamStep;
 pub(crate) use cam::{contact_in, is_follower};
 pub use effects::{Effects, Level, level_of, needs_forces};
+pub use force_step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, OuterJoint, Way};
 pub use formed::Formed;
 pub use friction::{FrictionElement, Rub, RubbingGroup};
 pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
 pub use loads::{ForceLine, LoadStep};
 pub use settings::{Numbers, Settings};
-pub use step::{
-    Anchor, Arm, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
-    OuterJoint, Slide, Way,
-};
+pub use step::{Anchor, Arm, DrivenJoint, DrivenLeg, Leg, MotionStep, Slide};
 pub use triad::{TriadForceLeg, TriadForces, TriadLeg, TriadMotion};
 
 pub use train::{

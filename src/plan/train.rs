@@ -3,9 +3,10 @@
 //! the transposed system: with the law Σ c_i q̇_i = 0 and its multiplier λ, the generalized force on q_i is λ c_i.
 
 use super::Plan;
+use super::force_step::{Hinge, Way};
 use super::forces::way;
 use super::geometry::{anchor, pin_arm, slide};
-use super::step::{Anchor, Arm, Hinge, Slide, Way};
+use super::step::{Anchor, Arm, Slide};
 use crate::math::ratio;
 use crate::model::{Mechanism, Meeting, PairId, PairKind};
 use crate::structure::{

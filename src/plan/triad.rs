@@ -1,8 +1,9 @@
 //! Steps of a link on three legs.
 
+use super::force_step::{ForceStep, OuterJoint};
 use super::forces::{hinge, way};
 use super::geometry::{arm, leg, pin, slide};
-use super::step::{Arm, ForceStep, Leg, MotionStep, OuterJoint, Slide};
+use super::step::{Arm, Leg, MotionStep, Slide};
 use crate::group::triad::Plate;
 use crate::math::Vec2;
 use crate::structure::{BodyId, Group, JointKind, Structure};

@@ -45,6 +45,7 @@ mod substitution;
 mod sweep;
 mod track;
 mod train;
+mod train_forces;
 mod train_view;
 mod triad;
 mod turn;
@@ -70,5 +71,6 @@ pub use solution::{DriveValue, OpenSizes, Pose, PoseOrigin, Residuals, Scene, So
 pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};
 pub use sweep::{solve, solve_with};
 pub use track::extent;
-pub use train::{LawForce, TrainWork};
+pub use train::LawForce;
+pub use train_forces::TrainWork;
 pub use view::View;

@@ -2,7 +2,8 @@
 
 use super::friction::RubbingWork;
 use super::general::Workspace;
-use super::train::{LawForce, TrainWork};
+use super::train::LawForce;
+use super::train_forces::TrainWork;
 use crate::group::general::General;
 use crate::math::{Scalar, V2, Vec2};
 use crate::plan::{Arm, ForceStep, Plan};

@@ -1,0 +1,198 @@
+//! The steps of forces.
+
+use super::formed::Formed;
+use super::friction::RubbingGroup;
+use super::step::Arm;
+use super::triad::TriadForces;
+use crate::math::Vec2;
+
+/// Where a reaction acts and where it is kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hinge {
+    /// Slot of the body it acts on.
+    pub body: usize,
+    /// The pin in the body's frame.
+    pub pin: Arm,
+    /// Slot of the body it comes from.
+    pub base: usize,
+    /// Slot of the reaction: force on `body`.
+    pub slot: usize,
+}
+
+/// A prismatic joint on the side of forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// Slot of the body the reaction is counted on.
+    pub body: usize,
+    /// Slot of the other body.
+    pub base: usize,
+    /// Slot of the sliding body.
+    pub slider: usize,
+    /// Its point in its frame, m: couples are taken about it.
+    pub point: Vec2,
+    /// Its direction along the line, in its frame.
+    pub direction: Vec2,
+    /// Slot of the reaction: force and couple on `body`.
+    pub slot: usize,
+}
+
+/// One unknown effort on the side of forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum EffortLine {
+    /// A torque on `body`, with the opposite on `base` (the ground where it comes from outside).
+    Torque {
+        /// The body.
+        body: usize,
+        /// The other body.
+        base: usize,
+    },
+    /// A force on `body` along a line, in ground axes.
+    Force {
+        /// The body.
+        body: usize,
+        /// Slot of the effort's line, set before the forces are solved.
+        line: usize,
+    },
+    /// A force on the slider of a prismatic joint along its line, with the opposite on the guide.
+    Along(Way),
+}
+
+/// One step of forces.
+#[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant, reason = "a plan has few steps, and the loop reads them in a row")]
+pub enum ForceStep {
+    /// One body on a revolute with one unknown effort.
+    Turn {
+        /// The revolute.
+        hinge: Hinge,
+        /// The effort.
+        effort: EffortLine,
+        /// Slot of the effort, and the sign with which it acts on the body.
+        value: (usize, f64),
+    },
+    /// One body on a guide with one unknown effort.
+    Shift {
+        /// The guide.
+        way: Way,
+        /// The effort.
+        effort: EffortLine,
+        /// Slot of the effort, and the sign with which it acts on the body.
+        value: (usize, f64),
+    },
+    /// Dyad RRR: outer, inner (force on the second link), outer.
+    Rrr {
+        /// Outer revolutes.
+        outer: [Hinge; 2],
+        /// The inner revolute in the frames of the links, and its slot; the sign turns the force on the second link
+        /// into that kept.
+        inner: Inner,
+        /// The step of motion of the same group.
+        motion: Option<usize>,
+    },
+    /// Dyad RRP.
+    Rrp {
+        /// Outer revolute of the link.
+        outer: Hinge,
+        /// Inner revolute.
+        inner: Inner,
+        /// Guide of the slider.
+        way: Way,
+        /// The step of motion of the same group.
+        motion: Option<usize>,
+    },
+    /// Dyad RRR or RRP with unknown efforts inside its links: solved as a dyad of stiff links, then taken apart.
+    DrivenLegs {
+        /// Outer revolute of the first link, and of the second or its guide.
+        outer: (Hinge, OuterJoint),
+        /// The inner revolute, on the bodies that carry it.
+        inner: Inner,
+        /// Slots of the bodies that carry the inner revolute.
+        ends: [usize; 2],
+        /// The driven joint of each link with its effort, if it has one.
+        driven: [Option<DrivenPart>; 2],
+    },
+    /// Dyad RPR.
+    Rpr {
+        /// Outer revolutes.
+        outer: [Hinge; 2],
+        /// The inner guide.
+        way: Way,
+    },
+    /// Dyad PRP.
+    Prp {
+        /// The guides.
+        ways: [Way; 2],
+        /// The inner revolute.
+        inner: Inner,
+    },
+    /// Dyad RPP.
+    Rpp {
+        /// Outer revolute of the first body.
+        outer: Hinge,
+        /// The inner guide.
+        inner: Way,
+        /// Guide of the second body.
+        way: Way,
+    },
+    /// A body between two guides; the couples are not determined.
+    Translation {
+        /// The guides.
+        ways: [Way; 2],
+    },
+    /// Bodies held by laws between their rates.
+    Train {
+        /// Index into [`super::Plan::train_forces`].
+        train: usize,
+    },
+    /// A link on three legs.
+    Triad(Box<TriadForces>),
+    /// Anything else: all equations of equilibrium at once.
+    General {
+        /// Index into [`super::Plan::balance_systems`].
+        system: usize,
+    },
+    /// Steps of the groups from the first on, solved as one since friction couples them; none where a later step does it.
+    Sequence(Vec<ForceStep>),
+    /// A group with friction.
+    Rubbing {
+        /// The step without friction.
+        plain: Box<ForceStep>,
+        /// What rubs in it.
+        group: Box<RubbingGroup>,
+    },
+}
+
+/// The second outer joint of a dyad on the side of forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OuterJoint {
+    /// A revolute.
+    Hinge(Hinge),
+    /// A guide.
+    Way(Way),
+}
+
+/// The far half of a link with an unknown effort inside: solved like one body with one joint and one effort.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrivenPart {
+    /// The joint, counted on the far half.
+    pub joint: OuterJoint,
+    /// The effort.
+    pub effort: EffortLine,
+    /// Slot of the effort, and the sign with which it acts on the far half.
+    pub value: (usize, f64),
+}
+
+/// The inner revolute of a dyad on the side of forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inner {
+    /// The pin in the first body's frame, m.
+    pub pin: Vec2,
+    /// The pin in the second body's frame.
+    pub second_pin: Arm,
+    /// From the outer pins to this one in the frames of their bodies, m; of a guide nothing.
+    pub arms: [Formed; 2],
+    /// Slot of the reaction.
+    pub slot: usize,
+    /// The reaction kept is this times the force of the first body on the second.
+    pub sign: f64,
+}
