@@ -1,4 +1,5 @@
-//! What `solve --format json` prints is held to `docs/json-schema/solution-1.json`, for every example and for wrong files.
+//! What `solve --format json` prints is held to `docs/json-schema/solution-1.json`, for every example and for wrong files;
+//! what `accuracy --format json` prints to `accuracy-1.json`.
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
@@ -14,7 +15,11 @@ fn root() -> &'static Path {
 }
 
 fn schema() -> Value {
-    let text = std::fs::read_to_string(root().join("docs/json-schema/solution-1.json")).unwrap();
+    schema_of("solution-1.json")
+}
+
+fn schema_of(name: &str) -> Value {
+    let text = std::fs::read_to_string(root().join("docs/json-schema").join(name)).unwrap();
     serde_json::from_str(&text).unwrap()
 }
 
@@ -31,9 +36,13 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
 }
 
 fn json_of(folder: &str) -> String {
+    printed(&["solve", folder, "--format", "json"])
+}
+
+fn printed(args: &[&str]) -> String {
     let out = std::process::Command::new(env!("CARGO_BIN_EXE_assur"))
         .current_dir(root())
-        .args(["solve", folder, "--format", "json"])
+        .args(args)
         .output()
         .unwrap();
     String::from_utf8(out.stdout).unwrap()
@@ -87,6 +96,34 @@ fn a_locked_pose_fits_and_has_no_reactions() {
     let told: Vec<&str> =
         value["diagnostics"].as_array().unwrap().iter().filter_map(|d| d["code"].as_str()).collect();
     assert_eq!(told, ["mech::friction::locked", "mech::friction::no_effort"]);
+}
+
+/// Every kind of setting is in one of these.
+#[test]
+fn what_accuracy_costs_fits() {
+    let schema = schema_of("accuracy-1.json");
+    let files = ["accuracy/four-bar", "accuracy/crank-slider-with-friction", "cycle/crank-slider"];
+    for file in files.into_iter().chain(["general/class-iii-triad", "general/class-iv-group"]) {
+        let file = format!("examples/{file}.mech");
+        let value = serde_json::from_str(&printed(&["accuracy", &file, "--format", "json"])).unwrap();
+        let mut wrong = Vec::new();
+        validate(&schema, &schema, &value, "", &mut wrong);
+        assert!(wrong.is_empty(), "{file}: {}", wrong.join("\n"));
+    }
+}
+
+/// With `--within` the settings taken stand in every object.
+#[test]
+fn accuracy_that_is_kept_fits() {
+    let schema = schema();
+    let json = printed(&["solve", "examples/friction", "--format", "json", "--within", "1e-6"]);
+    for line in json.lines() {
+        let value: Value = serde_json::from_str(line).unwrap();
+        let mut wrong = Vec::new();
+        validate(&schema, &schema, &value, "", &mut wrong);
+        assert!(wrong.is_empty() && value["accuracy"]["within"] == 1e-6, "{}: {wrong:?}", value["file"]);
+    }
+    assert!(json.lines().count() > 10);
 }
 
 #[test]

@@ -224,15 +224,29 @@ struct AbsentView {
 }
 
 #[derive(Serialize)]
+struct ChosenView<'a> {
+    name: &'static str,
+    setting: &'a str,
+}
+
+#[derive(Serialize)]
+struct CycleView {
+    microseconds: f64,
+    error: f64,
+}
+
+#[derive(Serialize)]
 struct RecommendationView<'a> {
-    settings: Vec<(&'static str, &'a str)>,
+    settings: Vec<ChosenView<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     microseconds: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cycle: Option<CycleView>,
 }
 
-/// The same as one line of JSON.
+/// The same as one line of JSON: `docs/json-schema/accuracy-1.json`.
 #[must_use]
 pub fn study_json(file: &str, study: &Study) -> String {
     let knobs = study.knobs.iter().map(|knob| KnobView {
@@ -272,8 +286,13 @@ pub fn study_json(file: &str, study: &Study) -> String {
 
 fn view_of(found: &Recommendation) -> RecommendationView<'_> {
     RecommendationView {
-        settings: found.settings.iter().map(|(kind, setting)| (kind.name(), setting.as_str())).collect(),
+        settings: found
+            .settings
+            .iter()
+            .map(|(kind, setting)| ChosenView { name: kind.name(), setting })
+            .collect(),
         microseconds: found.together.map(|t| t.0),
         error: found.together.map(|t| t.1),
+        cycle: found.cycle.filter(|c| c.1.is_finite()).map(|c| CycleView { microseconds: c.0, error: c.1 }),
     }
 }
