@@ -46,7 +46,7 @@ impl Run {
         let plan = scene.plan;
         let mut sum = 0.0;
         for input in self.inputs.chunks_exact(plan.drives) {
-            state.inputs.copy_from_slice(input);
+            state.inputs.iter_mut().zip(input).for_each(|(to, from)| *to = *from);
             match plan.effects.level {
                 Level::Positions => state.run_motion::<0>(plan),
                 Level::Velocities => state.run_motion::<1>(plan),

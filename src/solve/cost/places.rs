@@ -51,24 +51,35 @@ pub(super) fn places(
     for way in ways {
         let mut tracker = first.clone();
         for values in way {
-            // the way may be closed, and the position beyond it open to a jump; where neither is, the next one is tried
-            let back = tracker.clone();
-            let reached = tracker.go(scene, rates, &values).is_ok() || {
-                tracker = back.clone();
-                over != Over::Turn && tracker.jump(scene, rates, &values).is_ok()
-            };
-            if reached {
+            if reached(scene, rates, &mut tracker, &values, over) {
                 rates.at(&values, &mut tracker.state.inputs);
                 places.push(Place { state: tracker.state.clone(), angles: tracker.angles.clone() });
-            } else {
-                tracker = back;
-                if over == Over::Turn {
-                    break;
-                }
+            } else if over == Over::Turn {
+                break;
             }
         }
     }
     Ok((over, places))
+}
+
+/// Moves a tracker to other values, between positions of the file over a gap too; it stays where it is if they do not close.
+fn reached(
+    scene: &Scene<'_>,
+    rates: &Rates,
+    tracker: &mut Tracker,
+    values: &[DriveValue],
+    over: Over,
+) -> bool {
+    let before = tracker.clone();
+    if tracker.go(scene, rates, values).is_ok() {
+        return true;
+    }
+    *tracker = before.clone();
+    if over == Over::Positions && tracker.jump(scene, rates, values).is_ok() {
+        return true;
+    }
+    *tracker = before;
+    false
 }
 
 /// The first position that can be assembled; the error of the first where none can.
