@@ -1,7 +1,7 @@
 //! What one position gave, with twice the digits: in this form answers are compared.
 
 use crate::math::{Double, Scalar, V2};
-use crate::solve::{BodyState, Edge, Place, Reaction, Reference, State, Wrench};
+use crate::solve::{BodyState, Edge, Exact, Place, Reaction, Reference, State, Wrench};
 
 /// What answers are held against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,9 +64,16 @@ impl Answer {
         }
     }
 
-    /// With twice the digits.
+    /// Of a position with twice the digits, of which the loads are known in `f64`.
     #[must_use]
-    pub fn exact(exact: Reference) -> Self {
+    pub fn exact(exact: Exact, state: &State) -> Self {
+        let load = greatest(&state.applied);
+        Self { bodies: exact.bodies, reactions: exact.reactions, efforts: exact.efforts, load }
+    }
+
+    /// Of a reference.
+    #[must_use]
+    pub fn reference(exact: Reference) -> Self {
         let load = greatest(&exact.applied);
         Self { bodies: exact.bodies, reactions: exact.reactions, efforts: exact.efforts, load }
     }

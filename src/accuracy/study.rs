@@ -75,7 +75,7 @@ pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Stud
         exact.push(match again.reference() {
             Some(found) => {
                 off = off.max(found.closure).max(found.equilibrium);
-                Answer::exact(found)
+                Answer::reference(found)
             }
             None => {
                 source = Source::Full;

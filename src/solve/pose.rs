@@ -1,10 +1,10 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
 use super::error::SolveError;
+use super::exact::exact;
 use super::extremes::Statics;
 use super::notes;
 use super::positions::Wanted;
-use super::reference::reference;
 use super::residual::residuals;
 use super::solution::{Residuals, Scene, Solved};
 use super::state::State;
@@ -78,7 +78,7 @@ impl Run<'_, '_> {
     /// The position once more with twice the digits, rounded; the loads follow from its motion.
     fn with_twice_the_digits(&self, state: &mut State) {
         let scene = self.scene;
-        let Some(exact) = reference(scene, state, &self.evaluated) else { return };
+        let Some(exact) = exact(scene, state, &self.evaluated) else { return };
         exact.round_motion(state);
         if scene.plan.effects.forces {
             state.run_loads(scene, &self.evaluated);
