@@ -52,7 +52,9 @@ pub fn mean(samples: &[f64]) -> Mean {
     let further = if peak < first { (n - peak) as f64 / (first - peak) as f64 } else { 1.0 };
     let smooth = if head > 0.0 { 4.0 * head * libm::pow(tail / head, further.min(4.0)) } else { 0.0 };
     let window = |from: usize, to: usize| (from + 1..=to).map(magnitude).fold(0.0, f64::max);
-    let left_off = smooth.max(kinked(window(n / 8, n / 4), window(n / 4, 3 * n / 8), tail));
+    // fewer tell nothing of how they fall
+    let kinked = if n < 16 { 0.0 } else { kinked(window(n / 8, n / 4), window(n / 4, 3 * n / 8), tail) };
+    let left_off = smooth.max(kinked);
     Mean { value, error: left_off + 2.0 * f64::EPSILON * scale, scale }
 }
 
@@ -60,7 +62,7 @@ pub fn mean(samples: &[f64]) -> Mean {
 /// greatest beyond an eighth, a quarter and three eighths of the number of samples.
 fn kinked(first: f64, second: f64, third: f64) -> f64 {
     // of a smooth function each is the same part of the one before, or less
-    if third * first <= 1.25 * second * second {
+    if third * first <= 1.4 * second * second {
         return 0.0;
     }
     let power = libm::log(second / third) / libm::log(1.5);
