@@ -138,7 +138,7 @@ pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
     (Ok(Solved { compiled, solution, outcomes, reached: None }), problems)
 }
 
-/// As [`solve`], with the cheapest settings whose answers keep a wanted accuracy, see [`accuracy::candidates`]. Where none
+/// As [`solve()`], with the cheapest settings whose answers keep a wanted accuracy, see [`accuracy::candidates`]. Where none
 /// do, the finest answer comes out beside an error.
 pub fn solve_within(mut compiled: Compiled, within: Option<f64>) -> (Result<Solved, Compiled>, Problems) {
     let Some(wanted) = within else { return solve(compiled) };

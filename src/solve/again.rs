@@ -75,7 +75,7 @@ impl<'a> Again<'a> {
         self.starts.iter().flat_map(|s| s.inputs.iter().copied()).collect()
     }
 
-    /// The position last solved with twice the digits, see [`reference`].
+    /// The position last solved with twice the digits, see [`reference()`].
     #[must_use]
     pub fn reference(&self) -> Option<Reference> {
         reference(&self.scene, &self.state, &self.evaluated)

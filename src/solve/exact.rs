@@ -22,7 +22,7 @@ pub struct Exact {
 }
 
 /// The position in which a solved state stands with twice the digits: by [`precise`] where all groups have closed forms, else
-/// by [`reference`], which agrees with it and takes many times as long.
+/// by [`reference()`], which agrees with it and takes many times as long.
 /// # Given
 /// `evaluated` values of the loads that are expressions.
 #[must_use]
