@@ -24,7 +24,7 @@ pub use step::{
     Anchor, Arm, DrivenJoint, DrivenLeg, DrivenPart, EffortLine, ForceStep, Hinge, Inner, Leg, MotionStep,
     OuterJoint, Slide, Way,
 };
-pub use triad::{TriadForceLeg, TriadForces, TriadLeg, TriadMotion};
+pub use triad::{TriadForceLeg, TriadForces, TriadHold, TriadLeg, TriadMotion};
 
 pub use train::{
     LawSite, PlannedLaw, TrainEffort, TrainForces, TrainMember, TrainMotion, TrainSource, TrainSupport,
