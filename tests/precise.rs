@@ -39,7 +39,7 @@ fn a_four_bar_to_thirty_digits() {
             let mass = 2.0 * length;
             let centre = Vec2::new(length / 2.0, 0.0);
             let (m, inertia) = (Double::of(mass), Double::of(mass * length * length / 12.0));
-            let force = V2::of(Vec2::new(0.0, -9.81) * mass) - body.acceleration(centre) * m;
+            let force = (V2::of(Vec2::new(0.0, -9.81)) - body.acceleration(centre)) * m;
             power = power + force.dot(body.velocity(centre)) - inertia * body.alpha * body.omega;
         }
         assert!(power.high.abs() < 1e-27, "at {value}: {power:?}");
