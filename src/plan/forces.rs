@@ -19,12 +19,12 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
                 ways: [0, 1].map(|i| way(structure, group.joints[i], first + i)),
             }),
             GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
-            GroupKind::Triad => super::triad::forces(structure, group, first),
+            GroupKind::Triad | GroupKind::General => super::triad::forces(structure, group, first),
             GroupKind::Train => {
                 plan.train_forces.push(super::train::forces(structure, group, first, plan));
                 Some(ForceStep::Train { train: plan.train_forces.len() - 1 })
             }
-            GroupKind::General | GroupKind::MixedTrain => None,
+            GroupKind::MixedTrain => None,
         };
         let step = step.unwrap_or_else(|| {
             plan.balance_systems.push(super::general::balance_system(structure, group, first));

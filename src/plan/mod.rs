@@ -25,7 +25,7 @@ pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
 pub use loads::{ForceLine, LoadStep};
 pub use settings::{Numbers, Settings};
 pub use step::{Anchor, Arm, DrivenJoint, DrivenLeg, Leg, MotionStep, Slide};
-pub use triad::{TriadForceLeg, TriadForces, TriadLeg, TriadMotion};
+pub use triad::{TriadForceLeg, TriadForces, TriadHold, TriadLeg, TriadMotion};
 
 pub use train::{
     LawSite, PlannedLaw, TrainEffort, TrainForces, TrainMember, TrainMotion, TrainSource, TrainSupport,

@@ -1,12 +1,12 @@
 //! Steps of a link on three legs.
 
-use super::force_step::{ForceStep, OuterJoint};
+use super::force_step::{ForceStep, OuterJoint, Way};
 use super::forces::{hinge, way};
 use super::geometry::{arm, leg, pin, slide};
 use super::step::{Arm, Leg, MotionStep, Slide};
 use crate::group::triad::Plate;
 use crate::math::Vec2;
-use crate::structure::{BodyId, Group, JointKind, Structure};
+use crate::structure::{BodyId, Group, GroupJoint, JointKind, Structure};
 
 /// The motion of a triad.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,17 +37,13 @@ pub enum TriadLeg {
     },
 }
 
-/// The forces of a triad.
+/// The forces of a link on three legs, each a link between two joints of which at most one is a guide.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriadForces {
     /// Its legs.
     pub legs: [TriadForceLeg; 3],
     /// Slot of the link they carry.
     pub body: usize,
-    /// The mean of its pins, in its frame, m.
-    pub mean: Vec2,
-    /// Its pins.
-    pub plate: Plate,
 }
 
 /// A leg on the side of forces.
@@ -57,16 +53,30 @@ pub struct TriadForceLeg {
     pub body: usize,
     /// What it hangs on.
     pub outer: OuterJoint,
-    /// The revolute to the link in the frame of the leg.
-    pub pin: Arm,
-    /// Slot of its reaction.
-    pub slot: usize,
-    /// The reaction kept is this times the force of the leg on the link.
-    pub sign: f64,
-    /// Unit direction from the outer revolute to the inner one in the frame of a link; of a slider nothing.
-    pub direction: Vec2,
-    /// 1 / length of a link, 1/m.
-    pub inverse: f64,
+    /// How it holds the link.
+    pub inner: TriadHold,
+}
+
+/// What joins a leg to the link it helps to carry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TriadHold {
+    /// A revolute.
+    Pin {
+        /// In the frame of the leg.
+        leg: Arm,
+        /// In the frame of the link, m.
+        link: Vec2,
+        /// Slot of its reaction.
+        slot: usize,
+        /// The reaction kept is this times the force of the leg on the link.
+        sign: f64,
+        /// Unit direction from the outer revolute to this one in the frame of the leg; of a slider nothing.
+        direction: Vec2,
+        /// 1 / distance of the two, 1/m.
+        inverse: f64,
+    },
+    /// A guide.
+    Guide(Way),
 }
 
 /// The link on the legs.
@@ -101,31 +111,61 @@ pub(super) fn motion(structure: &Structure, group: &Group, branch: usize) -> Opt
     triad.legs.iter().all(long).then(|| MotionStep::Triad { branch, triad: Box::new(triad) })
 }
 
-/// `None` where a leg has no length: the general solver takes it.
+/// The link and its legs, each by the places of its outer and inner joint in the group; `None` for any other group.
+fn legs(structure: &Structure, group: &Group) -> Option<(BodyId, [(usize, usize); 3])> {
+    let passive = structure.passive.iter().any(|link| group.bodies.contains(&BodyId(link.index())));
+    if group.bodies.len() != 4 || !group.efforts.is_empty() || !group.laws.is_empty() || passive {
+        return None;
+    }
+    let joints = || group.joints.iter().enumerate();
+    let redundant =
+        |id| matches!(structure.replaced.joint(id).kind, JointKind::Prismatic { angle_redundant: true, .. });
+    let joins = |j: &GroupJoint, body| j.inner && [j.body, j.base].contains(&body);
+    let carried = *group.bodies.iter().find(|&&body| joints().filter(|j| joins(j.1, body)).count() == 3)?;
+    let legs: Vec<(usize, usize)> = joints()
+        .filter(|(_, outer)| !outer.inner)
+        .filter_map(|(i, outer)| {
+            let between = |j: &GroupJoint| joins(j, outer.body) && joins(j, carried);
+            let (k, inner) = joints().find(|(_, j)| between(j))?;
+            let held = !(outer.prismatic && inner.prismatic);
+            (held && !redundant(outer.joint) && !redundant(inner.joint)).then_some((i, k))
+        })
+        .collect();
+    let legs: [(usize, usize); 3] = legs.try_into().ok()?;
+    let bodies = legs.map(|(outer, _)| group.joints[outer].body);
+    let apart = bodies[0] != bodies[1] && bodies[1] != bodies[2] && bodies[2] != bodies[0];
+    (apart && group.joints.len() == 6).then_some((carried, legs))
+}
+
+/// `None` where the group is another or a leg has no length: the general solver takes it.
 pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize) -> Option<ForceStep> {
     let replaced = &structure.replaced;
-    let link = carried(group);
-    let legs = [0, 1, 2].map(|i| {
-        let (outer, inner) = (group.joints[i], group.joints[3 + i]);
-        let prismatic = matches!(replaced.joint(outer.joint).kind, JointKind::Prismatic { .. });
-        let pin_at = pin(replaced, inner, outer.body);
-        let along = pin_at - pin(replaced, outer, outer.body);
-        let inverse = if prismatic { 0.0 } else { 1.0 / along.norm() };
-        TriadForceLeg {
-            body: outer.body.0,
-            outer: if prismatic {
-                OuterJoint::Way(way(structure, outer, first_slot + i))
-            } else {
-                OuterJoint::Hinge(hinge(structure, outer, first_slot + i))
-            },
-            pin: arm(pin_at),
-            slot: first_slot + 3 + i,
-            sign: if inner.body == link { 1.0 } else { -1.0 },
-            direction: along * inverse,
-            inverse,
-        }
+    let (link, places) = legs(structure, group)?;
+    let legs = places.map(|(i, k)| {
+        let (outer, inner) = (group.joints[i], group.joints[k]);
+        let held = if inner.prismatic {
+            TriadHold::Guide(way(structure, inner, first_slot + k))
+        } else {
+            let at = pin(replaced, inner, outer.body);
+            let along = at - pin(replaced, outer, outer.body);
+            let inverse = if outer.prismatic { 0.0 } else { 1.0 / along.norm() };
+            TriadHold::Pin {
+                leg: arm(at),
+                link: pin(replaced, inner, link),
+                slot: first_slot + k,
+                sign: if inner.body == link { 1.0 } else { -1.0 },
+                direction: along * inverse,
+                inverse,
+            }
+        };
+        let outer_joint = if outer.prismatic {
+            OuterJoint::Way(way(structure, outer, first_slot + i))
+        } else {
+            OuterJoint::Hinge(hinge(structure, outer, first_slot + i))
+        };
+        TriadForceLeg { body: outer.body.0, outer: outer_joint, inner: held }
     });
-    let (plate, mean) = plate(structure, group);
-    let finite = legs.iter().all(|leg| leg.inverse.is_finite());
-    finite.then(|| ForceStep::Triad(Box::new(TriadForces { legs, body: link.0, mean, plate })))
+    let long =
+        |leg: &TriadForceLeg| !matches!(leg.inner, TriadHold::Pin { inverse, .. } if !inverse.is_finite());
+    legs.iter().all(long).then(|| ForceStep::Triad(Box::new(TriadForces { legs, body: link.0 })))
 }

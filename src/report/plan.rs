@@ -82,6 +82,7 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
     match step {
         ForceStep::Turn { .. } | ForceStep::Shift { .. } => format!("equilibrium, with {}", with.join(", ")),
         ForceStep::Train { .. } => train_forces(scene, group, &with),
+        ForceStep::Triad(_) => THREE_LEGS.to_owned(),
         ForceStep::General { .. } if with.is_empty() => "all equations of equilibrium at once".to_owned(),
         ForceStep::General { .. } => {
             format!("all equations of equilibrium at once, with {}", with.join(", "))
@@ -98,6 +99,8 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
         _ => closed_form(group, &with),
     }
 }
+
+const THREE_LEGS: &str = "closed form, triad: three equations";
 
 /// `equilibrium, with k and balance M`: with the forces of transmissions and the efforts found there.
 fn train_forces(scene: &Scene<'_>, group: &Group, with: &[String]) -> String {
@@ -117,7 +120,6 @@ fn closed_form(group: &Group, with: &[String]) -> String {
     let inside = if with.is_empty() { String::new() } else { format!(" ({})", with.join(", ")) };
     match group.kind {
         GroupKind::Translation => "closed form, between two guides".to_owned(),
-        GroupKind::Triad => "closed form, triad: three equations".to_owned(),
         _ => format!("closed form, dyad {}{inside}", group.kind_name()),
     }
 }

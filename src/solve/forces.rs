@@ -115,7 +115,7 @@ impl<S: Scalar> State<S> {
 
     /// Keeps the reaction of a guide, given at `p`, about the pair's reference point.
     #[inline(always)]
-    fn way_reaction(&mut self, way: &Way, p: V2<S>, force: V2<S>, couple: S) -> (V2<S>, S) {
+    pub(super) fn way_reaction(&mut self, way: &Way, p: V2<S>, force: V2<S>, couple: S) -> (V2<S>, S) {
         let reference = self.bodies[way.slider].position(way.point);
         let couple = couple + (p - reference).cross(force);
         self.reactions[way.slot] = Reaction { force, couple };

@@ -5,7 +5,7 @@ use super::state::{Reaction, State};
 use crate::group::general::Pose;
 use crate::group::triad::{End, Followed, Triad, modes};
 use crate::math::Vec2;
-use crate::plan::{OuterJoint, TriadForces, TriadLeg, TriadMotion};
+use crate::plan::{OuterJoint, TriadForceLeg, TriadForces, TriadHold, TriadLeg, TriadMotion};
 
 impl State {
     /// Follows the link from where it stands.
@@ -120,42 +120,74 @@ impl State {
         }
     }
 
-    /// Reactions of a triad; returns the condition figure.
+    /// Reactions of a link on three legs; returns the condition figure.
     pub(super) fn force_triad(&mut self, triad: &TriadForces) -> f64 {
-        let body = &self.bodies[triad.body];
-        let (mean, arms) = (body.position(triad.mean), triad.plate.arms.map(|arm| arm.turned(body.u)));
+        let legs = [0, 1, 2].map(|i| self.leg_force(triad.body, &triad.legs[i]));
+        let mean = (legs[0].at + legs[1].at + legs[2].at) * (1.0 / 3.0);
+        let arms = [0, 1, 2].map(|i| legs[i].at - mean);
+        let square = arms.iter().map(|arm| arm.dot(*arm)).sum::<f64>() / 3.0;
         let (force, moment) = self.load_about(triad.body, mean);
-        let zero = Vec2::new(0.0, 0.0);
-        let (mut d, mut known, mut places, mut loads) = ([zero; 3], [zero; 3], [zero; 3], [(zero, 0.0); 3]);
+        let moment = legs.iter().fold(moment, |sum, leg| sum + leg.couple);
+        let group = Triad::new(legs.map(|leg| leg.d), arms, square.sqrt().max(f64::MIN_POSITIVE));
+        let got = group.reactions(force, moment, legs.map(|leg| leg.known));
         for (i, leg) in triad.legs.iter().enumerate() {
-            match &leg.outer {
-                OuterJoint::Hinge(hinge) => {
-                    let (place, force, moment) = self.load_at(leg.body, &hinge.pin);
-                    (places[i], loads[i]) = (place, (force, moment));
-                    d[i] = leg.direction.turned(self.bodies[leg.body].u);
-                    known[i] = d[i].perp() * (loads[i].1 * leg.inverse);
+            let LegForce { place, load: (force, moment), couple, .. } = legs[i];
+            match &leg.inner {
+                TriadHold::Pin { slot, sign, .. } => {
+                    self.reactions[*slot] = Reaction { force: got[i] * *sign, couple: 0.0 };
                 }
-                OuterJoint::Way(way) => {
-                    let along = self.direction(way);
-                    let (place, force, moment) = self.load_at(leg.body, &leg.pin);
-                    (places[i], loads[i]) = (place, (force, moment));
-                    d[i] = along.perp();
-                    known[i] = along * along.dot(loads[i].0);
+                TriadHold::Guide(way) => {
+                    let sign = if way.body == triad.body { 1.0 } else { -1.0 };
+                    self.way_reaction(way, place, got[i] * sign, couple * sign);
                 }
             }
-        }
-        let group = Triad::new(d, arms, triad.plate.length);
-        let got = group.reactions(force, moment, known);
-        for (i, leg) in triad.legs.iter().enumerate() {
-            let on_leg = got[i] - loads[i].0;
-            self.reactions[leg.slot] = Reaction { force: got[i] * leg.sign, couple: 0.0 };
+            let on_leg = got[i] - force;
             match &leg.outer {
-                OuterJoint::Hinge(hinge) => self.hinge_reaction(hinge, places[i], on_leg),
-                OuterJoint::Way(way) => self.carried_way(way, places[i], on_leg, -loads[i].1),
+                OuterJoint::Hinge(hinge) => self.hinge_reaction(hinge, place, on_leg),
+                OuterJoint::Way(way) => self.carried_way(way, place, on_leg, -moment),
             }
         }
         group.sine
     }
+
+    /// What a leg's own balance leaves of its force on the link.
+    fn leg_force(&self, link: usize, leg: &TriadForceLeg) -> LegForce {
+        let zero = Vec2::new(0.0, 0.0);
+        let balanced = |place, load| LegForce { d: zero, at: zero, known: zero, couple: 0.0, place, load };
+        match (&leg.outer, &leg.inner) {
+            (OuterJoint::Hinge(hinge), TriadHold::Pin { link: at, direction, inverse, .. }) => {
+                let (place, force, moment) = self.load_at(leg.body, &hinge.pin);
+                let d = direction.turned(self.bodies[leg.body].u);
+                let (at, known) = (self.bodies[link].position(*at), d.perp() * (moment * inverse));
+                LegForce { d, at, known, ..balanced(place, (force, moment)) }
+            }
+            (OuterJoint::Hinge(hinge), TriadHold::Guide(way)) => {
+                let (place, force, moment) = self.load_at(leg.body, &hinge.pin);
+                let d = self.direction(way).perp();
+                LegForce { d, at: place, couple: moment, ..balanced(place, (force, moment)) }
+            }
+            (OuterJoint::Way(way), TriadHold::Pin { leg: pin, link: at, .. }) => {
+                let along = self.direction(way);
+                let (place, force, moment) = self.load_at(leg.body, pin);
+                let (at, known) = (self.bodies[link].position(*at), along * along.dot(force));
+                LegForce { d: along.perp(), at, known, ..balanced(place, (force, moment)) }
+            }
+            // the plan makes no leg of two guides
+            (OuterJoint::Way(_), TriadHold::Guide(_)) => balanced(zero, (zero, 0.0)),
+        }
+    }
+}
+
+/// The force of a leg on the link: an unknown part along d through a point, a known force there and a known couple.
+#[derive(Clone, Copy)]
+struct LegForce {
+    d: Vec2,
+    at: Vec2,
+    known: Vec2,
+    couple: f64,
+    /// Where the leg's loads are reduced to, with their force and moment.
+    place: Vec2,
+    load: (Vec2, f64),
 }
 
 /// All states in which a triad can stand.

@@ -47,7 +47,8 @@ pub fn alone(seed: u64) -> Draft {
     draft
 }
 
-fn finish(draft: &mut Draft) {
+/// Masses, loads, and what is asked.
+pub fn finish(draft: &mut Draft) {
     draft.add_masses();
     draft.add_loads();
     draft.hints();

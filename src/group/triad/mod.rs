@@ -21,8 +21,9 @@
 //! Ω_i = r_i × (v_A − v_O) / l_i²; the second derivatives alike.
 //!
 //! Forces: f_i is the force of leg i on the plate. Moments of the leg about O_i give r_i × f_i = M_i, so that its part
-//! across the leg is M_i / l_i, to the left; balance of a slider along its guide leaves F_i·(direction). These parts are
-//! known, and the parts N_i along d_i follow from the balance of the plate:
+//! across the leg is M_i / l_i, to the left; balance of a slider along its guide leaves F_i·(direction). A leg hung by a
+//! revolute O_i that holds the plate by a guide with the normal n_i puts the moment M_i on it beside a force along n_i
+//! through O_i, which stands for A_i. These parts are known, and the parts N_i along d_i follow from the balance of the plate:
 //!
 //! ```text
 //! Jᵀ N = −(F, M / ρ) − Σ (known part, its moment about G / ρ).
