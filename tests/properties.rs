@@ -201,5 +201,5 @@ fn answers_agree_with_thirty_digits() {
         closed += 1;
     }
     println!("{positions} positions, {closed} in closed form, c = {losses:?}");
-    assert!(positions > 1000 && closed > 300, "{positions} positions, {closed} in closed form");
+    assert!(positions > 1000 && closed > 250, "{positions} positions, {closed} in closed form");
 }
