@@ -79,8 +79,10 @@ impl Double {
     }
 }
 
+// not written out at every place: the closed forms would grow tenfold, and the compiler would take minutes for them
 impl Add for Double {
     type Output = Self;
+    #[inline(never)]
     fn add(self, o: Self) -> Self {
         let (s, t) = (two_sum(self.high, o.high), two_sum(self.low, o.low));
         let s = quick_sum(s.high, s.low + t.high);
@@ -104,6 +106,7 @@ impl Sub for Double {
 
 impl Mul for Double {
     type Output = Self;
+    #[inline(never)]
     fn mul(self, o: Self) -> Self {
         let p = two_product(self.high, o.high);
         quick_sum(p.high, p.low + (self.high * o.low + self.low * o.high))
@@ -113,6 +116,7 @@ impl Mul for Double {
 impl Div for Double {
     type Output = Self;
     /// Long division with three digits of 53 bits.
+    #[inline(never)]
     fn div(self, o: Self) -> Self {
         let first = self.high / o.high;
         if !first.is_finite() || o.high.is_infinite() {

@@ -2,7 +2,7 @@
 
 use super::state::{DriveInput, State};
 use crate::math::{Double, Scalar, V2, Vec2};
-use crate::plan::{Level, Plan};
+use crate::plan::{ForceStep, Level, MotionStep, Plan};
 
 /// A scalar in which a position can be computed from drive values in `f64`.
 pub trait Edge: Scalar + Default {
@@ -74,17 +74,28 @@ impl<S: Edge> State<S> {
     pub fn run_closed(&mut self, plan: &Plan) {
         self.start(plan);
         match plan.effects.level {
-            Level::Positions => plan.motion.iter().for_each(|step| self.closed_form::<0>(step)),
-            Level::Velocities => plan.motion.iter().for_each(|step| self.closed_form::<1>(step)),
-            Level::Accelerations => plan.motion.iter().for_each(|step| self.closed_form::<2>(step)),
+            Level::Positions => plan.motion.iter().for_each(|step| self.closed_motion::<0>(step)),
+            Level::Velocities => plan.motion.iter().for_each(|step| self.closed_motion::<1>(step)),
+            Level::Accelerations => plan.motion.iter().for_each(|step| self.closed_motion::<2>(step)),
         }
         if plan.effects.forces {
             self.known_loads(plan);
             self.set_lines(plan);
             for (index, step) in plan.forces.iter().enumerate() {
-                self.force_sines[index] = self.closed_force(step);
+                self.force_sines[index] = self.closed_forces(step);
             }
         }
+    }
+
+    // all closed forms written out within a loop take the compiler minutes
+    #[inline(never)]
+    fn closed_motion<const LEVEL: u8>(&mut self, step: &MotionStep) {
+        self.closed_form::<LEVEL>(step);
+    }
+
+    #[inline(never)]
+    fn closed_forces(&mut self, step: &ForceStep) -> S {
+        self.closed_force(step)
     }
 }
 
