@@ -75,7 +75,7 @@ impl<'a> SideBySide<'a> {
             for (state, inputs) in self.blocks.iter_mut().zip(laned.chunks(WIDTH * drives)) {
                 fill(&mut state.inputs, inputs);
             }
-            self.arch.dispatch(Solve { plan: self.plan, blocks: &mut self.blocks[..full] });
+            solve(self.arch, self.plan, &mut self.blocks[..full]);
             for (state, inputs) in self.blocks.iter().zip(laned.chunks(WIDTH * drives)) {
                 if state.open.is_none() {
                     (0..WIDTH).for_each(|lane| each(first + lane, Place::Lane(state, lane)));
@@ -126,7 +126,14 @@ fn one_by_one(
     }
 }
 
+// these two are not written out in `run`, of which there is one for every caller: the compiler would take minutes
+#[inline(never)]
+fn solve(arch: pulp::Arch, plan: &Plan, blocks: &mut [State<Lanes<WIDTH>>]) {
+    arch.dispatch(Solve { plan, blocks });
+}
+
 /// One position by itself.
+#[inline(never)]
 fn alone(plan: &Plan, state: &mut State) {
     match plan.effects.level {
         Level::Positions => state.run_motion::<0>(plan),
