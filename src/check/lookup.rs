@@ -187,7 +187,16 @@ impl Context<'_> {
         self.error(NameError::AmbiguousPoint {
             name: name.node.clone(),
             span: name.span,
-            help: format!("write {choices}"),
+            help: match bearers.as_slice() {
+                [a, b] => {
+                    let [a, b] = [a, b].map(|&(link, _)| &self.mech.link(link).name);
+                    format!(
+                        "write {choices}; if a hinge is missing there, add `revolute {}: {a} - {b}`",
+                        name.node
+                    )
+                }
+                _ => format!("write {choices}"),
+            },
         });
         None
     }
