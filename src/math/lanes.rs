@@ -11,7 +11,7 @@ use super::scalar::Truths;
 pub struct Lanes<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Lanes<N> {
-    #[inline(always)]
+    #[inline]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
         let mut out = self.0;
         for x in &mut out {
@@ -20,7 +20,7 @@ impl<const N: usize> Lanes<N> {
         Self(out)
     }
 
-    #[inline(always)]
+    #[inline]
     fn each(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut out = self.0;
         for (x, y) in out.iter_mut().zip(other.0) {
@@ -40,7 +40,7 @@ macro_rules! operator {
     ($trait:ident, $name:ident) => {
         impl<const N: usize> $trait for Lanes<N> {
             type Output = Self;
-            #[inline(always)]
+            #[inline]
             fn $name(self, other: Self) -> Self {
                 self.each(other, f64::$name)
             }
@@ -55,14 +55,14 @@ operator!(Div, div);
 
 impl<const N: usize> Neg for Lanes<N> {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn neg(self) -> Self {
         self.map(f64::neg)
     }
 }
 
 impl<const N: usize> Truths for [bool; N] {
-    #[inline(always)]
+    #[inline]
     fn all(self) -> bool {
         self.iter().fold(true, |all, x| all & x)
     }
@@ -71,27 +71,27 @@ impl<const N: usize> Truths for [bool; N] {
 impl<const N: usize> Scalar for Lanes<N> {
     type Mask = [bool; N];
 
-    #[inline(always)]
+    #[inline]
     fn of(x: f64) -> Self {
         Self([x; N])
     }
-    #[inline(always)]
+    #[inline]
     fn sqrt(self) -> Self {
         self.map(f64::sqrt)
     }
-    #[inline(always)]
+    #[inline]
     fn abs(self) -> Self {
         self.map(f64::abs)
     }
-    #[inline(always)]
+    #[inline]
     fn max(self, other: Self) -> Self {
         self.each(other, Scalar::max)
     }
-    #[inline(always)]
+    #[inline]
     fn min(self, other: Self) -> Self {
         self.each(other, Scalar::min)
     }
-    #[inline(always)]
+    #[inline]
     fn lt(self, other: Self) -> [bool; N] {
         let mut out = [false; N];
         for ((out, x), y) in out.iter_mut().zip(self.0).zip(other.0) {
@@ -99,7 +99,7 @@ impl<const N: usize> Scalar for Lanes<N> {
         }
         out
     }
-    #[inline(always)]
+    #[inline]
     fn select(mask: [bool; N], a: Self, b: Self) -> Self {
         let mut out = b.0;
         for ((out, x), mask) in out.iter_mut().zip(a.0).zip(mask) {

@@ -49,12 +49,13 @@ impl<'a> SideBySide<'a> {
     pub fn new(plan: &'a Plan, reference: &State) -> Self {
         let mut block = State::closed(plan);
         block.branches.clone_from(&reference.branches);
+        let arch = pulp::Arch::new();
         Self {
             plan,
-            laned: plan.laned(),
+            laned: plan.laned() && arch.dispatch(HasLanes),
             blocks: vec![block; BLOCKS],
             alone: reference.clone(),
-            arch: pulp::Arch::new(),
+            arch,
         }
     }
 
@@ -126,7 +127,7 @@ fn one_by_one(
     }
 }
 
-// these two are not written out in `run`, of which there is one for every caller: the compiler would take minutes
+// these two are not written out in `run`, of which there is one for every caller
 #[inline(never)]
 fn solve(arch: pulp::Arch, plan: &Plan, blocks: &mut [State<Lanes<WIDTH>>]) {
     arch.dispatch(Solve { plan, blocks });
@@ -184,11 +185,26 @@ impl Solve<'_> {
     }
 }
 
+/// Whether the machine takes several numbers in one instruction.
+struct HasLanes;
+
+impl pulp::WithSimd for HasLanes {
+    type Output = bool;
+
+    fn with_simd<A: pulp::Simd>(self, _: A) -> bool {
+        A::F64_LANES > 1
+    }
+}
+
 impl pulp::WithSimd for Solve<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<A: pulp::Simd>(mut self, _: A) {
+        // never asked for: not compiled either
+        if A::F64_LANES == 1 {
+            return;
+        }
         match self.plan.effects.level {
             Level::Positions => self.motion::<0>(),
             Level::Velocities => self.motion::<1>(),
