@@ -46,7 +46,8 @@ impl Bench {
         let plan = assur::plan::plan(&mechanism, &structure);
         let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
         let solution = solve(&scene).expect("the machine closes");
-        let state = solution.poses[0].outcome.as_ref().expect("the first position is regular").state.clone();
+        let first = solution.poses[0].outcome.as_ref().expect("the first position is regular");
+        let state = first.state.clone().ready(&plan);
         let input = |i: usize| {
             let value = i as f64 * std::f64::consts::TAU / POSITIONS as f64;
             let place = Vec2::direction(value);

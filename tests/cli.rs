@@ -261,7 +261,7 @@ fn accuracy_is_measured() {
         Measured
          2 positions, held against the same positions in double-double, itself good to about 2e-31.
          Errors are the greatest of all: positions over 0.35 m, velocities over 35 m/s.
-         Times are the least of many repeats, on one thread; lanes are 4 wide with ….
+         Times are the least of many repeats, on one thread; lanes are 8 wide with ….
 
         Scalar: what every position is computed with
          numbers µs per position error digits

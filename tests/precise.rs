@@ -19,7 +19,8 @@ fn a_four_bar_to_thirty_digits() {
     let plan = assur::plan::plan(&mechanism, &structure);
     let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
     let solution = solve(&scene).expect("the machine closes");
-    let mut state = solution.poses[0].outcome.as_ref().expect("the first position is regular").state.clone();
+    let first = solution.poses[0].outcome.as_ref().expect("the first position is regular");
+    let mut state = first.state.clone().ready(&plan);
     for i in 0..36 {
         let value = f64::from(i) * 0.17;
         let place = Vec2::direction(value);

@@ -32,7 +32,7 @@ impl Run {
             .collect();
         assert!(states.iter().all(|s| s.branches == states[0].branches), "no change points");
         let inputs = states.iter().flat_map(|s| s.inputs.clone()).collect();
-        Self { state: states[0].clone(), inputs, compiled }
+        Self { state: states[0].clone().ready(&compiled.plan), inputs, compiled }
     }
 
     pub fn positions(&self) -> usize {

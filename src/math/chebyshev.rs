@@ -73,11 +73,12 @@ impl Series {
     #[must_use]
     pub fn value(&self, x: f64) -> f64 {
         let t = ((x - self.from) + (x - self.to)) / (self.to - self.from);
+        let [first, rest @ ..] = self.coefficients.as_slice() else { return 0.0 };
         let (mut b_1, mut b_2) = (0.0, 0.0);
-        for c in self.coefficients.iter().skip(1).rev() {
+        for c in rest.iter().rev() {
             (b_1, b_2) = (2.0 * t * b_1 - b_2 + c, b_1);
         }
-        t * b_1 - b_2 + self.coefficients.first().copied().unwrap_or(0.0)
+        t * b_1 - b_2 + first
     }
 
     /// The integral over the interval.
@@ -138,6 +139,11 @@ impl Series {
     /// Where the series changes its sign within the interval, in order.
     #[must_use]
     pub fn roots(&self) -> Vec<f64> {
+        let [first, rest @ ..] = self.coefficients.as_slice() else { return Vec::new() };
+        // |T_k| ≤ 1
+        if first.abs() > (1.0 + 1e-9) * rest.iter().map(|c| c.abs()).sum::<f64>() {
+            return Vec::new();
+        }
         let parts = 4 * self.coefficients.len();
         let at = |i: usize| {
             // denser towards the ends, as the series turns there
@@ -147,7 +153,8 @@ impl Series {
         let mut found = Vec::new();
         let (mut x, mut f) = (self.from, self.value(self.from));
         for i in 1..=parts {
-            let (next, g) = (at(i), self.value(at(i)));
+            let next = at(i);
+            let g = self.value(next);
             if f * g < 0.0 {
                 // from the near end of the interval, so that a root close to it keeps its digits
                 found.push(

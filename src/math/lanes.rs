@@ -1,4 +1,7 @@
 //! Several numbers side by side.
+//!
+//! Operations are `inline`, not `inline(always)`: they are unrolled first and then written out, else all their loops
+//! together keep the compiler busy for minutes.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -6,8 +9,9 @@ use super::Scalar;
 use super::scalar::Truths;
 
 /// `N` numbers that go through the same operations. Plain arrays: the compiler makes vectors of them. Every lane has the
-/// same bits as `f64` alone.
+/// same bits as `f64` alone. Aligned, so that no vector lies across two lines of the cache.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(32))]
 pub struct Lanes<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Lanes<N> {

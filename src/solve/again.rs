@@ -120,7 +120,7 @@ impl<'a> Again<'a> {
 fn start(scene: &Scene<'_>, rates: &Rates, pose: &Pose, solved: &Solved, iterates: bool) -> Start {
     let mut from = solved.state.clone();
     if iterates {
-        let mut tracker = Tracker::new(scene, solved.state.clone(), &pose.drives);
+        let mut tracker = Tracker::new(scene, solved.state.clone().ready(scene.plan), &pose.drives);
         if tracker.go(scene, rates, &step_before(scene, &pose.drives)).is_ok() {
             from = tracker.state;
         }

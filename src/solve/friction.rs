@@ -182,7 +182,7 @@ impl State {
         if let Some(elements) = &group.reduced {
             let mut steps = 0;
             let sine = self.force_reduced(plan, plain, elements, &mut steps);
-            if let Some(work) = &mut self.rubbing_work[index] {
+            if let Some(Some(work)) = self.rubbing_work.get_mut(index) {
                 work.steps = steps;
             }
             return sine.unwrap_or_else(|| {

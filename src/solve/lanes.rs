@@ -8,11 +8,12 @@ use super::state::{BodyState, DriveInput, Reaction, State};
 use crate::math::{Lanes, V2, Vec2};
 use crate::plan::{Level, Plan};
 
-/// Positions that go side by side.
-pub const WIDTH: usize = 4;
+/// Positions that go side by side: two vectors of AVX2, so that one goes on while the other waits for a root or a quotient.
+/// Registers of AVX-512, one vector, were measured to be no faster.
+pub const WIDTH: usize = 8;
 
 /// Blocks that go step by step together.
-const BLOCKS: usize = 4;
+const BLOCKS: usize = 2;
 
 /// The instructions that positions side by side go through on this machine.
 #[must_use]
@@ -54,7 +55,7 @@ impl<'a> SideBySide<'a> {
             plan,
             laned: plan.laned() && arch.dispatch(HasLanes),
             blocks: vec![block; BLOCKS],
-            alone: reference.clone(),
+            alone: reference.clone().ready(plan),
             arch,
         }
     }
@@ -74,7 +75,7 @@ impl<'a> SideBySide<'a> {
             let full = if self.laned { chunk.len() / (WIDTH * drives) } else { 0 };
             let (laned, rest) = chunk.split_at(full * WIDTH * drives);
             for (state, inputs) in self.blocks.iter_mut().zip(laned.chunks(WIDTH * drives)) {
-                fill(&mut state.inputs, inputs);
+                fill(&mut state.inputs, inputs, !self.plan.outer.is_empty());
             }
             solve(self.arch, self.plan, &mut self.blocks[..full]);
             for (state, inputs) in self.blocks.iter().zip(laned.chunks(WIDTH * drives)) {
@@ -91,8 +92,8 @@ impl<'a> SideBySide<'a> {
     }
 }
 
-/// The inputs of a block.
-fn fill(out: &mut [DriveInput<Lanes<WIDTH>>], block: &[DriveInput]) {
+/// The inputs of a block; velocities and accelerations of driven points where there are `points`.
+fn fill(out: &mut [DriveInput<Lanes<WIDTH>>], block: &[DriveInput], points: bool) {
     let drives = out.len();
     for (drive, out) in out.iter_mut().enumerate() {
         let of = |f: fn(&DriveInput) -> f64| {
@@ -102,14 +103,14 @@ fn fill(out: &mut [DriveInput<Lanes<WIDTH>>], block: &[DriveInput]) {
             }
             Lanes(lanes)
         };
-        *out = DriveInput {
-            place: V2::new(of(|d| d.place.x), of(|d| d.place.y)),
-            value: of(|d| d.value),
-            rate: of(|d| d.rate),
-            acceleration: of(|d| d.acceleration),
-            velocity: V2::new(of(|d| d.velocity.x), of(|d| d.velocity.y)),
-            point_acceleration: V2::new(of(|d| d.point_acceleration.x), of(|d| d.point_acceleration.y)),
-        };
+        out.place = V2::new(of(|d| d.place.x), of(|d| d.place.y));
+        out.value = of(|d| d.value);
+        out.rate = of(|d| d.rate);
+        out.acceleration = of(|d| d.acceleration);
+        if points {
+            out.velocity = V2::new(of(|d| d.velocity.x), of(|d| d.velocity.y));
+            out.point_acceleration = V2::new(of(|d| d.point_acceleration.x), of(|d| d.point_acceleration.y));
+        }
     }
 }
 
@@ -148,8 +149,7 @@ fn alone(plan: &Plan, state: &mut State) {
     }
 }
 
-/// Blocks of positions, every step on all of them before the next: while one waits for a root or a quotient the others go
-/// on. Compiled once per set of instructions.
+/// Blocks of positions, every step on all of them before the next. Compiled once per set of instructions.
 struct Solve<'a> {
     plan: &'a Plan,
     blocks: &'a mut [State<Lanes<WIDTH>>],

@@ -22,7 +22,7 @@ impl Locked<'_> {
     /// The greatest part of the friction, in one pair or in all, with which it moves; `None` where it is locked without.
     pub fn limit(&self, of: Option<PairId>) -> Option<f64> {
         let mut plan = self.scene.plan.clone();
-        let mut state = self.state.clone();
+        let mut state = self.state.clone().ready(self.scene.plan);
         if !self.moves(&mut state, &mut plan, of, 0.0) {
             return None;
         }
@@ -41,7 +41,7 @@ impl Locked<'_> {
     /// The pairs and the power that each loses where it just moves, the greatest first.
     pub fn losses(&self, part: f64) -> Vec<(PairId, f64)> {
         let mut plan = self.scene.plan.clone();
-        let mut state = self.state.clone();
+        let mut state = self.state.clone().ready(self.scene.plan);
         self.moves(&mut state, &mut plan, None, part * (1.0 - 1e-6));
         let mut losses: Vec<(PairId, f64)> = Vec::new();
         for (element, effort) in plan.friction.iter().zip(&state.frictions) {

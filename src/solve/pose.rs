@@ -26,7 +26,9 @@ impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
     pub(super) fn solved(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, SolveError> {
         let scene = self.scene;
-        let mut state = tracker.state.clone();
+        let mut state = self.memory.take().unwrap_or_else(|| State::new(scene.plan));
+        state.start_from(&tracker.state);
+        state.without_forces();
         self.rates.at(&pose.drives, &mut state.inputs);
         match scene.plan.effects.level {
             Level::Positions => state.run_motion::<0>(scene.plan),
@@ -47,7 +49,7 @@ impl Run<'_, '_> {
             state.locked = false;
             state.run_forces_without_friction(scene.plan);
             let values = View::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
-            Box::new((state, values))
+            Box::new((state.answer(), values))
         });
         if let (Some(free), false) = (&frictionless, state.locked) {
             condition = condition.min(self.near_locking(&state, &free.0, pose));
@@ -65,7 +67,10 @@ impl Run<'_, '_> {
             return Err(error);
         }
         let angles = tracker.angles.clone();
-        let mut solved = Solved { state, frictionless, quantities: Vec::new(), angles, residuals, condition };
+        let answer = state.answer();
+        self.memory = Some(state);
+        let mut solved =
+            Solved { state: answer, frictionless, quantities: Vec::new(), angles, residuals, condition };
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
         let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
         solved.quantities = View { frictionless: ideal, ..view }.all_quantities();
@@ -132,7 +137,8 @@ impl Run<'_, '_> {
 
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
         let scene = self.scene;
-        balanced(scene, &self.statics, state, angles, &mut self.evaluated, true);
+        let quantities = self.loads_name_quantities;
+        balanced(scene, &self.statics, state, angles, &mut self.evaluated, quantities);
         let mut least = 1.0_f64;
         for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
             let condition = sine.abs();

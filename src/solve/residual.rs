@@ -4,7 +4,7 @@
 use super::solution::{Residuals, Scene};
 use super::state::{State, Wrench};
 use crate::math::Vec2;
-use crate::structure::{EffortKind, JointKind};
+use crate::structure::{BodyId, EffortKind, JointKind};
 
 /// Residuals of a position. Forces are checked where the plan solves them and they exist, powers where it follows
 /// velocities.
@@ -181,17 +181,18 @@ fn most_power(scene: &Scene<'_>, state: &State) -> f64 {
     let forces = state.applied.iter().map(|w| w.force.norm());
     let force = forces.chain(state.reactions.iter().map(|r| r.force.norm())).fold(0.0, f64::max);
     let (mut speed, mut turn) = (0.0_f64, 0.0_f64);
+    let mut look = |body: BodyId, at: Vec2| {
+        speed = speed.max(state.bodies[body.0].velocity(at).norm());
+        turn = turn.max(state.bodies[body.0].omega.abs());
+    };
     for joint in &scene.structure.replaced.joints {
-        let points = match &joint.kind {
-            JointKind::Revolute(members) => members.clone(),
+        match &joint.kind {
+            JointKind::Revolute(members) => members.iter().for_each(|(body, at)| look(*body, *at)),
             JointKind::Prismatic { slider, point, guide, through, .. } => {
-                vec![(*slider, *point), (*guide, *through)]
+                look(*slider, *point);
+                look(*guide, *through);
             }
-            JointKind::Law(_) => Vec::new(),
-        };
-        for (body, at) in points {
-            speed = speed.max(state.bodies[body.0].velocity(at).norm());
-            turn = turn.max(state.bodies[body.0].omega.abs());
+            JointKind::Law(_) => {}
         }
     }
     let moments = state.applied.iter().map(|w| w.moment.abs());

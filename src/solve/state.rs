@@ -174,7 +174,7 @@ pub struct State<S = f64> {
     pub law_forces: Vec<LawForce>,
     /// Memory of the train groups of forces.
     pub train_work: Vec<TrainWork>,
-    /// Memory of the groups with friction, by step of forces.
+    /// Memory of the groups with friction, by step of forces; nothing where nothing rubs.
     pub rubbing_work: Vec<Option<RubbingWork>>,
     /// Memory of the general groups of motion.
     pub motion_work: Vec<Option<Workspace>>,
@@ -217,24 +217,69 @@ impl State {
     /// A state for a plan, at rest.
     #[must_use]
     pub fn new(plan: &Plan) -> Self {
+        Self::closed(plan).ready(plan)
+    }
+
+    /// The state with memory laid out for the steps of a plan that have no closed form: a position of a solution has none.
+    #[must_use]
+    pub fn ready(self, plan: &Plan) -> Self {
         let memory = |equations: &Option<General>, bodies: &[usize], moving| {
             equations.as_ref().map(|e| Workspace::new(e, bodies.len(), moving))
         };
+        let rubs = plan.forces.iter().any(|step| matches!(step, ForceStep::Rubbing { .. }));
         let rubbing = plan.forces.iter().map(|step| match step {
             ForceStep::Rubbing { group, .. } => Some(RubbingWork::new(group)),
             _ => None,
         });
         Self {
             train_work: plan.train_forces.iter().map(TrainWork::new).collect(),
-            rubbing_work: rubbing.collect(),
+            rubbing_work: if rubs { rubbing.collect() } else { Vec::new() },
             motion_work: plan.general.iter().map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
             force_work: plan
                 .balance_systems
                 .iter()
                 .map(|g| memory(&g.equations, &g.bodies, g.moving))
                 .collect(),
-            ..Self::closed(plan)
+            ..self
         }
+    }
+
+    /// A copy without that memory.
+    pub(super) fn answer(&self) -> Self {
+        Self {
+            bodies: self.bodies.clone(),
+            inputs: self.inputs.clone(),
+            branches: self.branches.clone(),
+            sines: self.sines.clone(),
+            certificates: self.certificates.clone(),
+            touches: self.touches.clone(),
+            open: self.open,
+            shared: self.shared.clone(),
+            applied: self.applied.clone(),
+            wrenches: self.wrenches.clone(),
+            reactions: self.reactions.clone(),
+            efforts: self.efforts.clone(),
+            lines: self.lines.clone(),
+            force_sines: self.force_sines.clone(),
+            frictions: self.frictions.clone(),
+            senses: self.senses.clone(),
+            locked: self.locked,
+            law_forces: self.law_forces.clone(),
+            ..Self::default()
+        }
+    }
+
+    /// Puts all forces to nothing.
+    pub(super) fn without_forces(&mut self) {
+        self.applied.fill(Wrench::default());
+        self.wrenches.fill(Wrench::default());
+        self.reactions.fill(Reaction::default());
+        self.efforts.fill(0.0);
+        self.force_sines.fill(1.0);
+        self.frictions.fill(0.0);
+        self.senses.fill(0.0);
+        self.law_forces.fill(LawForce::default());
+        self.locked = false;
     }
 
     /// Takes over what motion starts from, of a state of the same plan: where the bodies are and how they are assembled.

@@ -1,6 +1,7 @@
 //! Solves all positions of a file.
 
 use super::assemble::{assemble, does_not_close};
+use super::cycle::loads_name_quantities;
 use super::error::{SolveError, label};
 use super::extremes::{Statics, statics};
 use super::friction_notes::FrictionNotes;
@@ -36,20 +37,23 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
     }
     let mut statics = statics(scene).map_err(|e| vec![e])?;
     statics.criticals = criticals;
-    let cycle_warnings = super::cycle::cycles(scene, &mut statics).map_err(|e| vec![e])?;
     let wanted = sweep(scene, &statics);
+    let cycle_warnings = super::cycle::cycles(scene, &mut statics, &wanted).map_err(|e| vec![e])?;
     let mut run = Run {
         scene,
         rates: Rates::of(scene, &statics),
         statics,
         evaluated: Vec::new(),
+        loads_name_quantities: loads_name_quantities(scene.mechanism),
+        memory: None,
         before: None,
         poses: Vec::new(),
         notes: Notes::default(),
         friction: FrictionNotes::default(),
     };
     let mut near = beside(scene, &run.statics, &wanted[0]).into_iter().map(Near::new).collect::<Vec<_>>();
-    run.follow(&wanted, &mut near).map_err(|e| vec![e])?;
+    run.poses.reserve(wanted.len() + near.len());
+    run.follow(wanted, &mut near).map_err(|e| vec![e])?;
     run.beside(near);
     let friction = run.friction_problems();
     let mut warnings = run.notes.into_warnings(scene, &run.poses);
@@ -112,6 +116,9 @@ pub(super) struct Run<'a, 's> {
     pub rates: Rates,
     pub statics: Statics,
     pub evaluated: Vec<(LoadId, Value)>,
+    pub loads_name_quantities: bool,
+    /// Memory for the steps at one position.
+    pub memory: Option<State>,
     /// Memory for the place before a step of the sweep.
     before: Option<Tracker>,
     poses: Vec<Pose>,
@@ -122,29 +129,27 @@ pub(super) struct Run<'a, 's> {
 
 impl Run<'_, '_> {
     /// Follows the sweep, past the poses beside it.
-    fn follow(&mut self, wanted: &[Wanted], near: &mut [Near]) -> Result<(), SolveError> {
+    fn follow(&mut self, wanted: Vec<Wanted>, near: &mut [Near]) -> Result<(), SolveError> {
         let mut current: Option<Tracker> = None;
         let mut first_error = None;
-        for (i, pose) in wanted.iter().enumerate() {
-            let before = i.checked_sub(1).map(|i| &wanted[i]);
+        let alone = wanted.len() == 1;
+        for (i, pose) in wanted.into_iter().enumerate() {
             let came = match current.take() {
-                None => self.assembled(pose).map(|t| (t, Way::Followed(Vec::new()))),
-                Some(mut tracker) => self.moved(&mut tracker, pose).map(|way| (tracker, way)),
+                None => self.assembled(&pose).map(|t| (t, Way::Followed(Vec::new()))),
+                Some(mut tracker) => self.moved(&mut tracker, &pose).map(|way| (tracker, way)),
             };
             match came {
                 Ok((tracker, way)) => {
-                    if let Some(before) = before {
-                        self.note_way(way, &tracker, before, pose);
-                    }
-                    let outcome = self.solved(&tracker, pose);
-                    self.push(pose, outcome);
+                    self.note_way(way, &tracker, &pose);
+                    let outcome = self.solved(&tracker, &pose);
                     near.iter_mut().for_each(|n| n.look(&tracker, &pose.drives));
+                    self.push(pose, outcome);
                     current = Some(tracker);
                 }
                 Err(stuck) => {
                     let Stuck { error, back } = *stuck;
                     // without a choice, or with a hint that cannot be met, no position has a meaning
-                    if i == 0 && (wanted.len() == 1 || !is_open(&error)) {
+                    if i == 0 && (alone || !is_open(&error)) {
                         return Err(error);
                     }
                     first_error.get_or_insert(error.clone());
@@ -157,10 +162,8 @@ impl Run<'_, '_> {
                 }
             }
         }
-        match (self.poses.iter().any(|p| p.outcome.is_ok()), first_error) {
-            (false, Some(error)) if self.poses.iter().all(|p| p.outcome.as_ref().is_err_and(is_open)) => {
-                Err(error)
-            }
+        match first_error {
+            Some(error) if self.poses.iter().all(|p| p.outcome.as_ref().is_err_and(is_open)) => Err(error),
             _ => Ok(()),
         }
     }
@@ -174,7 +177,8 @@ impl Run<'_, '_> {
     }
 
     /// What is to be said of the way from the position before.
-    fn note_way(&mut self, way: Way, tracker: &Tracker, before: &Wanted, pose: &Wanted) {
+    fn note_way(&mut self, way: Way, tracker: &Tracker, pose: &Wanted) {
+        let Some(before) = self.poses.last() else { return };
         let back = || tracker.clone().limit(self.scene, &self.rates, &before.drives);
         if self.notes.in_gap() {
             let end = back();
@@ -235,17 +239,13 @@ impl Run<'_, '_> {
                 },
                 None => self.assembled(&pose).map_err(|e| e.error).and_then(|t| self.solved(&t, &pose)),
             };
-            self.push(&pose, outcome);
+            self.push(pose, outcome);
         }
     }
 
-    fn push(&mut self, pose: &Wanted, outcome: Result<Solved, SolveError>) {
-        self.poses.push(Pose {
-            name: pose.name.clone(),
-            origin: pose.origin,
-            drives: pose.drives.clone(),
-            outcome,
-        });
+    fn push(&mut self, pose: Wanted, outcome: Result<Solved, SolveError>) {
+        let Wanted { name, origin, drives } = pose;
+        self.poses.push(Pose { name, origin, drives, outcome });
     }
 }
 

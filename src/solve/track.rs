@@ -8,8 +8,9 @@
 
 use super::inputs::Rates;
 use super::solution::{DriveValue, Scene};
-use super::state::{Branch, State};
+use super::state::State;
 use crate::math::Vec2;
+use crate::model::Drive;
 use crate::plan::MotionStep;
 use crate::structure::{BodyId, JointKind};
 use std::rc::Rc;
@@ -36,7 +37,7 @@ const KEPT: usize = 4;
 type Pose = (Vec2, Vec2);
 
 /// A place of the mechanism before the present one.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Place {
     values: Vec<DriveValue>,
     poses: Vec<Pose>,
@@ -101,34 +102,44 @@ impl Tracker {
         rates: &Rates,
         target: &[DriveValue],
     ) -> Result<Vec<Switch>, usize> {
-        let first: Vec<Branch> = self.state.branches.clone();
         let mut switched: Vec<Switch> = Vec::new();
         let steps = steps(scene, self.extent, &self.values, target);
-        let start = self.values.clone();
-        let mut done = 0.0;
-        while done < steps {
-            done += 1.0;
-            let values: Vec<DriveValue> = if done < steps {
-                start.iter().zip(target).map(|(a, b)| between(*a, *b, done / steps)).collect()
-            } else {
-                target.to_vec()
-            };
-            self.step(scene, rates, values, false)?;
-            let branches = self.spare.branches.iter().zip(&self.state.branches);
-            for (group, (before, after)) in branches.enumerate() {
-                if before.root * after.root < 0.0 {
-                    switched.push(Switch { group, at: self.values.clone() });
-                }
+        if steps > 1.0 {
+            let start = self.values.clone();
+            let mut values = start.clone();
+            let mut done = 1.0;
+            while done < steps {
+                let way = start.iter().zip(target).map(|(a, b)| between(*a, *b, done / steps));
+                values.clear();
+                values.extend(way);
+                self.step(scene, rates, &values, false)?;
+                self.note_switches(&mut switched);
+                done += 1.0;
             }
         }
+        self.step(scene, rates, target, false)?;
+        self.note_switches(&mut switched);
         // what changed back is as it was
-        switched.retain(|s| first[s.group].root * self.state.branches[s.group].root < 0.0);
+        let times = |group| switched.iter().filter(|s| s.group == group).count();
+        let changed: Vec<bool> = switched.iter().map(|s| times(s.group) % 2 == 1).collect();
+        let mut changed = changed.into_iter();
+        switched.retain(|_| changed.next() == Some(true));
         Ok(switched)
+    }
+
+    /// Which assemblies changed in the last step.
+    fn note_switches(&self, switched: &mut Vec<Switch>) {
+        let branches = self.spare.branches.iter().zip(&self.state.branches);
+        for (group, (before, after)) in branches.enumerate() {
+            if before.root * after.root < 0.0 {
+                switched.push(Switch { group, at: self.values.clone() });
+            }
+        }
     }
 
     /// Whether the way to other drive values is too long to be followed: its angles would be guesses.
     pub(super) fn is_too_long(&self, scene: &Scene<'_>, target: &[DriveValue]) -> bool {
-        ways(scene, self.extent, &self.values, target).iter().any(|way| way.abs() > MOST_STEPS)
+        ways(scene, self.extent, &self.values, target).any(|way| way.abs() > MOST_STEPS)
     }
 
     /// How far the way to other drive values closes: the last values that do.
@@ -148,7 +159,7 @@ impl Tracker {
             let middle = 0.5 * (closed + open);
             let mut trial = self.clone();
             trial.history.clear();
-            if trial.step(scene, rates, at(middle), false).is_ok() {
+            if trial.step(scene, rates, &at(middle), false).is_ok() {
                 closed = middle;
             } else {
                 open = middle;
@@ -162,16 +173,17 @@ impl Tracker {
         &mut self,
         scene: &Scene<'_>,
         rates: &Rates,
-        values: Vec<DriveValue>,
+        values: &[DriveValue],
         over_gap: bool,
     ) -> Result<(), usize> {
         let mut next = std::mem::take(&mut self.spare);
-        let found = self.solve_next(scene, rates, &values, over_gap, &mut next);
+        let found = self.solve_next(scene, rates, values, over_gap, &mut next);
         if found.is_ok() {
             self.remember(scene);
             self.follow_angles(scene, &next);
             std::mem::swap(&mut self.state, &mut next);
-            self.values = values;
+            self.values.clear();
+            self.values.extend_from_slice(values);
         }
         self.spare = next;
         found
@@ -276,27 +288,33 @@ impl Tracker {
 
     /// Keeps the present place, if it is well apart from the last one kept.
     fn remember(&mut self, scene: &Scene<'_>) {
-        let way = |last: &Place| length(&ways(scene, self.extent, &last.values, &self.values));
-        if self.history.first().is_none_or(|last| way(last) >= APART) {
-            let poses = self.state.bodies.iter().map(|b| (b.p, b.u)).collect();
-            self.history.insert(0, Rc::new(Place { values: self.values.clone(), poses }));
-            self.history.truncate(KEPT);
+        let way = |last: &Place| length(ways(scene, self.extent, &last.values, &self.values));
+        if self.history.first().is_some_and(|last| way(last) < APART) {
+            return;
         }
+        // the oldest gives its memory
+        let oldest = if self.history.len() < KEPT { None } else { self.history.pop() };
+        let mut here = oldest.unwrap_or_default();
+        let place = Rc::make_mut(&mut here);
+        place.values.clone_from(&self.values);
+        place.poses.clear();
+        place.poses.extend(self.state.bodies.iter().map(|b| (b.p, b.u)));
+        self.history.insert(0, here);
     }
 
     /// Where the bodies would be at these values: the parabola through the present place and two others on the line of
     /// the way.
     fn predicted(&self, scene: &Scene<'_>, target: &[DriveValue]) -> Option<Vec<Pose>> {
-        let way = ways(scene, self.extent, &self.values, target);
-        let t = length(&way);
+        let way = || ways(scene, self.extent, &self.values, target);
+        let t = length(way());
         if t == 0.0 {
             return None;
         }
         let mut chosen: Vec<(f64, &Place)> = Vec::with_capacity(2);
         for place in &self.history {
-            let back = ways(scene, self.extent, &self.values, &place.values);
-            let along = back.iter().zip(&way).map(|(a, b)| a * b).sum::<f64>() / t;
-            let off = back.iter().zip(&way).map(|(a, b)| (a - b * along / t).abs()).fold(0.0, f64::max);
+            let back = || ways(scene, self.extent, &self.values, &place.values).zip(way());
+            let along = back().map(|(a, b)| a * b).sum::<f64>() / t;
+            let off = back().map(|(a, b)| (a - b * along / t).abs()).fold(0.0, f64::max);
             let apart = along.abs() >= APART && chosen.iter().all(|c| (c.0 - along).abs() >= APART);
             if off <= 1e-6 * along.abs() && apart && chosen.len() < 2 {
                 chosen.push((along, place));
@@ -323,7 +341,7 @@ impl Tracker {
         target: &[DriveValue],
     ) -> Result<(), usize> {
         self.history.clear();
-        self.step(scene, rates, target.to_vec(), true)
+        self.step(scene, rates, target, true)
     }
 }
 
@@ -383,27 +401,25 @@ pub(super) fn step_before(scene: &Scene<'_>, values: &[DriveValue]) -> Vec<Drive
     before.collect()
 }
 
-/// The way between drive values, component by component, in largest steps.
-fn ways(scene: &Scene<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> Vec<f64> {
-    let mut ways = Vec::with_capacity(from.len());
-    for ((drive, from), to) in scene.mechanism.drives.iter().zip(from).zip(to) {
-        match (from, to) {
-            (DriveValue::Scalar(a), DriveValue::Scalar(b)) if super::positions::turns(scene, drive) => {
-                ways.push((b - a) / LARGEST_TURN);
-            }
-            (DriveValue::Scalar(a), DriveValue::Scalar(b)) => ways.push((b - a) / (0.02 * extent)),
-            (DriveValue::Point(a), DriveValue::Point(b)) => {
-                let way = (*b - *a) / (0.02 * extent);
-                ways.extend([way.x, way.y]);
-            }
-            _ => {}
+/// The way between drive values, two components of every drive, in largest steps.
+fn ways(scene: &Scene<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> impl Iterator<Item = f64> {
+    let drives = scene.mechanism.drives.iter().zip(from).zip(to);
+    let way = move |((drive, from), to): ((&Drive, &DriveValue), &DriveValue)| match (from, to) {
+        (DriveValue::Scalar(a), DriveValue::Scalar(b)) if super::positions::turns(scene, drive) => {
+            [(b - a) / LARGEST_TURN, 0.0]
         }
-    }
-    ways
+        (DriveValue::Scalar(a), DriveValue::Scalar(b)) => [(b - a) / (0.02 * extent), 0.0],
+        (DriveValue::Point(a), DriveValue::Point(b)) => {
+            let way = (*b - *a) / (0.02 * extent);
+            [way.x, way.y]
+        }
+        _ => [0.0; 2],
+    };
+    drives.flat_map(way)
 }
 
-fn length(way: &[f64]) -> f64 {
-    way.iter().map(|x| x * x).sum::<f64>().sqrt()
+fn length(way: impl Iterator<Item = f64>) -> f64 {
+    way.map(|x| x * x).sum::<f64>().sqrt()
 }
 
 pub(super) fn steps(scene: &Scene<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> f64 {

@@ -43,7 +43,7 @@ fn moved(state: &State, i: usize) -> impl Iterator<Item = DriveInput> {
 }
 
 fn alone(run: &Run, reference: &State, inputs: &[DriveInput]) -> State {
-    let mut state = reference.clone();
+    let mut state = reference.clone().ready(&run.plan);
     state.inputs.copy_from_slice(inputs);
     match run.plan.effects.level {
         Level::Positions => state.run_motion::<0>(&run.plan),

@@ -62,9 +62,9 @@ pub(super) fn flywheel(
     let work = work(torque, mean, sampler.way.length());
     let (least, greatest) = extremes(torque, &work, mean);
     let fluctuation = greatest.1 - least.1;
-    let greatest_links = bound(links, 1.0);
+    let (least_links, greatest_links) = bounds(links);
     // nothing but rounding where all links stand
-    let least_links = Some(bound(links, -1.0)).filter(|x| *x > 1e-12 * greatest_links).unwrap_or(0.0);
+    let least_links = Some(least_links).filter(|x| *x > 1e-12 * greatest_links).unwrap_or(0.0);
     let reduced = [links.integral(), least_links, greatest_links];
     let needed = fluctuation / (mean_speed * mean_speed * wheel.fluctuation);
     let own = if wheel.with_links { reduced[0] } else { 0.0 };
@@ -210,10 +210,10 @@ fn extremes(torque: &Piecewise, work: &[Series], mean: f64) -> ((f64, f64), (f64
     (least, greatest)
 }
 
-/// The greatest value (of the quantity times `sign`).
-fn bound(of: &Piecewise, sign: f64) -> f64 {
-    let values = of.candidates().into_iter().map(|c| sign * c.value);
-    sign * values.fold(f64::NEG_INFINITY, f64::max)
+/// Least and greatest value.
+fn bounds(of: &Piecewise) -> (f64, f64) {
+    let values = of.candidates().into_iter().map(|c| c.value);
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)))
 }
 
 fn refused(scene: &Scene<'_>, wheel: &Flywheel, why: String, help: &str) -> SolveError {

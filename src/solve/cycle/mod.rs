@@ -18,6 +18,7 @@ pub(super) use sampler::loads_name_quantities;
 
 use super::error::SolveError;
 use super::extremes::Statics;
+use super::positions::{Wanted, sweep};
 use super::solution::Scene;
 use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
 use crate::plan::needs_forces;
@@ -34,12 +35,16 @@ const FEWEST_SAMPLES: usize = 16;
 const COARSE: f64 = 1e-9;
 
 /// Finds the functions over the sweep and the flywheels of a file.
-pub(super) fn cycles(scene: &Scene<'_>, statics: &mut Statics) -> Result<Vec<SolveError>, SolveError> {
+pub(super) fn cycles(
+    scene: &Scene<'_>,
+    statics: &mut Statics,
+    sweep: &[Wanted],
+) -> Result<Vec<SolveError>, SolveError> {
     let mechanism = scene.mechanism;
     if mechanism.cycles.is_empty() && mechanism.flywheels.is_empty() {
         return Ok(Vec::new());
     }
-    let way = Way::of(scene, statics)?;
+    let way = Way::of(scene, statics, sweep)?;
     let mut sampler = Sampler::new(scene, statics, &way)?;
     statics.cycles = vec![CycleAnswer::default(); mechanism.cycles.len()];
     // those of motion alone first: loads may hang on them
@@ -72,7 +77,8 @@ pub(super) fn cycles(scene: &Scene<'_>, statics: &mut Statics) -> Result<Vec<Sol
 pub fn over_cycle(scene: &Scene<'_>, found: &Statics) -> Result<Statics, SolveError> {
     let mut statics = found.clone();
     statics.flywheels.clear();
-    cycles(scene, &mut statics)?;
+    let sweep = sweep(scene, &statics);
+    cycles(scene, &mut statics, &sweep)?;
     Ok(statics)
 }
 

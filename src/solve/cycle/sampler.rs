@@ -5,7 +5,7 @@ use super::super::error::SolveError;
 use super::super::extremes::{Statics, every_query};
 use super::super::inputs::Rates;
 use super::super::pose::{DEAD, balanced};
-use super::super::solution::Scene;
+use super::super::solution::{DriveValue, Scene};
 use super::super::state::{BodyState, Branch, State};
 use super::super::track::{Tracker, continued, extent, steps};
 use super::super::view::View;
@@ -60,6 +60,8 @@ pub(super) struct Sampler<'a> {
     anchors: Vec<Anchor>,
     /// Intervals between the anchors of the whole sweep.
     intervals: f64,
+    /// Memory for the drives.
+    values: Vec<DriveValue>,
     state: State,
     angles: Vec<f64>,
     evaluated: Vec<(LoadId, Value)>,
@@ -96,11 +98,14 @@ impl<'a> Sampler<'a> {
             angles: tracker.angles.clone(),
         };
         let mut anchors = vec![anchor(&tracker)];
+        let mut values = way.from.clone();
         let mut open = None;
         let mut done = 0.0;
         while done < count {
             done += 1.0;
-            if tracker.go(scene, &rates, &way.values(done / count)).is_err() {
+            values.clear();
+            values.extend(way.values(done / count));
+            if tracker.go(scene, &rates, &values).is_err() {
                 open = Some(done / count);
                 break;
             }
@@ -112,6 +117,7 @@ impl<'a> Sampler<'a> {
             rates,
             anchors,
             intervals: count,
+            values,
             angles: tracker.angles,
             state,
             evaluated: Vec::new(),
@@ -201,11 +207,10 @@ impl<'a> Sampler<'a> {
             None => {
                 self.solve(statics, s, self.need)?;
                 let first = self.numbers.len();
-                let shared = std::mem::take(&mut self.shared);
+                let mut numbers = std::mem::take(&mut self.numbers);
                 let view = self.view(statics);
-                let all: Vec<f64> = shared.iter().map(|e| view.scalar(e)).collect();
-                self.shared = shared;
-                self.numbers.extend(all);
+                numbers.extend(self.shared.iter().map(|e| view.scalar(e)));
+                self.numbers = numbers;
                 self.kept.insert(s.to_bits(), first);
                 first
             }
@@ -287,7 +292,9 @@ impl<'a> Sampler<'a> {
         self.state.bodies.clone_from_slice(&anchor.bodies);
         self.state.open = None;
         self.state.locked = false;
-        self.rates.at(&self.way.values(s), &mut self.state.inputs);
+        self.values.clear();
+        self.values.extend(self.way.values(s));
+        self.rates.at(&self.values, &mut self.state.inputs);
     }
 
     /// Angles carried on from the nearest place that is known.

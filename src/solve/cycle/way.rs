@@ -2,7 +2,7 @@
 
 use super::super::error::{SolveError, label};
 use super::super::extremes::Statics;
-use super::super::positions::{sweep, turns};
+use super::super::positions::{Wanted, turns};
 use super::super::solution::{DriveValue, Scene};
 use super::super::track::between;
 use crate::model::Positions;
@@ -23,8 +23,7 @@ pub(super) struct Way {
 
 impl Way {
     /// The sweep of a file.
-    pub(super) fn of(scene: &Scene<'_>, statics: &Statics) -> Result<Self, SolveError> {
-        let wanted = sweep(scene, statics);
+    pub(super) fn of(scene: &Scene<'_>, statics: &Statics, wanted: &[Wanted]) -> Result<Self, SolveError> {
         let drives = &scene.mechanism.drives;
         let (Some(first), Some(last)) = (wanted.first(), wanted.last()) else { return Err(none(scene)) };
         let mut to = last.drives.clone();
@@ -38,7 +37,7 @@ impl Way {
                         *end = DriveValue::Scalar(x);
                     }
                 }
-                Positions::List(list) if list.len() > 1 && (drives.len() > 1 || !in_order(&wanted)) => {
+                Positions::List(list) if list.len() > 1 && (drives.len() > 1 || !in_order(wanted)) => {
                     return Err(unordered(scene, drive.span));
                 }
                 _ => *end = if wanted.len() > 1 { *end } else { *from },
@@ -55,8 +54,8 @@ impl Way {
     }
 
     /// Drive values at a place of the sweep.
-    pub(super) fn values(&self, s: f64) -> Vec<DriveValue> {
-        self.from.iter().zip(&self.to).map(|(a, b)| between(*a, *b, s)).collect()
+    pub(super) fn values(&self, s: f64) -> impl Iterator<Item = DriveValue> {
+        self.from.iter().zip(&self.to).map(move |(a, b)| between(*a, *b, s))
     }
 
     /// Value of the first drive at a place of the sweep.
@@ -77,8 +76,8 @@ impl Way {
 }
 
 /// Whether the values of the one drive go one way.
-fn in_order(wanted: &[super::super::positions::Wanted]) -> bool {
-    let value = |w: &super::super::positions::Wanted| match w.drives.as_slice() {
+fn in_order(wanted: &[Wanted]) -> bool {
+    let value = |w: &Wanted| match w.drives.as_slice() {
         [DriveValue::Scalar(x)] => Some(*x),
         _ => None,
     };
