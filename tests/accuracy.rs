@@ -2,13 +2,15 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
+mod folder;
+
 use assur::accuracy::{Kind, Knob, Source as Reference, Study, candidates, study};
 use assur::check::Overrides;
 use assur::plan::{Numbers, Settings};
 use assur::solve::{PoseOrigin, Solution, State, extent};
 use assur::source::Source;
 use assur::{Solved, solve_source, solve_within};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 fn example(name: &str) -> Source {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name);
@@ -158,18 +160,6 @@ fn candidates_go_from_cheap_to_dear() {
     assert_eq!(all[2].scalar, Numbers::DoubleDouble);
 }
 
-fn files(folder: &Path, found: &mut Vec<PathBuf>) {
-    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
-    entries.sort();
-    for path in entries {
-        if path.is_dir() {
-            files(&path, found);
-        } else if path.extension().is_some_and(|e| e == "mech") {
-            found.push(path);
-        }
-    }
-}
-
 /// Greatest difference of two solutions: of positions over the extent, of forces over the greatest.
 fn difference(a: &Solved, b: &Solved) -> f64 {
     let (length, force) = (extent(&a.compiled.scene()), greatest_force(&a.solution));
@@ -203,10 +193,8 @@ fn difference(a: &Solved, b: &Solved) -> f64 {
 #[test]
 fn what_is_wanted_is_kept() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let mut all = Vec::new();
-    files(&root, &mut all);
     let (mut kept, mut measured, mut wrong) = (0, 0, Vec::new());
-    for path in all {
+    for path in folder::files(&root, "mech") {
         let source = Source::new(path.display().to_string(), std::fs::read_to_string(&path).unwrap());
         let (full, _) = solve_source(&source, &Overrides::none());
         let Some(full) = full else { continue };

@@ -1,6 +1,8 @@
 //! Every folder of `src` uses only those that ARCHITECTURE.md lets it use.
 
-use std::path::{Path, PathBuf};
+mod folder;
+
+use std::path::PathBuf;
 
 /// The rows of the table: folder and what it may use.
 fn table() -> Vec<(String, Vec<String>)> {
@@ -23,26 +25,13 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-fn files(folder: &Path, out: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
-        let path = entry.path();
-        if path.is_dir() {
-            files(&path, out);
-        } else {
-            out.push(path);
-        }
-    }
-}
-
 #[test]
 fn every_folder_uses_only_those_before_it() {
     let rows = table();
     assert!(rows.len() > 10, "the table is read: {rows:?}");
     let mut wrong = Vec::new();
     for (folder, uses) in &rows {
-        let mut sources = Vec::new();
-        files(&root().join("src").join(folder), &mut sources);
-        for path in sources {
+        for path in folder::files(&root().join("src").join(folder), "rs") {
             let text = std::fs::read_to_string(&path).expect("a source file");
             // what stands below `mod tests` may look anywhere
             let code = text.split("#[cfg(test)]").next().unwrap_or_default();

@@ -2,20 +2,19 @@
 //!
 //! A file's snapshot stands beside it. The folder's name is the code that must be among those reported.
 
+mod folder;
+
 use assur::check::Overrides;
 use assur::diagnostic::{Problems, Style, render};
 use assur::exercise::grade::{Sheet, grade};
 use assur::exercise::table::{Fault, Lines, Table};
 use assur::source::Source;
 use libtest_mimic::{Arguments, Failed, Trial};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");
-    let mut files = Vec::new();
-    collect(&root, &mut files);
-    files.sort();
-    let mut trials = files
+    let mut trials = folder::files(&root, "mech")
         .into_iter()
         .map(|path| {
             let name = path.strip_prefix(&root).unwrap_or(&path).display().to_string();
@@ -24,17 +23,6 @@ fn main() {
         .collect::<Vec<_>>();
     trials.push(Trial::test("every code has its page and its smallest file", every_code));
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
-}
-
-fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
-        let path = entry.path();
-        if path.is_dir() {
-            collect(&path, files);
-        } else if path.extension().is_some_and(|e| e == "mech") {
-            files.push(path);
-        }
-    }
 }
 
 /// The code that a file's folders name.

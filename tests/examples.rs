@@ -2,6 +2,8 @@
 //!
 //! A snapshot that turns from solved to failed, or back, is refused until it is deleted by hand.
 
+mod folder;
+
 use assur::check::Overrides;
 use assur::diagnostic::Problems;
 use assur::exercise::Outcome;
@@ -18,26 +20,12 @@ const WIDE: Look = Look { colour: false, width: usize::MAX };
 
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let mut files = Vec::new();
-    collect(&root, &mut files);
-    files.sort();
     let trial = |path: PathBuf| {
         let name = path.strip_prefix(&root).unwrap_or(&path).display().to_string();
         Trial::test(name.clone(), move || holds(&path, &name))
     };
-    let trials = files.into_iter().map(trial).collect();
+    let trials = folder::files(&root, "mech").into_iter().map(trial).collect();
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
-}
-
-fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
-        let path = entry.path();
-        if path.is_dir() {
-            collect(&path, files);
-        } else if path.extension().is_some_and(|e| e == "mech") {
-            files.push(path);
-        }
-    }
 }
 
 fn holds(path: &Path, name: &str) -> Result<(), Failed> {

@@ -1,17 +1,16 @@
 //! Every program and fragment of the language's own page reads without a word of complaint.
 
+mod folder;
+
 use assur::diagnostic::{Style, render};
 use assur::source::Source;
 use assur::syntax::document::{Member, Statement};
 use libtest_mimic::{Arguments, Failed, Trial};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/language");
-    let mut files = Vec::new();
-    collect(&root, &mut files);
-    files.sort();
-    let trials = files
+    let trials = folder::files(&root, "mech")
         .into_iter()
         .map(|path| {
             let name = path.strip_prefix(&root).unwrap_or(&path).display().to_string();
@@ -19,17 +18,6 @@ fn main() {
         })
         .collect();
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
-}
-
-fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
-        let path = entry.path();
-        if path.is_dir() {
-            collect(&path, files);
-        } else if path.extension().is_some_and(|e| e == "mech") {
-            files.push(path);
-        }
-    }
 }
 
 fn reads(path: &Path) -> Result<(), Failed> {

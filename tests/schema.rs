@@ -3,11 +3,12 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
+mod folder;
 #[path = "schema/validate.rs"]
 mod validate;
 
 use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use validate::validate;
 
 fn root() -> &'static Path {
@@ -21,18 +22,6 @@ fn schema() -> Value {
 fn schema_of(name: &str) -> Value {
     let text = std::fs::read_to_string(root().join("docs/json-schema").join(name)).unwrap();
     serde_json::from_str(&text).unwrap()
-}
-
-fn files(folder: &Path, found: &mut Vec<PathBuf>) {
-    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
-    entries.sort();
-    for path in entries {
-        if path.is_dir() {
-            files(&path, found);
-        } else if path.extension().is_some_and(|e| e == "mech") {
-            found.push(path);
-        }
-    }
 }
 
 fn json_of(folder: &str) -> String {
@@ -67,15 +56,13 @@ fn holds(folder: &str) -> usize {
 
 #[test]
 fn every_example_fits() {
-    let mut all = Vec::new();
-    files(&root().join("examples"), &mut all);
+    let all = folder::files(&root().join("examples"), "mech");
     assert_eq!(holds("examples"), all.len(), "every file has its lines");
 }
 
 #[test]
 fn wrong_files_fit() {
-    let mut all = Vec::new();
-    files(&root().join("tests/errors"), &mut all);
+    let all = folder::files(&root().join("tests/errors"), "mech");
     assert_eq!(holds("tests/errors"), all.len(), "every file has its lines");
 }
 

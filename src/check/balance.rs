@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::error::LoadError;
 use super::expr::Want;
-use super::load::{effort, example, form, frame, moving, no_place, of_open_shaft, place, slider};
+use super::load::{effort, example, form, frame, moving, no_place, of_open_shaft, place, slider, whole_link};
 use crate::math::Vec2;
 use crate::model::{self, BalanceKind};
 use crate::syntax::document::{self, Balance, LoadKind, Name, Site, Statement};
@@ -33,14 +33,7 @@ fn kind(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
     match balance.kind.node {
         LoadKind::Torque => {
             let on = moving(cx, link, "a torque");
-            if let Some(at) = at {
-                let span = match at {
-                    document::Place::Point(name) => name.span,
-                    document::Place::Ground(expr) => expr.span,
-                };
-                form(cx, "a torque acts on a whole link".into(), "leave `at` out", span);
-                return None;
-            }
+            whole_link(cx, at)?;
             undirected(cx, balance, "a torque has no direction in the plane")?;
             on.map(BalanceKind::Torque)
         }

@@ -174,16 +174,20 @@ fn force_value(cx: &mut Context<'_>, load: &Load) -> Option<Expr> {
     None
 }
 
+/// A torque has no place.
+pub(super) fn whole_link(cx: &mut Context<'_>, at: Option<&document::Place>) -> Option<()> {
+    let span = match at {
+        None => return Some(()),
+        Some(document::Place::Point(name)) => name.span,
+        Some(document::Place::Ground(expr)) => expr.span,
+    };
+    form(cx, "a torque acts on a whole link".into(), "leave `at` out", span);
+    None
+}
+
 fn torque(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::Place>) -> Option<LoadKind> {
     let on = moving(cx, link, "a torque");
-    if let Some(at) = at {
-        let span = match at {
-            document::Place::Point(name) => name.span,
-            document::Place::Ground(expr) => expr.span,
-        };
-        form(cx, "a torque acts on a whole link".into(), "leave `at` out", span);
-        return None;
-    }
+    whole_link(cx, at)?;
     if let Some(frame) = &load.frame {
         form(cx, "a torque has no direction in the plane".into(), "leave `in` out", frame.span);
         return None;

@@ -7,7 +7,8 @@ use super::pose::balanced;
 use super::reference::{Reference, reference};
 use super::solution::{Pose, PoseOrigin, Scene, Solution, Solved};
 use super::state::{BodyState, Branch, DriveInput, State};
-use super::track::{Tracker, step_before};
+use super::steps::step_before;
+use super::track::Tracker;
 use crate::model::{LoadId, Value};
 use crate::plan::{Level, LoadStep, Plan};
 

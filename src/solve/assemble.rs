@@ -73,7 +73,7 @@ impl Way {
 pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveError> {
     let mut start = start;
     start.start(scene.plan);
-    let extent = super::track::extent(scene);
+    let extent = super::steps::extent(scene);
     let hints = hints_by_group(scene);
     let mut candidates = vec![Candidate { state: start, far: 0.0 }];
     for (index, hints) in hints.iter().enumerate() {
@@ -284,7 +284,7 @@ pub(super) fn bare_view<'a>(scene: &Scene<'a>, state: &'a State) -> View<'a> {
 /// The one candidate, or that with the least sum of squared distances.
 fn nearest(scene: &Scene<'_>, candidates: Vec<Candidate>) -> Result<State, SolveError> {
     let least = candidates.iter().map(|c| c.far).fold(f64::INFINITY, f64::min);
-    let close = super::track::extent(scene) * SAME;
+    let close = super::steps::extent(scene) * SAME;
     let mut best: Vec<Candidate> =
         candidates.into_iter().filter(|c| c.far.sqrt() <= least.sqrt() + close || c.far.is_nan()).collect();
     if best.len() == 1 { Ok(best.swap_remove(0).state) } else { Err(ambiguous(scene, &states(&best))) }

@@ -63,7 +63,7 @@ fn section(lines: &[String]) -> String {
 
 /// One state for every way in which the group stands.
 fn distinct<'s>(scene: &Scene<'_>, states: &[&'s State], group: &Group) -> Vec<&'s State> {
-    let extent = super::track::extent(scene);
+    let extent = super::steps::extent(scene);
     let same = |a: &State, b: &State| {
         group.bodies.iter().all(|i| {
             let (x, y) = (&a.bodies[i.0], &b.bodies[i.0]);

@@ -245,7 +245,7 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// A function over a sweep where there is none.
-    #[error("there is no sweep: {why}")]
+    #[error("no function over the sweep can be found: {why}")]
     #[diagnostic(code(mech::solve::no_sweep))]
     NoSweep {
         /// Why.

@@ -73,7 +73,7 @@ pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
         }
     };
     state.start(scene.plan);
-    let extent = super::track::extent(scene);
+    let extent = super::steps::extent(scene);
     for (index, group) in scene.structure.motion.iter().enumerate() {
         let ways = every_way(scene, &mut state, index, extent);
         let Some(first) = ways.first() else {

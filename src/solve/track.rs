@@ -9,18 +9,14 @@
 use super::inputs::Rates;
 use super::solution::{DriveValue, Scene};
 use super::state::State;
+use super::steps::{MOST_STEPS, between, extent, length, steps, ways};
 use crate::math::Vec2;
-use crate::model::Drive;
 use crate::plan::MotionStep;
-use crate::structure::{BodyId, JointKind};
+use crate::structure::BodyId;
 use std::rc::Rc;
 
 /// Below this |σ| both assemblies are tried.
 const CAREFUL: f64 = 0.3;
-/// The largest step of a turning drive, rad.
-const LARGEST_TURN: f64 = 2.0 * std::f64::consts::PI / 180.0;
-/// A longer way is not followed: 11,111 turns.
-const MOST_STEPS: f64 = 2e6;
 
 /// A group whose |σ| stays above this on its way keeps its assembly: between two places it passes no change point. The
 /// rounding of lengths alone makes it about the root of the unit roundoff.
@@ -364,69 +360,4 @@ fn distance(state: &State, predicted: &[Pose], bodies: &[BodyId], extent: f64) -
             (state.bodies[b.0].u - u).norm() + (state.bodies[b.0].p - p).norm() / extent
         })
         .sum()
-}
-
-/// A length of the mechanism's order, m: the farthest point of a joint from the origin of its body.
-#[must_use]
-pub fn extent(scene: &Scene<'_>) -> f64 {
-    let points = scene.structure.replaced.joints.iter().flat_map(|j| match &j.kind {
-        JointKind::Revolute(members) => members.iter().map(|m| m.1.norm()).collect(),
-        JointKind::Prismatic { point, through, offset, .. } => vec![point.norm(), through.norm(), *offset],
-        JointKind::Law(_) => Vec::new(),
-    });
-    let extent = points.fold(0.0, f64::max);
-    if extent > 0.0 { extent } else { 1.0 }
-}
-
-pub(super) fn between(a: DriveValue, b: DriveValue, part: f64) -> DriveValue {
-    match (a, b) {
-        (DriveValue::Scalar(a), DriveValue::Scalar(b)) => DriveValue::Scalar(a + (b - a) * part),
-        (DriveValue::Point(a), DriveValue::Point(b)) => DriveValue::Point(a + (b - a) * part),
-        _ => b,
-    }
-}
-
-/// Drive values one largest step before these.
-pub(super) fn step_before(scene: &Scene<'_>, values: &[DriveValue]) -> Vec<DriveValue> {
-    let length = 0.02 * extent(scene);
-    let drives = scene.mechanism.drives.iter().zip(values);
-    let before = drives.map(|(drive, value)| match value {
-        DriveValue::Scalar(x) if super::positions::turns(scene, drive) => {
-            DriveValue::Scalar(x - LARGEST_TURN)
-        }
-        DriveValue::Scalar(x) => DriveValue::Scalar(x - length),
-        DriveValue::Point(p) => DriveValue::Point(*p - Vec2::new(length, 0.0)),
-        DriveValue::None => DriveValue::None,
-    });
-    before.collect()
-}
-
-/// The way between drive values, two components of every drive, in largest steps.
-fn ways(scene: &Scene<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> impl Iterator<Item = f64> {
-    let drives = scene.mechanism.drives.iter().zip(from).zip(to);
-    let way = move |((drive, from), to): ((&Drive, &DriveValue), &DriveValue)| match (from, to) {
-        (DriveValue::Scalar(a), DriveValue::Scalar(b)) if super::positions::turns(scene, drive) => {
-            [(b - a) / LARGEST_TURN, 0.0]
-        }
-        (DriveValue::Scalar(a), DriveValue::Scalar(b)) => [(b - a) / (0.02 * extent), 0.0],
-        (DriveValue::Point(a), DriveValue::Point(b)) => {
-            let way = (*b - *a) / (0.02 * extent);
-            [way.x, way.y]
-        }
-        _ => [0.0; 2],
-    };
-    drives.flat_map(way)
-}
-
-fn length(way: impl Iterator<Item = f64>) -> f64 {
-    way.map(|x| x * x).sum::<f64>().sqrt()
-}
-
-pub(super) fn steps(scene: &Scene<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> f64 {
-    let mut steps = 1.0_f64;
-    for way in ways(scene, extent, from, to) {
-        // a step that is a whole number of largest steps but for rounding takes no step more
-        steps = steps.max((way.abs() - 1e-9).ceil());
-    }
-    if steps.is_finite() { steps.min(MOST_STEPS) } else { 1.0 }
 }

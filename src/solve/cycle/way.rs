@@ -4,9 +4,12 @@ use super::super::error::{SolveError, label};
 use super::super::extremes::Statics;
 use super::super::positions::{Wanted, turns};
 use super::super::solution::{DriveValue, Scene};
-use super::super::track::between;
+use super::super::steps::{between, extent, ways};
 use crate::model::Positions;
 use std::f64::consts::TAU;
+
+/// The longest way, in largest steps: each is a place that is kept.
+const LONGEST: f64 = 20_000.0;
 
 /// The way from the sweep's first position to its last.
 #[derive(Clone, Debug)]
@@ -46,6 +49,10 @@ impl Way {
         let way = Self { is_closed: false, turns: None, from: first.drives.clone(), to };
         if way.from == way.to {
             return Err(none(scene));
+        }
+        // also where a way is no number
+        if !ways(scene, extent(scene), &way.from, &way.to).all(|way| way.abs() <= LONGEST) {
+            return Err(too_long(scene));
         }
         let turning = matches!(drives.as_slice(), [drive] if turns(scene, drive));
         let turns = turning.then(|| way.length() / TAU);
@@ -106,6 +113,18 @@ fn none(scene: &Scene<'_>) -> SolveError {
     let (why, help) =
         ("the file has one position".to_owned(), format!("let the drive sweep: `drive {name} = {range}`"));
     SolveError::NoSweep { why, help, labels }
+}
+
+fn too_long(scene: &Scene<'_>) -> SolveError {
+    let mut labels = asked(scene);
+    labels.extend(scene.mechanism.drives.iter().map(|d| label("swept that far", d.span)));
+    let turning = matches!(scene.mechanism.drives.as_slice(), [drive] if turns(scene, drive));
+    let (most, help) = if turning {
+        ("111 turns", "look at the unit, or sweep over one cycle: `0 deg .. 360 deg in 12 steps`")
+    } else {
+        ("400 times the length of the mechanism", "look at the unit, or sweep over less")
+    };
+    SolveError::NoSweep { why: format!("the sweep is longer than {most}"), help: help.to_owned(), labels }
 }
 
 fn unordered(scene: &Scene<'_>, span: crate::source::Span) -> SolveError {

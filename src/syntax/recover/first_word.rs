@@ -27,10 +27,15 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     if known.contains(&word) || !word.starts_with(is_name_char) {
         return None;
     }
-    misspelt(case, word, known).or_else(|| {
-        let statement = case.what == What::Statement;
-        if statement { Some(displaced(case, word).unwrap_or_else(|| unknown(case, word))) } else { None }
-    })
+    if case.what != What::Statement {
+        return misspelt(case, word, known);
+    }
+    let member = words::MEMBERS.contains(&word) || words::CAM_MEMBERS.contains(&word);
+    let exactly = if member { displaced(case, word) } else { None };
+    exactly
+        .or_else(|| misspelt(case, word, known))
+        .or_else(|| displaced(case, word))
+        .or_else(|| Some(unknown(case, word)))
 }
 
 /// A word that is near one that could stand there.
@@ -53,17 +58,20 @@ fn misspelt(case: &Case<'_>, word: &str, known: &[&str]) -> Option<SyntaxError> 
 
 /// A member outside its braces.
 fn displaced(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
-    let member = Grammar::parse(Rule::one_member, case.slice).is_ok();
-    let point = member && case.slice.contains('(');
-    if !point && !words::MEMBERS.contains(&word) {
+    if case.slice[word.len()..].trim_start().starts_with('=') {
         return None;
     }
-    Some(SyntaxError::MisplacedMember {
-        found: word.to_owned(),
-        at: case.span(0, word.len()),
-        place: "this belongs into the braces of a link",
-        help: format!("write: link NAME {{ {} }}", case.slice.trim()),
-    })
+    let member = Grammar::parse(Rule::one_member, case.slice).is_ok();
+    let point = member && case.slice.contains('(');
+    let (place, owner) = match word {
+        "wheel" => ("this belongs into the braces of a shaft or a link", "shaft"),
+        _ if words::CAM_MEMBERS.contains(&word) => ("this belongs into the braces of a cam", "cam"),
+        _ if point || words::MEMBERS.contains(&word) => ("this belongs into the braces of a link", "link"),
+        _ => return None,
+    };
+    let help = format!("write: {owner} NAME {{ {} }}", case.slice.trim());
+    let found = word.to_owned();
+    Some(SyntaxError::MisplacedMember { found, at: case.span(0, word.len()), place, help })
 }
 
 fn unknown(case: &Case<'_>, word: &str) -> SyntaxError {
