@@ -46,13 +46,13 @@ What the seven problems have in common:
 - `f32` saves a few per cent at most, one position at a time: the same divisions and roots wait for one another. What makes
   positions cheap is lanes, at the full digits of `f64`.
 - Newton's methods double the digits with every step: a looser tolerance saves one step, and the last step costs little.
-- Fewer samples save two thirds of the time of a cycle. Of a whole solve of the shaper that is a few per cent.
+- Fewer samples save three fifths of the time of a cycle. Of a whole solve of the shaper that is an eighth.
 - Double-double pays where `f64` has lost digits: near dead positions and in long chains.
 - `--within` is there to be sure of an accuracy, or to reach one that `f64` has not. It saves no time that could be told: in `solve`
   what it loosens pays for holding the answers against the reference, and a row of a `batch` takes a quarter to a third longer.
 TEXT
   problem examples/accuracy/four-bar.mech four-bar <<'TEXT'
-All groups have closed forms: there is nothing to iterate, and the scalar alone decides. Lanes give all digits of `f64` in a third of
+All groups have closed forms: there is nothing to iterate, and the scalar alone decides. Lanes give all digits of `f64` in a quarter of
 its time; twice the digits take some twenty times as long.
 TEXT
   problem examples/accuracy/crank-slider-with-friction.mech friction <<'TEXT'

@@ -497,3 +497,25 @@ fn a_plan_says_what_its_steps_and_effects_cost() {
     assert!(out.stderr.contains("mech::assembly::does_not_close"), "{}", out.stderr);
     assert!(out.stdout.contains("Plan") && !out.stdout.contains("time [ns]"), "{}", out.stdout);
 }
+
+#[test]
+fn rows_show_the_value_that_is_set_for_all() {
+    let text = "given r = 100 mm\nlet y = r/2\nvariants {\n  r [mm]\n  100\n  120\n}\nfind y\n";
+    let folder = Folder::new("set_rows").with("a.mech", text);
+    let out = assur(&folder, &["solve", "a.mech", "--set", "r=50mm"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(out.stdout.contains("r = 50 mm") && !out.stdout.contains("r = 100 mm"), "{}", out.stdout);
+    let out = assur(&folder, &["batch", "a.mech", "--set", "r=50mm"]);
+    assert!(out.stdout.contains("  1        50      25\n  2        50      25\n"), "{}", out.stdout);
+}
+
+#[test]
+fn a_critical_value_that_does_not_exist_is_said_to_be_none() {
+    let text = "given x = 3 mm\nground { O (0, 0); line plane through O along 20 deg }\nlink body { B (x, 0) }\n\
+                prismatic P: body.B - ground.plane { friction 0.1 }\ndrive P = 0 mm moving forward\n\
+                force on body at B = 1000 N @ 270 deg\nbalance force F on body at B along 0 deg\n\
+                find critical(x)\n";
+    let out = assur(&Folder::new("critical").with("a.mech", text), &["solve", "a.mech"]);
+    assert_eq!(out.status, 0);
+    assert!(out.stdout.contains("none in reach"), "{}", out.stdout);
+}

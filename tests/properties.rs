@@ -150,6 +150,9 @@ fn friction_obeys_its_laws() {
         let mut draft = draft.clone();
         rubbing::roughen(&mut draft);
         let run = Run::new(&draft.mechanism)?;
+        if !run.structure.undetermined_couples.is_empty() {
+            return Ok(Worst::default());
+        }
         let verified = rubbing::verified(&draft, reference, &run)?;
         free.set(free.get() + usize::from(verified.is_some()));
         Ok(verified.unwrap_or_default())

@@ -252,10 +252,15 @@ impl Context<'_> {
         let points = self.names.inside.get(link.index()).map(|i| &i.points);
         let point = points.and_then(|p| p.last()).map(|(point, _)| point.clone());
         let help = point.map(|point| format!("write one of its points: `{}.{point}`", name.node));
-        let declared = self.mech.link(link).span;
+        let thing = self.names.things.get(&name.node).filter(|d| d.what != ThingKind::Link);
+        let (is, declared, help) = match thing.map(|d| (d.what, d.span)) {
+            // a wheel turns with its shaft
+            Some((what, span)) => (what.phrase(), span, super::query::ask_of(what, &name.node)),
+            None => ("a link".into(), self.mech.link(link).span, help),
+        };
         self.error(NameError::WrongKind {
             name: name.node.clone(),
-            is: "a link".into(),
+            is,
             wanted: "a point".into(),
             span: name.span,
             declared: (declared != Span::default()).then_some(declared),

@@ -6,6 +6,7 @@ use super::expr::Want;
 use super::link::{not_negative, positive};
 use super::lookup::suggestion;
 use crate::source::Span;
+use crate::syntax::CAM_MEMBERS;
 use crate::syntax::document::{Expr, ExprKind, Property};
 use crate::units::Dimension;
 
@@ -103,7 +104,8 @@ pub(super) fn read(
 fn one(cx: &mut Context<'_>, what: &str, property: &Property, specs: &[Spec]) -> Option<Read> {
     let name = &property.name.node;
     let Some(spec) = specs.iter().find(|s| s.name == name.as_str()) else {
-        let known = specs.iter().map(|s| s.name).collect::<Vec<_>>();
+        let members = if what == "a cam" { CAM_MEMBERS } else { &[] };
+        let known = specs.iter().map(|s| s.name).chain(members.iter().copied()).collect::<Vec<_>>();
         let help = suggestion(name, &known, "properties")
             .unwrap_or_else(|| format!("{what} has no properties at all; leave the braces out"));
         let (what, name, span) = (what.to_owned(), name.clone(), property.name.span);

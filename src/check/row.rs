@@ -25,6 +25,8 @@ pub struct RowColumn {
     pub dimension: Dimension,
     /// What it is for.
     pub what: ColumnUse,
+    /// The value set from outside for all rows, SI.
+    pub set: Option<f64>,
 }
 
 impl RowColumn {
@@ -52,9 +54,12 @@ pub struct Row {
 }
 
 impl Row {
-    /// One cell per column; what lacks on either side is left out.
+    /// One cell per column; what lacks on either side is left out. A value set from outside replaces that of the table.
     #[must_use]
-    pub const fn new(columns: Arc<[RowColumn]>, cells: Vec<RowCell>) -> Self {
+    pub fn new(columns: Arc<[RowColumn]>, mut cells: Vec<RowCell>) -> Self {
+        for (cell, column) in cells.iter_mut().zip(columns.iter()) {
+            cell.value = column.set.unwrap_or(cell.value);
+        }
         Self { columns, cells }
     }
 

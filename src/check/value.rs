@@ -13,7 +13,7 @@ use crate::diagnostic::did_you_mean;
 use crate::model::{self, Display, NamedValue, Quantity, QuantityId};
 use crate::source::Span;
 use crate::syntax::document::{Column, Expr, ExprKind, LoadKind, Name, Site, Statement};
-use crate::units::{Dimension, Kind};
+use crate::units::{Dimension, Kind, lookup};
 use indexmap::IndexSet;
 
 /// The largest expression of a drive, in parts.
@@ -226,7 +226,12 @@ impl Context<'_> {
         } else {
             let all = self.names.quantities.keys().map(String::as_str).collect::<Vec<_>>();
             let near = || did_you_mean(&name.node, ["pi"]).first().map(|_| "did you mean `pi`?".to_owned());
-            let help = near().or_else(|| super::lookup::suggestion(&name.node, &all, "quantities"));
+            let unit = || {
+                let alone = did_you_mean(&name.node, all.iter().copied()).is_empty();
+                if alone { unit_apart(&name.node) } else { None }
+            };
+            let listed = || super::lookup::suggestion(&name.node, &all, "quantities");
+            let help = near().or_else(unit).or_else(listed);
             let (name, span) = (name.node.clone(), name.span);
             NameError::Unknown { kind: "quantity", name, place: String::new(), span, help }
         };
@@ -364,4 +369,18 @@ const fn dimension_of(kind: LoadKind) -> Dimension {
         LoadKind::Force => Dimension::FORCE,
         LoadKind::Torque => Dimension::TORQUE,
     }
+}
+
+/// What to say of a unit that stands by itself where a quantity is due: `60 N * m`, `20 m/s2`.
+fn unit_apart(name: &str) -> Option<String> {
+    let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let power = &name[letters.len()..];
+    if lookup(letters).is_err() {
+        return None;
+    }
+    let one_word = "a number and its unit are written as `60 N*m` or `2 m/s^2`";
+    Some(match power {
+        "" => format!("`{name}` is a unit; {one_word}, without blanks in the unit"),
+        _ => format!("the unit is `{letters}^{power}`; {one_word}"),
+    })
 }

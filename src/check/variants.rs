@@ -8,6 +8,7 @@ use super::lookup::suggestion;
 use super::names::QuantityKind;
 use super::row::{ColumnUse, Row, RowCell, RowColumn};
 use super::tolerance;
+use crate::model::{Expr, Value};
 use crate::source::Span;
 use crate::syntax::document::{Column, Document, Number, Statement, Variants};
 use crate::units::{Dimension, Unit};
@@ -116,15 +117,21 @@ fn check_column(cx: &mut Context<'_>, column: &Column) -> Option<RowColumn> {
         None => Unit::si(Dimension::NUMBER),
     };
     let name = &column.name;
-    let checked =
-        |what, dimension, unit: Unit| Some(RowColumn { name: name.node.clone(), unit, dimension, what });
+    let checked = |what, dimension, unit: Unit| {
+        Some(RowColumn { name: name.node.clone(), unit, dimension, what, set: None })
+    };
     let of_expect = |cx: &Context<'_>| cx.used_by_expect(&name.node);
     match cx.names.quantities.get(&name.node).map(|d| d.what) {
         Some(QuantityKind::Given(_)) => {
             let Some(Settled::Constant(t)) = cx.settled(&name.node) else { return None };
+            let outside = cx.overrides.values.iter().any(|(n, _)| *n == name.node);
+            let set = match t.expr {
+                Expr::Constant(Value::Scalar(x)) if outside => Some(x),
+                _ => None,
+            };
             let ty = t.ty;
             let dimension = fits(cx, column, ty, &unit)?;
-            checked(ColumnUse::Given, dimension, unit)
+            checked(ColumnUse::Given, dimension, unit).map(|column| RowColumn { set, ..column })
         }
         Some(QuantityKind::Column(_)) | None if of_expect(cx) => {
             checked(ColumnUse::Key, unit.dimension, unit)

@@ -1,9 +1,9 @@
 //! The quantities of a report, with their values at every pose.
 
-use super::answers::Answers;
+use super::answers::{Answers, NONE};
 use crate::exercise::why_undefined;
-use crate::model::{Display, Expr, Find, FindKind, Value};
-use crate::solve::{Pose, Solved, State, View};
+use crate::model::{Display, Expr, Find, FindKind, Query, Value};
+use crate::solve::{Pose, Scene, Solved, State, View};
 use crate::structure::{EffortKind, EffortSource};
 use crate::units::Dimension;
 
@@ -16,8 +16,8 @@ pub(super) struct Quantity {
     pub display: Display,
     /// Values in SI, one per pose. `None` where the pose has no solution or the value does not exist.
     pub values: Vec<Option<Value>>,
-    /// The structure leaves it open.
-    pub undetermined: bool,
+    /// What stands where there is no value.
+    pub missing: &'static str,
 }
 
 /// An unknown effort.
@@ -49,7 +49,7 @@ impl<'a> Answers<'a> {
                 name: find.name.clone(),
                 display: display.clone(),
                 values: poses.iter().map(|pose| self.value(expr, pose)).collect(),
-                undetermined: why_undefined(&self.scene, expr).is_some(),
+                missing: missing(&self.scene, expr),
             })
             .collect();
         for effort in self.efforts() {
@@ -62,7 +62,7 @@ impl<'a> Answers<'a> {
                 values: poses.iter().map(value).collect(),
                 name: effort.name,
                 display: effort.display,
-                undetermined: false,
+                missing: NONE,
             });
         }
         quantities
@@ -80,7 +80,7 @@ impl<'a> Answers<'a> {
             name: find.name.clone(),
             display: display.clone(),
             values: vec![Some(view.value(expr)).filter(Value::is_defined)],
-            undetermined: false,
+            missing: missing(&self.scene, expr),
         };
         self.finds(true).map(quantity).collect()
     }
@@ -174,5 +174,17 @@ impl Quantity {
         } else {
             vec![part(self.name.clone(), false)]
         }
+    }
+}
+
+/// What stands in the place of a value that does not exist.
+fn missing(scene: &Scene<'_>, expr: &Expr) -> &'static str {
+    match expr {
+        Expr::Quantity(id) => {
+            scene.mechanism.quantities.get(id.index()).map_or(NONE, |q| missing(scene, &q.expr))
+        }
+        Expr::Query(Query::Critical(_)) => "none in reach",
+        _ if why_undefined(scene, expr).is_some() => "not determined",
+        _ => NONE,
     }
 }

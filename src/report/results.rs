@@ -53,8 +53,8 @@ fn of_one_pose(answers: &Answers<'_>, scale: Scale, header: String, quantities: 
     for quantity in quantities {
         let value = quantity.values.first().copied().flatten();
         let mut cells = vec![quantity.name.clone()];
-        if value.is_none() && quantity.undetermined {
-            cells.push("not determined".to_owned());
+        if value.is_none() && quantity.missing != NONE {
+            cells.push(quantity.missing.to_owned());
         } else {
             cells.push(figures(answers, scale, &quantity.display, value));
             cells.push(quantity.display.unit.clone());
@@ -97,8 +97,7 @@ fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: 
             let cells = part.cells.iter().map(|cell| match cell {
                 Cell::Number(x) => answers.precision.figures(*x, greatest),
                 Cell::Truth(truth) => truth.to_string(),
-                Cell::None if quantity.undetermined => "not determined".to_owned(),
-                Cell::None => NONE.to_owned(),
+                Cell::None => quantity.missing.to_owned(),
             });
             table.column(with_unit(&part.name, &quantity.display.unit), cells);
         }
@@ -115,7 +114,7 @@ pub(super) fn full_table(answers: &Answers<'_>) -> Table {
     for (i, drive) in answers.scene.mechanism.drives.iter().enumerate() {
         let display = answers.scene.mechanism.drive_display(drive.target);
         let values = poses.iter().map(|p| p.drives.get(i).and_then(|d| d.value())).collect();
-        add_full(&mut table, &Quantity { name: drive.name.clone(), display, values, undetermined: false });
+        add_full(&mut table, &Quantity { name: drive.name.clone(), display, values, missing: NONE });
     }
     for quantity in answers.quantities(&poses) {
         add_full(&mut table, &quantity);
@@ -164,7 +163,7 @@ fn reaction_quantities(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<Quantity> 
             name: format!("reaction({pair}, {on})"),
             display: mechanism.display_of(Dimension::FORCE),
             values: each(&|e| Some(Value::Vector(e.force))),
-            undetermined: false,
+            missing: NONE,
         });
         let moments = each(&|e| e.moment.map(Value::Scalar));
         if moments.iter().any(Option::is_some) {
@@ -172,7 +171,7 @@ fn reaction_quantities(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<Quantity> 
                 name: format!("moment({pair}, {on})"),
                 display: mechanism.display_of(Dimension::TORQUE),
                 values: moments,
-                undetermined: false,
+                missing: NONE,
             });
         }
     }

@@ -229,6 +229,51 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// Speeds in forces, with a drive that has only a sense.
+    #[error("{what} {hangs} on speeds, and no drive has one: they are those at unit speed, {unit}")]
+    #[diagnostic(code(mech::request::unit_speed), severity(Warning), help("{help}"))]
+    UnitSpeed {
+        /// `` `T` and `k` ``
+        what: String,
+        /// `hangs` or `hang`
+        hangs: &'static str,
+        /// `1 rad/s of `crank``
+        unit: String,
+        /// What to write.
+        help: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// Damping where nothing moves.
+    #[error("damping opposes motion, and no drive has a speed: it is left out")]
+    #[diagnostic(code(mech::request::no_damping), severity(Warning), help("{help}"))]
+    NoDamping {
+        /// What to write.
+        help: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// Friction at two contacts whose share is not determined.
+    #[error(
+        "the friction in {pairs} goes by the forces at two contacts, and the couple that shares them is not determined: {chain} a chain of prismatic pairs"
+    )]
+    #[diagnostic(
+        code(mech::friction::open_couple),
+        help(
+            "leave `contacts` out, and friction goes by the normal force; or let one of the pairs be a revolute"
+        )
+    )]
+    OpenCouple {
+        /// `` `F` and `H` ``
+        pairs: String,
+        /// `it closes` or `they close`
+        chain: &'static str,
+        /// The pairs.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
     /// A dead position that does not exist.
     #[error("`{what}` does not exist: {why}")]
     #[diagnostic(code(mech::solve::no_extreme))]

@@ -7,7 +7,7 @@ use super::error::{SolveError, label};
 use super::extremes::every_query;
 use super::solution::Scene;
 use crate::model::{
-    Bearing, Drive, FindKind, LinkId, LoadKind, PairId, PairKind, PointRef, Positions, Query,
+    Bearing, Drive, FindKind, Friction, LinkId, LoadKind, PairId, PairKind, PointRef, Positions, Query,
     TransmissionKind,
 };
 use crate::plan::LawSite;
@@ -202,6 +202,23 @@ pub(super) fn without_place(scene: &Scene<'_>) -> Vec<SolveError> {
         SolveError::NoPlace { pair: declared.name.clone(), help: help.to_owned(), labels }
     };
     errors.into_iter().map(error).collect()
+}
+
+/// Friction that goes by the forces at two contacts, in pairs whose couple is not determined.
+pub(super) fn friction_couples(scene: &Scene<'_>) -> Option<SolveError> {
+    let (mechanism, open) = (scene.mechanism, &scene.structure.undetermined_couples);
+    if !scene.plan.effects.friction {
+        return None;
+    }
+    let shared = |id: &&PairId| {
+        let friction = mechanism.pair(**id).friction;
+        friction.is_some_and(|f| f.is_some() && matches!(f, Friction::BothEnds(_)))
+    };
+    let pairs: Vec<PairId> = open.iter().filter(shared).copied().collect();
+    let names: Vec<String> = pairs.iter().map(|id| format!("`{}`", mechanism.pair(*id).name)).collect();
+    let labels = pairs.iter().map(|id| label("not determined", mechanism.pair(*id).span)).collect();
+    let chain = if pairs.len() == 1 { "it closes" } else { "they close" };
+    (!pairs.is_empty()).then(|| SolveError::OpenCouple { pairs: names.join(" and "), chain, labels })
 }
 
 /// Friction in pairs beside transmissions.

@@ -107,6 +107,58 @@ pub(super) fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
     Some(SolveError::NeedsSpeed { what, needs, help, labels })
 }
 
+/// Dampers and loads that hang on speeds, while no drive has one: what is to be said of them.
+pub(super) fn unit_speeds(scene: &Scene<'_>) -> Option<SolveError> {
+    let (mechanism, effects) = (scene.mechanism, scene.plan.effects);
+    let drive = mechanism.drives.first().filter(|_| effects.forces && !effects.timed)?;
+    let (written, speed) = written(mechanism, drive);
+    let help = format!("give it a speed: `drive {}{written} at {speed}`", drive.name);
+    let dampers = mechanism.springs.iter().filter(|s| s.damping > 0.0);
+    let dampers = dampers.map(|s| (format!("`{}`", s.name), s.span));
+    if !effects.moving {
+        let labels: Vec<LabeledSpan> =
+            dampers.map(|(_, span)| label("against which motion?", span)).collect();
+        return (!labels.is_empty()).then_some(SolveError::NoDamping { help, labels });
+    }
+    let fast = mechanism.loads.iter().filter(|load| {
+        let (LoadKind::Force { value, .. }
+        | LoadKind::ForceAgainstMotion { value, .. }
+        | LoadKind::Torque { value, .. }
+        | LoadKind::InPair { value, .. }) = &load.kind;
+        takes_speeds(mechanism, value)
+    });
+    let named = |name: &Option<String>| name.as_ref().map_or("a load".to_owned(), |n| format!("`{n}`"));
+    let all: Vec<(String, Span)> = dampers.chain(fast.map(|l| (named(&l.name), l.span))).collect();
+    let (_, first) = all.first()?;
+    let names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
+    let mut labels = vec![label("takes speeds", *first)];
+    labels.extend(all.iter().skip(1).map(|(_, span)| label("and this", *span)));
+    labels.push(label("a sense alone", drive.span));
+    let unit = if speed.ends_with("rpm") { "1 rad/s" } else { "1 m/s" };
+    Some(SolveError::UnitSpeed {
+        what: names.join(" and "),
+        hangs: if names.len() == 1 { "hangs" } else { "hang" },
+        unit: format!("{unit} of `{}`", drive.name),
+        help,
+        labels,
+    })
+}
+
+/// Whether a value hangs on speeds, through quantities of the file too.
+fn takes_speeds(mechanism: &Mechanism, value: &Expr) -> bool {
+    let mut found = false;
+    value.parts(&mut |part| {
+        found |= match part {
+            Expr::Quantity(id) => {
+                mechanism.quantities.get(id.index()).is_some_and(|q| takes_speeds(mechanism, &q.expr))
+            }
+            Expr::Query(query) => level_of(query) > Level::Positions,
+            _ => false,
+        };
+    });
+    found
+}
+
 /// The positions of a drive as they may have been written, and a speed for it.
 fn written(mechanism: &Mechanism, drive: &Drive) -> (String, &'static str) {
     let (turns, speed) = match drive.target {

@@ -58,6 +58,7 @@ pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
     let friction = run.friction_problems();
     let mut warnings = run.notes.into_warnings(scene, &run.poses);
     warnings.extend(cycle_warnings);
+    warnings.extend(refused::unit_speeds(scene));
     Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction, open: OpenSizes::default() })
 }
 
@@ -94,6 +95,7 @@ pub(super) fn can_be_solved(scene: &Scene<'_>) -> Result<(), Vec<SolveError>> {
     errors.extend(open::without_position(scene));
     errors.extend(open::without_place(scene));
     errors.extend(open::friction_beside(scene));
+    errors.extend(open::friction_couples(scene));
     if errors.is_empty() { Ok(()) } else { Err(errors) }
 }
 

@@ -19,6 +19,7 @@ pub mod document;
 
 pub use error::SyntaxError;
 pub use skeleton::skeleton;
+pub(crate) use words::CAM_MEMBERS;
 
 use crate::diagnostic::Problems;
 use crate::source::{Source, Span};

@@ -157,7 +157,7 @@ pub(super) const STATEMENTS: &[&str] = &[
 pub(super) const MEMBERS: &[&str] = &["line", "circle", "profile", "mass", "weight", "inertia", "wheel"];
 
 /// What a member of a cam begins with, unless it is a property.
-pub(super) const CAM_MEMBERS: &[&str] = &["turning", "follower", "rise", "dwell", "fall"];
+pub(crate) const CAM_MEMBERS: &[&str] = &["turning", "follower", "rise", "dwell", "fall"];
 
 /// The kinds of pairs and transmissions.
 const PAIRS: &[&str] = &[

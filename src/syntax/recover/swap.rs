@@ -25,8 +25,16 @@ fn comma_between(case: &Case<'_>) -> Option<SyntaxError> {
         return None;
     }
     let again = matches!(case.token(0), "given" | "let") && second.contains('=');
+    let line_ends = second.trim_start_matches(' ').starts_with(['\n', '\r']);
+    let before = if again { format!("{} ", case.token(0)) } else { String::new() };
+    // what follows must be one of its kind too, as far as the next comma
+    let ends = second.match_indices(',').map(|(at, _)| at).chain([second.len()]);
+    let fits = |end: usize| case.reads(&format!("{before}{}", second.get(..end).unwrap_or_default().trim()));
+    if !line_ends && !ends.into_iter().any(fits) {
+        return None;
+    }
     let new = match case.token(0) {
-        _ if second.trim_start_matches(' ').starts_with(['\n', '\r']) => String::new(),
+        _ if line_ends => String::new(),
         word if again => format!("; {word}"),
         _ => ";".to_owned(),
     };
@@ -152,6 +160,13 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("by", "in"),
 ];
 
+/// Whether a word or sign may have been meant: a sign for a word, and what fits nearly everywhere, says nothing.
+fn meant(found: &str, wanted: &str) -> bool {
+    let is_word = |text: &str| text.starts_with(is_name_char);
+    let anywhere = ["@", "within", "when", "along", "near", "on"].contains(&wanted);
+    !anywhere && (is_word(found) || !is_word(wanted)) && !matches!((found, wanted), (",", ":" | "="))
+}
+
 /// A sign or word where another one stands, if there is just one that fits.
 fn other_word(case: &Case<'_>) -> Option<SyntaxError> {
     let found = case.token(case.fail);
@@ -167,7 +182,10 @@ fn other_word(case: &Case<'_>) -> Option<SyntaxError> {
     }
     fitting.retain(|w| w != "(" && w != "{" && case.reads(&case.with(case.fail, end, &format!(" {w} "))));
     fitting.dedup();
-    let [wanted] = fitting.as_slice() else { return None };
+    let wanted = match fitting.as_slice() {
+        [wanted] if synonym.is_some() || meant(found, wanted) => wanted,
+        _ => return None,
+    };
     let before = case.slice.get(..case.fail)?;
     let close = matches!(wanted.as_str(), "," | ":") || before.ends_with(' ');
     let blank = if close { "" } else { " " };
@@ -187,7 +205,10 @@ fn other_word_before(case: &Case<'_>) -> Option<SyntaxError> {
     let mut fitting = words::CONNECTING.to_vec();
     fitting
         .retain(|w| !matches!(*w, "and" | "or" | "not") && *w != found && case.reads(&case.with(at, end, w)));
-    let [wanted] = fitting.as_slice() else { return None };
+    let wanted = match fitting.as_slice() {
+        [wanted] if meant(found, wanted) => wanted,
+        _ => return None,
+    };
     Some(SyntaxError::OtherWord {
         found: found.to_owned(),
         wanted: (*wanted).to_owned(),
