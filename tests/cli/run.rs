@@ -5,6 +5,7 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
 
 /// A folder for one test; it is removed at the end.
 pub struct Folder(PathBuf);
@@ -12,7 +13,10 @@ pub struct Folder(PathBuf);
 impl Folder {
     /// An empty folder.
     pub fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("assur-cli-{}-{name}", std::process::id()));
+        // tests run side by side, and two may take the same name
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let count = COUNT.fetch_add(1, Ordering::Relaxed);
+        let path = std::env::temp_dir().join(format!("assur-cli-{}-{count}-{name}", std::process::id()));
         // left over from a test that was stopped
         let _ = std::fs::remove_dir_all(&path);
         std::fs::create_dir_all(&path).unwrap();
