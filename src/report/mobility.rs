@@ -15,6 +15,8 @@ pub(super) struct GroupCount {
     pub lower: usize,
     /// Higher pairs.
     pub higher: usize,
+    /// Rollers that turn freely.
+    pub passive: usize,
 }
 
 impl GroupCount {
@@ -25,19 +27,25 @@ impl GroupCount {
         let replaced = group.bodies.iter().filter(|b| imaginary(b)).count();
         let higher = replaced + group.laws.len();
         let lower = group.joints.iter().filter(|j| !imaginary(&j.body) && !imaginary(&j.base)).count();
-        Self { n: group.bodies.len() - replaced, lower, higher }
+        let link = |body: &BodyId| match structure.replaced.bodies[body.0].origin {
+            BodyOrigin::Link(id) => structure.passive.contains(&id),
+            BodyOrigin::Imaginary(_) => false,
+        };
+        let passive = group.bodies.iter().filter(|b| link(b)).count();
+        Self { n: group.bodies.len() - replaced, lower, higher, passive }
     }
 
     /// The count in figures, as `3·2 − 2·3 = 0`; a body between two guides does not turn, so that 2n = P_L counts.
     pub fn formula(self, kind: GroupKind) -> String {
-        let [n, lower, higher] =
-            [self.n, self.lower, self.higher].map(|x| i64::try_from(x).unwrap_or(i64::MAX));
+        let [n, lower, higher, passive] =
+            [self.n, self.lower, self.higher, self.passive].map(|x| i64::try_from(x).unwrap_or(i64::MAX));
         if kind == GroupKind::Translation {
             return format!("2·{n} − {lower} = {}", 2 * n - lower);
         }
-        let rest = 3 * n - 2 * lower - higher;
-        let higher = if higher > 0 { format!(" − {higher}") } else { String::new() };
-        format!("3·{n} − 2·{lower}{higher} = {rest}")
+        let rest = 3 * n - 2 * lower - higher - passive;
+        let less =
+            |count: i64, what: &str| if count > 0 { format!(" − {count}{what}") } else { String::new() };
+        format!("3·{n} − 2·{lower}{}{} = {rest}", less(higher, ""), less(passive, " passive"))
     }
 }
 

@@ -125,6 +125,8 @@ fn instead(mechanism: &Mechanism, structure: &Structure, assertion: &GroupAssert
 struct Pairs {
     lower: Vec<PairId>,
     higher: Vec<PairId>,
+    /// Rollers among the links: each turns freely, and that counts for nothing.
+    passive: usize,
     /// All of them are prismatic: no link turns, and 2n = P_L counts.
     prismatic: bool,
 }
@@ -136,7 +138,8 @@ impl Pairs {
             structure.motion.iter().position(|g| g.bodies.contains(&body))
         };
         let last = assertion.links.iter().map(|&l| rank(l)).max().flatten();
-        let mut this = Self { lower: Vec::new(), higher: Vec::new(), prismatic: true };
+        let passive = assertion.links.iter().filter(|l| structure.passive.contains(l)).count();
+        let mut this = Self { lower: Vec::new(), higher: Vec::new(), passive, prismatic: true };
         for (i, pair) in mechanism.pairs.iter().enumerate() {
             let mut links = pair.kind.links();
             if !links.iter().any(|l| assertion.links.contains(l)) {
@@ -172,7 +175,7 @@ impl Pairs {
         if self.prismatic {
             return 2 * signed(n) - signed(self.lower.len());
         }
-        3 * signed(n) - 2 * signed(self.lower.len()) - signed(self.higher.len())
+        3 * signed(n) - 2 * signed(self.lower.len()) - signed(self.higher.len()) - signed(self.passive)
     }
 
     fn formula(&self, n: usize) -> String {
@@ -180,9 +183,10 @@ impl Pairs {
         if self.prismatic {
             return format!("with prismatic pairs alone 2n − P_L = 2·{n} − {lower} = {rest}");
         }
+        let passive = if self.passive > 0 { format!(" − {} passive", self.passive) } else { String::new() };
         if higher == 0 {
-            return format!("3n − 2P_L = 3·{n} − 2·{lower} = {rest}");
+            return format!("3n − 2P_L = 3·{n} − 2·{lower}{passive} = {rest}");
         }
-        format!("3n − 2P_L − P_H = 3·{n} − 2·{lower} − {higher} = {rest}")
+        format!("3n − 2P_L − P_H = 3·{n} − 2·{lower} − {higher}{passive} = {rest}")
     }
 }
