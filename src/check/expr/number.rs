@@ -64,6 +64,16 @@ pub fn with_unit(expr: &Expr, unit: &str) -> Option<String> {
             UnaryOp::Not => None,
         },
         ExprKind::Vector(x, y) => Some(format!("({}, {})", with_unit(x, unit)?, with_unit(y, unit)?)),
+        ExprKind::Polar(r, phi) => Some(format!("{} @ {}", with_unit(r, unit)?, in_words(phi))),
         _ => None,
+    }
+}
+
+/// A number or a name as it is written.
+fn in_words(expr: &Expr) -> String {
+    match &expr.kind {
+        ExprKind::Number(Number { text, unit: Some(unit), .. }) => format!("{text} {}", unit.node),
+        ExprKind::Name(name) => name.clone(),
+        _ => "…".to_owned(),
     }
 }
