@@ -5,12 +5,13 @@ use super::error::{CamError, NameError, PairError};
 use super::link::positive;
 use super::lookup::suggestion;
 use super::names::ThingKind;
-use super::property::{Read, Spec, Takes, find, read};
+use super::property::{Read, Spec, Takes, find, read, read_beside};
 use super::train::known;
 use super::{amount, plate_fault};
 use crate::element::cam::{Cam, Follower, Law, Program, Shape};
 use crate::model::PlateCam;
 use crate::source::Span;
+use crate::syntax::CAM_MEMBERS;
 use crate::syntax::document::{
     self, CamLaw, CamMember, Member, Name, Phase, PhaseKind, Property, Statement, Turn,
 };
@@ -64,7 +65,7 @@ struct Members<'a> {
 
 fn cam(cx: &mut Context<'_>, cam: &document::Cam) -> Option<PlateCam> {
     let members = members(cx, cam);
-    let properties = read(cx, "a cam", &members.properties, CAM);
+    let properties = read_beside(cx, "a cam", &members.properties, CAM, CAM_MEMBERS);
     let follower = members.follower.map(|f| follower_of(cx, f));
     let oscillates = members.follower.map(|f| f.motion.node == "oscillating");
     let way = match oscillates {

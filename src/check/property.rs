@@ -6,7 +6,6 @@ use super::expr::Want;
 use super::link::{not_negative, positive};
 use super::lookup::suggestion;
 use crate::source::Span;
-use crate::syntax::CAM_MEMBERS;
 use crate::syntax::document::{Expr, ExprKind, Property};
 use crate::units::Dimension;
 
@@ -84,6 +83,17 @@ pub(super) fn read(
     properties: &[Property],
     specs: &[Spec],
 ) -> Option<Vec<Read>> {
+    read_beside(cx, what, properties, specs, &[])
+}
+
+/// The same where other words may stand beside the properties: one of them may have been meant.
+pub(super) fn read_beside(
+    cx: &mut Context<'_>,
+    what: &str,
+    properties: &[Property],
+    specs: &[Spec],
+    others: &[&str],
+) -> Option<Vec<Read>> {
     let mut all = Some(Vec::<Read>::new());
     for (i, property) in properties.iter().enumerate() {
         if let Some(first) = properties[..i].iter().find(|p| p.name.node == property.name.node) {
@@ -92,7 +102,7 @@ pub(super) fn read(
             all = None;
             continue;
         }
-        let one = one(cx, what, property, specs);
+        let one = one(cx, what, property, specs, others);
         all = all.zip(one).map(|(mut all, one)| {
             all.push(one);
             all
@@ -101,11 +111,16 @@ pub(super) fn read(
     all
 }
 
-fn one(cx: &mut Context<'_>, what: &str, property: &Property, specs: &[Spec]) -> Option<Read> {
+fn one(
+    cx: &mut Context<'_>,
+    what: &str,
+    property: &Property,
+    specs: &[Spec],
+    others: &[&str],
+) -> Option<Read> {
     let name = &property.name.node;
     let Some(spec) = specs.iter().find(|s| s.name == name.as_str()) else {
-        let members = if what == "a cam" { CAM_MEMBERS } else { &[] };
-        let known = specs.iter().map(|s| s.name).chain(members.iter().copied()).collect::<Vec<_>>();
+        let known = specs.iter().map(|s| s.name).chain(others.iter().copied()).collect::<Vec<_>>();
         let help = suggestion(name, &known, "properties")
             .unwrap_or_else(|| format!("{what} has no properties at all; leave the braces out"));
         let (what, name, span) = (what.to_owned(), name.clone(), property.name.span);
