@@ -7,7 +7,7 @@ mod machines;
 use assur::math::Vec2;
 use assur::model::{Friction, Mechanism, PairKind};
 use assur::plan::Plan;
-use assur::solve::{DriveInput, Scene, SideBySide, State, solve};
+use assur::solve::{DriveColumns, DriveInput, Scene, SideBySide, State, solve};
 use assur::structure::Structure;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
@@ -211,14 +211,27 @@ fn f_by_hand_four_bar(bencher: Bencher) {
     });
 }
 
-/// The same as the forces in one lane, positions side by side.
-#[divan::bench(args = ["crank-slider", "four-bar", "six-bar"])]
-fn g_lanes(bencher: Bencher, name: &str) {
+/// All forces of many positions with nothing between them, in lanes or in one.
+fn together(bencher: Bencher, name: &str, in_lanes: bool) {
     let bench = Bench::new(machine(name));
-    let mut lanes = SideBySide::new(&bench.plan, &bench.state);
+    let inputs = DriveColumns::of(&bench.inputs, 1);
+    let new = if in_lanes { SideBySide::new } else { SideBySide::in_one_lane };
+    let mut positions = new(&bench.plan, &bench.state);
     bencher.counter(ItemsCount::new(POSITIONS)).bench_local(|| {
         let mut sum = 0.0;
-        lanes.run(&bench.inputs, |_, place| sum += place.effort(0) + place.body(2).p.x);
+        positions.run(&inputs, |_, place| sum += place.effort(0) + place.body(2).p.x);
         sum
     });
+}
+
+const LANED: [&str; 3] = ["crank-slider", "four-bar", "six-bar"];
+
+#[divan::bench(args = LANED)]
+fn h_together_in_one_lane(bencher: Bencher, name: &str) {
+    together(bencher, name, false);
+}
+
+#[divan::bench(args = LANED)]
+fn i_together_in_lanes(bencher: Bencher, name: &str) {
+    together(bencher, name, true);
 }

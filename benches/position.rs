@@ -39,8 +39,8 @@ fn main() {
 fn measure(file: &str, run: &mut Run) {
     let positions = run.positions();
     let alone = least(|| run.one_by_one()) / positions as f64;
-    let (mut lanes, forces) = (run.lanes(), run.compiled.plan.effects.forces);
-    let laned = least(|| side_by_side(&mut lanes, &run.inputs, forces)) / positions as f64;
+    let ((mut lanes, inputs), forces) = (run.lanes(), run.compiled.plan.effects.forces);
+    let laned = least(|| side_by_side(&mut lanes, &inputs, forces)) / positions as f64;
     let effects = run.compiled.plan.effects.computed().join(", ");
     println!(
         r#"{{"file": "{file}", "positions": {positions}, "effects": "{effects}", "us": {:.5}, "us_in_lanes": {:.5}}}"#,

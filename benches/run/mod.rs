@@ -4,7 +4,7 @@
 use assur::Compiled;
 use assur::check::Overrides;
 use assur::plan::Level;
-use assur::solve::{DriveInput, SideBySide, State, solve};
+use assur::solve::{DriveColumns, DriveInput, SideBySide, State, solve};
 use assur::source::Source;
 
 /// A text ready to be run.
@@ -63,14 +63,15 @@ impl Run {
         sum
     }
 
-    /// The same side by side.
-    pub fn lanes(&self) -> SideBySide<'_> {
-        SideBySide::new(&self.compiled.plan, &self.state)
+    /// The same side by side, with the inputs as it reads them.
+    pub fn lanes(&self) -> (SideBySide<'_>, DriveColumns) {
+        let plan = &self.compiled.plan;
+        (SideBySide::new(plan, &self.state), DriveColumns::of(&self.inputs, plan.drives))
     }
 }
 
 /// One round of positions side by side.
-pub fn side_by_side(lanes: &mut SideBySide<'_>, inputs: &[DriveInput], forces: bool) -> f64 {
+pub fn side_by_side(lanes: &mut SideBySide<'_>, inputs: &DriveColumns, forces: bool) -> f64 {
     let mut sum = 0.0;
     lanes.run(inputs, |_, place| {
         sum += place.body(1).p.x;

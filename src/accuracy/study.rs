@@ -7,7 +7,9 @@ use super::knob::{Absent, Kind, Knob, Row, not_closed};
 use super::{Error, Scales};
 use crate::math::Double;
 use crate::plan::{Plan, Settings};
-use crate::solve::{Again, DriveInput, Edge, Scene, SideBySide, Solution, State, Statics, WIDTH, over_cycle};
+use crate::solve::{
+    Again, DriveColumns, DriveInput, Edge, Scene, SideBySide, Solution, State, Statics, WIDTH, over_cycle,
+};
 use std::hint::black_box;
 
 /// The most positions that are solved again.
@@ -235,6 +237,7 @@ impl Measured<'_, '_> {
         let (count, drives) = (self.again.len(), plan.drives.max(1));
         let filled = count.max(FILL).next_multiple_of(FILL);
         let inputs: Vec<DriveInput> = self.inputs.iter().copied().cycle().take(filled * drives).collect();
+        let inputs = DriveColumns::of(&inputs, drives);
         let mut lanes = SideBySide::new(plan, self.again.run(plan, 0));
         let (mut got, exact) = (vec![Answer::default(); count], &self.exact);
         lanes.run(&inputs, |i, place| {

@@ -65,7 +65,7 @@ pub struct Sides<S> {
     difference: (S, S),
     /// l_1² − l_2².
     across: (S, S),
-    /// 1 / (l_1 l_2), 1/m².
+    /// 1 / 2 l_1 l_2, 1/m².
     product: S,
     /// 1 / 2(l_1 + l_2), 1/m.
     far: S,
@@ -85,7 +85,7 @@ impl<S: Scalar> Sides<S> {
             sum: product(s, s),
             difference: product(d, d),
             across: product(s, d),
-            product: S::one() / (l_1 * l_2),
+            product: half / (l_1 * l_2),
             far: half / s.0,
             near: half / d.0.abs().max(S::tiny()),
         }
@@ -117,7 +117,7 @@ impl<S: Scalar> Sides<S> {
             r_1,
             r_2: across - r * along_2,
             inverse: S::of(2.0) / area,
-            sine: half * area * self.product,
+            sine: area * self.product,
             closure: (far * self.far).min(near * self.near),
         }
     }

@@ -11,7 +11,7 @@ use super::scalar::Truths;
 /// `N` numbers that go through the same operations. Plain arrays: the compiler makes vectors of them. Every lane has the
 /// same bits as `f64` alone. Aligned, so that no vector lies across two lines of the cache.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(align(32))]
+#[repr(align(64))]
 pub struct Lanes<const N: usize>(pub [f64; N]);
 
 impl<const N: usize> Lanes<N> {
@@ -65,15 +65,16 @@ impl<const N: usize> Neg for Lanes<N> {
     }
 }
 
-impl<const N: usize> Truths for [bool; N] {
+/// All bits of a lane where it holds, none elsewhere: what a comparison of vectors leaves.
+impl<const N: usize> Truths for [u64; N] {
     #[inline]
     fn all(self) -> bool {
-        self.iter().fold(true, |all, x| all & x)
+        self.iter().fold(u64::MAX, |all, x| all & x) == u64::MAX
     }
 }
 
 impl<const N: usize> Scalar for Lanes<N> {
-    type Mask = [bool; N];
+    type Mask = [u64; N];
 
     #[inline]
     fn of(x: f64) -> Self {
@@ -96,18 +97,18 @@ impl<const N: usize> Scalar for Lanes<N> {
         self.each(other, Scalar::min)
     }
     #[inline]
-    fn lt(self, other: Self) -> [bool; N] {
-        let mut out = [false; N];
+    fn lt(self, other: Self) -> [u64; N] {
+        let mut out = [0; N];
         for ((out, x), y) in out.iter_mut().zip(self.0).zip(other.0) {
-            *out = x < y;
+            *out = if x < y { u64::MAX } else { 0 };
         }
         out
     }
     #[inline]
-    fn select(mask: [bool; N], a: Self, b: Self) -> Self {
+    fn select(mask: [u64; N], a: Self, b: Self) -> Self {
         let mut out = b.0;
         for ((out, x), mask) in out.iter_mut().zip(a.0).zip(mask) {
-            *out = if mask { x } else { *out };
+            *out = if mask != 0 { x } else { *out };
         }
         Self(out)
     }
@@ -141,13 +142,13 @@ mod tests {
         same(x.max(y), Scalar::max);
         same(x.min(y), Scalar::min);
         same(x.two_product(y).1, |x, y| x.two_product(y).1);
-        assert_eq!(x.lt(y), [true, false, false, true]);
+        assert_eq!(x.lt(y), [u64::MAX, 0, 0, u64::MAX]);
         same(Lanes::select(x.lt(y), x, y), |x, y| if x < y { x } else { y });
     }
 
     #[test]
     fn all_lanes() {
-        assert!([true; 3].all() && ![true, false, true].all());
+        assert!([u64::MAX; 3].all() && ![u64::MAX, 0, u64::MAX].all());
         assert!(true.all() && !false.all());
     }
 

@@ -70,12 +70,12 @@ impl<S: Scalar> State<S> {
 
     /// Places the body behind a driven joint.
     #[inline(never)]
-    fn follow<const LEVEL: u8>(&mut self, branch: usize, leg: &DrivenLeg) {
+    fn follow<const LEVEL: u8>(&mut self, leg: &DrivenLeg) {
         match &leg.joint {
             None => {}
-            Some(DrivenJoint::Shift { slide, drive }) => self.shift::<LEVEL>(branch, slide, *drive),
+            Some(DrivenJoint::Shift { slide, drive }) => self.shift::<LEVEL>(slide, *drive),
             Some(DrivenJoint::Turn { base, body, pin, drive, sign, .. }) => {
-                self.turn::<LEVEL>(branch, *body, base, pin, *drive, Some(*sign));
+                self.turn::<LEVEL>(*body, base, pin, *drive, Some(*sign));
             }
         }
     }
@@ -103,8 +103,8 @@ impl<S: Scalar> State<S> {
         }
         place::<S, LEVEL>(&mut self.bodies[legs[0].body], &legs[0].pin, ends[0], u[0], omega.0, alpha.0);
         place::<S, LEVEL>(&mut self.bodies[legs[1].body], &legs[1].pin, ends[1], u[1], omega.1, alpha.1);
-        self.follow::<LEVEL>(branch, &legs[0]);
-        self.follow::<LEVEL>(branch, &legs[1]);
+        self.follow::<LEVEL>(&legs[0]);
+        self.follow::<LEVEL>(&legs[1]);
         self.sines[branch] = at.sine;
     }
 
@@ -137,7 +137,7 @@ impl<S: Scalar> State<S> {
         }
         place::<S, LEVEL>(&mut self.bodies[leg.body], &leg.pin, a, u, omega, alpha);
         self.place_slider::<LEVEL>(slide, guide.along, pin, at.p_C, s_dot, s_ddot);
-        self.follow::<LEVEL>(branch, leg);
+        self.follow::<LEVEL>(leg);
         self.sines[branch] = at.sine;
     }
 
@@ -199,6 +199,6 @@ impl<S: Scalar> State<S> {
     /// Adds a force at a place to what a body carries.
     #[inline(always)]
     fn load(&mut self, body: usize, p: V2<S>, force: V2<S>) {
-        self.carry(body, p, -force, S::zero());
+        self.carry(body, p, -force);
     }
 }

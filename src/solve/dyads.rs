@@ -1,7 +1,7 @@
 //! The steps of motion of the dyads without a drive: each puts the two bodies of a group, from the closed forms in
 //! [`crate::group`].
 
-use super::motion::{Branch2, line, place, point, under};
+use super::motion::{Branch2, Point, fixed, line, place, point, under};
 use super::state::{Shared, State};
 use crate::group::rrr::Sides;
 use crate::group::{pp, prp, rpp, rpr, rrp};
@@ -14,7 +14,24 @@ impl<S: Scalar> State<S> {
     pub(super) fn rrr<const LEVEL: u8>(&mut self, branch: usize, legs: &[Leg; 2], sides: &Sides<f64>) {
         let [one, two] = legs;
         let a = point::<S, LEVEL>(&self.bodies, &one.base);
-        let b = point::<S, LEVEL>(&self.bodies, &two.base);
+        // written out twice: most often it is the ground, whose zeros then cost nothing
+        if two.base.body == 0 {
+            self.rrr_on::<LEVEL>(branch, legs, sides, a, fixed(two.base.at));
+        } else {
+            self.rrr_on::<LEVEL>(branch, legs, sides, a, point::<S, LEVEL>(&self.bodies, &two.base));
+        }
+    }
+
+    #[inline(always)]
+    fn rrr_on<const LEVEL: u8>(
+        &mut self,
+        branch: usize,
+        legs: &[Leg; 2],
+        sides: &Sides<f64>,
+        a: Point<S>,
+        b: Point<S>,
+    ) {
+        let [one, two] = legs;
         let sides = if S::WIDE { Sides::new(one.length(), two.length()) } else { sides.of() };
         let at = sides.position(a.p, b.p, S::of(self.branches[branch].root));
         self.sines[branch] = at.sine;

@@ -94,10 +94,22 @@ impl<S: Scalar> State<S> {
         (p, w.force, r.map_or(w.moment, |r| w.moment - r.cross(w.force)))
     }
 
-    /// The opposite of a force and couple at a place, on the body that carries it.
+    /// The opposite of a force at a place, on the body that carries it.
     #[inline(always)]
-    pub(super) fn carry(&mut self, base: usize, p: V2<S>, force: V2<S>, couple: S) {
+    pub(super) fn carry(&mut self, base: usize, p: V2<S>, force: V2<S>) {
         // what the ground carries is not asked
+        if base == 0 {
+            return;
+        }
+        let r = p - self.bodies[base].p;
+        let w = &mut self.wrenches[base];
+        w.force -= force;
+        w.moment = w.moment - r.cross(force);
+    }
+
+    /// The same with a couple.
+    #[inline(always)]
+    pub(super) fn carry_wrench(&mut self, base: usize, p: V2<S>, force: V2<S>, couple: S) {
         if base == 0 {
             return;
         }
@@ -110,7 +122,7 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub(super) fn hinge_reaction(&mut self, hinge: &Hinge, p: V2<S>, force: V2<S>) {
         self.reactions[hinge.slot] = Reaction { force, couple: S::zero() };
-        self.carry(hinge.base, p, force, S::zero());
+        self.carry(hinge.base, p, force);
     }
 
     /// Keeps the reaction of a guide, given at `p`, about the pair's reference point.
@@ -125,7 +137,7 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub(super) fn carried_way(&mut self, way: &Way, p: V2<S>, force: V2<S>, couple: S) {
         let (reference, couple) = self.way_reaction(way, p, force, couple);
-        self.carry(way.base, reference, force, couple);
+        self.carry_wrench(way.base, reference, force, couple);
     }
 
     #[inline(always)]
@@ -140,8 +152,10 @@ impl<S: Scalar> State<S> {
         match effort {
             EffortLine::Torque { base, .. } => {
                 self.efforts[slot] = -moment * S::of(sign);
-                let w = &mut self.wrenches[*base];
-                w.moment = w.moment + moment;
+                if *base != 0 {
+                    let w = &mut self.wrenches[*base];
+                    w.moment = w.moment + moment;
+                }
                 self.hinge_reaction(hinge, p, -force);
                 S::one()
             }
@@ -168,7 +182,7 @@ impl<S: Scalar> State<S> {
                 let along = -force.dot(d);
                 self.efforts[slot] = along * S::of(sign);
                 force += d * along;
-                self.carry(way.base, p, d * along, S::zero());
+                self.carry(way.base, p, d * along);
                 S::one()
             }
             EffortLine::Force { line, .. } => {

@@ -132,8 +132,8 @@ impl State {
                 self.wrenches[element.base].moment -= effort;
             }
             Some((p, d)) => {
-                self.carry(element.through, p, d * -effort, 0.0);
-                self.carry(element.base, p, d * effort, 0.0);
+                self.carry(element.through, p, d * -effort);
+                self.carry(element.base, p, d * effort);
             }
         }
     }

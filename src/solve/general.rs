@@ -178,7 +178,7 @@ impl State {
                     self.reactions[*slot] = Reaction { force, couple: 0.0 };
                     if !inside(hinge.base) {
                         let p = self.bodies[hinge.body].pin(&hinge.pin).0;
-                        self.carry(hinge.base, p, force, 0.0);
+                        self.carry(hinge.base, p, force);
                     }
                 }
                 UnknownForce::Couple(way) => {
@@ -195,7 +195,7 @@ impl State {
                     self.reactions[way.slot] = Reaction { force, couple };
                     if !inside(way.base) {
                         let p = self.bodies[way.slider].position(way.point);
-                        self.carry(way.base, p, force, 0.0);
+                        self.carry(way.base, p, force);
                     }
                 }
                 UnknownForce::Torque { effort, body, base } => {
@@ -211,7 +211,7 @@ impl State {
                     let force = self.direction(way) * on_body(way, x);
                     if !inside(way.base) {
                         let p = self.bodies[way.slider].position(way.point);
-                        self.carry(way.base, p, force, 0.0);
+                        self.carry(way.base, p, force);
                     }
                 }
                 UnknownForce::Line(effort) => self.efforts[*effort] = x,

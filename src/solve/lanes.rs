@@ -2,37 +2,45 @@
 //!
 //! The assemblies are those of a reference state: nothing is followed. All operations are those of one position alone, in
 //! the same order and without fused multiplications, so that every lane has the same bits. Blocks that do not fill the
-//! lanes, or where a group does not close in one of them, and plans that are not [laned](Plan::laned), go one by one.
+//! lanes, or where a group does not close in one of them, go in one lane; plans that are not [laned](Plan::laned) go
+//! position by position.
 
+use super::closed::Closed;
+use super::columns::DriveColumns;
 use super::state::{BodyState, DriveInput, Reaction, State};
 use crate::math::{Lanes, V2, Vec2};
 use crate::plan::{Level, Plan};
+use std::ops::Range;
 
-/// Positions that go side by side: two vectors of AVX2, so that one goes on while the other waits for a root or a quotient.
-/// Registers of AVX-512, one vector, were measured to be no faster.
+/// Positions that go side by side: one vector of AVX-512 or two of AVX2.
 pub const WIDTH: usize = 8;
 
-/// Blocks that go step by step together.
+/// Blocks of lanes that go step by step together.
 const BLOCKS: usize = 2;
+
+/// Positions in one lane that go step by step together.
+const TOGETHER: usize = 8;
 
 /// The instructions that positions side by side go through on this machine.
 #[must_use]
 pub fn instructions() -> &'static str {
-    #[cfg(target_arch = "x86_64")]
-    if std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma") {
-        return "AVX2";
+    match pulp::Arch::new().dispatch(InOneInstruction) {
+        1 => "no AVX2",
+        2 => "Neon",
+        4 => "AVX2",
+        _ => "AVX-512",
     }
-    "no AVX2"
 }
 
 /// Memory for positions side by side, laid out once.
 #[derive(Debug)]
 pub struct SideBySide<'a> {
     plan: &'a Plan,
-    laned: bool,
-    blocks: Vec<State<Lanes<WIDTH>>>,
-    alone: State,
     arch: pulp::Arch,
+    /// None where the machine or the plan has no lanes.
+    lanes: Vec<State<Lanes<WIDTH>>>,
+    /// One alone where the plan is not laned.
+    scalars: Vec<State>,
 }
 
 /// One of the positions.
@@ -48,93 +56,96 @@ impl<'a> SideBySide<'a> {
     /// For a plan, with the assemblies of a state.
     #[must_use]
     pub fn new(plan: &'a Plan, reference: &State) -> Self {
+        let arch = pulp::Arch::new();
+        let laned = plan.laned() && arch.dispatch(InOneInstruction) > 1;
         let mut block = State::closed(plan);
         block.branches.clone_from(&reference.branches);
-        let arch = pulp::Arch::new();
-        Self {
-            plan,
-            laned: plan.laned() && arch.dispatch(HasLanes),
-            blocks: vec![block; BLOCKS],
-            alone: reference.clone().ready(plan),
-            arch,
-        }
+        Self { lanes: vec![block; if laned { BLOCKS } else { 0 }], ..Self::in_one_lane(plan, reference) }
+    }
+
+    /// The same in one lane, whatever the machine has.
+    #[must_use]
+    pub fn in_one_lane(plan: &'a Plan, reference: &State) -> Self {
+        let together = if plan.laned() { TOGETHER } else { 1 };
+        let scalars = vec![reference.clone().ready(plan); together];
+        Self { plan, arch: pulp::Arch::new(), lanes: Vec::new(), scalars }
     }
 
     /// Solves motion, loads and forces, as far as the plan goes, and hands out every position with its number.
     /// Allocates nothing. Loads that are evaluated at every position, and senses of friction, are not known here and left
     /// out.
-    /// # Given
-    /// `inputs` of all drives at the first position, at the second, and so on.
-    pub fn run(&mut self, inputs: &[DriveInput], mut each: impl FnMut(usize, Place<'_>)) {
-        let drives = self.plan.drives;
-        if drives == 0 {
-            return;
-        }
+    pub fn run(&mut self, inputs: &DriveColumns, mut each: impl FnMut(usize, Place<'_>)) {
+        // quantities that no column holds are not read again
+        self.lanes.iter_mut().for_each(|block| block.inputs.fill(DriveInput::default()));
+        self.scalars.iter_mut().for_each(|state| state.inputs.fill(DriveInput::default()));
         let mut first = 0;
-        for chunk in inputs.chunks(BLOCKS * WIDTH * drives) {
-            let full = if self.laned { chunk.len() / (WIDTH * drives) } else { 0 };
-            let (laned, rest) = chunk.split_at(full * WIDTH * drives);
-            for (state, inputs) in self.blocks.iter_mut().zip(laned.chunks(WIDTH * drives)) {
-                fill(&mut state.inputs, inputs, !self.plan.outer.is_empty());
+        while first < inputs.len() {
+            let left = inputs.len() - first;
+            let full = (left / WIDTH).min(self.lanes.len());
+            let count = if full > 0 { full * WIDTH } else { left };
+            if full > 0 {
+                self.in_lanes(inputs, first, full, &mut each);
+            } else {
+                self.one_by_one(inputs, first..first + count, &mut each);
             }
-            solve(self.arch, self.plan, &mut self.blocks[..full]);
-            for (state, inputs) in self.blocks.iter().zip(laned.chunks(WIDTH * drives)) {
-                if state.open.is_none() {
-                    (0..WIDTH).for_each(|lane| each(first + lane, Place::Lane(state, lane)));
-                } else {
-                    one_by_one(self.plan, &mut self.alone, inputs, first, &mut each);
-                }
-                first += WIDTH;
+            first += count;
+        }
+    }
+
+    #[inline(always)]
+    fn in_lanes(
+        &mut self,
+        inputs: &DriveColumns,
+        first: usize,
+        full: usize,
+        each: &mut impl FnMut(usize, Place<'_>),
+    ) {
+        let closed = Closed { plan: self.plan, blocks: &mut self.lanes[..full] };
+        run_lanes(self.arch, Laned { closed, inputs, first });
+        for i in 0..full {
+            let (block, first) = (&self.lanes[i], first + i * WIDTH);
+            if block.open.is_none() {
+                (0..WIDTH).for_each(|lane| each(first + lane, Place::Lane(block, lane)));
+            } else {
+                self.one_by_one(inputs, first..first + WIDTH, each);
             }
-            one_by_one(self.plan, &mut self.alone, rest, first, &mut each);
-            first += rest.len() / drives;
+        }
+    }
+
+    #[inline(always)]
+    fn one_by_one(
+        &mut self,
+        inputs: &DriveColumns,
+        mut places: Range<usize>,
+        each: &mut impl FnMut(usize, Place<'_>),
+    ) {
+        while !places.is_empty() {
+            let count = places.len().min(self.scalars.len());
+            let states = &mut self.scalars[..count];
+            for (state, i) in states.iter_mut().zip(places.clone()) {
+                inputs.read(i, &mut state.inputs);
+            }
+            match &mut *states {
+                [state] => alone(self.plan, state),
+                states => run_scalars(self.plan, states),
+            }
+            states.iter().zip(&mut places).for_each(|(state, i)| each(i, Place::Alone(state)));
         }
     }
 }
 
-/// The inputs of a block; velocities and accelerations of driven points where there are `points`.
-fn fill(out: &mut [DriveInput<Lanes<WIDTH>>], block: &[DriveInput], points: bool) {
-    let drives = out.len();
-    for (drive, out) in out.iter_mut().enumerate() {
-        let of = |f: fn(&DriveInput) -> f64| {
-            let mut lanes = [0.0; WIDTH];
-            for (lane, x) in lanes.iter_mut().enumerate() {
-                *x = f(&block[lane * drives + drive]);
-            }
-            Lanes(lanes)
-        };
-        out.place = V2::new(of(|d| d.place.x), of(|d| d.place.y));
-        out.value = of(|d| d.value);
-        out.rate = of(|d| d.rate);
-        out.acceleration = of(|d| d.acceleration);
-        if points {
-            out.velocity = V2::new(of(|d| d.velocity.x), of(|d| d.velocity.y));
-            out.point_acceleration = V2::new(of(|d| d.point_acceleration.x), of(|d| d.point_acceleration.y));
-        }
-    }
-}
-
-fn one_by_one(
-    plan: &Plan,
-    state: &mut State,
-    inputs: &[DriveInput],
-    first: usize,
-    each: &mut impl FnMut(usize, Place<'_>),
-) {
-    for (i, inputs) in inputs.chunks_exact(plan.drives).enumerate() {
-        state.inputs.copy_from_slice(inputs);
-        alone(plan, state);
-        each(first + i, Place::Alone(state));
-    }
-}
-
-// these two are not written out in `run`, of which there is one for every caller
+// these three are not written out in `run`, of which there is one for every caller
 #[inline(never)]
-fn solve(arch: pulp::Arch, plan: &Plan, blocks: &mut [State<Lanes<WIDTH>>]) {
-    arch.dispatch(Solve { plan, blocks });
+fn run_lanes(arch: pulp::Arch, laned: Laned<'_>) {
+    arch.dispatch(laned);
 }
 
-/// One position by itself.
+#[inline(never)]
+fn run_scalars(plan: &Plan, blocks: &mut [State]) {
+    Closed { plan, blocks }.run();
+}
+
+/// One position by itself, of any plan.
 #[inline(never)]
 fn alone(plan: &Plan, state: &mut State) {
     match plan.effects.level {
@@ -149,70 +160,38 @@ fn alone(plan: &Plan, state: &mut State) {
     }
 }
 
-/// Blocks of positions, every step on all of them before the next. Compiled once per set of instructions.
-struct Solve<'a> {
-    plan: &'a Plan,
-    blocks: &'a mut [State<Lanes<WIDTH>>],
-}
+/// How many numbers the machine takes in one instruction.
+struct InOneInstruction;
 
-impl Solve<'_> {
-    #[inline(always)]
-    fn motion<const LEVEL: u8>(&mut self) {
-        self.blocks.iter_mut().for_each(|block| block.start(self.plan));
-        for step in &self.plan.motion {
-            for block in &mut *self.blocks {
-                block.closed_form::<LEVEL>(step);
-            }
-        }
-    }
+impl pulp::WithSimd for InOneInstruction {
+    type Output = usize;
 
-    #[inline(always)]
-    fn forces(&mut self) {
-        for block in &mut *self.blocks {
-            block.unload(self.plan);
-            block.set_lines(self.plan);
-        }
-        for load in &self.plan.loads {
-            for block in &mut *self.blocks {
-                block.known_load(load);
-            }
-        }
-        for (index, step) in self.plan.forces.iter().enumerate() {
-            for block in &mut *self.blocks {
-                block.force_sines[index] = block.closed_force(step);
-            }
-        }
+    fn with_simd<A: pulp::Simd>(self, _: A) -> usize {
+        A::F64_LANES
     }
 }
 
-/// Whether the machine takes several numbers in one instruction.
-struct HasLanes;
-
-impl pulp::WithSimd for HasLanes {
-    type Output = bool;
-
-    fn with_simd<A: pulp::Simd>(self, _: A) -> bool {
-        A::F64_LANES > 1
-    }
+/// Blocks of lanes, and the inputs of their positions from the `first` on. Compiled once per set of instructions.
+struct Laned<'a> {
+    closed: Closed<'a, Lanes<WIDTH>>,
+    inputs: &'a DriveColumns,
+    first: usize,
 }
 
-impl pulp::WithSimd for Solve<'_> {
+impl pulp::WithSimd for Laned<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<A: pulp::Simd>(mut self, _: A) {
-        // never asked for: not compiled either
+        // never asked for without lanes: not compiled either
         if A::F64_LANES == 1 {
             return;
         }
-        match self.plan.effects.level {
-            Level::Positions => self.motion::<0>(),
-            Level::Velocities => self.motion::<1>(),
-            Level::Accelerations => self.motion::<2>(),
+        for (i, block) in self.closed.blocks.iter_mut().enumerate() {
+            // read here: a vector stored in halves is slow to load as a whole
+            self.inputs.read_lanes(self.first + i * WIDTH, &mut block.inputs);
         }
-        if self.plan.effects.forces {
-            self.forces();
-        }
+        self.closed.run();
     }
 }
 

@@ -5,6 +5,8 @@ mod again;
 mod assemble;
 mod cam;
 mod choices;
+mod closed;
+mod columns;
 mod contact;
 mod coordinate;
 mod cost;
@@ -55,6 +57,7 @@ mod view;
 mod words;
 
 pub use again::Again;
+pub use columns::DriveColumns;
 pub use cost::{Costs, Over, costs};
 pub use cycle::{CycleAnswer, FlywheelAnswer, over_cycle};
 pub use error::SolveError;

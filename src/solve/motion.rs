@@ -3,7 +3,7 @@
 //! `LEVEL` is 0 for positions, 1 with velocities, 2 with accelerations: what is not followed is not compiled in.
 
 use super::state::{BodyState, State};
-use crate::math::{Scalar, Truths, V2};
+use crate::math::{Scalar, Truths, V2, Vec2};
 use crate::plan::step::unit;
 use crate::plan::{Anchor, Arm, MotionStep, Plan, Slide};
 
@@ -25,11 +25,17 @@ pub(super) struct Line<S> {
     pub along: V2<S>,
 }
 
+/// A point of the ground.
+#[inline(always)]
+pub(super) fn fixed<S: Scalar>(at: Vec2) -> Point<S> {
+    Point { p: V2::of(at), v: V2::zero(), a: V2::zero() }
+}
+
 #[inline(always)]
 pub(super) fn point<S: Scalar, const LEVEL: u8>(bodies: &[BodyState<S>], anchor: &Anchor) -> Point<S> {
     // most outer joints sit on the ground, which does not move
     if anchor.body == 0 {
-        return Point { p: V2::of(anchor.at), v: V2::zero(), a: V2::zero() };
+        return fixed(anchor.at);
     }
     let body = &bodies[anchor.body];
     let r = V2::of(anchor.at).turned(body.u);
@@ -131,10 +137,10 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub(super) fn closed_form<const LEVEL: u8>(&mut self, step: &MotionStep) {
         match step {
-            MotionStep::Turn { branch, body, base, pin, drive, relative } => {
-                self.turn::<LEVEL>(*branch, *body, base, pin, *drive, *relative);
+            MotionStep::Turn { body, base, pin, drive, relative, .. } => {
+                self.turn::<LEVEL>(*body, base, pin, *drive, *relative);
             }
-            MotionStep::Shift { branch, slide, drive } => self.shift::<LEVEL>(*branch, slide, *drive),
+            MotionStep::Shift { slide, drive, .. } => self.shift::<LEVEL>(slide, *drive),
             MotionStep::Rrr { branch, legs, sides } => self.rrr::<LEVEL>(*branch, legs, sides),
             MotionStep::Rrp { branch, leg, slide, pin, from_point } => {
                 self.rrp::<LEVEL>(*branch, leg, slide, pin, *from_point);
@@ -171,17 +177,16 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub(super) fn turn<const LEVEL: u8>(
         &mut self,
-        branch: usize,
         body: usize,
         base: &Anchor,
         pin: &Arm,
         drive: usize,
         relative: Option<f64>,
     ) {
-        let input = self.inputs[drive];
+        let input = &self.inputs[drive];
         let hinge = point::<S, LEVEL>(&self.bodies, base);
-        let (u, omega, alpha) = match relative {
-            None => (input.place, input.rate, input.acceleration),
+        let (u, omega, alpha, way) = match relative {
+            None => (input.place, input.rate, input.acceleration, input.value),
             Some(sign) => {
                 let carrier = &self.bodies[base.body];
                 let sign = S::of(sign);
@@ -190,24 +195,20 @@ impl<S: Scalar> State<S> {
                     direction.turned(carrier.u),
                     carrier.omega + sign * input.rate,
                     carrier.alpha + sign * input.acceleration,
+                    carrier.way + sign * input.value,
                 )
             }
         };
-        self.sines[branch] = S::one();
-        let way = match relative {
-            None => input.value,
-            Some(sign) => self.bodies[base.body].way + S::of(sign) * input.value,
-        };
-        place::<S, LEVEL>(&mut self.bodies[body], pin, hinge, u, omega, alpha);
-        self.bodies[body].way = way;
+        let body = &mut self.bodies[body];
+        body.way = way;
+        place::<S, LEVEL>(body, pin, hinge, u, omega, alpha);
     }
 
     #[inline(always)]
-    pub(super) fn shift<const LEVEL: u8>(&mut self, branch: usize, slide: &Slide, drive: usize) {
+    pub(super) fn shift<const LEVEL: u8>(&mut self, slide: &Slide, drive: usize) {
         let input = self.inputs[drive];
         let guide = line(&self.bodies, slide);
         let p = guide.origin + guide.along * (S::of(slide.sense) * input.value);
-        self.sines[branch] = S::one();
         self.place_slider::<LEVEL>(
             slide,
             guide.along,

@@ -215,7 +215,7 @@ impl State {
                 let friction = -self.weight(plan, elements[0]) * normal.abs();
                 self.efforts[value.0] = (-force.dot(d) - friction) * value.1;
                 self.reactions[way.slot] = Reaction { force: d.perp() * normal, couple: -moment };
-                self.carry(way.base, p, -force, -moment);
+                self.carry_wrench(way.base, p, -force, -moment);
                 self.keep_friction(elements[0], friction);
                 Some(1.0)
             }
@@ -240,7 +240,7 @@ impl State {
     #[inline(always)]
     fn rubbing_hinge(&mut self, hinge: &Hinge, p: Vec2, force: Vec2, friction: f64) {
         self.reactions[hinge.slot] = Reaction { force, couple: 0.0 };
-        self.carry(hinge.base, p, force, friction);
+        self.carry_wrench(hinge.base, p, force, friction);
     }
 
     #[inline(always)]
@@ -314,7 +314,7 @@ impl State {
         // about the guide's reference point, through which its friction passes
         let couple = -M_2 - (p_C - p).cross(f) - frictions[1] * inner.sign;
         self.reactions[way.slot] = Reaction { force: n * normal, couple };
-        self.carry(way.base, p, n * normal + d * frictions[2], couple);
+        self.carry_wrench(way.base, p, n * normal + d * frictions[2], couple);
         Some(sine)
     }
 }

@@ -141,7 +141,7 @@ pub struct State<S = f64> {
     pub inputs: Vec<DriveInput<S>>,
     /// Assemblies of the groups of motion.
     pub branches: Vec<Branch>,
-    /// Signed condition figures of the groups of motion.
+    /// Signed condition figures of the groups of motion; of a single body that a drive moves it stays 1.
     pub sines: Vec<S>,
     /// Figures h of Newton and Kantorovich of the groups of motion that are solved by iteration: at most 1/2 where the
     /// position is certified.

@@ -205,8 +205,8 @@ impl State {
                     let (p, force) =
                         (self.bodies[way.slider].position(way.point), self.direction(way) * *value);
                     let other = if way.slider == way.body { way.base } else { way.body };
-                    self.carry(other, p, force, 0.0);
-                    self.carry(way.slider, p, -force, 0.0);
+                    self.carry(other, p, force);
+                    self.carry(way.slider, p, -force);
                 }
             }
         }

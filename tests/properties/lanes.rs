@@ -3,7 +3,7 @@
 use crate::run::Run;
 use assur::math::Vec2;
 use assur::plan::Level;
-use assur::solve::{DriveInput, Place, SideBySide, State, WIDTH};
+use assur::solve::{DriveColumns, DriveInput, Place, SideBySide, State, WIDTH};
 
 /// Two full blocks and a rest.
 const POSITIONS: usize = 2 * WIDTH + 3;
@@ -14,19 +14,38 @@ pub fn compare(run: &Run, seed: u64) -> Result<usize, String> {
     if !run.plan.laned() {
         return Ok(0);
     }
-    let inputs: Vec<DriveInput> = (0..POSITIONS).flat_map(|i| moved(&solved.state, i)).collect();
-    let (mut laned, mut wrong) = (0, None);
-    let mut numbers = Vec::new();
-    SideBySide::new(&run.plan, &solved.state).run(&inputs, |i, place| {
+    let moving: Vec<DriveInput> = (0..POSITIONS).flat_map(|i| moved(&solved.state, i)).collect();
+    // nothing of the run before is left in the second
+    let still: Vec<DriveInput> = moving.iter().map(|d| DriveInput { velocity: Vec2::zero(), ..*d }).collect();
+    let mut laned = 0;
+    for new in [SideBySide::new, SideBySide::in_one_lane] {
+        let mut positions = new(&run.plan, &solved.state);
+        for inputs in [&moving, &still] {
+            laned += compare_with(run, &solved.state, &mut positions, inputs)
+                .map_err(|e| format!("seed {seed}: {e}"))?;
+        }
+    }
+    Ok(laned)
+}
+
+fn compare_with(
+    run: &Run,
+    reference: &State,
+    positions: &mut SideBySide<'_>,
+    inputs: &[DriveInput],
+) -> Result<usize, String> {
+    let drives = run.plan.drives;
+    let (mut numbers, mut laned, mut wrong) = (Vec::new(), 0, None);
+    positions.run(&DriveColumns::of(inputs, drives), |i, place| {
         numbers.push(i);
         laned += usize::from(matches!(place, Place::Lane(..)));
-        let alone = alone(run, &solved.state, &inputs[i * run.plan.drives..][..run.plan.drives]);
+        let alone = alone(run, reference, &inputs[i * drives..][..drives]);
         if let Some(what) = differs(&place, &alone) {
-            wrong.get_or_insert(format!("seed {seed}, position {i}: {what}"));
+            wrong.get_or_insert(format!("position {i}: {what}"));
         }
     });
     if numbers != (0..POSITIONS).collect::<Vec<_>>() {
-        return Err(format!("seed {seed}: handed out {numbers:?}"));
+        return Err(format!("handed out {numbers:?}"));
     }
     wrong.map_or(Ok(laned), Err)
 }

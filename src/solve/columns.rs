@@ -1,0 +1,137 @@
+//! What the drives say at many positions, quantity by quantity: several positions are read off in a row.
+
+use super::state::DriveInput;
+use crate::math::{Lanes, V2};
+
+/// Inputs of drives at any number of positions.
+#[derive(Clone, Debug)]
+pub struct DriveColumns {
+    drives: Vec<Columns>,
+    positions: usize,
+}
+
+/// The inputs of one drive, see [`DriveInput`].
+#[derive(Clone, Debug)]
+struct Columns {
+    place: V2<Vec<f64>>,
+    value: Vec<f64>,
+    rate: Vec<f64>,
+    acceleration: Vec<f64>,
+    /// Velocity and acceleration of a driven point; nothing where it is an angle or a coordinate.
+    point: Option<[V2<Vec<f64>>; 2]>,
+}
+
+impl DriveColumns {
+    /// # Given
+    /// `inputs` of all `drives` at the first position, at the second, and so on.
+    #[must_use]
+    pub fn of(inputs: &[DriveInput], drives: usize) -> Self {
+        let of_drive = |drive: usize| {
+            let column = |f: fn(&DriveInput) -> f64| -> Vec<f64> {
+                inputs.iter().skip(drive).step_by(drives).map(f).collect()
+            };
+            let velocity = V2 { x: column(|d| d.velocity.x), y: column(|d| d.velocity.y) };
+            let acceleration =
+                V2 { x: column(|d| d.point_acceleration.x), y: column(|d| d.point_acceleration.y) };
+            let point = [velocity, acceleration];
+            let moves = point.iter().flat_map(|v| v.x.iter().chain(&v.y)).any(|&x| x != 0.0);
+            Columns {
+                place: V2 { x: column(|d| d.place.x), y: column(|d| d.place.y) },
+                value: column(|d| d.value),
+                rate: column(|d| d.rate),
+                acceleration: column(|d| d.acceleration),
+                point: moves.then_some(point),
+            }
+        };
+        Self { drives: (0..drives).map(of_drive).collect(), positions: inputs.len() / drives.max(1) }
+    }
+
+    /// Number of positions.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.positions
+    }
+
+    /// There are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.positions == 0
+    }
+
+    /// All drives at one position.
+    #[inline]
+    pub(super) fn read(&self, position: usize, out: &mut [DriveInput]) {
+        self.read_as(out, |column| column.get(position).copied().unwrap_or_default());
+    }
+
+    /// All drives at `N` positions from the `first` on.
+    #[inline(always)]
+    pub(super) fn read_lanes<const N: usize>(&self, first: usize, out: &mut [DriveInput<Lanes<N>>]) {
+        self.read_as(out, |column| {
+            let row = column.get(first..first + N).and_then(|row| row.try_into().ok());
+            row.map_or(Lanes::default(), Lanes)
+        });
+    }
+
+    #[inline(always)]
+    fn read_as<S>(&self, out: &mut [DriveInput<S>], of: impl Fn(&[f64]) -> S) {
+        for (columns, out) in self.drives.iter().zip(out) {
+            let vector = |v: &V2<Vec<f64>>| V2 { x: of(&v.x), y: of(&v.y) };
+            out.place = vector(&columns.place);
+            out.value = of(&columns.value);
+            out.rate = of(&columns.rate);
+            out.acceleration = of(&columns.acceleration);
+            if let Some([velocity, acceleration]) = &columns.point {
+                out.velocity = vector(velocity);
+                out.point_acceleration = vector(acceleration);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Vec2;
+
+    /// Drive `k` at position `i`, all quantities different.
+    fn given(i: usize, k: usize) -> DriveInput {
+        let x = (10 * i + k) as f64;
+        let point = if k == 1 { Vec2::new(x + 0.5, -x) } else { Vec2::zero() };
+        DriveInput {
+            place: Vec2::new(x, 2.0 * x),
+            value: 3.0 * x,
+            rate: 4.0 * x,
+            acceleration: 5.0 * x,
+            velocity: point,
+            point_acceleration: point * 2.0,
+        }
+    }
+
+    #[test]
+    fn what_goes_in_comes_out() {
+        let inputs: Vec<DriveInput> = (0..5).flat_map(|i| (0..2).map(move |k| given(i, k))).collect();
+        let columns = DriveColumns::of(&inputs, 2);
+        assert_eq!(columns.len(), 5);
+        let (mut one, mut lanes) = ([DriveInput::default(); 2], [DriveInput::default(); 2]);
+        columns.read_lanes::<3>(1, &mut lanes);
+        for i in 0..5 {
+            columns.read(i, &mut one);
+            for k in 0..2 {
+                assert_eq!(format!("{:?}", one[k]), format!("{:?}", inputs[2 * i + k]));
+                if (1..4).contains(&i) {
+                    let lane = lanes[k];
+                    let lane = [lane.value, lane.place.y, lane.velocity.x, lane.point_acceleration.y]
+                        .map(|l| l.0[i - 1]);
+                    let want = one[k];
+                    assert_eq!(lane, [want.value, want.place.y, want.velocity.x, want.point_acceleration.y]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_without_drives() {
+        assert!(DriveColumns::of(&[], 0).is_empty());
+    }
+}
