@@ -40,7 +40,7 @@ fn one_by_one(bencher: Bencher<'_, '_>, what: &str) {
 #[divan::bench(args = LADDER)]
 fn side_by_side_in_lanes(bencher: Bencher<'_, '_>, what: &str) {
     let run = Run::of(&text(what));
-    let ((mut lanes, inputs), forces) = (run.lanes(), run.compiled.plan.effects.forces);
+    let ((mut lanes, inputs), forces) = (run.together(true), run.compiled.plan.effects.forces);
     bencher
         .counter(ItemsCount::new(run.positions()))
         .bench_local(|| black_box(side_by_side(&mut lanes, &inputs, forces)));

@@ -39,12 +39,16 @@ fn main() {
 fn measure(file: &str, run: &mut Run) {
     let positions = run.positions();
     let alone = least(|| run.one_by_one()) / positions as f64;
-    let ((mut lanes, inputs), forces) = (run.lanes(), run.compiled.plan.effects.forces);
-    let laned = least(|| side_by_side(&mut lanes, &inputs, forces)) / positions as f64;
+    let forces = run.compiled.plan.effects.forces;
+    let [together, laned] = [false, true].map(|in_lanes| {
+        let (mut side, inputs) = run.together(in_lanes);
+        least(|| side_by_side(&mut side, &inputs, forces)) / positions as f64
+    });
     let effects = run.compiled.plan.effects.computed().join(", ");
     println!(
-        r#"{{"file": "{file}", "positions": {positions}, "effects": "{effects}", "us": {:.5}, "us_in_lanes": {:.5}}}"#,
+        r#"{{"file": "{file}", "positions": {positions}, "effects": "{effects}", "us": {:.5}, "us_together": {:.5}, "us_in_lanes": {:.5}}}"#,
         alone * 1e6,
+        together * 1e6,
         laned * 1e6
     );
 }

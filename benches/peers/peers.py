@@ -76,6 +76,7 @@ class Case:
                 path.write_text(f"{machine}\nfind {find.format(POINT[self.name])}\n")
                 out = json.loads(subprocess.run([program, path], check=True, capture_output=True, text=True).stdout)
                 self.keep(("assur", what), out["us"])
+                self.keep(("assur, eight together", what), out["us_together"])
                 self.keep(("assur, lanes", what), out["us_in_lanes"])
 
     def measure_kinepy(self, machine):
@@ -135,7 +136,7 @@ def main():
             case.measure_pylinkage(pylinkage)
     print(f"Microseconds per position: {' / '.join(CASES)}.\n")
     print("| program | what | µs | times assur's | worst relative error |\n| --- | --- | --- | --- | --- |")
-    rows = [(who, what) for who in ("assur", "assur, lanes") for what in ASKS]
+    rows = [(who, what) for who in ("assur", "assur, eight together", "assur, lanes") for what in ASKS]
     rows += [("KinePy", "positions"), ("KinePy", "reactions, torque"), ("pylinkage", "positions"), ("pylinkage", "accelerations")]
     for who, what in rows:
         times = [c.times[(who, what)] for c in cases]

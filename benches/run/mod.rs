@@ -63,10 +63,11 @@ impl Run {
         sum
     }
 
-    /// The same side by side, with the inputs as it reads them.
-    pub fn lanes(&self) -> (SideBySide<'_>, DriveColumns) {
+    /// The same side by side, in lanes or in one, with the inputs as it reads them.
+    pub fn together(&self, in_lanes: bool) -> (SideBySide<'_>, DriveColumns) {
         let plan = &self.compiled.plan;
-        (SideBySide::new(plan, &self.state), DriveColumns::of(&self.inputs, plan.drives))
+        let new = if in_lanes { SideBySide::new } else { SideBySide::in_one_lane };
+        (new(plan, &self.state), DriveColumns::of(&self.inputs, plan.drives))
     }
 }
 
