@@ -69,6 +69,17 @@ pub enum LoadStep {
     },
 }
 
+impl LoadStep {
+    /// Whether it adds to the load of a body; one that is evaluated may act on any.
+    pub(super) fn acts_on(&self, slot: usize) -> bool {
+        match self {
+            Self::Mass { body, .. } | Self::Force { body, .. } | Self::Torque { body, .. } => *body == slot,
+            Self::Spring { ends, .. } => ends.iter().any(|end| end.body == slot),
+            Self::Evaluated(_) => true,
+        }
+    }
+}
+
 /// The line of an unknown force.
 #[derive(Clone, Copy, Debug)]
 pub struct ForceLine {

@@ -60,7 +60,7 @@ pub struct Plan {
     pub laws: Vec<PlannedLaw>,
     /// Train groups of forces.
     pub train_forces: Vec<TrainForces>,
-    /// Bodies without mass, the ground among them: they start without load.
+    /// Bodies without mass that something may act on: they start without load.
     pub massless: Vec<usize>,
     /// Steps that add loads to the bodies.
     pub loads: Vec<LoadStep>,
@@ -107,15 +107,12 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
     motion::plan(mechanism, structure, &mut plan);
     if plan.effects.forces && structure.force_defect.is_none() {
         plan.loads = loads::plan(mechanism, &plan.effects);
-        let heavy = |slot: usize| {
-            plan.loads.iter().any(|l| matches!(l, LoadStep::Mass { body, .. } if *body == slot))
-        };
-        plan.massless = (0..plan.bodies).filter(|&slot| !heavy(slot)).collect();
         plan.lines = loads::lines(mechanism, structure);
         forces::plan(structure, &mut plan);
         if plan.effects.friction {
             friction::plan(mechanism, structure, &mut plan);
         }
+        plan.massless = plan.find_massless();
     }
     plan
 }
@@ -140,6 +137,17 @@ impl Plan {
             && self.laws.is_empty()
             && self.forces.iter().all(closed)
             && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
+    }
+
+    /// What [`Plan::massless`] is for the loads and forces planned. The closed forms do not ask what the ground carries: where
+    /// all is closed it is among them only if a load acts on it.
+    pub(crate) fn find_massless(&self) -> Vec<usize> {
+        let asked =
+            |slot: usize| slot > 0 || !self.laned() || self.loads.iter().any(|load| load.acts_on(slot));
+        let heavy = |slot: usize| {
+            self.loads.iter().any(|l| matches!(l, LoadStep::Mass { body, .. } if *body == slot))
+        };
+        (0..self.bodies).filter(|&slot| !heavy(slot) && asked(slot)).collect()
     }
 
     /// Whether a step of motion starts from where its bodies stand.

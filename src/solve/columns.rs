@@ -61,29 +61,37 @@ impl DriveColumns {
     /// All drives at one position.
     #[inline]
     pub(super) fn read(&self, position: usize, out: &mut [DriveInput]) {
-        self.read_as(out, |column| column.get(position).copied().unwrap_or_default());
+        self.read_by(out, |column, out| {
+            if let Some(x) = column.get(position) {
+                *out = *x;
+            }
+        });
     }
 
     /// All drives at `N` positions from the `first` on.
     #[inline(always)]
     pub(super) fn read_lanes<const N: usize>(&self, first: usize, out: &mut [DriveInput<Lanes<N>>]) {
-        self.read_as(out, |column| {
-            let row = column.get(first..first + N).and_then(|row| row.try_into().ok());
-            row.map_or(Lanes::default(), Lanes)
+        self.read_by(out, |column, out| {
+            if let Some(row) = column.get(first..first + N) {
+                out.0.copy_from_slice(row);
+            }
         });
     }
 
     #[inline(always)]
-    fn read_as<S>(&self, out: &mut [DriveInput<S>], of: impl Fn(&[f64]) -> S) {
+    fn read_by<S>(&self, out: &mut [DriveInput<S>], read: impl Fn(&[f64], &mut S)) {
         for (columns, out) in self.drives.iter().zip(out) {
-            let vector = |v: &V2<Vec<f64>>| V2 { x: of(&v.x), y: of(&v.y) };
-            out.place = vector(&columns.place);
-            out.value = of(&columns.value);
-            out.rate = of(&columns.rate);
-            out.acceleration = of(&columns.acceleration);
+            let vector = |v: &V2<Vec<f64>>, out: &mut V2<S>| {
+                read(&v.x, &mut out.x);
+                read(&v.y, &mut out.y);
+            };
+            vector(&columns.place, &mut out.place);
+            read(&columns.value, &mut out.value);
+            read(&columns.rate, &mut out.rate);
+            read(&columns.acceleration, &mut out.acceleration);
             if let Some([velocity, acceleration]) = &columns.point {
-                out.velocity = vector(velocity);
-                out.point_acceleration = vector(acceleration);
+                vector(velocity, &mut out.velocity);
+                vector(acceleration, &mut out.point_acceleration);
             }
         }
     }

@@ -140,9 +140,24 @@ fn run_lanes(arch: pulp::Arch, laned: Laned<'_>) {
     arch.dispatch(laned);
 }
 
+/// In the shorter code of AVX where there is any: the operations are the same.
 #[inline(never)]
 fn run_scalars(plan: &Plan, blocks: &mut [State]) {
-    Closed { plan, blocks }.run();
+    let mut closed = Closed { plan, blocks };
+    #[cfg(target_arch = "x86_64")]
+    if let Some(avx) = pulp::x86::V3::try_new() {
+        return avx.vectorize(closed);
+    }
+    closed.run();
+}
+
+impl pulp::NullaryFnOnce for Closed<'_, f64> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(mut self) {
+        self.run();
+    }
 }
 
 /// One position by itself, of any plan.

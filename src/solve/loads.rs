@@ -29,7 +29,7 @@ impl<S: Scalar> State<S> {
         }
     }
 
-    /// Bodies without mass start without load.
+    /// Bodies without mass start without load, as far as it is asked what they carry.
     #[inline(always)]
     pub(super) fn unload(&mut self, plan: &Plan) {
         for &body in &plan.massless {

@@ -26,9 +26,9 @@ fn empty(plan: &Plan) -> Plan {
 /// The plan with the first so many steps of loads and of forces.
 fn loaded(plan: &Plan, loads: impl Fn(&LoadStep) -> Option<LoadStep>, forces: usize) -> Plan {
     let loads: Vec<LoadStep> = plan.loads.iter().filter_map(loads).collect();
-    let heavy = |slot: usize| loads.iter().any(|l| matches!(l, LoadStep::Mass { body, .. } if *body == slot));
-    let massless = (0..plan.bodies).filter(|&slot| !heavy(slot)).collect();
-    Plan { forces: plan.forces[..forces].to_vec(), loads, massless, ..plan.clone() }
+    let mut part = Plan { forces: plan.forces[..forces].to_vec(), loads, ..plan.clone() };
+    part.massless = part.find_massless();
+    part
 }
 
 /// The empty plan, then one step more at a time: motion, loads, forces.
