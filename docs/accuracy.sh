@@ -52,7 +52,7 @@ What the seven problems have in common:
   what it loosens pays for holding the answers against the reference, and a row of a `batch` takes a quarter to a third longer.
 TEXT
   problem examples/accuracy/four-bar.mech four-bar <<'TEXT'
-All groups have closed forms: there is nothing to iterate, and the scalar alone decides. Lanes give all digits of `f64` in a quarter of
+All groups have closed forms: there is nothing to iterate, and the scalar alone decides. Lanes give all digits of `f64` in a fifth of
 its time; twice the digits take some twenty times as long.
 TEXT
   problem examples/accuracy/crank-slider-with-friction.mech friction <<'TEXT'
