@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::error::NameError;
 use crate::model::{BalanceId, Link, LinkId, LoadId, PairId};
-use crate::source::Span;
+use crate::source::{Span, Spanned};
 use crate::syntax::document::{
     Bad, Balance, Body, CamMember, Column, End, Expr, FindItem, Joint, JointKind, Load, Member, Name,
     Statement,
@@ -119,6 +119,8 @@ pub struct Names<'a> {
     pub links: IndexMap<String, LinkId>,
     /// The id of each pair that is in the mechanism.
     pub pairs: IndexMap<String, PairId>,
+    /// Numbers of links.
+    pub numbers: IndexMap<String, Span>,
     /// What belongs to each link, by its id.
     pub inside: Vec<Inside>,
     /// Poses.
@@ -197,15 +199,19 @@ fn things(cx: &mut Context<'_>, statement: &Statement, span: Span) {
             if link.span == Span::default() {
                 link.span = span;
             }
-            link.number = link.number.take().or_else(|| ground.number.as_ref().map(|n| n.node.clone()));
+            if link.number.is_none() {
+                link.number = ground.number.as_ref().map(|n| n.node.clone());
+                number(cx, ground.number.as_ref());
+            }
             members(cx, LinkId::GROUND, &ground.body);
         }
         Statement::Link(link) => {
             if !thing(cx, &link.name, ThingKind::Link) {
                 return;
             }
-            let number = link.number.as_ref().map(|n| n.node.clone());
-            let id = cx.add_link(link.name.node.clone(), number, link.name.span);
+            number(cx, link.number.as_ref());
+            let written = link.number.as_ref().map(|n| n.node.clone());
+            let id = cx.add_link(link.name.node.clone(), written, link.name.span);
             cx.names.inside.push(Inside::default());
             for end in link.bar.iter().flat_map(|bar| [&bar.from, &bar.to]) {
                 inside(cx, end, |i| &mut i.points, id);
@@ -298,6 +304,19 @@ fn quantity<'a>(cx: &mut Context<'a>, name: &Name, what: QuantityKind<'a>) {
         cx.error(NameError::duplicate(name, first));
     } else {
         cx.names.quantities.insert(name.node.clone(), Declared { what, span: name.span });
+    }
+}
+
+/// Two links have different numbers: the symbols of the report tell them apart by these.
+fn number(cx: &mut Context<'_>, number: Option<&Spanned<String>>) {
+    let Some(number) = number else { return };
+    match cx.names.numbers.get(&number.node) {
+        Some(&first) => {
+            cx.error(NameError::SameNumber { number: number.node.clone(), again: number.span, first })
+        }
+        None => {
+            cx.names.numbers.insert(number.node.clone(), number.span);
+        }
     }
 }
 

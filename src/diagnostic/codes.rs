@@ -106,6 +106,7 @@ pub const CODES: &[Code] = codes! {
     "name" / "unknown",
     "name" / "wrong_kind",
     "name" / "duplicate",
+    "name" / "number",
     "name" / "look_alike",
     "name" / "cycle",
     "name" / "ambiguous_point",

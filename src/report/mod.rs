@@ -26,6 +26,7 @@ mod replacement;
 mod results;
 pub mod rows;
 mod scale;
+mod symbols;
 pub mod text;
 mod tradeoff;
 mod train;

@@ -2,6 +2,7 @@
 
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
+use super::symbols;
 use crate::math::Vec2;
 use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Query, Value};
 use crate::solve::{Solved, View, unplaced_reactions};
@@ -144,7 +145,10 @@ fn forces(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
     let (mechanism, precision) = (answers.scene.mechanism, answers.precision);
     let force = mechanism.display_of(Dimension::FORCE);
     let moment = mechanism.display_of(Dimension::TORQUE);
+    let symbol = |entry: &ReactionEntry| symbols::reaction(mechanism, entry.from, entry.on);
+    let with_symbols = poses.iter().flat_map(|p| &p.1).any(|entry| symbol(entry).is_some());
     let mut columns = heads(poses);
+    columns.extend(with_symbols.then(|| Column::words("symbol")));
     let keys = columns.len();
     for name in ["Fx", "Fy", "|F|"] {
         columns.push(Column::numbers(with_unit(name, &force.unit)));
@@ -157,6 +161,7 @@ fn forces(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
     for (pose, entries) in poses {
         for entry in entries {
             let mut cells = names(mechanism, poses, pose, entry);
+            cells.extend(with_symbols.then(|| symbol(entry).unwrap_or_default()));
             let in_unit = force.of_si_vector(entry.force);
             for x in [in_unit.x, in_unit.y, libm::hypot(in_unit.x, in_unit.y)] {
                 cells.push(precision.figures(x, scale));

@@ -5,6 +5,7 @@ use super::columns::{Cell, Quantity};
 use super::document::{Align, Column, Report, Section, Table};
 use super::reactions::{ReactionEntry, reactions};
 use super::scale::Scale;
+use super::symbols;
 use crate::model::{Display, Value};
 use crate::solve::Pose;
 use crate::units::{Dimension, significant};
@@ -52,7 +53,7 @@ fn of_one_pose(answers: &Answers<'_>, scale: Scale, header: String, quantities: 
     let mut table = Table::new(columns, 1);
     for quantity in quantities {
         let value = quantity.values.first().copied().flatten();
-        let mut cells = vec![quantity.name.clone()];
+        let mut cells = vec![symbols::label(answers.scene.mechanism, &quantity.name)];
         if value.is_none() && quantity.missing != NONE {
             cells.push(quantity.missing.to_owned());
         } else {
@@ -99,7 +100,8 @@ fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: 
                 Cell::Truth(truth) => truth.to_string(),
                 Cell::None => quantity.missing.to_owned(),
             });
-            table.column(with_unit(&part.name, &quantity.display.unit), cells);
+            let name = symbols::label(answers.scene.mechanism, &part.name);
+            table.column(with_unit(&name, &quantity.display.unit), cells);
         }
     }
     if table.columns.len() > table.keys { table } else { Table::default() }

@@ -57,6 +57,24 @@ pub enum NameError {
         #[label("first declared here")]
         first: Option<Span>,
     },
+    /// Two links have one number.
+    #[error("two links have the number {number}")]
+    #[diagnostic(
+        code("mech::name::number"),
+        help(
+            "a number stands for one link in the symbols of the report, as in R12 and ω2: give one of them another, or none"
+        )
+    )]
+    SameNumber {
+        /// The number.
+        number: String,
+        /// The second.
+        #[label(primary, "again here")]
+        again: Span,
+        /// The first.
+        #[label("first here")]
+        first: Span,
+    },
     /// Two names that only look alike.
     #[error("two different names look like `{name}`")]
     #[diagnostic(code("mech::name::look_alike"), help("{help}; write both with the same letters"))]
