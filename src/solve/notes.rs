@@ -2,9 +2,10 @@
 
 use super::error::{SolveError, label};
 use super::positions::{Wanted, turns};
-use super::solution::{DriveValue, Pose, PoseOrigin, Residuals, Scene};
+use super::solution::{DriveValue, Pose, PoseOrigin, Scene};
 use super::state::State;
 use super::track::Switch;
+use super::train_error::TrainError;
 use super::words::{drive_text, four, labels, links, place, short, stands};
 use crate::model::{Expr, PairId, Positions, Value};
 use crate::structure::{EffortKind, EffortSource, Group};
@@ -41,7 +42,7 @@ pub(super) struct Notes {
     pulls: Vec<Pull>,
     /// Ropes that push, with their pull in place of the normal force.
     slack: Vec<Pull>,
-    locking: Option<(SolveError, usize)>,
+    locking: Option<(TrainError, usize)>,
     /// The greatest figure h beyond 1/2, with its warning, and how many positions have one.
     uncertified: Option<(f64, SolveError)>,
     uncertified_poses: usize,
@@ -185,22 +186,22 @@ impl Notes {
             "{back}; where that comes to less than 0, the unknown effort has to drive in this sense too"
         );
         let pose = place(scene, pose);
-        self.locking = Some((SolveError::SelfLocking { pose, more: String::new(), help, labels }, 0));
+        self.locking = Some((TrainError::SelfLocking { pose, more: String::new(), help, labels }, 0));
     }
 
     pub(super) fn into_warnings(self, scene: &Scene<'_>, poses: &[Pose]) -> Vec<SolveError> {
         let mut warnings = self.switches;
         if let Some((mut error, count)) = self.locking {
-            if let SolveError::SelfLocking { more, .. } = &mut error {
+            if let TrainError::SelfLocking { more, .. } = &mut error {
                 *more = and_at(count);
             }
-            warnings.push(error);
+            warnings.push(error.into());
         }
         for pull in self.slack {
             let pair = scene.mechanism.pair(pull.pair);
             let (name, span) = (pair.name.clone(), pair.span.into());
             let (tension, pose, more) = (four(pull.normal), pull.place, and_at(pull.poses - 1));
-            warnings.push(SolveError::RopePushes { name, pose, more, tension, span });
+            warnings.push(TrainError::RopePushes { name, pose, more, tension, span }.into());
         }
         for pull in self.pulls {
             let pair = scene.mechanism.pair(pull.pair);
@@ -394,19 +395,4 @@ pub(super) fn not_finite(scene: &Scene<'_>, state: &State, pose: &Wanted) -> Opt
         .or_else(|| state.efforts.iter().find(|e| !e.is_finite()).map(|_| "an unknown effort".to_owned()))?;
     let labels = scene.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
     Some(SolveError::NotFinite { pose: place(scene, pose), what, labels })
-}
-
-/// Pairs that miss each other by more than this share of the mechanism's size do not meet: even a dead position leaves
-/// the root of the unit roundoff.
-const MEETS: f64 = 1e-6;
-
-/// Numbers so far apart that the small ones are lost beside the great: the pairs do not meet, or a residual is no number.
-pub(super) fn out_of_scale(scene: &Scene<'_>, residuals: &Residuals, pose: &Wanted) -> Option<SolveError> {
-    let numbers = [residuals.equilibrium, residuals.power].into_iter().flatten().all(|x| !x.is_nan());
-    if residuals.closure <= MEETS && numbers {
-        return None;
-    }
-    let what = if residuals.closure <= MEETS { "the balance of forces" } else { "the position of the links" };
-    let labels = scene.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
-    Some(SolveError::NotFinite { pose: place(scene, pose), what: what.to_owned(), labels })
 }

@@ -6,6 +6,7 @@ use miette::LabeledSpan;
 use super::error::{SolveError, label};
 use super::extremes::every_query;
 use super::solution::Scene;
+use super::train_error::TrainError;
 use crate::model::{
     Bearing, Drive, FindKind, Friction, LinkId, LoadKind, PairId, PairKind, PointRef, Positions, Query,
     TransmissionKind,
@@ -121,7 +122,7 @@ fn no_position(drive: &Drive, what: String, mut labels: Vec<LabeledSpan>) -> Sol
         "write the position before the speed: `drive {} = {example} at …`; the angles and ways of a train are all zero together",
         drive.name
     );
-    SolveError::NoPosition { what, drive: drive.name.clone(), help, labels }
+    TrainError::NoPosition { what, drive: drive.name.clone(), help, labels }.into()
 }
 
 /// For each pair, whether its reaction is not known: something that acts on its links has no place.
@@ -199,7 +200,7 @@ pub(super) fn without_place(scene: &Scene<'_>) -> Vec<SolveError> {
         } else {
             "only meshes have a place so far; the torques are known: `moment(b, I)`"
         };
-        SolveError::NoPlace { pair: declared.name.clone(), help: help.to_owned(), labels }
+        TrainError::NoPlace { pair: declared.name.clone(), help: help.to_owned(), labels }.into()
     };
     errors.into_iter().map(error).collect()
 }

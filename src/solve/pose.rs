@@ -5,7 +5,7 @@ use super::exact::exact;
 use super::extremes::Statics;
 use super::notes;
 use super::positions::Wanted;
-use super::residual::residuals;
+use super::residual::{out_of_scale, residuals};
 use super::solution::{Residuals, Scene, Solved};
 use super::state::State;
 use super::sweep::Run;
@@ -63,7 +63,7 @@ impl Run<'_, '_> {
         if state.locked {
             residuals = Residuals { equilibrium: None, power: None, ..residuals };
         }
-        if let Some(error) = notes::out_of_scale(scene, &residuals, pose) {
+        if let Some(error) = out_of_scale(scene, &residuals, pose) {
             return Err(error);
         }
         let angles = tracker.angles.clone();
