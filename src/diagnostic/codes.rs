@@ -140,6 +140,7 @@ pub const CODES: &[Code] = codes! {
     "request" / "key_column",
     "request" / "unit_speed",
     "request" / "no_damping",
+    "request" / "free_rotation",
     "request" / "set_unknown",
     "request" / "set_value",
     "expect" / "no_value",

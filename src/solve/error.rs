@@ -230,6 +230,21 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// The rotation of a roller that turns freely.
+    #[error("`{name}` turns freely: how it turns is not determined")]
+    #[diagnostic(
+        code(mech::request::free_rotation),
+        help(
+            "ask for points of its axis, or of the link that carries it; or give the circle to that link, and it slides instead of rolling"
+        )
+    )]
+    FreeRotation {
+        /// The roller.
+        name: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
     /// Speeds in forces, with a drive that has only a sense.
     #[error("{what} {hangs} on speeds, and no drive has one: they are those at unit speed, {unit}")]
     #[diagnostic(code(mech::request::unit_speed), severity(Warning), help("{help}"))]

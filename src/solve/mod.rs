@@ -20,6 +20,7 @@ mod exact;
 mod extremes;
 mod flywheel_answers;
 mod forces;
+mod free_roller;
 mod friction;
 mod friction_answers;
 mod friction_error;

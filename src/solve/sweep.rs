@@ -4,6 +4,7 @@ use super::assemble::{assemble, does_not_close};
 use super::cycle::loads_name_quantities;
 use super::error::{SolveError, label};
 use super::extremes::{Statics, statics};
+use super::free_roller::free_rollers;
 use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
 use super::notes::Notes;
@@ -92,6 +93,7 @@ pub(super) fn can_be_solved(scene: &Scene<'_>) -> Result<(), Vec<SolveError>> {
     let mut errors = refused::not_supported(scene.mechanism);
     errors.extend(refused::cams(scene));
     errors.extend(refused::missing_speeds(scene));
+    errors.extend(free_rollers(scene));
     errors.extend(open::without_position(scene));
     errors.extend(open::without_place(scene));
     errors.extend(open::friction_beside(scene));

@@ -1,0 +1,54 @@
+//! What is asked of the rotation of a roller that turns freely: nothing says how it turns.
+
+use super::error::{SolveError, label};
+use super::extremes::every_query;
+use super::solution::Scene;
+use crate::model::{LinkId, PairId, PairKind, PointRef, Query};
+
+/// Angles, rates and points of rollers that hang on a rotation which is set aside.
+pub(super) fn free_rollers(scene: &Scene<'_>) -> Option<SolveError> {
+    let mut asked = Vec::new();
+    every_query(scene.mechanism, &mut |query, span| {
+        if let Some(roller) = scene.structure.passive.iter().find(|&&roller| hangs_on(scene, query, roller)) {
+            asked.push((*roller, span));
+        }
+    });
+    let name = scene.mechanism.link(asked.first()?.0).name.clone();
+    asked.dedup();
+    let labels = asked.into_iter().map(|(_, span)| label("hangs on how it turns", span)).collect();
+    Some(SolveError::FreeRotation { name, labels })
+}
+
+fn hangs_on(scene: &Scene<'_>, query: &Query, roller: LinkId) -> bool {
+    match query {
+        Query::Angle(link)
+        | Query::Omega(link)
+        | Query::Alpha(link)
+        | Query::LinkDirection(link)
+        | Query::InertiaTorque(link) => *link == roller,
+        Query::Displacement(pair)
+        | Query::RelativeVelocity(pair)
+        | Query::RelativeAcceleration(pair)
+        | Query::Travel(pair)
+        | Query::Stroke(pair)
+        | Query::TimeRatio(pair)
+        | Query::Dead(pair, _) => joins(scene, *pair, roller),
+        Query::Position(point) | Query::Velocity(point) | Query::Acceleration(point) => match point {
+            PointRef::Fixed(link, at) => *link == roller && !is_pivot(scene, roller, *at),
+            PointRef::Under(link, _) => *link == roller,
+        },
+        _ => false,
+    }
+}
+
+fn joins(scene: &Scene<'_>, pair: PairId, roller: LinkId) -> bool {
+    scene.mechanism.pair(pair).kind.links().contains(&roller)
+}
+
+/// The hinge about which the roller turns: it stays where it is.
+fn is_pivot(scene: &Scene<'_>, roller: LinkId, at: crate::math::Vec2) -> bool {
+    scene.mechanism.pairs.iter().any(|pair| match &pair.kind {
+        PairKind::Revolute(pins) => pins.iter().any(|pin| pin.link == roller && pin.at == at),
+        _ => false,
+    })
+}
