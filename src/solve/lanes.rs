@@ -290,3 +290,45 @@ impl Place<'_> {
 fn vector(v: V2<Lanes<WIDTH>>, lane: usize) -> Vec2 {
     Vec2::new(v.x.0[lane], v.y.0[lane])
 }
+
+#[cfg(test)]
+#[cfg(target_arch = "x86_64")]
+mod tests {
+    use super::*;
+    use crate::check::Overrides;
+    use crate::solve::solve;
+    use crate::source::Source;
+
+    /// A machine with AVX-512 never goes through AVX2 by itself.
+    #[test]
+    fn avx2_has_the_bits_of_one_lane() {
+        let Some(avx2) = pulp::x86::V3::try_new() else { return };
+        let text = include_str!("../../examples/kinetostatics/andrews.mech").to_owned();
+        let (compiled, _) = crate::compile(&Source::new("andrews.mech", text), &Overrides::none());
+        let compiled = compiled.expect("the example compiles");
+        let (scene, plan) = (compiled.scene(), &compiled.plan);
+        let solution = solve(&scene).expect("the example is solved");
+        let states = solution.poses.iter().map(|p| &p.outcome.as_ref().expect("it closes").state);
+        let first = &solution.poses[0].outcome.as_ref().expect("it closes").state;
+        let inputs: Vec<DriveInput> = states.flat_map(|s| s.inputs.clone()).collect();
+        let inputs = DriveColumns::of(&inputs, plan.drives);
+
+        let mut block = State::closed(plan);
+        block.branches.clone_from(&first.branches);
+        let mut blocks = [block];
+        let closed = Closed { plan, blocks: &mut blocks };
+        pulp::Simd::vectorize(avx2, Laned { closed, inputs: &inputs, first: 0 });
+        let mut seen = 0;
+        SideBySide::in_one_lane(plan, first).run(&inputs, |i, place| {
+            if i < WIDTH {
+                let lane = Place::Lane(&blocks[0], i);
+                assert_eq!(lane.effort(0).to_bits(), place.effort(0).to_bits(), "position {i}");
+                for slot in 1..plan.bodies {
+                    assert_eq!(format!("{:?}", lane.body(slot)), format!("{:?}", place.body(slot)));
+                }
+                seen += 1;
+            }
+        });
+        assert_eq!(seen, WIDTH);
+    }
+}
