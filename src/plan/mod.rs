@@ -159,7 +159,7 @@ impl Plan {
         self.motion.iter().any(goes_on)
     }
 
-    /// Slot of a link's body.
+    /// Whether a body replaces a higher pair.
     #[must_use]
     pub fn is_imaginary(structure: &Structure, body: usize) -> bool {
         matches!(structure.replaced.bodies[body].origin, BodyOrigin::Imaginary(_))

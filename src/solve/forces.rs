@@ -97,6 +97,18 @@ impl<S: Scalar> State<S> {
     /// The opposite of a force at a place, on the body that carries it.
     #[inline(always)]
     pub(super) fn carry(&mut self, base: usize, p: V2<S>, force: V2<S>) {
+        self.carry_moment(base, p, force, |moment| moment);
+    }
+
+    /// The same with a couple.
+    #[inline(always)]
+    pub(super) fn carry_wrench(&mut self, base: usize, p: V2<S>, force: V2<S>, couple: S) {
+        self.carry_moment(base, p, force, |moment| moment + couple);
+    }
+
+    /// `all` makes the whole moment of that of the force.
+    #[inline(always)]
+    fn carry_moment(&mut self, base: usize, p: V2<S>, force: V2<S>, all: impl Fn(S) -> S) {
         // what the ground carries is not asked
         if base == 0 {
             return;
@@ -104,19 +116,7 @@ impl<S: Scalar> State<S> {
         let r = p - self.bodies[base].p;
         let w = &mut self.wrenches[base];
         w.force -= force;
-        w.moment = w.moment - r.cross(force);
-    }
-
-    /// The same with a couple.
-    #[inline(always)]
-    pub(super) fn carry_wrench(&mut self, base: usize, p: V2<S>, force: V2<S>, couple: S) {
-        if base == 0 {
-            return;
-        }
-        let r = p - self.bodies[base].p;
-        let w = &mut self.wrenches[base];
-        w.force -= force;
-        w.moment = w.moment - (r.cross(force) + couple);
+        w.moment = w.moment - all(r.cross(force));
     }
 
     #[inline(always)]

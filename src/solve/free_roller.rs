@@ -13,10 +13,11 @@ pub(super) fn free_rollers(scene: &Scene<'_>) -> Option<SolveError> {
             asked.push((*roller, span));
         }
     });
-    let name = scene.mechanism.link(asked.first()?.0).name.clone();
+    let (first, _) = *asked.first()?;
+    asked.retain(|(roller, _)| *roller == first);
     asked.dedup();
     let labels = asked.into_iter().map(|(_, span)| label("hangs on how it turns", span)).collect();
-    Some(SolveError::FreeRotation { name, labels })
+    Some(SolveError::FreeRotation { name: scene.mechanism.link(first).name.clone(), labels })
 }
 
 fn hangs_on(scene: &Scene<'_>, query: &Query, roller: LinkId) -> bool {

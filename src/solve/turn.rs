@@ -53,7 +53,7 @@ impl Turn {
         let mut tracker = Tracker::new(scene, state.clone(), &values);
         let mut samples = Vec::with_capacity(SAMPLES + 1);
         for i in 0..=SAMPLES {
-            #[allow(clippy::cast_precision_loss)]
+            #[allow(clippy::cast_precision_loss)] // at most 180
             let at = TAU * i as f64 / SAMPLES as f64;
             let target = [DriveValue::Scalar(at)];
             if i > 0 && tracker.go(scene, &rates, &target).is_err() {

@@ -104,3 +104,11 @@ fn none(cx: &mut Context<'_>, first: &Wheel, second: &Wheel, on: (&[LinkId], &[L
         span,
     });
 }
+
+/// Whether a link has a revolute pair with the carrier.
+pub(super) fn turns_on(cx: &Context<'_>, link: LinkId, carrier: LinkId) -> bool {
+    cx.mech.pairs.iter().any(|p| {
+        let links = p.kind.links();
+        matches!(p.kind, PairKind::Revolute(_)) && links.contains(&link) && links.contains(&carrier)
+    })
+}

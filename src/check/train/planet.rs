@@ -4,7 +4,7 @@ use super::carrier::centre_on;
 use crate::check::amount::told;
 use crate::check::context::Context;
 use crate::check::error::TrainError;
-use crate::model::{LinkId, Wheel};
+use crate::model::{LinkId, Pair, PairKind, Wheel};
 use crate::source::Span;
 use crate::units::Dimension;
 use indexmap::IndexMap;
@@ -81,4 +81,21 @@ pub(super) fn arm(
         second_span: span,
     };
     cx.error(error);
+}
+
+/// Whether a wheel turns on a carrier that moves.
+pub(super) fn is_planet(cx: &Context<'_>, wheel: &Wheel, carrier: LinkId) -> bool {
+    let on = |p: &Pair| match &p.kind {
+        // a shaft stands second, what carries it first
+        PairKind::Revolute(pins) if p.bearing.is_some() => {
+            pins.first().is_some_and(|p| p.link == carrier)
+                && pins.last().is_some_and(|p| p.link == wheel.link)
+        }
+        PairKind::Revolute(pins) => {
+            let has = |link| pins.iter().any(|p| p.link == link);
+            has(wheel.link) && has(carrier) && !has(LinkId::GROUND)
+        }
+        _ => false,
+    };
+    carrier != LinkId::GROUND && wheel.link != LinkId::GROUND && cx.mech.pairs.iter().any(on)
 }

@@ -1,7 +1,7 @@
 //! Meshes, belts, chains, racks, worms and screws: each a law between rates.
 
-use super::carrier::carrier;
-use super::planet::{Arms, arm, distance};
+use super::carrier::{carrier, turns_on};
+use super::planet::{Arms, arm, distance, is_planet};
 use super::rope::{merged, rope, two_sides};
 use super::size::label;
 use crate::check::amount::digits;
@@ -234,31 +234,6 @@ fn wheels(
     let law =
         Law { terms: about(a.link, c_1, b.link, c_2, carrier), force: c_1 / a.radius, efficiency: None };
     Some(Runs { laws: vec![law], links: vec![a.link, b.link], meeting })
-}
-
-/// Whether a wheel turns on a carrier that moves.
-fn is_planet(cx: &Context<'_>, wheel: &Wheel, carrier: LinkId) -> bool {
-    let on = |p: &Pair| match &p.kind {
-        // a shaft stands second, what carries it first
-        PairKind::Revolute(pins) if p.bearing.is_some() => {
-            pins.first().is_some_and(|p| p.link == carrier)
-                && pins.last().is_some_and(|p| p.link == wheel.link)
-        }
-        PairKind::Revolute(pins) => {
-            let has = |link| pins.iter().any(|p| p.link == link);
-            has(wheel.link) && has(carrier) && !has(LinkId::GROUND)
-        }
-        _ => false,
-    };
-    carrier != LinkId::GROUND && wheel.link != LinkId::GROUND && cx.mech.pairs.iter().any(on)
-}
-
-/// Whether a link has a revolute pair with the carrier.
-fn turns_on(cx: &Context<'_>, link: LinkId, carrier: LinkId) -> bool {
-    cx.mech.pairs.iter().any(|p| {
-        let links = p.kind.links();
-        matches!(p.kind, PairKind::Revolute(_)) && links.contains(&link) && links.contains(&carrier)
-    })
 }
 
 /// Two sides, and the carrier that they are counted from.
