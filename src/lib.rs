@@ -78,10 +78,24 @@ pub fn check_source(source: &Source, overrides: &Overrides) -> (Option<Mechanism
 #[must_use]
 pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Problems) {
     let (mechanism, problems) = check_source(source, overrides);
-    let Some(mechanism) = mechanism else { return (None, problems) };
+    let Some(mechanism) = mechanism else { return (None, structure_first(source, overrides, problems)) };
     let origin =
         mechanism.asks_again().then(|| Origin { source: source.clone(), overrides: overrides.clone() });
     plan_mechanism(mechanism, None, problems, origin)
+}
+
+/// The defects of the structure in place of errors that follow from them: a point of `assemble` slides on no guide where the
+/// guide is missing.
+fn structure_first(source: &Source, overrides: &Overrides, problems: Problems) -> Problems {
+    let (document, found) = syntax::parse(source);
+    if found.has_errors() {
+        return problems;
+    }
+    let mechanism = check::without_guides(&document, overrides);
+    let Some(Err(errors)) = mechanism.map(|m| structure::structure(&m)) else { return problems };
+    let mut problems = found;
+    problems.extend(errors);
+    problems
 }
 
 /// Structure and plan of a mechanism; the structure is known where another row of the same text has the same.

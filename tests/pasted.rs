@@ -78,10 +78,10 @@ fn an_assembly_that_there_is() {
     }
 }
 
-/// Lines of one section are alternatives, unless it says how many to add.
+/// Lines of one section are alternatives, unless it says to add several.
 fn pastes<'a>(help: &'a str) -> Vec<Vec<&'a str>> {
     let each = |(sentence, lines): (&'a str, Vec<&'a str>)| {
-        if sentence.ends_with("drives") { vec![lines] } else { lines.into_iter().map(|l| vec![l]).collect() }
+        if sentence.ends_with("lines") { vec![lines] } else { lines.into_iter().map(|l| vec![l]).collect() }
     };
     sections(help).into_iter().flat_map(each).collect()
 }

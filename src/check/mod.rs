@@ -108,6 +108,16 @@ pub fn columns(
     (columns.filter(|_| !cx.problems.has_errors()), cx.problems)
 }
 
+/// The mechanism of a document whose only errors are about points of `assemble` that slide on no guide: a guide that is
+/// missing is a matter of structure first.
+#[must_use]
+pub fn without_guides(document: &Document, overrides: &Overrides) -> Option<Mechanism> {
+    let mut cx = Context::new(document, overrides);
+    definitions(&mut cx);
+    meaning(&mut cx);
+    cx.finish_without_guides()
+}
+
 fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {
     definitions(&mut cx);
     meaning(&mut cx);

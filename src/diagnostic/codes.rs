@@ -187,6 +187,7 @@ pub const CODES: &[Code] = codes! {
     "determinacy" / "free_roller",
     "determinacy" / "underconstrained",
     "determinacy" / "overconstrained",
+    "determinacy" / "immobile",
     "determinacy" / "repeated",
     "determinacy" / "unbalanced",
     "determinacy" / "efforts",

@@ -4,9 +4,14 @@
 //! scalar unknown to an equation of equilibrium). Bodies that hang together in a circle through the matching form one
 //! group; this is the fine decomposition of Dulmage and Mendelsohn, so that the groups are the smallest possible.
 
+use std::collections::HashMap;
+
+use super::defect::Defect;
+use super::echelon::{Echelon, row};
 use super::effort::Effort;
+use super::field::Number;
 use super::group::{Group, GroupJoint, Inside};
-use super::incidence::{Defect, Incidence, Owner};
+use super::incidence::{Incidence, Owner};
 use super::joint::{BodyId, JointId, JointKind, Replaced};
 use super::matching::{Matching, components, match_all};
 
@@ -27,10 +32,13 @@ pub(super) fn decompose(
 ) -> Result<Vec<Group>, Box<Defect>> {
     let incidence = Incidence::new(replaced, efforts);
     let matching = match_all(&incidence.conditions, &incidence.capacity);
-    if let Some(defect) = incidence.defect(replaced, &matching) {
+    let order = order(&incidence, &matching, side);
+    let is_complete = matching.is_complete(&incidence.capacity);
+    if !(is_complete && order.iter().all(|vertices| is_determinate(&incidence, &matching, vertices)))
+        && let Some(defect) = incidence.defect(replaced)
+    {
         return Err(Box::new(defect));
     }
-    let order = order(&incidence, &matching, side);
     let members = Members::new(replaced, &order, side);
     let mut joints = members.joints(replaced);
     let mut inside = inside(replaced, &incidence, &matching, &order);
@@ -60,6 +68,29 @@ fn order(incidence: &Incidence, matching: &Matching, side: Side) -> Vec<Vec<usiz
         }
     }
     components(&successors)
+}
+
+/// Whether the conditions matched to some bodies and pins determine them, those outside being known: the count of a whole
+/// can agree where one part of it has too many conditions and another too few.
+fn is_determinate(incidence: &Incidence, matching: &Matching, vertices: &[usize]) -> bool {
+    let nodes = |v: usize| match v.checked_sub(incidence.bodies) {
+        Some(pin) => vec![2 * incidence.bodies + pin],
+        None => vec![2 * v, 2 * v + 1],
+    };
+    let mut index = HashMap::new();
+    let mut conditions = Vec::new();
+    for node in vertices.iter().flat_map(|&v| nodes(v)) {
+        for column in incidence.columns_of(node) {
+            let next = index.len();
+            index.insert(column, next);
+        }
+        conditions.extend_from_slice(&matching.held[node]);
+    }
+    conditions.sort_unstable();
+    let inside = |t: &(usize, Number)| index.get(&t.0).map(|&column| (column, t.1));
+    let rows = conditions.iter().map(|&c| row(incidence.rows[c].iter().filter_map(inside).collect()));
+    let mut echelon = Echelon::new(index.len());
+    conditions.len() == index.len() && rows.into_iter().all(|row| echelon.add(row))
 }
 
 /// The efforts and the laws of every group, by rank.

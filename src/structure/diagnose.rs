@@ -1,16 +1,16 @@
-//! What to say of conditions that do not match freedoms.
+//! What to report of conditions that do not match freedoms.
 
 use miette::LabeledSpan;
 
+use super::add_effort::{Adds, efforts_beside, missing_efforts};
+use super::add_pair::{Missing, missing_meshes, missing_pairs};
 use super::count::Count;
+use super::defect::{Defect, Part};
 use super::effort::{Effort, EffortSource};
 use super::error::{StructureError, counted, label, listed, with_lines};
 use super::floating::{MOST_LABELS, names};
-use super::incidence::{Defect, Part};
-use super::joint::{JointKind, Replaced};
-use super::remedy::{
-    Adds, links, missing_efforts, missing_meshes, missing_pairs, needless_efforts, needless_parts,
-};
+use super::joint::{BodyId, JointKind, Replaced};
+use super::leave_out::{Repair, links, one_of};
 use super::repeated::repeated;
 use super::trial::Trial;
 use crate::model::Mechanism;
@@ -29,7 +29,7 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Str
         1 => "but 1 drive is declared".to_owned(),
         n => format!("but {n} drives are declared"),
     };
-    let mut labels = loose_labels(trial, &defect.under, "can still move");
+    let mut labels = loose_labels(trial, &defect.loose, "can still move");
     labels.extend(held_labels(trial, &defect.over, |n| format!("takes {}", counted(n, "freedom"))));
     match (defect.fit.missing, defect.fit.surplus) {
         (_, 0) => {
@@ -67,131 +67,201 @@ pub(super) fn of_forces(trial: Trial<'_>, count: &Count, defect: &Defect) -> Str
             format!("mobility F = {formula} asks for {}, but {declared}", counted(n, "unknown effort"))
         }
     };
-    let mut labels = loose_labels(trial, &defect.under, "nothing holds this link");
+    let mut labels = loose_labels(trial, &defect.loose, "nothing holds this link");
     labels.extend(held_labels(trial, &defect.over, |n| counted(n, "unknown")));
     let mut help = Vec::new();
-    if defect.fit.surplus > 0 {
-        let needless = needless_efforts(trial, defect);
+    for part in &defect.over {
+        let needless = Repair { trial, defect, part }.efforts();
         let known = "if it is known, declare it as a load: `force … = 100 N` or `torque … = 1 N*m`";
         help.push(match needless.as_slice() {
-            [] => format!("{}: leave out one of them", sum(trial, &defect.over, "equation")),
-            [one] => format!("{}: leave out {one}; {known}", sum(trial, &defect.over, "equation")),
-            more => {
-                format!("{}: leave out {}; {known}", sum(trial, &defect.over, "equation"), listed(more, "or"))
-            }
+            [] => format!("{}: leave out one of them", equations(trial, part)),
+            some => format!("{}: leave out {}; {known}", equations(trial, part), one_of(some)),
         });
     }
     if defect.fit.missing > 0 {
         let lines = missing_efforts(trial, defect, Adds::Balances);
-        let loose = names(trial.mechanism, links(trial.replaced, &defect.under));
-        help.push(with_lines(&format!("{loose} would move under the loads; add {}", one_of(&lines)), &lines));
+        let loose = names(trial.mechanism, links(trial.replaced, &defect.loose));
+        let add =
+            if lines.is_empty() { "a `balance` there" } else { add_words(&lines, defect.fit.missing == 1) };
+        help.push(with_lines(&format!("{loose} would move under the loads; add {add}"), &lines));
     }
     StructureError::Efforts { why, help: help.join(";\n"), labels }
 }
 
-/// `` `a` and `b` have 6 freedoms and lose 7 ``.
-fn sum(trial: Trial<'_>, part: &Part, what: &str) -> String {
-    let names = names(trial.mechanism, links(trial.replaced, part));
-    let has = if links(trial.replaced, part).count() == 1 { "has" } else { "have" };
-    let (free, taken) = (part.freedoms, part.taken());
-    if what == "equation" {
-        format!("{names} {has} {free} equations of equilibrium for {taken} unknowns")
-    } else {
-        let lose = if has == "has" { "loses" } else { "lose" };
-        format!("{names} {has} {} and {lose} {taken} at the places marked", counted(free, "freedom"))
+/// `` `a` has 3 equations of equilibrium for 4 unknowns ``
+fn equations(trial: Trial<'_>, part: &Part) -> String {
+    let moving: Vec<BodyId> = moving(trial, part);
+    let has = if moving.len() == 1 { "has" } else { "have" };
+    let names = names(trial.mechanism, links(trial.replaced, &moving));
+    format!("{names} {has} {} equations of equilibrium for {} unknowns", part.freedoms, part.taken())
+}
+
+/// Without the ground and the links driven at a point.
+fn moving(trial: Trial<'_>, part: &Part) -> Vec<BodyId> {
+    part.bodies.iter().copied().filter(|b| !trial.replaced.bodies[b.0].known).collect()
+}
+
+/// `` `a` and `b` have 6 freedoms and lose 7 at the places marked ``
+fn sum(trial: Trial<'_>, part: &Part) -> String {
+    let moving = moving(trial, part);
+    let names = names(trial.mechanism, links(trial.replaced, &moving));
+    let (free, taken) = (counted(part.freedoms, "freedom"), part.taken());
+    if moving.len() == part.bodies.len() {
+        return format!("{names} have {free} relative to each other and lose {taken} at the places marked");
     }
+    let (has, lose) = if moving.len() == 1 { ("has", "loses") } else { ("have", "lose") };
+    format!("{names} {has} {free} and {lose} {taken} at the places marked")
 }
 
 fn to_leave_out(trial: Trial<'_>, defect: &Defect) -> String {
-    let over = &defect.over;
-    let sum = sum(trial, over, "freedom");
-    let drives = needless_efforts(trial, defect);
-    let own: usize = over.pairs.iter().map(|p| p.1).sum();
-    if over.freedoms > own && !drives.is_empty() {
-        return format!("{sum}; leave out {}{}", listed(&drives, "or"), again(defect));
+    let parts = defect.over.iter().map(|part| of_part(Repair { trial, defect, part }));
+    parts.collect::<Vec<_>>().join(";\n")
+}
+
+/// How one overconstrained part becomes sound: changes that do it by themselves come first.
+fn of_part(repair: Repair<'_>) -> String {
+    let Repair { trial, part, .. } = repair;
+    let sum = sum(trial, part);
+    if let Some([first, second]) = repair.repeated() {
+        let name = |p| &trial.mechanism.pair(p).name;
+        return format!("`{}` repeats `{}`: leave out one of them", name(second), name(first));
     }
-    let parts = needless_parts(trial, defect);
-    match (drives.as_slice(), parts.as_slice()) {
+    let changes = repair.changes();
+    let own: usize = part.pairs.iter().map(|p| p.1).sum();
+    if part.freedoms > own && !changes.efforts.is_empty() {
+        return format!("{sum}; leave out {}", one_of(&changes.efforts));
+    }
+    let mut ways = Vec::new();
+    let least = changes.pairs.first().map_or(0, |c| c.unmoved);
+    let (best, rest): (Vec<_>, Vec<_>) = changes.pairs.iter().partition(|c| c.unmoved == least);
+    let texts =
+        |changes: &[&super::leave_out::Change]| changes.iter().map(|c| c.text.clone()).collect::<Vec<_>>();
+    if !best.is_empty() {
+        ways.push(format!("leave out {}", one_of(&texts(&best))));
+    }
+    if !rest.is_empty() {
+        ways.push(format!("leave out {}, though fewer links move then", one_of(&texts(&rest))));
+    }
+    ways.extend(
+        changes.slots.iter().map(|name| format!("write `slot {name}` in place of `prismatic {name}`")),
+    );
+    match changes.links.as_slice() {
+        [] => {}
+        [one] => ways.push(format!("leave out link {one} with its pairs")),
+        some => ways.push(format!("leave out one of the links {} with its pairs", one_of(some))),
+    }
+    if ways.is_empty()
+        && let Some(together) = repair.together()
+    {
+        ways.push(format!("leave out {}", listed(&together, "and")));
+    }
+    if ways.is_empty() {
+        ways.extend(loosened(repair));
+    }
+    match (changes.efforts.as_slice(), ways.as_slice()) {
+        ([], []) => format!("{sum}; leave out pairs of it until the numbers agree"),
+        ([], ways) => format!("{sum}; {}", listed(ways, "or")),
         // with the only drive gone nothing moves any more
-        ([drive], parts) if over.freedoms == own => {
+        ([drive], ways) if part.freedoms == own => {
             let structure = format!("without {drive} this is a structure, and its reactions can be found");
-            match parts {
+            match ways {
                 [] => format!("{sum}; {structure}"),
-                parts => format!("{sum}; {structure}; to let it move, {}", listed(parts, "or")),
+                ways => format!("{sum}; {}; {structure}", listed(ways, "or")),
             }
         }
-        ([], []) => {
-            format!("{sum}; take a pair away, or write `slot` or `contact` in place of a lower pair")
-        }
-        (drives, parts) => {
-            let drives = drives.iter().map(|d| format!("leave out {d}"));
-            let all: Vec<String> = parts.iter().cloned().chain(drives).collect();
-            format!("{sum}; {}{}", listed(&all, "or"), again(defect))
+        (drives, ways) => {
+            let drives = format!("leave out {}", one_of(drives));
+            format!("{sum}; {}", listed(&[ways, &[drives]].concat(), "or"))
         }
     }
 }
 
-fn again(defect: &Defect) -> &'static str {
-    if defect.fit.surplus > 1 { ", and then once more" } else { "" }
+/// Leaving out one pair takes more than is too much.
+fn loosened(repair: Repair<'_>) -> Option<String> {
+    let found = repair.loosening();
+    let (_, freedoms) = found.first()?;
+    let pairs: Vec<String> = found.iter().map(|f| f.0.clone()).collect();
+    let more =
+        if *freedoms == 1 { "a drive more is".to_owned() } else { format!("{freedoms} drives more are") };
+    let one_link = match repair.part.bodies.as_slice() {
+        [a, b] if repair.part.efforts.is_empty() => {
+            let names = names(repair.trial.mechanism, links(repair.trial.replaced, &[*a, *b]));
+            format!("{names} cannot move against each other: make them one link, or ")
+        }
+        _ => String::new(),
+    };
+    Some(format!("{one_link}leave out {}, after which {more} needed", one_of(&pairs)))
 }
 
 fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
-    let loose = names(trial.mechanism, links(trial.replaced, &defect.under));
+    let loose = names(trial.mechanism, links(trial.replaced, &defect.loose));
     let missing = defect.fit.missing;
     let drives = missing_efforts(trial, defect, Adds::Drives);
-    let pairs = missing_pairs(trial, defect, count.drives > 0 || missing > 2);
-    let mut text = if count.redundant > 0 && is_chain(trial.replaced, &defect.under) {
+    let mut text = if count.redundant > 0 && is_chain(trial.replaced, &defect.loose) {
         "links joined by prismatic pairs alone keep their angles, so that in a closed chain one pair holds an angle \
          already held and a link can still slide: three prismatic pairs make no structural group; "
             .to_owned()
     } else {
-        format!("{loose} can still move in {}; ", ways(missing))
+        format!("{loose} can still move with {}; ", counted(missing, "freedom"))
     };
     let meshes = missing_meshes(trial, defect);
     if !meshes.is_empty() {
-        text += &with_lines(&format!("nothing runs between wheels; add {}", one_of(&meshes)), &meshes);
+        text += &with_lines(&format!("no wheels mesh here; add {}", add_words(&meshes, true)), &meshes);
         text += "\nor ";
     }
-    if !pairs.is_empty() {
-        text += &with_lines(&format!("a pair may be missing; add {}", one_of(&pairs)), &pairs);
+    let pairs =
+        (count.drives > 0 || missing > 2).then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
+    if let Some(missing) = pairs {
+        text += &pairs_to_add(trial, missing, &defect.loose);
         text += "\nor ";
     }
     text + &match (drives.as_slice(), missing) {
         ([], _) => "add a pair that holds them".to_owned(),
-        (lines, 1) => with_lines(&format!("say what drives it: add {}", one_of(lines)), lines),
-        (lines, _) => {
-            with_lines(&format!("say what drives it: add {}", counted(lines.len(), "drive")), lines)
+        (lines, 1) => with_lines(&format!("drive it: add {}", add_words(lines, true)), lines),
+        (lines, _) => with_lines(&format!("drive them: add {}", add_words(lines, false)), lines),
+    }
+}
+
+/// Pairs that may be missing, with drives for what they leave loose.
+pub(super) fn pairs_to_add(trial: Trial<'_>, missing: Missing, among: &[BodyId]) -> String {
+    match missing {
+        Missing::OneOf(lines) => {
+            with_lines(&format!("a pair may be missing; add {}", add_words(&lines, true)), &lines)
+        }
+        Missing::Together { mut lines, pairs, left } => {
+            lines.extend(efforts_beside(trial, &pairs, left, among, Adds::Drives));
+            with_lines(&format!("pairs may be missing; add {}", add_words(&lines, false)), &lines)
         }
     }
 }
 
-fn one_of(lines: &[String]) -> &'static str {
-    match lines {
-        [] => "a `balance` there",
-        [_] => "the line",
-        _ => "one of",
+/// How many of the lines to add.
+fn add_words(lines: &[String], alternatives: bool) -> &'static str {
+    match (lines.len(), alternatives) {
+        (0 | 1, _) => "the line",
+        (_, true) => "one of",
+        (2, false) => "both lines",
+        (_, false) => "all these lines",
     }
 }
 
-fn ways(n: usize) -> String {
-    if n == 1 { "one way".to_owned() } else { format!("{n} ways") }
-}
-
-/// Links of the part are joined by prismatic pairs that close a chain.
-fn is_chain(replaced: &Replaced, part: &Part) -> bool {
-    let touches = |j: &&super::joint::Joint| j.bodies().iter().any(|b| part.bodies.contains(b));
+/// The bodies are joined by prismatic pairs that close a chain.
+fn is_chain(replaced: &Replaced, bodies: &[BodyId]) -> bool {
+    let touches = |j: &&super::joint::Joint| j.bodies().iter().any(|b| bodies.contains(b));
     let mut joints = replaced.joints.iter().filter(touches).peekable();
     joints.peek().is_some() && joints.all(|j| matches!(j.kind, JointKind::Prismatic { .. }))
 }
 
-fn loose_labels(trial: Trial<'_>, part: &Part, text: &str) -> Vec<LabeledSpan> {
-    let spans = links(trial.replaced, part).map(|l| trial.mechanism.link(l).span);
+fn loose_labels(trial: Trial<'_>, loose: &[BodyId], text: &str) -> Vec<LabeledSpan> {
+    let spans = links(trial.replaced, loose).map(|l| trial.mechanism.link(l).span);
     spans.filter(|s| *s != Span::default()).take(MOST_LABELS).map(|s| label(text, s)).collect()
 }
 
-fn held_labels(trial: Trial<'_>, part: &Part, text: impl Fn(usize) -> String) -> Vec<LabeledSpan> {
-    let pairs = part.pairs.iter().map(|&(pair, n)| label(text(n), trial.mechanism.pair(pair).span));
-    let efforts = part.efforts.iter().map(|&e| label(text(1), place(trial.mechanism, &trial.efforts[e])));
+fn held_labels(trial: Trial<'_>, parts: &[Part], text: impl Fn(usize) -> String) -> Vec<LabeledSpan> {
+    let pairs = parts.iter().flat_map(|p| &p.pairs);
+    let pairs = pairs.map(|&(pair, n)| label(text(n), trial.mechanism.pair(pair).span));
+    let efforts = parts.iter().flat_map(|p| &p.efforts);
+    let efforts = efforts.map(|&e| label(text(1), place(trial.mechanism, &trial.efforts[e])));
     // what was added last is most often what is too much
     efforts.chain(pairs).take(MOST_LABELS).collect()
 }

@@ -102,6 +102,26 @@ pub enum StructureError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// Links that no drive moves.
+    #[error("{names} {moves} not move, whatever the drives do")]
+    #[diagnostic(
+        code(mech::determinacy::immobile),
+        severity(warning),
+        help(
+            "{pairs} hold them to the ground: check which links these pairs join; if the links are meant to stand still, make them part of the ground"
+        )
+    )]
+    Immobile {
+        /// Their names.
+        names: String,
+        /// `does` or `do`.
+        moves: &'static str,
+        /// The pairs that hold them.
+        pairs: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
     /// A link or guide that only repeats what others of its kind do.
     #[error("{what} repeats what {others} already: {how}")]
     #[diagnostic(code(mech::determinacy::repeated))]
@@ -120,7 +140,7 @@ pub enum StructureError {
         labels: Vec<LabeledSpan>,
     },
     /// One part has too many conditions and another too few.
-    #[error("one part is held too often and another can still move: mobility F = {formula}, {drives}")]
+    #[error("one part is overconstrained while another can still move: mobility F = {formula}, {drives}")]
     #[diagnostic(code(mech::determinacy::unbalanced))]
     Unbalanced {
         /// The count in figures.

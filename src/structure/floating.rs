@@ -1,6 +1,12 @@
-//! Links that hang on nothing, and islands of links that no pair joins to the ground.
+//! Links that no pair joins, and islands of links that no pair joins to the ground.
 
+use super::add_pair::missing_pairs;
+use super::defect::Defect;
+use super::diagnose::pairs_to_add;
 use super::error::{StructureError, label, listed};
+use super::incidence::Incidence;
+use super::joint::BodyId;
+use super::trial::Trial;
 use crate::model::{DriveTarget, LinkId, Mechanism, PairKind};
 use crate::source::Span;
 
@@ -9,8 +15,17 @@ pub(super) const MOST_LABELS: usize = 12;
 /// More names than this are counted.
 const MOST_NAMES: usize = 6;
 
-/// Every island. The ground and links driven at a point are firm.
-pub(super) fn floating(mechanism: &Mechanism) -> Vec<StructureError> {
+/// What to report of every island.
+pub(super) fn floating(trial: Trial<'_>) -> Vec<StructureError> {
+    let islands = floating_islands(trial.mechanism);
+    let defect =
+        (!islands.is_empty()).then(|| Incidence::new(trial.replaced, trial.efforts).defect(trial.replaced));
+    let Some(defect) = defect.flatten() else { return Vec::new() };
+    islands.iter().map(|links| describe(trial, &defect, links)).collect()
+}
+
+/// Links that no pair joins to the ground. The ground and links driven at a point are firm.
+pub(super) fn floating_islands(mechanism: &Mechanism) -> Vec<Vec<LinkId>> {
     let island = islands(mechanism);
     let mut firm = vec![false; mechanism.links.len()];
     let roots = mechanism.drives.iter().filter_map(|d| match d.target {
@@ -24,7 +39,7 @@ pub(super) fn floating(mechanism: &Mechanism) -> Vec<StructureError> {
     for (i, &island) in island.iter().enumerate().filter(|(_, island)| !firm[**island]) {
         members[island].push(LinkId::at(i));
     }
-    members.into_iter().filter(|links| !links.is_empty()).map(|links| describe(mechanism, &links)).collect()
+    members.into_iter().filter(|links| !links.is_empty()).collect()
 }
 
 /// The island of every link, named by one of its links.
@@ -53,8 +68,9 @@ fn root(parent: &mut [usize], mut at: usize) -> usize {
     at
 }
 
-fn describe(mechanism: &Mechanism, links: &[LinkId]) -> StructureError {
-    let help = help(mechanism, links);
+fn describe(trial: Trial<'_>, defect: &Defect, links: &[LinkId]) -> StructureError {
+    let mechanism = trial.mechanism;
+    let help = help(trial, defect, links);
     if let [one] = links {
         let link = mechanism.link(*one);
         return StructureError::FloatingLink { name: link.name.clone(), help, span: link.span.into() };
@@ -75,25 +91,18 @@ pub(super) fn names(mechanism: &Mechanism, links: impl Iterator<Item = LinkId>) 
     listed(&names, "and")
 }
 
-/// A pair that would join the island: at a point of one name on both sides, else an example.
-fn help(mechanism: &Mechanism, links: &[LinkId]) -> String {
+/// Pairs that would join the island, and what they leave to be driven.
+fn help(trial: Trial<'_>, defect: &Defect, links: &[LinkId]) -> String {
     let it = if links.len() == 1 { "it" } else { "them" };
-    let outside = || (0..mechanism.links.len()).map(LinkId::at).filter(|l| !links.contains(l));
-    for &link in links {
-        for point in &mechanism.link(link).points {
-            let has = |l: &LinkId| mechanism.link(*l).points.iter().any(|p| p.name == point.name);
-            if let Some(other) = outside().find(has) {
-                let (name, other, link) =
-                    (&point.name, &mechanism.link(other).name, &mechanism.link(link).name);
-                return format!(
-                    "join {it} by a pair, as in `revolute {name}: {other} - {link}`, or remove {it}"
-                );
-            }
-        }
+    let bodies: Vec<BodyId> = links.iter().map(|l| BodyId(l.index())).collect();
+    if let Some(missing) = missing_pairs(trial, defect, &bodies) {
+        return format!("{}\nor remove {it}", pairs_to_add(trial, missing, &bodies));
     }
+    let mechanism = trial.mechanism;
     let named = links.iter().find_map(|l| Some((mechanism.link(*l), mechanism.link(*l).points.last()?)));
     let (link, point) = named.map_or(("LINK", "P"), |(l, p)| (l.name.as_str(), p.name.as_str()));
     format!(
-        "give the ground a point `{point}` too and add `revolute {point}: ground - {link}`, or remove {it}"
+        "give the ground a point `{point}` too and add `revolute {point}: ground - {link}`, with a drive or a second pair \
+         for what can then still turn; or remove {it}"
     )
 }

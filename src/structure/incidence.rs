@@ -1,52 +1,19 @@
 //! Scalar conditions of joints and drives over the freedoms of the bodies they touch (on the side of forces: scalar
-//! unknowns over equations of equilibrium).
+//! unknowns over equations of equilibrium): which freedoms each touches, and its row among the equations of velocity at a
+//! random position.
 
+use super::echelon::{Row, row};
 use super::effort::{Effort, EffortKind};
-use super::joint::{BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
-use super::matching::{Condition, Matching, match_all};
-use crate::model::PairId;
+use super::field::Number;
+use super::generic::{Generic, Vector};
+use super::joint::{BodyId, BodyRate, Joint, JointId, JointKind, Replaced};
+use super::matching::Condition;
 
-/// What does not match.
-#[derive(Clone, Debug)]
-pub(super) struct Defect {
-    /// Bodies and joints (efforts by index) with too many conditions.
-    pub over: Part,
-    /// Bodies and joints with too few.
-    pub under: Part,
-    /// How many freedoms and conditions are left over.
-    pub fit: Fit,
-}
+/// Random numbers of laws and of efforts along a line begin here.
+const LAWS: u64 = 1 << 48;
+const LINES: u64 = 1 << 52;
 
-/// Part of a mechanism.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Part {
-    /// Bodies, the imaginary ones among them.
-    pub bodies: Vec<BodyId>,
-    /// Pairs as declared, with the number of freedoms each takes.
-    pub pairs: Vec<(PairId, usize)>,
-    /// Drives or efforts by index: each takes one freedom.
-    pub efforts: Vec<usize>,
-    /// Freedoms of the links (those of imaginary bodies are counted with their pair).
-    pub freedoms: usize,
-}
-
-impl Part {
-    /// Freedoms that pairs and efforts take.
-    pub(super) fn taken(&self) -> usize {
-        self.efforts.len() + self.pairs.iter().map(|p| p.1).sum::<usize>()
-    }
-}
-
-/// What a matching leaves over.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Fit {
-    /// Freedoms that no condition takes.
-    pub missing: usize,
-    /// Conditions for which no freedom is left.
-    pub surplus: usize,
-}
-
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Owner {
     Joint(JointId),
     Effort(usize),
@@ -58,11 +25,16 @@ pub(super) enum Owner {
 pub(super) struct Incidence {
     pub conditions: Vec<Condition>,
     pub owners: Vec<Owner>,
+    /// The equations of velocity, one per condition, over the columns of the nodes.
+    pub rows: Vec<Row>,
     pub capacity: Vec<usize>,
-    bodies: usize,
-    /// The joints of the pins of more than two links.
-    pins: Vec<JointId>,
+    pub bodies: usize,
+    known: Vec<bool>,
+    generic: Generic,
 }
+
+/// Terms of an equation: body, coefficients of the velocity of its origin and of its angular velocity.
+type Terms = Vec<(BodyId, [Number; 3])>;
 
 impl Incidence {
     pub(super) fn new(replaced: &Replaced, efforts: &[Effort]) -> Self {
@@ -70,15 +42,17 @@ impl Incidence {
         let mut this = Self {
             conditions: Vec::new(),
             owners: Vec::new(),
+            rows: Vec::new(),
             capacity,
             bodies: replaced.bodies.len(),
-            pins: Vec::new(),
+            known: replaced.bodies.iter().map(|b| b.known).collect(),
+            generic: Generic::new(replaced),
         };
         for (i, joint) in replaced.joints.iter().enumerate() {
             this.add_joint(replaced, JointId(i), joint);
         }
         for link in &replaced.passive {
-            this.add(Owner::Passive, vec![2 * link.index() + 1]);
+            this.add(Owner::Passive, vec![(BodyId(link.index()), TURN)], None);
         }
         for (i, effort) in efforts.iter().enumerate() {
             this.add_effort(replaced, i, effort);
@@ -86,65 +60,28 @@ impl Incidence {
         this
     }
 
-    fn add(&mut self, owner: Owner, nodes: Vec<usize>) {
-        self.conditions.push(Condition { nodes });
-        self.owners.push(owner);
+    /// The number of columns, those of known bodies (in which no row has a coefficient) among them.
+    pub(super) fn columns(&self) -> usize {
+        3 * self.bodies + 2 * (self.capacity.len() - 2 * self.bodies)
     }
 
-    fn place_and_angle(replaced: &Replaced, bodies: &[BodyId]) -> Vec<usize> {
-        let unknown = bodies.iter().filter(|b| !replaced.bodies[b.0].known);
-        unknown.flat_map(|b| [2 * b.0, 2 * b.0 + 1]).collect()
+    /// Whether a column stands for a freedom.
+    pub(super) fn is_freedom(&self, column: usize) -> bool {
+        self.known.get(column / 3).is_none_or(|known| !known)
     }
 
-    fn angles(replaced: &Replaced, bodies: &[BodyId]) -> Vec<usize> {
-        bodies.iter().filter(|b| !replaced.bodies[b.0].known).map(|b| 2 * b.0 + 1).collect()
+    /// The body of a column; `None` for that of a pin.
+    pub(super) fn body(&self, column: usize) -> Option<BodyId> {
+        (column < 3 * self.bodies).then_some(BodyId(column / 3))
     }
 
-    fn add_joint(&mut self, replaced: &Replaced, id: JointId, joint: &Joint) {
-        match &joint.kind {
-            JointKind::Revolute(members) if members.len() < 2 => {}
-            JointKind::Revolute(members) if members.len() > 2 => {
-                let pin = self.capacity.len();
-                self.capacity.push(2);
-                self.pins.push(id);
-                for member in members {
-                    let mut nodes = Self::place_and_angle(replaced, &[member.0]);
-                    nodes.push(pin);
-                    self.add(Owner::Joint(id), nodes.clone());
-                    self.add(Owner::Joint(id), nodes);
-                }
-            }
-            JointKind::Revolute(_) => {
-                let nodes = Self::place_and_angle(replaced, &joint.bodies());
-                self.add(Owner::Joint(id), nodes.clone());
-                self.add(Owner::Joint(id), nodes);
-            }
-            JointKind::Prismatic { angle_redundant, .. } => {
-                if !angle_redundant {
-                    self.add(Owner::Joint(id), Self::angles(replaced, &joint.bodies()));
-                }
-                self.add(Owner::Joint(id), Self::place_and_angle(replaced, &joint.bodies()));
-            }
-            JointKind::Law(terms) => {
-                let nodes = terms.iter().flat_map(|(rate, _)| match rate {
-                    BodyRate::Turn(body) => Self::angles(replaced, &[*body]),
-                    BodyRate::Slide(joint) => {
-                        Self::place_and_angle(replaced, &replaced.joint(*joint).bodies())
-                    }
-                });
-                self.add(Owner::Joint(id), nodes.collect());
-            }
-        }
-    }
-
-    fn add_effort(&mut self, replaced: &Replaced, index: usize, effort: &Effort) {
-        let bodies = effort.bodies(replaced);
-        let nodes = match effort.kind {
-            EffortKind::Point(_) => return,
-            EffortKind::Angle(_) | EffortKind::RelativeAngle { .. } => Self::angles(replaced, &bodies),
-            EffortKind::Coordinate(_) | EffortKind::Line(_) => Self::place_and_angle(replaced, &bodies),
+    /// The columns of a node.
+    pub(super) fn columns_of(&self, node: usize) -> std::ops::Range<usize> {
+        let first = match node.checked_sub(2 * self.bodies) {
+            Some(pin) => 3 * self.bodies + 2 * pin,
+            None => 3 * (node / 2) + 2 * (node % 2),
         };
-        self.add(Owner::Effort(index), nodes);
+        first..first + self.capacity[node]
     }
 
     /// The body of a node, or the number of bodies plus that of the pin.
@@ -152,61 +89,119 @@ impl Incidence {
         if node < 2 * self.bodies { node / 2 } else { node - self.bodies }
     }
 
-    /// What does not match, if anything.
-    pub(super) fn defect(&self, replaced: &Replaced, matching: &Matching) -> Option<Defect> {
-        let fit = self.fit(matching);
-        (fit != Fit::default()).then(|| Defect {
-            over: self.part(replaced, matching.overdetermined(&self.conditions)),
-            under: self.part(replaced, matching.underdetermined(&self.conditions, &self.capacity)),
-            fit,
-        })
+    fn add(&mut self, owner: Owner, terms: Terms, pin: Option<(usize, Vector)>) {
+        let (mut nodes, mut row_terms) = (Vec::new(), Vec::new());
+        for (body, [x, y, turn]) in terms.into_iter().filter(|t| !self.known[t.0.0]) {
+            if !(x.is_zero() && y.is_zero()) {
+                nodes.push(2 * body.0);
+            }
+            nodes.push(2 * body.0 + 1);
+            row_terms.extend([(3 * body.0, x), (3 * body.0 + 1, y), (3 * body.0 + 2, turn)]);
+        }
+        if let Some((node, [x, y])) = pin {
+            nodes.push(node);
+            let first = self.columns_of(node).start;
+            row_terms.extend([(first, -x), (first + 1, -y)]);
+        }
+        self.conditions.push(Condition { nodes });
+        self.rows.push(row(row_terms));
+        self.owners.push(owner);
     }
 
-    fn fit(&self, matching: &Matching) -> Fit {
-        Fit {
-            missing: self.capacity.iter().zip(&matching.held).map(|(c, held)| c - held.len()).sum(),
-            surplus: matching.node_of.iter().filter(|n| n.is_none()).count(),
+    fn add_joint(&mut self, replaced: &Replaced, id: JointId, joint: &Joint) {
+        let at = self.generic.point(id);
+        match &joint.kind {
+            JointKind::Revolute(members) if members.len() < 2 => {}
+            JointKind::Revolute(members) => {
+                if let [a, b] = members.as_slice() {
+                    for axis in AXES {
+                        self.add(Owner::Joint(id), less(a.0, b.0, at, axis), None);
+                    }
+                    return;
+                }
+                let pin = self.capacity.len();
+                self.capacity.push(2);
+                for member in members {
+                    for axis in AXES {
+                        self.add(Owner::Joint(id), vec![(member.0, along(at, axis))], Some((pin, axis)));
+                    }
+                }
+            }
+            JointKind::Prismatic { slider, guide, angle_redundant, .. } => {
+                if !angle_redundant {
+                    self.add(Owner::Joint(id), vec![(*slider, TURN), (*guide, NO_TURN)], None);
+                }
+                let [x, y] = self.generic.direction(id);
+                self.add(Owner::Joint(id), less(*slider, *guide, at, [-y, x]), None);
+            }
+            JointKind::Law(terms) => {
+                let terms = self.law(replaced, id, terms);
+                self.add(Owner::Joint(id), terms, None);
+            }
         }
     }
 
-    fn part(&self, replaced: &Replaced, (conditions, nodes): (Vec<usize>, Vec<usize>)) -> Part {
-        let mut part = Part::default();
-        let pairs = replaced.joints.iter().map(|j| j.pair.index() + 1).max().unwrap_or(0);
-        let mut takes = vec![0_usize; pairs];
-        for condition in conditions {
-            match self.owners[condition] {
-                Owner::Joint(j) => takes[replaced.joint(j).pair.index()] += 1,
-                Owner::Effort(e) => part.efforts.push(e),
-                Owner::Passive => {}
+    /// A law with random coefficients. Those of a mesh on a carrier stay such that wheels and carrier can turn as one.
+    fn law(&self, replaced: &Replaced, id: JointId, terms: &[(BodyRate, f64)]) -> Terms {
+        let sum: f64 = terms.iter().map(|t| t.1).sum();
+        let size: f64 = terms.iter().map(|t| t.1.abs()).sum();
+        let as_one = terms.len() > 2
+            && sum.abs() <= 1e-9 * size
+            && terms.iter().all(|t| matches!(t.0, BodyRate::Turn(_)));
+        let mut rest = Number::ZERO;
+        let mut out = Vec::new();
+        for (i, (rate, _)) in terms.iter().enumerate() {
+            let last = as_one && i + 1 == terms.len();
+            let own = Number::random(LAWS + 64 * id.0 as u64 + i as u64);
+            let c = if last { -rest } else { own };
+            rest += c;
+            match rate {
+                BodyRate::Turn(body) => out.push((*body, [Number::ZERO, Number::ZERO, c])),
+                BodyRate::Slide(joint) => {
+                    let scaled = |t: (BodyId, [Number; 3])| (t.0, t.1.map(|x| c * x));
+                    out.extend(self.slide(replaced, *joint).into_iter().map(scaled));
+                }
             }
         }
-        let mut seen = vec![false; self.bodies];
-        for node in nodes {
-            let capacity = self.capacity[node];
-            let vertex = self.vertex(node);
-            // what pins and imaginary bodies have for themselves is no freedom of the links
-            let own = match replaced.bodies.get(vertex).map(|b| b.origin) {
-                None => Some(replaced.joint(self.pins[vertex - self.bodies]).pair),
-                Some(BodyOrigin::Imaginary(pair)) => Some(pair),
-                Some(BodyOrigin::Link(_)) => None,
-            };
-            match own {
-                Some(pair) => takes[pair.index()] = takes[pair.index()].saturating_sub(capacity),
-                None => part.freedoms += capacity,
+        out
+    }
+
+    /// The rate of the coordinate of a prismatic joint.
+    fn slide(&self, replaced: &Replaced, joint: JointId) -> Terms {
+        match replaced.joint(joint).kind {
+            JointKind::Prismatic { slider, guide, .. } => {
+                less(slider, guide, self.generic.point(joint), self.generic.direction(joint))
             }
-            if vertex < self.bodies && !std::mem::replace(&mut seen[vertex], true) {
-                part.bodies.push(BodyId(vertex));
-            }
+            JointKind::Revolute(_) | JointKind::Law(_) => Vec::new(),
         }
-        let taken = takes.into_iter().enumerate().filter(|(_, n)| *n > 0);
-        part.pairs = taken.map(|(i, n)| (PairId::at(i), n)).collect();
-        part
+    }
+
+    fn add_effort(&mut self, replaced: &Replaced, index: usize, effort: &Effort) {
+        let terms = match effort.kind {
+            EffortKind::Point(_) => return,
+            EffortKind::Angle(body) => vec![(body, TURN)],
+            EffortKind::RelativeAngle { first, second, .. } => vec![(first, NO_TURN), (second, TURN)],
+            EffortKind::Coordinate(joint) => self.slide(replaced, joint),
+            EffortKind::Line(body) => {
+                let seed = LINES + 3 * index as u64;
+                vec![(body, [0, 1, 2].map(|k| Number::random(seed + k)))]
+            }
+        };
+        self.add(Owner::Effort(index), terms, None);
     }
 }
 
-/// What is left over where conditions are matched to freedoms.
-pub(super) fn fit(replaced: &Replaced, efforts: &[Effort]) -> Fit {
-    let incidence = Incidence::new(replaced, efforts);
-    let matching = match_all(&incidence.conditions, &incidence.capacity);
-    incidence.fit(&matching)
+const TURN: [Number; 3] = [Number::ZERO, Number::ZERO, Number::ONE];
+const NO_TURN: [Number; 3] = [Number::ZERO, Number::ZERO, Number::MINUS_ONE];
+const AXES: [Vector; 2] = [[Number::ONE, Number::ZERO], [Number::ZERO, Number::ONE]];
+
+/// The velocity of a point of a body along a direction: v + ω × r.
+fn along(at: Vector, [x, y]: Vector) -> [Number; 3] {
+    [x, y, at[0] * y - at[1] * x]
+}
+
+/// The velocity of the first body at a point along a direction, less that of the second.
+fn less(first: BodyId, second: BodyId, at: Vector, direction: Vector) -> Terms {
+    let c = along(at, direction);
+    vec![(first, c), (second, c.map(|x| -x))]
 }

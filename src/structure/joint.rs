@@ -23,6 +23,8 @@ pub struct Body {
     pub origin: BodyOrigin,
     /// Its motion is known from outside: the ground, and outer links driven at a point.
     pub known: bool,
+    /// It stands for the contact with a designed cam: its joints move on along the cam's profile.
+    pub on_rim: bool,
 }
 
 /// Where a body comes from.

@@ -1,4 +1,4 @@
-//! Maximum matching of scalar conditions to the freedoms of bodies, and what it leaves over.
+//! Maximum matching of scalar conditions to the freedoms of bodies.
 
 /// A scalar condition (or, on the side of forces, a scalar unknown) and the freedoms it can take.
 #[derive(Clone, Debug)]
@@ -69,50 +69,10 @@ impl Matching {
         }
     }
 
-    /// Conditions and nodes that hang together with conditions for which no freedom is left: too many conditions.
-    pub(super) fn overdetermined(&self, conditions: &[Condition]) -> (Vec<usize>, Vec<usize>) {
-        let mut queue: Vec<usize> = (0..conditions.len()).filter(|&c| self.node_of[c].is_none()).collect();
-        let mut in_conditions = vec![false; conditions.len()];
-        let mut in_nodes = vec![false; self.held.len()];
-        while let Some(condition) = queue.pop() {
-            if std::mem::replace(&mut in_conditions[condition], true) {
-                continue;
-            }
-            for &node in &conditions[condition].nodes {
-                if !std::mem::replace(&mut in_nodes[node], true) {
-                    queue.extend(self.held[node].iter().copied());
-                }
-            }
-        }
-        (indices(&in_conditions), indices(&in_nodes))
+    /// Whether every condition has a node and no node has room left.
+    pub(super) fn is_complete(&self, capacity: &[usize]) -> bool {
+        self.node_of.iter().all(Option::is_some) && self.held.iter().zip(capacity).all(|(h, c)| h.len() == *c)
     }
-
-    /// Conditions and nodes that hang together with freedoms that no condition takes: too few conditions.
-    pub(super) fn underdetermined(
-        &self,
-        conditions: &[Condition],
-        capacity: &[usize],
-    ) -> (Vec<usize>, Vec<usize>) {
-        let mut queue: Vec<usize> =
-            (0..capacity.len()).filter(|&n| self.held[n].len() < capacity[n]).collect();
-        let mut in_conditions = vec![false; conditions.len()];
-        let mut in_nodes = vec![false; capacity.len()];
-        while let Some(node) = queue.pop() {
-            if std::mem::replace(&mut in_nodes[node], true) {
-                continue;
-            }
-            for (c, condition) in conditions.iter().enumerate() {
-                if condition.nodes.contains(&node) && !std::mem::replace(&mut in_conditions[c], true) {
-                    queue.extend(self.node_of[c]);
-                }
-            }
-        }
-        (indices(&in_conditions), indices(&in_nodes))
-    }
-}
-
-fn indices(flags: &[bool]) -> Vec<usize> {
-    flags.iter().enumerate().filter(|(_, f)| **f).map(|(i, _)| i).collect()
 }
 
 /// Strongly connected components of a directed graph, each after those it points to (Tarjan, without recursion).
@@ -176,15 +136,6 @@ mod tests {
         let conditions = [Condition { nodes: vec![0, 1] }, Condition { nodes: vec![0] }];
         let m = match_all(&conditions, &[1, 1]);
         assert_eq!(m.node_of, vec![Some(1), Some(0)]);
-    }
-
-    #[test]
-    fn over_and_under_are_told_apart() {
-        let conditions =
-            [Condition { nodes: vec![0] }, Condition { nodes: vec![0] }, Condition { nodes: vec![1, 2] }];
-        let m = match_all(&conditions, &[1, 1, 1]);
-        assert_eq!(m.overdetermined(&conditions), (vec![0, 1], vec![0]));
-        assert_eq!(m.underdetermined(&conditions, &[1, 1, 1]), (vec![2], vec![1, 2]));
     }
 
     #[test]

@@ -1,19 +1,26 @@
 //! Mechanism → Structure: mobility, structural groups in the order of solution, static determinacy, and lower pairs in
 //! place of higher ones.
 
+mod add_effort;
+mod add_pair;
 mod assertion;
 mod class;
 mod count;
 mod decompose;
+mod defect;
 mod diagnose;
+mod echelon;
 mod effort;
 mod error;
+mod field;
 mod floating;
+mod generic;
 mod group;
+mod immobile;
 mod incidence;
 mod joint;
+mod leave_out;
 mod matching;
-mod remedy;
 mod repeated;
 mod replace;
 mod roller;
@@ -26,6 +33,7 @@ pub use group::{Dyad, Group, GroupJoint, GroupKind};
 pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
 
 use crate::model::{LinkId, Mechanism, PairId};
+use trial::Trial;
 
 /// What the mechanism is built from.
 #[derive(Clone, Debug)]
@@ -56,9 +64,10 @@ pub struct Structure {
 /// # Errors
 /// All defects found: loose and floating links, over- and underconstrained parts, assertions that do not hold.
 pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError>), Vec<StructureError>> {
-    let mut errors = floating::floating(mechanism);
     let replaced = replace::replace(mechanism);
     let drives = effort::of_drives(mechanism, &replaced);
+    let trial = Trial { mechanism, replaced: &replaced, efforts: &drives };
+    let mut errors = floating::floating(trial);
     errors.extend(effort::outer_link_defects(mechanism, &replaced, &drives));
     errors.extend(roller::turned(mechanism, &replaced.passive));
     if !errors.is_empty() {
@@ -68,7 +77,6 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
     let motion = match decompose::decompose(&replaced, &drives, decompose::Side::Motion) {
         Ok(groups) => groups,
         Err(defect) => {
-            let trial = trial::Trial { mechanism, replaced: &replaced, efforts: &drives };
             return Err(vec![diagnose::of_motion(trial, &count, &defect)]);
         }
     };
@@ -89,10 +97,11 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
             None => (groups, None),
         },
         Err(defect) => {
-            let trial = trial::Trial { mechanism, replaced: &replaced, efforts: &efforts };
+            let trial = Trial { mechanism, replaced: &replaced, efforts: &efforts };
             (Vec::new(), Some(diagnose::of_forces(trial, &count, &defect)))
         }
     };
+    let immobile = immobile::immobile(trial);
     let mut structure = Structure {
         passive: replaced.passive.clone(),
         undetermined_couples: replaced.undetermined_couples(),
@@ -104,7 +113,8 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
         forces,
         force_defect,
     };
-    let (assertion_errors, warnings) = assertion::check(mechanism, &mut structure);
+    let (assertion_errors, mut warnings) = assertion::check(mechanism, &mut structure);
+    warnings.extend(immobile);
     if assertion_errors.is_empty() { Ok((structure, warnings)) } else { Err(assertion_errors) }
 }
 
@@ -129,7 +139,7 @@ impl Structure {
     #[must_use]
     pub fn with_numbers_of(&self, mechanism: &Mechanism) -> Option<Self> {
         let points = self.drives.iter().any(|d| matches!(d.kind, EffortKind::Point(_)));
-        if self.force_defect.is_some() || points || !floating::floating(mechanism).is_empty() {
+        if self.force_defect.is_some() || points || !floating::floating_islands(mechanism).is_empty() {
             return None;
         }
         let replaced = replace::replace(mechanism);

@@ -3,10 +3,10 @@
 //! too often, by their measures they do not.
 
 use super::count::Count;
+use super::defect::Defect;
 use super::error::{StructureError, label, listed};
-use super::incidence::Defect;
 use super::joint::{BodyId, BodyOrigin, JointKind, Replaced};
-use super::remedy::{pairs_of, statement};
+use super::leave_out::{pairs_of, statement};
 use super::trial::Trial;
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId};
@@ -31,7 +31,7 @@ fn repeated_guide(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<St
         .replaced
         .joints
         .iter()
-        .filter(|j| defect.over.pairs.iter().any(|p| p.0 == j.pair))
+        .filter(|j| defect.over.iter().flat_map(|part| &part.pairs).any(|p| p.0 == j.pair))
         .filter_map(|j| match j.kind {
             JointKind::Prismatic { slider, guide, direction, .. } if slider < guide => {
                 Some((j.pair, [slider, guide], direction))
@@ -43,7 +43,7 @@ fn repeated_guide(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<St
     for (i, (pair, ends, along)) in guides.iter().enumerate().rev() {
         let parallel = |g: &&(PairId, [BodyId; 2], Vec2)| g.1 == *ends && g.2.cross(*along).abs() <= EQUAL;
         let Some((other, ..)) = guides[..i].iter().find(parallel) else { continue };
-        let now = trial.without_pairs(&[*pair], None);
+        let now = trial.without_pairs(&[*pair]).fit();
         if now.surplus < defect.fit.surplus && now.missing == defect.fit.missing {
             return Some(of_guides(trial, count, *pair, *other));
         }
@@ -74,7 +74,8 @@ fn of_guides(trial: Trial<'_>, count: &Count, pair: PairId, other: PairId) -> St
 
 /// A link that may be left out and changes nothing, among those with a condition too many.
 fn repeated_link(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<StructureError> {
-    let bars = bars(trial.replaced, &defect.over.bodies);
+    let bodies: Vec<BodyId> = defect.over.iter().flat_map(|part| part.bodies.clone()).collect();
+    let bars = bars(trial.replaced, &bodies);
     for (i, bar) in bars.iter().enumerate().rev() {
         let same: Vec<&Bar> = bars[..i].iter().filter(|b| keeps_parallel(b, bar)).collect();
         // two of them leave the third nothing to hold
@@ -84,8 +85,7 @@ fn repeated_link(trial: Trial<'_>, count: &Count, defect: &Defect) -> Option<Str
         }) else {
             continue;
         };
-        let pairs = pairs_of(trial.mechanism, bar.link);
-        let now = trial.without_pairs(&pairs, Some(BodyId(bar.link.index())));
+        let now = trial.without_links(&[bar.link]).fit();
         if now.surplus < defect.fit.surplus && now.missing == defect.fit.missing {
             return Some(describe(trial, count, bar, others));
         }

@@ -17,7 +17,7 @@ const ORIGIN: Vec2 = Vec2::new(0.0, 0.0);
 pub(super) fn replace(mechanism: &Mechanism) -> Replaced {
     let mut replaced = Replaced {
         bodies: (0..mechanism.links.len())
-            .map(|i| Body { origin: BodyOrigin::Link(LinkId::at(i)), known: i == 0 })
+            .map(|i| Body { origin: BodyOrigin::Link(LinkId::at(i)), known: i == 0, on_rim: false })
             .collect(),
         joints: Vec::new(),
         passive: passive_links(mechanism),
@@ -103,7 +103,7 @@ impl Replaced {
     }
 
     fn imaginary(&mut self, pair: PairId) -> BodyId {
-        self.bodies.push(Body { origin: BodyOrigin::Imaginary(pair), known: false });
+        self.bodies.push(Body { origin: BodyOrigin::Imaginary(pair), known: false, on_rim: false });
         BodyId(self.bodies.len() - 1)
     }
 
@@ -153,6 +153,9 @@ impl Replaced {
             ProfileShape::Line(..) => self.block(pair, (body(cam.link), X_AXIS), &line_of(follower), 0.0),
             // check refuses a contact of two cams
             ProfileShape::Rim(_) => {}
+        }
+        if let Some(block) = self.bodies.last_mut().filter(|b| b.origin == BodyOrigin::Imaginary(pair)) {
+            block.on_rim = true;
         }
     }
 

@@ -1,10 +1,10 @@
 //! Changes of a mechanism, tried before a help speaks of them.
 
-use super::effort::{Effort, EffortKind, EffortSource};
-use super::incidence::{Fit, fit};
-use super::joint::{BodyId, BodyOrigin, JointKind, Replaced};
+use super::effort::{self, Effort, EffortKind, EffortSource};
+use super::incidence::Incidence;
+use super::joint::{BodyId, BodyOrigin, Joint, JointKind, Replaced};
 use super::replace::{self, mark_chains};
-use crate::model::{DriveId, Mechanism, PairId, PairKind};
+use crate::model::{DriveId, LinkId, Mechanism, PairId, PairKind};
 
 /// A mechanism to be changed.
 #[derive(Clone, Copy)]
@@ -17,50 +17,89 @@ pub(super) struct Trial<'a> {
 
 impl Trial<'_> {
     /// Leaves out a drive or an unknown effort.
-    pub(super) fn without_effort(&self, index: usize) -> Fit {
+    pub(super) fn without_effort(&self, index: usize) -> Incidence {
         let mut efforts = self.efforts.to_vec();
         efforts.remove(index);
-        fit(self.replaced, &efforts)
+        Incidence::new(self.replaced, &efforts)
     }
 
-    /// Leaves out pairs, and a link with them.
-    pub(super) fn without_pairs(&self, pairs: &[PairId], link: Option<BodyId>) -> Fit {
+    /// Leaves out pairs.
+    pub(super) fn without_pairs(&self, pairs: &[PairId]) -> Incidence {
         let mut replaced = self.replaced.clone();
-        for joint in replaced.joints.iter_mut().filter(|j| pairs.contains(&j.pair)) {
-            joint.kind = JointKind::Revolute(Vec::new());
-        }
-        for (i, body) in replaced.bodies.iter_mut().enumerate() {
-            let imaginary = matches!(body.origin, BodyOrigin::Imaginary(p) if pairs.contains(&p));
-            body.known |= imaginary || link == Some(BodyId(i));
-        }
-        mark_chains(&mut replaced);
-        fit(&replaced, self.efforts)
+        remove_pairs(&mut replaced, pairs);
+        self.after(replaced)
     }
 
-    /// Adds a pair.
-    pub(super) fn with_pair(&self, kind: &PairKind) -> Fit {
+    /// Takes one link out of a pin of several.
+    pub(super) fn without_member(&self, pair: PairId, link: LinkId) -> Incidence {
         let mut replaced = self.replaced.clone();
-        replaced.add_pair(PairId::at(self.mechanism.pairs.len()), kind);
+        remove_member(&mut replaced, pair, link);
+        self.after(replaced)
+    }
+
+    /// Leaves out links with their pairs; a pin of several links keeps the others.
+    pub(super) fn without_links(&self, links: &[LinkId]) -> Incidence {
+        let mut replaced = self.replaced.clone();
+        for &link in links {
+            for (i, pair) in self.mechanism.pairs.iter().enumerate() {
+                match &pair.kind {
+                    kind if !kind.links().contains(&link) => {}
+                    PairKind::Revolute(pins) if pins.len() > 2 => {
+                        remove_member(&mut replaced, PairId::at(i), link);
+                    }
+                    _ => remove_pairs(&mut replaced, &[PairId::at(i)]),
+                }
+            }
+            replaced.bodies[link.index()].known = true;
+        }
+        self.after(replaced)
+    }
+
+    fn after(&self, mut replaced: Replaced) -> Incidence {
         mark_chains(&mut replaced);
-        fit(&replaced, self.efforts)
+        Incidence::new(&replaced, self.efforts)
     }
 
     /// Makes a prismatic pair a slot. `None` where something is driven: its joint is counted anew.
-    pub(super) fn as_slot(&self, pair: PairId) -> Option<Fit> {
+    pub(super) fn as_slot(&self, pair: PairId) -> Option<Incidence> {
         let PairKind::Prismatic(guide) = &self.mechanism.pair(pair).kind else { return None };
         let mut mechanism = self.mechanism.clone();
         mechanism.pairs[pair.index()].kind = PairKind::Slot(guide.clone());
         let replaced = replace::replace(&mechanism);
-        let efforts = super::effort::of_drives(&mechanism, &replaced);
-        (efforts.len() == self.efforts.len()).then(|| fit(&replaced, &efforts))
+        let efforts = effort::of_drives(&mechanism, &replaced);
+        (efforts.len() == self.efforts.len()).then(|| Incidence::new(&replaced, &efforts))
     }
 
-    /// Adds drives or unknown efforts.
-    pub(super) fn with_efforts(&self, kinds: &[EffortKind]) -> Fit {
+    /// Adds pairs, and drives or unknown efforts.
+    pub(super) fn with(&self, pairs: &[PairKind], kinds: &[EffortKind]) -> Incidence {
+        let mut replaced = self.replaced.clone();
+        for (i, kind) in pairs.iter().enumerate() {
+            replaced.add_pair(PairId::at(self.mechanism.pairs.len() + i), kind);
+        }
+        mark_chains(&mut replaced);
         let mut efforts = self.efforts.to_vec();
         // where it would be declared makes no difference
         let source = EffortSource::Drive(DriveId::at(0));
         efforts.extend(kinds.iter().map(|&kind| Effort { source, kind }));
-        fit(self.replaced, &efforts)
+        Incidence::new(&replaced, &efforts)
+    }
+}
+
+/// Empties the joints of pairs: joints keep their numbers.
+fn remove_pairs(replaced: &mut Replaced, pairs: &[PairId]) {
+    for joint in replaced.joints.iter_mut().filter(|j| pairs.contains(&j.pair)) {
+        joint.kind = JointKind::Revolute(Vec::new());
+    }
+    for body in &mut replaced.bodies {
+        body.known |= matches!(body.origin, BodyOrigin::Imaginary(p) if pairs.contains(&p));
+    }
+}
+
+fn remove_member(replaced: &mut Replaced, pair: PairId, link: LinkId) {
+    let of_pair = |j: &&mut Joint| j.pair == pair;
+    for joint in replaced.joints.iter_mut().filter(of_pair) {
+        if let JointKind::Revolute(members) = &mut joint.kind {
+            members.retain(|m| m.0 != BodyId(link.index()));
+        }
     }
 }

@@ -1,0 +1,289 @@
+//! Pairs that may be missing where something can still move: lines to paste, each of them tried.
+
+use super::defect::{Defect, Fit};
+use super::joint::BodyId;
+use super::leave_out::{links, pairs_of};
+use super::trial::Trial;
+use crate::math::Vec2;
+use crate::model::{Circle, Guide, Line, LinkId, Mechanism, PairKind, Pin, Profile, ProfileShape, Wheel};
+
+/// Pairs tried.
+const MOST_TRIED: usize = 96;
+/// Lines offered as alternatives.
+const MOST_SHOWN: usize = 4;
+/// Other pairs at the places of one that is added in addition to another: more make it a guess.
+const MOST_USED: usize = 2;
+
+/// A pair that might be missing.
+#[derive(Clone)]
+struct Candidate {
+    word: &'static str,
+    /// The name that the point or line suggests.
+    name: String,
+    /// Its ends with the names of their points.
+    ends: [(LinkId, String); 2],
+    kind: PairKind,
+    /// How unlikely it is: places that other pairs use already.
+    used: usize,
+}
+
+/// Pairs to add.
+pub(super) enum Missing {
+    /// Any one of these lines holds everything.
+    OneOf(Vec<String>),
+    /// These lines together; what they leave loose has to be driven.
+    Together { lines: Vec<String>, pairs: Vec<PairKind>, left: Fit },
+}
+
+/// Pairs between the loose links and others that make nothing overconstrained. `None` where no points or lines suggest any.
+pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, among: &[BodyId]) -> Option<Missing> {
+    let loose: Vec<LinkId> = links(trial.replaced, among).collect();
+    let mut candidates = candidates(trial, &loose);
+    let (mut chosen, mut lines) = (Vec::new(), Vec::new());
+    let mut now = defect.fit;
+    loop {
+        let mut best: Option<(usize, Fit)> = None;
+        let (mut alone, mut likeliest) = (Vec::new(), None);
+        candidates.retain(|c| chosen.is_empty() || c.used <= MOST_USED);
+        for (i, candidate) in candidates.iter().enumerate() {
+            let with = [chosen.as_slice(), &[candidate.kind.clone()]].concat();
+            let fit = trial.with(&with, &[]).fit();
+            if fit.surplus > defect.fit.surplus || fit.missing >= now.missing {
+                continue;
+            }
+            if fit.missing == 0 && chosen.is_empty() {
+                let likeliest = *likeliest.get_or_insert(candidate.used);
+                if alone.len() == MOST_SHOWN || candidate.used > likeliest + 1 {
+                    break;
+                }
+                alone.push(line(trial.mechanism, candidate, &lines));
+            }
+            if best.is_none_or(|(_, b)| fit.missing < b.missing) {
+                best = Some((i, fit));
+            }
+            if fit.missing == 0 && !chosen.is_empty() {
+                break;
+            }
+        }
+        if !alone.is_empty() {
+            return Some(Missing::OneOf(alone));
+        }
+        let Some((i, fit)) = best else { break };
+        let candidate = candidates.remove(i);
+        lines.push(line(trial.mechanism, &candidate, &lines));
+        chosen.push(candidate.kind);
+        now = fit;
+    }
+    (!lines.is_empty()).then_some(Missing::Together { lines, pairs: chosen, left: now })
+}
+
+fn line(mechanism: &Mechanism, candidate: &Candidate, others: &[String]) -> String {
+    let Candidate { word, name: wish, ends, .. } = candidate;
+    let taken = |name: &str| {
+        mechanism.links.iter().any(|l| l.name == name)
+            || mechanism.pairs.iter().any(|p| p.name == name)
+            || mechanism.groups.iter().any(|g| g.name == name)
+            || others.iter().any(|line| line.split([' ', ':']).nth(1) == Some(name))
+    };
+    let name = free_name(wish, taken);
+    let link = |i: usize| &mechanism.link(ends[i].0).name;
+    // the name of a hinge stands for the points it joins
+    if *word == "revolute" && name == ends[0].1 && name == ends[1].1 {
+        return format!("{word} {name}: {} - {}", link(0), link(1));
+    }
+    format!("{word} {name}: {}.{} - {}.{}", link(0), ends[0].1, link(1), ends[1].1)
+}
+
+/// The name wished, else a letter, else the name with a number.
+fn free_name(wish: &str, taken: impl Fn(&str) -> bool) -> String {
+    let letters = ('A'..='Z').map(String::from);
+    let numbered = (1..).map(|i| format!("{wish}{i}"));
+    let mut names = std::iter::once(wish.to_owned()).chain(letters).chain(numbered);
+    names.find(|n| !taken(n)).unwrap_or_else(|| wish.to_owned())
+}
+
+/// The likeliest first: at places that no other pair uses, of links that have the fewest pairs.
+fn candidates(trial: Trial<'_>, loose: &[LinkId]) -> Vec<Candidate> {
+    let mechanism = trial.mechanism;
+    let mut all = hinges(mechanism, loose);
+    all.extend(guides(mechanism, loose));
+    all.extend(contacts(mechanism, loose));
+    let pairs = |l: LinkId| if l == LinkId::GROUND { 0 } else { pairs_of(mechanism, l).len() };
+    all.sort_by_cached_key(|c| (c.used, pairs(c.ends[0].0) + pairs(c.ends[1].0)));
+    all.truncate(MOST_TRIED);
+    all
+}
+
+/// Every two links of which one is loose at least, each two once.
+fn couples(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<[LinkId; 2]> {
+    let mut couples = Vec::new();
+    for &a in loose {
+        for b in (0..mechanism.links.len()).map(LinkId::at).filter(|b| *b != a) {
+            if !(loose.contains(&b) && b < a) {
+                couples.push(if a < b { [a, b] } else { [b, a] });
+            }
+        }
+    }
+    couples
+}
+
+/// Hinges at points of one name.
+fn hinges(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
+    let mut out = Vec::new();
+    for [a, b] in couples(mechanism, loose) {
+        for point in &mechanism.link(a).points {
+            let Some(twin) = mechanism.link(b).points.iter().find(|p| p.name == point.name) else { continue };
+            if are_hinged(mechanism, (a, &point.name), (b, &twin.name)) {
+                continue;
+            }
+            let pin = |link, at| Pin { link, name: point.name.clone(), at };
+            out.push(Candidate {
+                word: "revolute",
+                name: point.name.clone(),
+                ends: [(a, point.name.clone()), (b, twin.name.clone())],
+                kind: PairKind::Revolute(vec![pin(a, point.at), pin(b, twin.at)]),
+                used: uses(mechanism, a, &point.name) + uses(mechanism, b, &twin.name),
+            });
+        }
+    }
+    out
+}
+
+fn are_hinged(mechanism: &Mechanism, a: (LinkId, &str), b: (LinkId, &str)) -> bool {
+    mechanism.pairs.iter().any(|p| match &p.kind {
+        PairKind::Revolute(pins) => {
+            [a, b].iter().all(|e| pins.iter().any(|p| p.link == e.0 && p.name == e.1))
+        }
+        _ => false,
+    })
+}
+
+/// Points on lines, as prismatic pairs and as slots.
+fn guides(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
+    let mut out = Vec::new();
+    for [a, b] in couples(mechanism, loose) {
+        for (slider, base) in [(a, b), (b, a)] {
+            for line in &mechanism.link(base).lines {
+                for point in &mechanism.link(slider).points {
+                    let (of_point, of_line) =
+                        (uses(mechanism, slider, &point.name), uses(mechanism, base, &line.name));
+                    if of_point > 0 && of_line > 0 && !has_one_pair(mechanism, slider) {
+                        continue;
+                    }
+                    let guide = guide((slider, &point.name, point.at), (base, line));
+                    let ends = [(slider, point.name.clone()), (base, line.name.clone())];
+                    let used = of_point + 2 * of_line;
+                    let offer = |word, kind| {
+                        let (name, ends) = (point.name.clone(), ends.clone());
+                        Candidate { word, name, ends, kind, used: 1 + used }
+                    };
+                    out.push(offer("prismatic", PairKind::Prismatic(guide.clone())));
+                    out.push(offer("slot", PairKind::Slot(guide)));
+                }
+            }
+        }
+    }
+    out
+}
+
+fn has_one_pair(mechanism: &Mechanism, link: LinkId) -> bool {
+    link != LinkId::GROUND && pairs_of(mechanism, link).len() == 1
+}
+
+fn guide((slider, point_name, point): (LinkId, &str, Vec2), (guide, line): (LinkId, &Line)) -> Guide {
+    Guide {
+        slider,
+        point_name: point_name.to_owned(),
+        point,
+        direction: Vec2::new(1.0, 0.0),
+        guide,
+        line_name: line.name.clone(),
+        through: line.through,
+        along: line.along,
+        contacts: None,
+        guide_first: false,
+    }
+}
+
+/// Contacts of circles with circles and lines.
+fn contacts(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
+    let circle = |link, c: &Circle| Profile {
+        link,
+        name: c.name.clone(),
+        shape: ProfileShape::Circle(c.centre, c.radius),
+    };
+    let line = |link, l: &Line| Profile {
+        link,
+        name: l.name.clone(),
+        shape: ProfileShape::Line(l.through, l.along),
+    };
+    let mut out = Vec::new();
+    for [a, b] in couples(mechanism, loose) {
+        for (one, other) in [(a, b), (b, a)] {
+            let (one_link, other_link) = (mechanism.link(one), mechanism.link(other));
+            for first in one_link.circles.iter().map(|c| circle(one, c)) {
+                // two circles once
+                let circles = other_link.circles.iter().filter(|_| one < other).map(|c| circle(other, c));
+                for second in circles.chain(other_link.lines.iter().map(|l| line(other, l))) {
+                    let used = uses(mechanism, one, &first.name) + uses(mechanism, other, &second.name);
+                    out.push(Candidate {
+                        word: "contact",
+                        name: "K".to_owned(),
+                        ends: [(one, first.name.clone()), (other, second.name.clone())],
+                        kind: PairKind::Contact { first: first.clone(), second, internal: false },
+                        used: 1 + used,
+                    });
+                }
+            }
+        }
+    }
+    out
+}
+
+/// How many pairs use a point, line or circle of a link.
+fn uses(mechanism: &Mechanism, link: LinkId, name: &str) -> usize {
+    let is = |l: LinkId, n: &str| l == link && n == name;
+    let of_slider = |g: &Guide| {
+        let mut lines = mechanism.link(g.slider).lines.iter();
+        g.slider == link && lines.any(|l| l.name == name && l.through == g.point && l.along == g.direction)
+    };
+    let pairs = mechanism.pairs.iter().filter(|p| match &p.kind {
+        PairKind::Revolute(pins) => pins.iter().any(|p| is(p.link, &p.name)),
+        PairKind::Prismatic(g) | PairKind::Slot(g) => {
+            is(g.guide, &g.line_name) || is(g.slider, &g.point_name) || of_slider(g)
+        }
+        PairKind::Contact { first, second, .. } => [first, second].iter().any(|f| is(f.link, &f.name)),
+        PairKind::Cylinder { from, to, .. } => [from, to].iter().any(|p| is(p.link, &p.name)),
+        PairKind::Transmission(_) => false,
+    });
+    pairs.count()
+}
+
+/// Gear pairs between wheels that nothing runs on yet: a wheel of what is loose and one of another link.
+pub(super) fn missing_meshes(trial: Trial<'_>, defect: &Defect) -> Vec<String> {
+    let mechanism = trial.mechanism;
+    let runs = |wheel: &Wheel| {
+        mechanism.pairs.iter().any(|p| match &p.kind {
+            PairKind::Transmission(t) => {
+                t.ends.iter().any(|end| end.split(['(', ')']).any(|word| word == wheel.name))
+            }
+            _ => false,
+        })
+    };
+    let taken = |name: &str| {
+        mechanism.links.iter().any(|l| l.name == name) || mechanism.pairs.iter().any(|p| p.name == name)
+    };
+    let idle: Vec<&Wheel> = mechanism.wheels.iter().filter(|w| !runs(w)).take(MOST_TRIED).collect();
+    let mut lines = Vec::new();
+    for wheel in links(trial.replaced, &defect.loose).flat_map(|l| idle.iter().filter(move |w| w.link == l)) {
+        for other in idle.iter().filter(|other| other.link != wheel.link) {
+            let (a, b) = if other.span.start < wheel.span.start { (other, wheel) } else { (wheel, other) };
+            let line = format!("mesh {}: {} - {}", free_name("k", taken), a.name, b.name);
+            if !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
+    }
+    lines.truncate(MOST_SHOWN - 1);
+    lines
+}

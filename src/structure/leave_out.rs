@@ -1,0 +1,224 @@
+//! What to leave out of an overconstrained part: each change tried before a help speaks of it.
+
+use super::defect::{Defect, Fit, Part};
+use super::effort::{EffortKind, EffortSource};
+use super::error::listed;
+use super::incidence::Incidence;
+use super::joint::{BodyId, BodyOrigin, Replaced};
+use super::trial::Trial;
+use crate::model::{LinkId, LoadKind, Mechanism, PairId, PairKind};
+
+/// Changes tried of each sort.
+const MOST_TRIED: usize = 48;
+/// Alternatives named.
+const MOST_NAMED: usize = 12;
+
+/// A change after which the part is sound.
+pub(super) struct Change {
+    /// As a help says it: `` `slot E` ``.
+    pub text: String,
+    /// Links that no drive moves any more.
+    pub unmoved: usize,
+}
+
+/// The changes that make a part sound, each by itself, those that keep most links moving first.
+pub(super) struct Changes {
+    pub pairs: Vec<Change>,
+    /// Prismatic pairs by name that may be slots.
+    pub slots: Vec<String>,
+    /// Links with their pairs.
+    pub links: Vec<String>,
+    /// Drives or unknown efforts.
+    pub efforts: Vec<String>,
+}
+
+/// The links of a list of bodies.
+pub(super) fn links<'a>(replaced: &'a Replaced, bodies: &'a [BodyId]) -> impl Iterator<Item = LinkId> + 'a {
+    bodies.iter().filter_map(|b| match replaced.bodies[b.0].origin {
+        BodyOrigin::Link(id) => Some(id),
+        BodyOrigin::Imaginary(_) => None,
+    })
+}
+
+/// A pair as its statement begins: `slot E`.
+pub(super) fn statement(mechanism: &Mechanism, pair: PairId) -> String {
+    let pair = mechanism.pair(pair);
+    format!("`{} {}`", word(&pair.kind), pair.name)
+}
+
+fn word(kind: &PairKind) -> &'static str {
+    match kind {
+        PairKind::Revolute(_) => "revolute",
+        PairKind::Prismatic(_) => "prismatic",
+        PairKind::Slot(_) => "slot",
+        PairKind::Contact { .. } => "contact",
+        PairKind::Cylinder { .. } => "cylinder",
+        PairKind::Transmission(t) => t.kind.word(),
+    }
+}
+
+/// An effort as its statement begins: `drive crank`, `balance Mb`.
+fn effort_statement(mechanism: &Mechanism, source: EffortSource) -> String {
+    match source {
+        EffortSource::Drive(id) => format!("`drive {}`", mechanism.drives[id.index()].name),
+        EffortSource::Balance(id) => format!("`balance {}`", mechanism.balances[id.index()].name),
+    }
+}
+
+/// A part that is to be made sound.
+#[derive(Clone, Copy)]
+pub(super) struct Repair<'a> {
+    pub trial: Trial<'a>,
+    pub defect: &'a Defect,
+    pub part: &'a Part,
+}
+
+impl Repair<'_> {
+    pub(super) fn changes(&self) -> Changes {
+        Changes { pairs: self.pairs(), slots: self.slots(), links: self.links(), efforts: self.efforts() }
+    }
+
+    /// The part has no condition too many any more, and nothing is made loose.
+    fn is_sound(&self, now: Fit) -> bool {
+        now.surplus + self.part.surplus == self.defect.fit.surplus && now.missing == self.defect.fit.missing
+    }
+
+    fn undriven_pairs(&self) -> impl Iterator<Item = PairId> + '_ {
+        let pairs = self.part.pairs.iter().map(|p| p.0);
+        pairs.filter(|&p| !is_driven(self.trial, p)).take(MOST_TRIED)
+    }
+
+    fn pairs(&self) -> Vec<Change> {
+        let mut found = Vec::new();
+        for pair in self.undriven_pairs() {
+            let mut offer = |now: Incidence, text: String| {
+                if self.is_sound(now.fit()) {
+                    found.push(Change { text, unmoved: now.unmoved().len() });
+                }
+            };
+            let text = statement(self.trial.mechanism, pair);
+            offer(self.trial.without_pairs(&[pair]), text.clone());
+            if let PairKind::Revolute(pins) = &self.trial.mechanism.pair(pair).kind
+                && pins.len() > 2
+            {
+                for pin in pins.iter().filter(|p| self.part.bodies.contains(&BodyId(p.link.index()))) {
+                    let name = &self.trial.mechanism.link(pin.link).name;
+                    offer(self.trial.without_member(pair, pin.link), format!("`{name}` in {text}"));
+                }
+            }
+        }
+        found.sort_by_key(|c| c.unmoved);
+        found.truncate(MOST_NAMED);
+        found
+    }
+
+    fn slots(&self) -> Vec<String> {
+        let fits = |p: &PairId| self.trial.as_slot(*p).is_some_and(|now| self.is_sound(now.fit()));
+        let slots = self.undriven_pairs().filter(fits);
+        slots.map(|p| self.trial.mechanism.pair(p).name.clone()).collect()
+    }
+
+    /// Links without loads first: what acts on a link goes with it.
+    fn links(&self) -> Vec<String> {
+        let mechanism = self.trial.mechanism;
+        let tried = links(self.trial.replaced, &self.part.bodies)
+            .filter(|l| *l != LinkId::GROUND)
+            .take(MOST_TRIED)
+            .filter(|&l| !drives_link(self.trial, l))
+            .filter(|&l| self.is_sound(self.trial.without_links(&[l]).fit()));
+        let mut links: Vec<LinkId> = tried.collect();
+        links.sort_by_key(|l| mechanism.loads.iter().filter(|load| acts_on(&load.kind, *l)).count());
+        links.iter().take(MOST_NAMED).map(|l| format!("`{}`", mechanism.link(*l).name)).collect()
+    }
+
+    pub(super) fn efforts(&self) -> Vec<String> {
+        let tried = self.part.efforts.iter().take(MOST_TRIED);
+        let needless = tried.filter(|&&e| self.is_sound(self.trial.without_effort(e).fit()));
+        let mechanism = self.trial.mechanism;
+        needless.map(|&e| effort_statement(mechanism, self.trial.efforts[e].source)).collect()
+    }
+
+    /// Pairs and links that together make the part sound, where no single one does: each takes some conditions too many
+    /// away and makes nothing loose.
+    pub(super) fn together(&self) -> Option<Vec<String>> {
+        let mechanism = self.trial.mechanism;
+        let (mut pairs, mut texts) = (Vec::new(), Vec::new());
+        let mut now = self.defect.fit;
+        while !self.is_sound(now) {
+            let with = |p: PairId| [pairs.clone(), vec![p]].concat();
+            let tried = self.undriven_pairs().filter(|p| !pairs.contains(p));
+            let fits = tried.map(|p| (self.trial.without_pairs(&with(p)).fit(), p));
+            let lesser = fits.filter(|(f, _)| f.missing == now.missing && f.surplus < now.surplus);
+            let (fit, pair) = lesser.min_by_key(|(f, _)| f.surplus)?;
+            pairs.push(pair);
+            texts.push(statement(mechanism, pair));
+            now = fit;
+        }
+        Some(texts)
+    }
+
+    /// Pairs without which the part has no condition too many, though something is made loose.
+    pub(super) fn loosening(&self) -> Vec<(String, usize)> {
+        let (part, defect) = (self.part, self.defect);
+        let mut found = Vec::new();
+        for pair in self.undriven_pairs() {
+            let now = self.trial.without_pairs(&[pair]).fit();
+            if now.surplus + part.surplus == defect.fit.surplus {
+                found.push((statement(self.trial.mechanism, pair), now.missing.saturating_sub(defect.fit.missing)));
+            }
+        }
+        found.sort_by_key(|f| f.1);
+        let least = found.first().map_or(0, |f| f.1);
+        found.retain(|f| f.1 == least);
+        found.truncate(MOST_NAMED);
+        found
+    }
+
+    /// Two pairs of one kind of which each says what the other says.
+    pub(super) fn repeated(&self) -> Option<[PairId; 2]> {
+        let [(first, _), (second, _)] = self.part.pairs.as_slice() else { return None };
+        let alike = |a: PairId, b: PairId| {
+            let (a, b) = (&self.trial.mechanism.pair(a).kind, &self.trial.mechanism.pair(b).kind);
+            word(a) == word(b)
+        };
+        let is_needless = |p: PairId| self.is_sound(self.trial.without_pairs(&[p]).fit());
+        (self.part.efforts.is_empty()
+            && alike(*first, *second)
+            && is_needless(*first)
+            && is_needless(*second))
+        .then_some([*first, *second])
+    }
+}
+
+fn is_driven(trial: Trial<'_>, pair: PairId) -> bool {
+    trial.efforts.iter().any(|e| match e.kind {
+        EffortKind::RelativeAngle { joint, .. } | EffortKind::Coordinate(joint) => {
+            trial.replaced.joint(joint).pair == pair
+        }
+        EffortKind::Angle(_) | EffortKind::Line(_) | EffortKind::Point(_) => false,
+    })
+}
+
+fn drives_link(trial: Trial<'_>, link: LinkId) -> bool {
+    let body = BodyId(link.index());
+    trial.efforts.iter().any(|e| e.bodies(trial.replaced).contains(&body))
+}
+
+fn acts_on(load: &LoadKind, link: LinkId) -> bool {
+    match load {
+        LoadKind::Force { on, .. }
+        | LoadKind::ForceAgainstMotion { on, .. }
+        | LoadKind::Torque { on, .. } => *on == link,
+        LoadKind::InPair { .. } => false,
+    }
+}
+
+pub(super) fn pairs_of(mechanism: &Mechanism, link: LinkId) -> Vec<PairId> {
+    let pairs = mechanism.pairs.iter().enumerate();
+    pairs.filter(|(_, p)| p.kind.links().contains(&link)).map(|(i, _)| PairId::at(i)).collect()
+}
+
+/// `` `a`, `b` or `c` ``
+pub(super) fn one_of(items: &[String]) -> String {
+    listed(items, "or")
+}
