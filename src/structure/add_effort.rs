@@ -115,6 +115,6 @@ fn places(trial: Trial<'_>, among: &[BodyId]) -> Vec<(EffortKind, String)> {
             places.push((kind, name));
         }
     }
-    places.truncate(MOST_TRIED);
+    places.truncate(trial.most_tried(MOST_TRIED));
     places
 }

@@ -1,16 +1,24 @@
 //! Pairs that may be missing where something can still move: lines to paste, each of them tried.
 
+use std::collections::HashMap;
+
 use super::defect::{Defect, Fit};
 use super::joint::BodyId;
 use super::leave_out::{links, pairs_of};
 use super::trial::Trial;
 use crate::math::Vec2;
-use crate::model::{Circle, Guide, Line, LinkId, Mechanism, PairKind, Pin, Profile, ProfileShape, Wheel};
+use crate::model::{
+    Circle, Guide, Line, LinkId, Mechanism, PairKind, Pin, Point, Profile, ProfileShape, Wheel,
+};
 
 /// Pairs tried.
 const MOST_TRIED: usize = 96;
 /// Lines offered as alternatives.
 const MOST_SHOWN: usize = 4;
+/// Couples of links between which guides and contacts are looked for.
+const MOST_COUPLES: usize = 5_000;
+/// The ground as a slider comes after links with fewer pairs.
+const GROUNDED: usize = 3;
 /// Other pairs at the places of one that is added in addition to another: more make it a guess.
 const MOST_USED: usize = 2;
 
@@ -46,7 +54,7 @@ pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, among: &[BodyId])
         let (mut alone, mut likeliest) = (Vec::new(), None);
         candidates.retain(|c| chosen.is_empty() || c.used <= MOST_USED);
         for (i, candidate) in candidates.iter().enumerate() {
-            let with = [chosen.as_slice(), &[candidate.kind.clone()]].concat();
+            let with = [chosen.as_slice(), std::slice::from_ref(&candidate.kind)].concat();
             let fit = trial.with(&with, &[]).fit();
             if fit.surplus > defect.fit.surplus || fit.missing >= now.missing {
                 continue;
@@ -105,12 +113,18 @@ fn free_name(wish: &str, taken: impl Fn(&str) -> bool) -> String {
 /// The likeliest first: at places that no other pair uses, of links that have the fewest pairs.
 fn candidates(trial: Trial<'_>, loose: &[LinkId]) -> Vec<Candidate> {
     let mechanism = trial.mechanism;
-    let mut all = hinges(mechanism, loose);
-    all.extend(guides(mechanism, loose));
-    all.extend(contacts(mechanism, loose));
-    let pairs = |l: LinkId| if l == LinkId::GROUND { 0 } else { pairs_of(mechanism, l).len() };
-    all.sort_by_cached_key(|c| (c.used, pairs(c.ends[0].0) + pairs(c.ends[1].0)));
-    all.truncate(MOST_TRIED);
+    let couples = couples(mechanism, loose);
+    let uses = Uses::of(mechanism);
+    let mut all = hinges(mechanism, &uses, &couples);
+    if couples.len() <= MOST_COUPLES {
+        all.extend(guides(mechanism, &uses, &couples));
+        all.extend(contacts(mechanism, &uses, &couples));
+    }
+    // a slider is seldom the ground
+    let pairs = |l: LinkId| if l == LinkId::GROUND { GROUNDED } else { pairs_of(mechanism, l).len() };
+    let named_alike = |c: &Candidate| c.ends[1].1.contains(&c.ends[0].1);
+    all.sort_by_cached_key(|c| (c.used, !named_alike(c), pairs(c.ends[0].0)));
+    all.truncate(trial.most_tried(MOST_TRIED));
     all
 }
 
@@ -128,9 +142,9 @@ fn couples(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<[LinkId; 2]> {
 }
 
 /// Hinges at points of one name.
-fn hinges(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
+fn hinges(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Vec<Candidate> {
     let mut out = Vec::new();
-    for [a, b] in couples(mechanism, loose) {
+    for &[a, b] in couples {
         for point in &mechanism.link(a).points {
             let Some(twin) = mechanism.link(b).points.iter().find(|p| p.name == point.name) else { continue };
             if are_hinged(mechanism, (a, &point.name), (b, &twin.name)) {
@@ -142,7 +156,7 @@ fn hinges(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
                 name: point.name.clone(),
                 ends: [(a, point.name.clone()), (b, twin.name.clone())],
                 kind: PairKind::Revolute(vec![pin(a, point.at), pin(b, twin.at)]),
-                used: uses(mechanism, a, &point.name) + uses(mechanism, b, &twin.name),
+                used: uses.count(a, &point.name) + uses.count(b, &twin.name),
             });
         }
     }
@@ -159,14 +173,14 @@ fn are_hinged(mechanism: &Mechanism, a: (LinkId, &str), b: (LinkId, &str)) -> bo
 }
 
 /// Points on lines, as prismatic pairs and as slots.
-fn guides(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
+fn guides(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Vec<Candidate> {
     let mut out = Vec::new();
-    for [a, b] in couples(mechanism, loose) {
+    for &[a, b] in couples {
         for (slider, base) in [(a, b), (b, a)] {
             for line in &mechanism.link(base).lines {
                 for point in &mechanism.link(slider).points {
-                    let (of_point, of_line) =
-                        (uses(mechanism, slider, &point.name), uses(mechanism, base, &line.name));
+                    let of_line = uses.count(base, &line.name);
+                    let of_point = uses.count(slider, &point.name) + uses.of_lines(slider, point);
                     if of_point > 0 && of_line > 0 && !has_one_pair(mechanism, slider) {
                         continue;
                     }
@@ -206,7 +220,7 @@ fn guide((slider, point_name, point): (LinkId, &str, Vec2), (guide, line): (Link
 }
 
 /// Contacts of circles with circles and lines.
-fn contacts(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
+fn contacts(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Vec<Candidate> {
     let circle = |link, c: &Circle| Profile {
         link,
         name: c.name.clone(),
@@ -218,14 +232,14 @@ fn contacts(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
         shape: ProfileShape::Line(l.through, l.along),
     };
     let mut out = Vec::new();
-    for [a, b] in couples(mechanism, loose) {
+    for &[a, b] in couples {
         for (one, other) in [(a, b), (b, a)] {
             let (one_link, other_link) = (mechanism.link(one), mechanism.link(other));
             for first in one_link.circles.iter().map(|c| circle(one, c)) {
                 // two circles once
                 let circles = other_link.circles.iter().filter(|_| one < other).map(|c| circle(other, c));
                 for second in circles.chain(other_link.lines.iter().map(|l| line(other, l))) {
-                    let used = uses(mechanism, one, &first.name) + uses(mechanism, other, &second.name);
+                    let used = uses.count(one, &first.name) + uses.count(other, &second.name);
                     out.push(Candidate {
                         word: "contact",
                         name: "K".to_owned(),
@@ -241,22 +255,49 @@ fn contacts(mechanism: &Mechanism, loose: &[LinkId]) -> Vec<Candidate> {
 }
 
 /// How many pairs use a point, line or circle of a link.
-fn uses(mechanism: &Mechanism, link: LinkId, name: &str) -> usize {
-    let is = |l: LinkId, n: &str| l == link && n == name;
-    let of_slider = |g: &Guide| {
-        let mut lines = mechanism.link(g.slider).lines.iter();
-        g.slider == link && lines.any(|l| l.name == name && l.through == g.point && l.along == g.direction)
-    };
-    let pairs = mechanism.pairs.iter().filter(|p| match &p.kind {
-        PairKind::Revolute(pins) => pins.iter().any(|p| is(p.link, &p.name)),
-        PairKind::Prismatic(g) | PairKind::Slot(g) => {
-            is(g.guide, &g.line_name) || is(g.slider, &g.point_name) || of_slider(g)
+struct Uses<'a> {
+    mechanism: &'a Mechanism,
+    counts: HashMap<(LinkId, &'a str), usize>,
+}
+
+impl<'a> Uses<'a> {
+    fn of(mechanism: &'a Mechanism) -> Self {
+        let mut this = Self { mechanism, counts: HashMap::new() };
+        for pair in &mechanism.pairs {
+            match &pair.kind {
+                PairKind::Revolute(pins) => pins.iter().for_each(|p| this.add(p.link, &p.name)),
+                PairKind::Prismatic(g) | PairKind::Slot(g) => {
+                    this.add(g.guide, &g.line_name);
+                    this.add(g.slider, &g.point_name);
+                    let lines = mechanism.link(g.slider).lines.iter();
+                    let own = lines.filter(|l| l.through == g.point && l.along == g.direction);
+                    own.for_each(|l| this.add(g.slider, &l.name));
+                }
+                PairKind::Contact { first, second, .. } => {
+                    [first, second].iter().for_each(|f| this.add(f.link, &f.name));
+                }
+                PairKind::Cylinder { from, to, .. } => {
+                    [from, to].iter().for_each(|p| this.add(p.link, &p.name));
+                }
+                PairKind::Transmission(_) => {}
+            }
         }
-        PairKind::Contact { first, second, .. } => [first, second].iter().any(|f| is(f.link, &f.name)),
-        PairKind::Cylinder { from, to, .. } => [from, to].iter().any(|p| is(p.link, &p.name)),
-        PairKind::Transmission(_) => false,
-    });
-    pairs.count()
+        this
+    }
+
+    fn add(&mut self, link: LinkId, name: &'a str) {
+        *self.counts.entry((link, name)).or_default() += 1;
+    }
+
+    fn count(&self, link: LinkId, name: &str) -> usize {
+        self.counts.get(&(link, name)).copied().unwrap_or(0)
+    }
+
+    /// How many use the lines that begin at a point.
+    fn of_lines(&self, link: LinkId, point: &Point) -> usize {
+        let lines = self.mechanism.link(link).lines.iter().filter(|l| l.through == point.at);
+        lines.map(|l| self.count(link, &l.name)).sum()
+    }
 }
 
 /// Gear pairs between wheels that nothing runs on yet: a wheel of what is loose and one of another link.

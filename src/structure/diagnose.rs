@@ -16,6 +16,9 @@ use super::trial::Trial;
 use crate::model::Mechanism;
 use crate::source::Span;
 
+/// Overconstrained parts described.
+const MOST_PARTS: usize = 3;
+
 /// Motion: conditions of pairs and drives against freedoms of links.
 pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> StructureError {
     if defect.fit.surplus > 0
@@ -70,7 +73,7 @@ pub(super) fn of_forces(trial: Trial<'_>, count: &Count, defect: &Defect) -> Str
     let mut labels = loose_labels(trial, &defect.loose, "nothing holds this link");
     labels.extend(held_labels(trial, &defect.over, |n| counted(n, "unknown")));
     let mut help = Vec::new();
-    for part in &defect.over {
+    for part in defect.over.iter().take(MOST_PARTS) {
         let needless = Repair { trial, defect, part }.efforts();
         let known = "if it is known, declare it as a load: `force … = 100 N` or `torque … = 1 N*m`";
         help.push(match needless.as_slice() {
@@ -114,8 +117,14 @@ fn sum(trial: Trial<'_>, part: &Part) -> String {
 }
 
 fn to_leave_out(trial: Trial<'_>, defect: &Defect) -> String {
-    let parts = defect.over.iter().map(|part| of_part(Repair { trial, defect, part }));
-    parts.collect::<Vec<_>>().join(";\n")
+    let parts = defect.over.iter().take(MOST_PARTS).map(|part| of_part(Repair { trial, defect, part }));
+    let mut parts: Vec<String> = parts.collect();
+    match defect.over.len().saturating_sub(MOST_PARTS) {
+        0 => {}
+        1 => parts.push("one part more is overconstrained".to_owned()),
+        n => parts.push(format!("{n} parts more are overconstrained")),
+    }
+    parts.join(";\n")
 }
 
 /// How one overconstrained part becomes sound: changes that do it by themselves come first.
@@ -129,7 +138,9 @@ fn of_part(repair: Repair<'_>) -> String {
     let changes = repair.changes();
     let own: usize = part.pairs.iter().map(|p| p.1).sum();
     if part.freedoms > own && !changes.efforts.is_empty() {
-        return format!("{sum}; leave out {}", one_of(&changes.efforts));
+        let pairs = changes.pairs.iter().map(|c| &c.text);
+        let all: Vec<String> = pairs.chain(&changes.efforts).cloned().collect();
+        return format!("{sum}; leave out {}", one_of(&all));
     }
     let mut ways = Vec::new();
     let least = changes.pairs.first().map_or(0, |c| c.unmoved);
@@ -143,20 +154,15 @@ fn of_part(repair: Repair<'_>) -> String {
         ways.push(format!("leave out {}, though fewer links move then", one_of(&texts(&rest))));
     }
     ways.extend(
-        changes.slots.iter().map(|name| format!("write `slot {name}` in place of `prismatic {name}`")),
+        changes.slots.iter().map(|(name, line)| format!("write `{line}` in place of `prismatic {name}`")),
     );
     match changes.links.as_slice() {
         [] => {}
         [one] => ways.push(format!("leave out link {one} with its pairs")),
         some => ways.push(format!("leave out one of the links {} with its pairs", one_of(some))),
     }
-    if ways.is_empty()
-        && let Some(together) = repair.together()
-    {
-        ways.push(format!("leave out {}", listed(&together, "and")));
-    }
     if ways.is_empty() {
-        ways.extend(loosened(repair));
+        ways.extend(loosened(repair).or_else(|| together(repair)));
     }
     match (changes.efforts.as_slice(), ways.as_slice()) {
         ([], []) => format!("{sum}; leave out pairs of it until the numbers agree"),
@@ -174,6 +180,17 @@ fn of_part(repair: Repair<'_>) -> String {
             format!("{sum}; {}", listed(&[ways, &[drives]].concat(), "or"))
         }
     }
+}
+
+/// Several pairs have to go.
+fn together(repair: Repair<'_>) -> Option<String> {
+    let (pairs, freedoms) = repair.together()?;
+    let text = format!("leave out {}", listed(&pairs, "and"));
+    Some(if freedoms == 0 { text } else { format!("{text}, after which {} needed", drives_more(freedoms)) })
+}
+
+fn drives_more(freedoms: usize) -> String {
+    if freedoms == 1 { "a drive more is".to_owned() } else { format!("{freedoms} drives more are") }
 }
 
 /// Leaving out one pair takes more than is too much.
@@ -217,6 +234,9 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     }
     text + &match (drives.as_slice(), missing) {
         ([], _) => "add a pair that holds them".to_owned(),
+        (lines, _) if lines.len() < missing => {
+            format!("add pairs that hold them, or {missing} drives, beginning with `{}`", lines[0])
+        }
         (lines, 1) => with_lines(&format!("drive it: add {}", add_words(lines, true)), lines),
         (lines, _) => with_lines(&format!("drive them: add {}", add_words(lines, false)), lines),
     }

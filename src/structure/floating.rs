@@ -12,6 +12,8 @@ use crate::source::Span;
 
 /// More labels than this tell nothing.
 pub(super) const MOST_LABELS: usize = 12;
+/// Islands for which pairs are tried.
+const MOST_TRIED: usize = 5;
 /// More names than this are counted.
 const MOST_NAMES: usize = 6;
 
@@ -21,7 +23,8 @@ pub(super) fn floating(trial: Trial<'_>) -> Vec<StructureError> {
     let defect =
         (!islands.is_empty()).then(|| Incidence::new(trial.replaced, trial.efforts).defect(trial.replaced));
     let Some(defect) = defect.flatten() else { return Vec::new() };
-    islands.iter().map(|links| describe(trial, &defect, links)).collect()
+    let described = islands.iter().enumerate();
+    described.map(|(i, links)| describe(trial, (i < MOST_TRIED).then_some(&defect), links)).collect()
 }
 
 /// Links that no pair joins to the ground. The ground and links driven at a point are firm.
@@ -68,7 +71,7 @@ fn root(parent: &mut [usize], mut at: usize) -> usize {
     at
 }
 
-fn describe(trial: Trial<'_>, defect: &Defect, links: &[LinkId]) -> StructureError {
+fn describe(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> StructureError {
     let mechanism = trial.mechanism;
     let help = help(trial, defect, links);
     if let [one] = links {
@@ -92,10 +95,10 @@ pub(super) fn names(mechanism: &Mechanism, links: impl Iterator<Item = LinkId>) 
 }
 
 /// Pairs that would join the island, and what they leave to be driven.
-fn help(trial: Trial<'_>, defect: &Defect, links: &[LinkId]) -> String {
+fn help(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> String {
     let it = if links.len() == 1 { "it" } else { "them" };
     let bodies: Vec<BodyId> = links.iter().map(|l| BodyId(l.index())).collect();
-    if let Some(missing) = missing_pairs(trial, defect, &bodies) {
+    if let Some(missing) = defect.and_then(|defect| missing_pairs(trial, defect, &bodies)) {
         return format!("{}\nor remove {it}", pairs_to_add(trial, missing, &bodies));
     }
     let mechanism = trial.mechanism;

@@ -24,8 +24,8 @@ pub(super) struct Change {
 /// The changes that make a part sound, each by itself, those that keep most links moving first.
 pub(super) struct Changes {
     pub pairs: Vec<Change>,
-    /// Prismatic pairs by name that may be slots.
-    pub slots: Vec<String>,
+    /// Prismatic pairs by name that may be slots, with the statement of the slot.
+    pub slots: Vec<(String, String)>,
     /// Links with their pairs.
     pub links: Vec<String>,
     /// Drives or unknown efforts.
@@ -85,7 +85,7 @@ impl Repair<'_> {
 
     fn undriven_pairs(&self) -> impl Iterator<Item = PairId> + '_ {
         let pairs = self.part.pairs.iter().map(|p| p.0);
-        pairs.filter(|&p| !is_driven(self.trial, p)).take(MOST_TRIED)
+        pairs.filter(|&p| !is_driven(self.trial, p)).take(self.trial.most_tried(MOST_TRIED))
     }
 
     fn pairs(&self) -> Vec<Change> {
@@ -97,7 +97,7 @@ impl Repair<'_> {
                 }
             };
             let text = statement(self.trial.mechanism, pair);
-            offer(self.trial.without_pairs(&[pair]), text.clone());
+            offer(self.trial.without(&[pair], &[]), text.clone());
             if let PairKind::Revolute(pins) = &self.trial.mechanism.pair(pair).kind
                 && pins.len() > 2
             {
@@ -112,10 +112,17 @@ impl Repair<'_> {
         found
     }
 
-    fn slots(&self) -> Vec<String> {
-        let fits = |p: &PairId| self.trial.as_slot(*p).is_some_and(|now| self.is_sound(now.fit()));
-        let slots = self.undriven_pairs().filter(fits);
-        slots.map(|p| self.trial.mechanism.pair(p).name.clone()).collect()
+    fn slots(&self) -> Vec<(String, String)> {
+        let mechanism = self.trial.mechanism;
+        let slot = |p: PairId| {
+            let pair = mechanism.pair(p);
+            let PairKind::Prismatic(g) = &pair.kind else { return None };
+            let (slider, base) = (&mechanism.link(g.slider).name, &mechanism.link(g.guide).name);
+            let line = format!("slot {}: {slider}.{} - {base}.{}", pair.name, g.point_name, g.line_name);
+            let fits = || self.trial.as_slot(p).is_some_and(|now| self.is_sound(now.fit()));
+            (!g.point_name.is_empty() && fits()).then(|| (pair.name.clone(), line))
+        };
+        self.undriven_pairs().filter_map(slot).collect()
     }
 
     /// Links without loads first: what acts on a link goes with it.
@@ -123,7 +130,7 @@ impl Repair<'_> {
         let mechanism = self.trial.mechanism;
         let tried = links(self.trial.replaced, &self.part.bodies)
             .filter(|l| *l != LinkId::GROUND)
-            .take(MOST_TRIED)
+            .take(self.trial.most_tried(MOST_TRIED))
             .filter(|&l| !drives_link(self.trial, l))
             .filter(|&l| self.is_sound(self.trial.without_links(&[l]).fit()));
         let mut links: Vec<LinkId> = tried.collect();
@@ -132,29 +139,36 @@ impl Repair<'_> {
     }
 
     pub(super) fn efforts(&self) -> Vec<String> {
-        let tried = self.part.efforts.iter().take(MOST_TRIED);
-        let needless = tried.filter(|&&e| self.is_sound(self.trial.without_effort(e).fit()));
+        let tried = self.part.efforts.iter().take(self.trial.most_tried(MOST_TRIED));
+        let needless = tried.filter(|&&e| self.is_sound(self.trial.without(&[], &[e]).fit()));
         let mechanism = self.trial.mechanism;
         needless.map(|&e| effort_statement(mechanism, self.trial.efforts[e].source)).collect()
     }
 
-    /// Pairs and links that together make the part sound, where no single one does: each takes some conditions too many
-    /// away and makes nothing loose.
-    pub(super) fn together(&self) -> Option<Vec<String>> {
+    /// Pairs and efforts that together leave no condition too many in the part, where no single one does, and the number of
+    /// freedoms that they make loose: as few as can be found one after another.
+    pub(super) fn together(&self) -> Option<(Vec<String>, usize)> {
         let mechanism = self.trial.mechanism;
-        let (mut pairs, mut texts) = (Vec::new(), Vec::new());
+        let (mut pairs, mut efforts, mut texts) = (Vec::new(), Vec::new(), Vec::new());
         let mut now = self.defect.fit;
-        while !self.is_sound(now) {
-            let with = |p: PairId| [pairs.clone(), vec![p]].concat();
-            let tried = self.undriven_pairs().filter(|p| !pairs.contains(p));
-            let fits = tried.map(|p| (self.trial.without_pairs(&with(p)).fit(), p));
-            let lesser = fits.filter(|(f, _)| f.missing == now.missing && f.surplus < now.surplus);
-            let (fit, pair) = lesser.min_by_key(|(f, _)| f.surplus)?;
-            pairs.push(pair);
-            texts.push(statement(mechanism, pair));
+        while now.surplus + self.part.surplus > self.defect.fit.surplus {
+            let of_pair = self.undriven_pairs().filter(|p| !pairs.contains(p)).map(|p| (Some(p), None));
+            let of_effort =
+                self.part.efforts.iter().filter(|e| !efforts.contains(*e)).map(|&e| (None, Some(e)));
+            let fits = of_pair.chain(of_effort).map(|(pair, effort)| {
+                let with_pair: Vec<PairId> = pairs.iter().copied().chain(pair).collect();
+                let with_effort: Vec<usize> = efforts.iter().copied().chain(effort).collect();
+                (self.trial.without(&with_pair, &with_effort).fit(), pair, effort)
+            });
+            let lesser = fits.filter(|f| f.0.surplus < now.surplus);
+            let (fit, pair, effort) = lesser.min_by_key(|f| (f.0.missing, f.0.surplus))?;
+            texts.extend(pair.map(|p| statement(mechanism, p)));
+            texts.extend(effort.map(|e| effort_statement(mechanism, self.trial.efforts[e].source)));
+            pairs.extend(pair);
+            efforts.extend(effort);
             now = fit;
         }
-        Some(texts)
+        Some((texts, now.missing.saturating_sub(self.defect.fit.missing)))
     }
 
     /// Pairs without which the part has no condition too many, though something is made loose.
@@ -162,9 +176,12 @@ impl Repair<'_> {
         let (part, defect) = (self.part, self.defect);
         let mut found = Vec::new();
         for pair in self.undriven_pairs() {
-            let now = self.trial.without_pairs(&[pair]).fit();
+            let now = self.trial.without(&[pair], &[]).fit();
             if now.surplus + part.surplus == defect.fit.surplus {
-                found.push((statement(self.trial.mechanism, pair), now.missing.saturating_sub(defect.fit.missing)));
+                found.push((
+                    statement(self.trial.mechanism, pair),
+                    now.missing.saturating_sub(defect.fit.missing),
+                ));
             }
         }
         found.sort_by_key(|f| f.1);
@@ -181,7 +198,7 @@ impl Repair<'_> {
             let (a, b) = (&self.trial.mechanism.pair(a).kind, &self.trial.mechanism.pair(b).kind);
             word(a) == word(b)
         };
-        let is_needless = |p: PairId| self.is_sound(self.trial.without_pairs(&[p]).fit());
+        let is_needless = |p: PairId| self.is_sound(self.trial.without(&[p], &[]).fit());
         (self.part.efforts.is_empty()
             && alike(*first, *second)
             && is_needless(*first)

@@ -15,19 +15,22 @@ pub(super) struct Trial<'a> {
     pub efforts: &'a [Effort],
 }
 
+/// Bodies times changes tried for one help: a help comes at once in a long file too.
+const EFFORT: usize = 10_000;
+
 impl Trial<'_> {
-    /// Leaves out a drive or an unknown effort.
-    pub(super) fn without_effort(&self, index: usize) -> Incidence {
-        let mut efforts = self.efforts.to_vec();
-        efforts.remove(index);
-        Incidence::new(self.replaced, &efforts)
+    /// How many changes are tried, of those that might be.
+    pub(super) fn most_tried(&self, might: usize) -> usize {
+        might.min(4 + EFFORT / self.replaced.bodies.len())
     }
 
-    /// Leaves out pairs.
-    pub(super) fn without_pairs(&self, pairs: &[PairId]) -> Incidence {
+    /// Leaves out pairs, and drives or unknown efforts.
+    pub(super) fn without(&self, pairs: &[PairId], efforts: &[usize]) -> Incidence {
         let mut replaced = self.replaced.clone();
         remove_pairs(&mut replaced, pairs);
-        self.after(replaced)
+        mark_chains(&mut replaced);
+        let left = self.efforts.iter().enumerate().filter(|(i, _)| !efforts.contains(i));
+        Incidence::new(&replaced, &left.map(|(_, e)| e.clone()).collect::<Vec<_>>())
     }
 
     /// Takes one link out of a pin of several.

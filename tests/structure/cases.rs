@@ -1,0 +1,110 @@
+//! Files of use on which the verdict was wrong or misleading once, with what is wanted of each.
+
+use assur::check::Overrides;
+use assur::source::Source;
+use std::path::Path;
+
+/// A file, the code of its first error or warning, and words of the message and the help.
+type Case = (&'static str, &'static str, &'static [&'static str]);
+
+const CASES: &[Case] = &[
+    ("01-six-bar-without-E", "underconstrained", &["  revolute E: rocker - rod"]),
+    ("02-six-bar-without-D", "underconstrained", &["  revolute D: ground - rocker"]),
+    ("03-six-bar-without-guide", "underconstrained", &["  prismatic G: ram.F - ground.way"]),
+    ("04-floating-link", "floating_link", &["  revolute Q: ground - idle\n  drive idle = 45 deg"]),
+    ("05-chain-mobility2-one-drive", "underconstrained", &["  drive d = 45 deg"]),
+    ("06-one-drive-too-many", "overconstrained", &["leave out `drive crank` or `drive G`"]),
+    ("07-truss-redundant-bar", "overconstrained", &["one of the links `bc`, `ad`, `cd`, `bd` or `ac`"]),
+    ("08-over-here-under-there", "unbalanced", &["leave out link `brace`", "  drive tip = 45 deg"]),
+    ("10-higher-pair-twice", "overconstrained", &["`K2` repeats `K`: leave out one of them"]),
+    ("11-parallel-crank-3", "repeated", &["`crank3` repeats", "leave out `crank3`"]),
+    ("14-slot-for-guide", "underconstrained", &["`ram`", "F = 3·5 − 2·6 − 1 = 2"]),
+    ("15-no-drive", "underconstrained", &["  drive crank = 45 deg"]),
+    (
+        "16-not-grounded",
+        "not_grounded",
+        &["  revolute A: ground - crank\n  revolute D: ground - rocker\n  prismatic G: ram.F - ground.way"],
+    ),
+    ("17-extra-coupler-bar", "overconstrained", &["one of the links `coupler` or `strut`"]),
+    ("18-wrong-link-hinge", "immobile", &["`rod` and `ram` do not move", "`E`, `F` and `G`"]),
+    ("19-two-balances", "efforts", &["leave out `balance M` or `balance N`"]),
+    ("20-double-rocker-drive-inner", "underconstrained", &["  revolute G: ground - f"]),
+    ("23-weld-as-two-hinges", "overconstrained", &["leave out `revolute E` or `revolute W`"]),
+    ("24-gear-five-bar-no-mesh", "underconstrained", &["  drive c = 45 deg"]),
+    (
+        "25-floating-part-held-too-often",
+        "unbalanced",
+        &["`s1`, `s2`, `s3`, `s4`, `d1` or `d2`", "  drive r2"],
+    ),
+    (
+        "26-two-hinges-and-a-free-end",
+        "overconstrained",
+        &["leave out `revolute E` or `revolute W`, after which"],
+    ),
+    (
+        "28-minimal-hidden",
+        "unbalanced",
+        &["leave out `revolute P` or `revolute Q`", "`c`, `d` and `e` can still"],
+    ),
+    ("29-minimal-hidden2", "unbalanced", &["leave out `revolute P` or `revolute Q`", "  drive e = 45 deg"]),
+    ("30-slot", "underconstrained", &["  drive e = 45 deg"]),
+    (
+        "31-hinge-and-guide",
+        "unbalanced",
+        &["write `slot Q: a.Q - b.l` in place of `prismatic Q`", "  drive e"],
+    ),
+    ("33-ring-hidden", "unbalanced", &["one of the links `w` or `w2`", "  drive e = 45 deg"]),
+    ("bad-1", "unbalanced", &["leave out `revolute P6` or `revolute P7`", "  drive L1 = 45 deg"]),
+    ("bad-120", "unbalanced", &["leave out `revolute P1` or `revolute P6`", "  drive L3 = 45 deg"]),
+    ("four-bar-pinned-again", "overconstrained", &["leave out `revolute K` or leave out `revolute A` or"]),
+];
+
+/// Sound, or wrong in another way than by structure: what was right stays right.
+const OTHERS: &[(&str, Option<&str>)] = &[
+    ("09-watt-pair-doubled", Some("mech::geometry::stated_twice")),
+    ("09b-watt-pair-doubled", Some("mech::geometry::joined_twice")),
+    ("12-free-roller", None),
+    ("13-two-guides-same-slider", Some("mech::geometry::held_twice")),
+    ("21-balance-where-known", None),
+    ("22-pin-without-shared-point", None),
+];
+
+fn problems(name: &str) -> Vec<(String, String)> {
+    let path =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/structure").join(format!("{name}.mech"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let source = Source::new(name, text);
+    let (_, problems) = assur::compile(&source, &Overrides::none());
+    let views = problems.views(&source).into_iter();
+    let shown = |d: assur::diagnostic::DiagnosticView| {
+        (d.code.unwrap_or_default(), format!("{}\n{}", d.message, d.help.unwrap_or_default()))
+    };
+    views.map(shown).collect()
+}
+
+#[test]
+fn what_is_wanted() {
+    for (name, code, words) in CASES {
+        let found = problems(name);
+        assert_eq!(found.len(), 1, "{name}: {found:?}");
+        assert_eq!(found[0].0, format!("mech::determinacy::{code}"), "{name}: {}", found[0].1);
+        for words in *words {
+            assert!(found[0].1.contains(words), "{name}: {words}\n{}", found[0].1);
+        }
+    }
+}
+
+#[test]
+fn what_was_right() {
+    for (name, code) in OTHERS {
+        let found = problems(name);
+        assert_eq!(found.first().map(|f| f.0.as_str()), *code, "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn every_file_is_judged() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/structure");
+    let files = std::fs::read_dir(folder).expect("a folder").flatten().count();
+    assert_eq!(files, CASES.len() + OTHERS.len());
+}

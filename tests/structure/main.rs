@@ -1,0 +1,12 @@
+//! Verdicts on structure: the files of use with what is wanted of each, and random linkages against the rank of the
+//! equations of velocity at random dimensions.
+
+mod cases;
+mod help;
+mod linkage;
+mod oracle;
+mod random_linkages;
+
+#[path = "../properties/random.rs"]
+#[expect(dead_code, reason = "shared with other tests")]
+mod random;
