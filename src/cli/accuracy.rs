@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::args::{Accuracy, AccuracyFormat};
-use super::batch::Sink;
+use super::batch::{Sink, end_at_once};
 use super::error::CliError;
 use super::files;
 use super::reply::{Reply, Status, complaint, for_each_file};
@@ -17,6 +17,9 @@ use crate::{Solved, solve_source};
 /// Prints what accuracy costs in time.
 pub fn run(args: &Accuracy, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
+    if args.plot.is_some() {
+        end_at_once();
+    }
     if let (Some(name), true) = (&args.plot, files::expand(&args.problem.files).len() > 1) {
         let name = name.clone();
         screen.complain(&complaint(CliError::OneDrawing { name }, screen));
@@ -92,7 +95,7 @@ fn drawn(
         sink.finish()
     });
     match written {
-        Ok(()) => reply,
+        Ok(_) => reply,
         Err(error) => {
             let diagnostics = reply.diagnostics + &complaint(error, screen);
             Reply { diagnostics, status: Status::Unusable, ..reply }

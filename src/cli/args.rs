@@ -17,6 +17,9 @@ pub struct Args {
     /// When to use colours; NO_COLOR and pipes are respected by `auto`
     #[arg(long, global = true, value_enum, value_name = "WHEN", default_value_t = Color::Auto)]
     pub color: Color,
+    /// How many diagnostics to show of a file; the others are counted
+    #[arg(long, global = true, value_name = "N", default_value_t = 50, value_parser = at_least_one)]
+    pub max_errors: usize,
 }
 
 const EXAMPLES: &str = "Example: assur solve engine.mech";
@@ -40,7 +43,9 @@ Examples:
 Exit status:
   0  fine
   1  a problem is wrong: it has errors or, with `test`, an expectation fails
-  2  the command line or a file cannot be used";
+  2  the command line, a value of `--set` or a file cannot be used, or not all could be written: a disk is full, or
+     nobody reads a pipe to its end (of which nothing is said)
+  128 + n  signal n ended the program: 129 SIGHUP, 130 SIGINT (Ctrl-C), 143 SIGTERM; no temporary file stays";
 
 /// Subcommands.
 #[derive(Debug, Subcommand)]
@@ -186,6 +191,10 @@ pub enum BatchFormat {
     Csv,
     /// One object per row and line, SI and radians
     Jsonl,
+}
+
+fn at_least_one(text: &str) -> Result<usize, String> {
+    text.parse::<usize>().ok().filter(|n| *n > 0).ok_or_else(|| "write a number from 1".to_owned())
 }
 
 fn threads(text: &str) -> Result<usize, String> {

@@ -77,6 +77,12 @@ pub enum CliError {
         /// What the system says.
         why: String,
     },
+    /// Results that cannot be printed.
+    #[error("standard output cannot be written: {why}")]
+    Unprinted {
+        /// What the system says.
+        why: String,
+    },
     /// Results in the place of what they are made from.
     #[error("`{name}` is read and written at once")]
     #[diagnostic(help("give the results a file of their own"))]
@@ -84,7 +90,7 @@ pub enum CliError {
         /// As given.
         name: String,
     },
-    /// Ctrl-C.
+    /// A signal.
     #[error("interrupted after {rows} rows")]
     #[diagnostic(help("{}", if kept.is_empty() { "all rows printed are whole".to_owned() }
         else { format!("these rows are kept in {kept}") }))]

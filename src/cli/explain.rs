@@ -10,12 +10,10 @@ use crate::diagnostic::{CODES, did_you_mean, explain};
 pub fn run(args: &Explain, screen: &Screen) -> Status {
     let Some(code) = &args.code else {
         let list: String = CODES.iter().map(|c| format!("{}\n", c.code)).collect();
-        screen.print(&list);
-        return Status::Fine;
+        return Status::printed(screen.print(&list));
     };
     if let Some(page) = explain(code) {
-        screen.print(&format!("{}\n", page.trim_end()));
-        return Status::Fine;
+        return Status::printed(screen.print(&format!("{}\n", page.trim_end())));
     }
     let near = did_you_mean(code, CODES.iter().map(|c| c.code.strip_prefix("mech::").unwrap_or(c.code)));
     let help = match near.first() {

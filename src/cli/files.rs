@@ -1,5 +1,6 @@
 //! From names on the command line to texts.
 
+use std::collections::HashSet;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -13,7 +14,7 @@ use crate::source::Source;
 const STDIN: &str = "-";
 
 /// A text to be read.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Input {
     /// Standard input.
     Stdin,
@@ -43,16 +44,20 @@ impl Input {
     }
 }
 
+/// Files, and folders that cannot be read.
+type Found = Vec<Result<Input, CliError>>;
+
 /// The texts that names mean, each once: files as they are, `.mech` files below folders, matches of globs.
 #[must_use]
 pub fn expand(names: &[String]) -> Vec<Result<Input, CliError>> {
-    let mut inputs: Vec<Result<Input, CliError>> = Vec::new();
+    let mut inputs = Vec::new();
+    let mut seen = HashSet::new();
     for name in names {
         match inputs_of(name) {
             Ok(found) => {
                 for input in found {
-                    if !inputs.iter().any(|i| i.as_ref().ok() == Some(&input)) {
-                        inputs.push(Ok(input));
+                    if input.as_ref().ok().is_none_or(|input| seen.insert(input.clone())) {
+                        inputs.push(input);
                     }
                 }
             }
@@ -62,10 +67,10 @@ pub fn expand(names: &[String]) -> Vec<Result<Input, CliError>> {
     inputs
 }
 
-fn inputs_of(name: &str) -> Result<Vec<Input>, CliError> {
+fn inputs_of(name: &str) -> Result<Found, CliError> {
     let path = Path::new(name);
     if name == STDIN {
-        return Ok(vec![Input::Stdin]);
+        return Ok(vec![Ok(Input::Stdin)]);
     }
     if path.is_dir() {
         let files = walk(path, |file| file.extension().is_some_and(|e| e == "mech"));
@@ -73,7 +78,7 @@ fn inputs_of(name: &str) -> Result<Vec<Input>, CliError> {
         return if files.is_empty() { Err(none()) } else { Ok(files) };
     }
     if path.exists() {
-        return Ok(vec![Input::File(path.to_owned())]);
+        return Ok(vec![Ok(Input::File(path.to_owned()))]);
     }
     if name.contains(['*', '?', '[', '{']) {
         matches_of(name)
@@ -83,7 +88,7 @@ fn inputs_of(name: &str) -> Result<Vec<Input>, CliError> {
 }
 
 /// Files that match a glob; `*` stops at `/`, `**` does not.
-fn matches_of(pattern: &str) -> Result<Vec<Input>, CliError> {
+fn matches_of(pattern: &str) -> Result<Found, CliError> {
     let plain = pattern.strip_prefix("./").unwrap_or(pattern);
     let glob = GlobBuilder::new(plain).literal_separator(true).build();
     let glob =
@@ -100,15 +105,39 @@ fn literal_part(pattern: &str) -> PathBuf {
     PathBuf::from(if folder.is_empty() { "." } else { folder.as_str() })
 }
 
-/// Files below a folder in the order of their names.
-fn walk(folder: &Path, wanted: impl Fn(&Path) -> bool) -> Vec<Input> {
-    let mut files: Vec<PathBuf> = WalkBuilder::new(folder)
-        .build()
-        .filter_map(Result::ok)
-        .filter(|entry| entry.file_type().is_some_and(|t| t.is_file()))
-        .map(|entry| entry.path().strip_prefix("./").unwrap_or(entry.path()).to_owned())
-        .filter(|path| wanted(path))
-        .collect();
+/// Files below a folder in the order of their names, behind the folders that cannot be read.
+fn walk(folder: &Path, wanted: impl Fn(&Path) -> bool) -> Found {
+    let mut files: Vec<PathBuf> = Vec::new();
+    let mut found = Found::new();
+    for entry in WalkBuilder::new(folder).build() {
+        match entry {
+            Ok(entry) => {
+                let is_file = entry.file_type().is_some_and(|t| t.is_file());
+                let path = entry.path().strip_prefix("./").unwrap_or(entry.path());
+                if is_file && wanted(path) {
+                    files.push(path.to_owned());
+                }
+            }
+            Err(error) => found.push(Err(unreadable(folder, &error))),
+        }
+    }
     files.sort();
-    files.into_iter().map(Input::File).collect()
+    found.extend(files.into_iter().map(Input::File).map(Ok));
+    found
+}
+
+fn unreadable(folder: &Path, error: &ignore::Error) -> CliError {
+    let mut place = folder;
+    let mut inner = error;
+    loop {
+        inner = match inner {
+            ignore::Error::WithPath { path, err } => {
+                place = path;
+                err
+            }
+            ignore::Error::WithDepth { err, .. } | ignore::Error::WithLineNumber { err, .. } => err,
+            _ => break,
+        };
+    }
+    CliError::Unreadable { name: place.display().to_string(), why: inner.to_string() }
 }

@@ -38,10 +38,10 @@ fn graded(args: &Grade, screen: &Screen) -> Result<Status, CliError> {
         GradeFormat::Csv => report::grade::csv(&graded),
         GradeFormat::Json => report::grade::json(&graded) + "\n",
     };
-    screen.print(&text);
+    let printed = Status::printed(screen.print(&text));
     let (right, all) = graded.totals();
     let whole = right == all && graded.unanswered.is_empty();
-    Ok(if whole { Status::Fine } else { Status::Wrong })
+    Ok(printed.max(if whole { Status::Fine } else { Status::Wrong }))
 }
 
 /// A sheet; `None` where it has an error, which is told.

@@ -19,20 +19,21 @@ use std::process::ExitCode;
 
 use args::{Args, Command};
 use clap::Parser;
+use reply::Status;
 use screen::Screen;
 
 /// Runs the program: results on standard output, diagnostics on standard error. 0: fine; 1: a problem is wrong; 2: the
-/// command line or a file cannot be used.
+/// command line or a file cannot be used, or not all could be written; 128 + n: signal n ended it.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let args = match Args::try_parse_from(args) {
         Ok(args) => args,
         Err(error) => {
-            // help goes to standard output; there is nobody to tell where that is closed
-            let _ = error.print();
-            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+            // help goes to standard output; there is nobody to tell where that cannot be written
+            let status = error.print().map_or(2, |()| error.exit_code());
+            return ExitCode::from(u8::try_from(status).unwrap_or(2));
         }
     };
-    let screen = Screen::new(args.color);
+    let screen = Screen::new(&args);
     let status = match args.command {
         Command::Check(args) => check::run(&args, &screen),
         Command::Solve(args) => solve::run(&args, &screen),
@@ -43,5 +44,6 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Profile(args) => profile::run(&args, &screen),
         Command::Explain(args) => explain::run(&args, &screen),
     };
-    ExitCode::from(status as u8)
+    let status = if screen.is_heard() { status } else { Status::Unusable };
+    ExitCode::from(batch::signal().map_or(status as u8, |signal| 128 + signal))
 }

@@ -8,6 +8,10 @@ use super::screen::Screen;
 use crate::diagnostic::Problems;
 use crate::source::Source;
 
+/// Errors of `--set`.
+const SET_UNKNOWN: &str = "mech::request::set_unknown";
+const SET_VALUE: &str = "mech::request::set_value";
+
 /// Exit status; the worst of all files counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Status {
@@ -18,6 +22,24 @@ pub enum Status {
     Wrong = 1,
     /// The command line or a file cannot be used.
     Unusable = 2,
+}
+
+impl Status {
+    /// Wrong where there is an error; unusable where it is one of the command line.
+    pub fn of(problems: &Problems) -> Self {
+        if [SET_UNKNOWN, SET_VALUE].iter().any(|code| problems.has(code)) {
+            Self::Unusable
+        } else if problems.has_errors() {
+            Self::Wrong
+        } else {
+            Self::Fine
+        }
+    }
+
+    /// Fine where all was written.
+    pub const fn printed(whole: bool) -> Self {
+        if whole { Self::Fine } else { Self::Unusable }
+    }
 }
 
 /// What is said about one file.
@@ -32,11 +54,10 @@ pub struct Reply {
 }
 
 impl Reply {
-    /// A reply that is wrong where the problems hold an error.
+    /// A reply with the status of its problems.
     #[must_use]
     pub fn new(results: String, problems: &Problems, source: &Source, screen: &Screen) -> Self {
-        let status = if problems.has_errors() { Status::Wrong } else { Status::Fine };
-        Self { results, diagnostics: screen.diagnostics(problems, source), status }
+        Self { results, diagnostics: screen.diagnostics(problems, source), status: Status::of(problems) }
     }
 
     fn unusable(error: CliError, screen: &Screen) -> Self {
@@ -74,7 +95,7 @@ pub fn for_each_file(
         }
         let text = if printed { format!("{apart}{}", reply.results) } else { reply.results };
         if !screen.print(&text) {
-            return status;
+            return Status::Unusable;
         }
         printed = true;
     }
@@ -103,15 +124,17 @@ pub fn quiet_panics() {
 
 #[cfg(test)]
 mod tests {
-    use super::super::args::Color;
+    use super::super::args::Args;
     use super::super::screen::Screen;
     use super::{Status, guarded};
     use crate::source::Source;
+    use clap::Parser;
 
     #[test]
     fn an_error_of_our_own_is_reported() {
         let source = Source::new("a.mech", "");
-        let reply = guarded(&source, &Screen::new(Color::Never), |_| panic!("out of luck"));
+        let args = Args::try_parse_from(["assur", "check", "a.mech", "--color=never"]).unwrap();
+        let reply = guarded(&source, &Screen::new(&args), |_| panic!("out of luck"));
         assert_eq!(reply.status, Status::Unusable);
         let (said, version) = (reply.diagnostics, env!("CARGO_PKG_VERSION"));
         for part in ["internal error", "a.mech", "out of luck", version] {

@@ -1,29 +1,37 @@
 //! Where the program writes.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use anstream::{AutoStream, ColorChoice};
 
+use super::args::Args;
 use super::args::Color;
-use crate::diagnostic::{Problems, Style, render};
+use super::error::CliError;
+use super::reply::complaint;
+use crate::diagnostic::{Problems, Style, render_most};
 use crate::report::text::Look;
 use crate::source::Source;
 
 /// Width of what is not written to a terminal.
 const WIDTH: usize = 100;
 
+/// Whether something could not be said.
+static UNSAID: AtomicBool = AtomicBool::new(false);
+
 /// Standard output and standard error: with or without colours.
 #[derive(Clone, Copy, Debug)]
 pub struct Screen {
     out: bool,
     err: bool,
+    most: usize,
 }
 
 impl Screen {
     /// The streams as the command line wants them.
     #[must_use]
-    pub fn new(color: Color) -> Self {
-        let wanted = match color {
+    pub fn new(args: &Args) -> Self {
+        let wanted = match args.color {
             Color::Auto => ColorChoice::Auto,
             Color::Always => ColorChoice::Always,
             Color::Never => ColorChoice::Never,
@@ -33,6 +41,7 @@ impl Screen {
         Self {
             out: coloured(AutoStream::choice(&io::stdout())),
             err: coloured(AutoStream::choice(&io::stderr())),
+            most: args.max_errors,
         }
     }
 
@@ -48,23 +57,38 @@ impl Screen {
         Style::Graphical { colour: self.err, width: width(io::stderr().is_terminal()) }
     }
 
-    /// Diagnostics of a text as they are printed.
+    /// Diagnostics of a text as they are printed: no more than are wanted.
     #[must_use]
     pub fn diagnostics(&self, problems: &Problems, source: &Source) -> String {
-        render(problems, source, self.style())
+        render_most(problems, source, self.style(), self.most)
     }
 
-    /// Writes results. A reader that has gone away is no mistake: `false` says that nobody listens any more.
+    /// Writes results; `false` where that cannot be done. A reader that has gone away has seen enough: nothing is said of
+    /// it.
+    #[must_use]
     pub fn print(&self, text: &str) -> bool {
         let mut out = io::stdout().lock();
-        out.write_all(text.as_bytes()).and_then(|()| out.flush()).is_ok()
+        let done = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+        if let Err(error) = &done
+            && error.kind() != ErrorKind::BrokenPipe
+        {
+            self.complain(&complaint(CliError::Unprinted { why: error.to_string() }, self));
+        }
+        done.is_ok()
     }
 
-    /// Writes diagnostics.
+    /// Writes diagnostics. There is no other place to complain; the exit status tells, see [`Screen::is_heard`].
     pub fn complain(&self, text: &str) {
         let mut err = io::stderr().lock();
-        // there is no other place to complain
-        let _ = err.write_all(text.as_bytes()).and_then(|()| err.flush());
+        if err.write_all(text.as_bytes()).and_then(|()| err.flush()).is_err() {
+            UNSAID.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Whether all diagnostics could be written.
+    #[must_use]
+    pub fn is_heard(&self) -> bool {
+        !UNSAID.load(Ordering::Relaxed)
     }
 }
 

@@ -5,7 +5,7 @@ use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
 use crate::diagnostic::Problems;
 use crate::exercise::{Outcome, OwnRows};
-use crate::source::Source;
+use crate::source::{Source, shown_in_line};
 use crate::syntax;
 
 /// Holds solutions against their answer keys: one line per file, and a diagnostic per expectation that fails.
@@ -19,7 +19,8 @@ pub fn run(args: &Problem, screen: &Screen) -> Status {
         let (solved, problems) = crate::test_source(source, &overrides);
         let outcomes = solved.as_ref().map_or(&[][..], |s| &s.outcomes);
         let errors = problems.errors() - outcomes.iter().filter(|o| !o.passed).count();
-        let line = format!("{}: {}\n", source.name, summary(solved.is_some(), errors, outcomes));
+        let line =
+            format!("{}: {}\n", shown_in_line(&source.name), summary(solved.is_some(), errors, outcomes));
         Reply::new(line, &problems, source, screen)
     })
 }
@@ -44,7 +45,7 @@ fn of_rows(rows: OwnRows<'_>, source: &Source, mut problems: Problems, screen: &
         (errors, plural(errors, "error")),
     ];
     parts.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(_, words)| words));
-    let line = format!("{}: {} in {}\n", source.name, parts.join(", "), plural(count, "row"));
+    let line = format!("{}: {} in {}\n", shown_in_line(&source.name), parts.join(", "), plural(count, "row"));
     let mut reply = Reply::new(line, &problems, source, screen);
     if count == 0 {
         reply.status = Status::Wrong;

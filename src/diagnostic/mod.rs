@@ -4,6 +4,8 @@
 //! fields and a code `mech::<stage>::<what_is_wrong>`; [`Problems`] takes any of them.
 
 mod codes;
+mod excerpt;
+mod lines;
 mod problems;
 mod render;
 mod suggest;
@@ -14,6 +16,6 @@ mod tests;
 
 pub use codes::{CODES, Code, explain};
 pub use problems::{AnyDiagnostic, Problems};
-pub use render::{Style, render};
+pub use render::{Style, render, render_most};
 pub use suggest::{did_you_mean, distance_allowed};
 pub use view::{DiagnosticView, Place, SpanView, place};

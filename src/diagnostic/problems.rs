@@ -32,8 +32,18 @@ impl Problems {
     /// once.
     pub fn append_later(&mut self, later: Self) {
         let told = self.items.iter().filter(|p| is_error(p.as_ref())).filter_map(|p| primary(p.as_ref()));
-        let told = told.collect::<Vec<_>>();
-        let overlaps = |(start, end): (usize, usize)| told.iter().any(|&(s, e)| start < e && s < end);
+        let mut told = told.collect::<Vec<_>>();
+        told.sort_unstable();
+        // the furthest end of all that begin no later
+        let mut furthest = 0;
+        for (_, end) in &mut told {
+            furthest = furthest.max(*end);
+            *end = furthest;
+        }
+        let overlaps = |(start, end): (usize, usize)| {
+            let before = told.partition_point(|&(s, _)| s < end);
+            before > 0 && start < told[before - 1].1
+        };
         self.items.extend(later.items.into_iter().filter(|p| !primary(p.as_ref()).is_some_and(overlaps)));
     }
 
@@ -64,14 +74,20 @@ impl Problems {
     /// Whether the text cannot be used.
     #[must_use]
     pub fn has_errors(&self) -> bool {
-        self.errors() > 0
+        self.items.iter().any(|p| is_error(p.as_ref()))
+    }
+
+    /// Whether one has this code.
+    #[must_use]
+    pub fn has(&self, code: &str) -> bool {
+        self.items.iter().any(|p| p.code().is_some_and(|c| c.to_string() == code))
     }
 
     /// All of them by place; at equal place errors first, then in the order found. Those without place come first.
     #[must_use]
     pub fn sorted(&self) -> Vec<&(dyn Diagnostic + Send + Sync + 'static)> {
         let mut all = self.items.iter().map(AsRef::as_ref).collect::<Vec<_>>();
-        all.sort_by_key(|p| (offset(*p), !is_error(*p)));
+        all.sort_by_cached_key(|p| (offset(*p), !is_error(*p)));
         all
     }
 }

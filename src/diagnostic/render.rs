@@ -1,10 +1,12 @@
 //! What a reader sees.
 
 use super::Problems;
-use crate::source::Source;
-use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError};
-use miette::{MietteSpanContents, NarratableReportHandler, ReportHandler, Severity, SourceCode};
-use miette::{SourceSpan, SpanContents};
+use super::excerpt::Excerpt;
+use super::lines::Lines;
+use super::problems::is_error;
+use crate::source::{Source, shown};
+use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan};
+use miette::{NarratableReportHandler, ReportHandler, Severity, SourceCode};
 use std::fmt::{self, Display, Write};
 
 /// How diagnostics are drawn.
@@ -29,41 +31,59 @@ impl Style {
 /// All problems of a text, sorted by place, one below the other.
 #[must_use]
 pub fn render(problems: &Problems, source: &Source, style: Style) -> String {
+    render_most(problems, source, style, usize::MAX)
+}
+
+/// As [`render`], but no more than `most`: errors before what is none. A last line counts the others.
+#[must_use]
+pub fn render_most(problems: &Problems, source: &Source, style: Style, most: usize) -> String {
     if problems.is_empty() {
         return String::new();
     }
-    let text = Text { text: showable(&source.text), source };
+    let lines = Lines::of_text(&source.text);
     let mut out = String::new();
-    for problem in problems.sorted() {
+    for problem in chosen(problems, most) {
         if !out.is_empty() {
             out.push('\n');
         }
-        let shown = Shown { problem: Located { inner: problem, source: &text }, style };
+        let labels = problem.labels().map(Iterator::collect).unwrap_or_default();
+        let (excerpt, labels) = Excerpt::of(source, &lines, labels);
+        let drawn = Shown { problem: Located { inner: problem, labels, excerpt }, style };
         // Writing to a String fails only if a diagnostic's own Display does.
-        if write!(out, "{shown}").is_err() {
-            out.push_str(&problem.to_string());
+        if write!(out, "{drawn}").is_err() {
+            out.push_str(&shown(&problem.to_string()));
         }
         if !out.ends_with('\n') {
             out.push('\n');
         }
     }
+    let more = problems.len().saturating_sub(most);
+    if more > 0 {
+        out += &format!("\nand {} more\n", grouped(more));
+    }
     out
 }
 
-/// The text with the same length and lines, without what would disturb a terminal.
-fn showable(text: &str) -> String {
-    let mut chars = text.chars().peekable();
-    let mut shown = String::with_capacity(text.len());
-    while let Some(c) = chars.next() {
-        match c {
-            '\r' if chars.peek() != Some(&'\n') => shown.push('\n'),
-            c if c.is_control() && !matches!(c, '\n' | '\r' | '\t') => {
-                shown.extend(std::iter::repeat_n(' ', c.len_utf8()));
-            }
-            c => shown.push(c),
-        }
-    }
-    shown
+/// The problems that are drawn, by place.
+fn chosen(problems: &Problems, most: usize) -> Vec<&(dyn Diagnostic + Send + Sync + 'static)> {
+    let mut all = problems.sorted();
+    let errors = problems.errors().min(most);
+    let (mut errors, mut others) = (errors, most - errors);
+    all.retain(|problem| {
+        let left = if is_error(*problem) { &mut errors } else { &mut others };
+        let taken = *left > 0;
+        *left -= usize::from(taken);
+        taken
+    });
+    all
+}
+
+/// `7,950`
+fn grouped(n: usize) -> String {
+    let digits = n.to_string();
+    let parts: Vec<&str> =
+        digits.as_bytes().rchunks(3).rev().filter_map(|c| str::from_utf8(c).ok()).collect();
+    parts.join(",")
 }
 
 struct Shown<'a> {
@@ -93,35 +113,11 @@ impl Display for Shown<'_> {
     }
 }
 
-/// A diagnostic with the text it speaks of.
+/// A diagnostic with the lines it speaks of. What comes from the text is shown without commands to the terminal.
 struct Located<'a> {
     inner: &'a (dyn Diagnostic + Send + Sync + 'static),
-    source: &'a Text<'a>,
-}
-
-/// A text under its name, with the lines counted from the beginning of its file.
-struct Text<'a> {
-    text: String,
-    source: &'a Source,
-}
-
-impl SourceCode for Text<'_> {
-    fn read_span<'b>(
-        &'b self,
-        span: &SourceSpan,
-        before: usize,
-        after: usize,
-    ) -> Result<Box<dyn SpanContents<'b> + 'b>, MietteError> {
-        let inner = self.text.read_span(span, before, after)?;
-        Ok(Box::new(MietteSpanContents::new_named(
-            self.source.name.clone(),
-            inner.data(),
-            *inner.span(),
-            inner.line() + self.source.lines_before,
-            inner.column(),
-            inner.line_count(),
-        )))
-    }
+    labels: Vec<LabeledSpan>,
+    excerpt: Excerpt,
 }
 
 impl fmt::Debug for Located<'_> {
@@ -132,7 +128,7 @@ impl fmt::Debug for Located<'_> {
 
 impl Display for Located<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Display::fmt(self.inner, f)
+        f.write_str(&shown(&self.inner.to_string()))
     }
 }
 
@@ -148,11 +144,12 @@ impl Diagnostic for Located<'_> {
     }
 
     fn help<'b>(&'b self) -> Option<Box<dyn Display + 'b>> {
-        self.inner.help()
+        let help = self.inner.help()?.to_string();
+        Some(Box::new(shown(&help).into_owned()))
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        self.inner.labels()
+        (!self.labels.is_empty()).then(|| Box::new(self.labels.iter().cloned()) as _)
     }
 
     fn related<'b>(&'b self) -> Option<Box<dyn Iterator<Item = &'b dyn Diagnostic> + 'b>> {
@@ -160,6 +157,6 @@ impl Diagnostic for Located<'_> {
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        Some(self.source)
+        Some(&self.excerpt)
     }
 }

@@ -51,24 +51,39 @@ pub struct Place {
 /// Line and column of a byte; a byte past the end is the end, one within a character is that character's first.
 #[must_use]
 pub fn place(text: &str, byte: usize) -> Place {
-    let mut byte = byte.min(text.len());
-    while !text.is_char_boundary(byte) {
-        byte -= 1;
+    Places::of(text).of_byte(byte)
+}
+
+/// Where the lines of a text begin.
+struct Places<'a> {
+    text: &'a str,
+    starts: Vec<usize>,
+}
+
+impl<'a> Places<'a> {
+    fn of(text: &'a str) -> Self {
+        let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(i, _)| i + 1)).collect();
+        Self { text, starts }
     }
-    let before = &text[..byte];
-    let line_start = before.rfind('\n').map_or(0, |i| i + 1);
-    Place { line: before.matches('\n').count() + 1, column: before[line_start..].chars().count() + 1, byte }
+
+    fn of_byte(&self, byte: usize) -> Place {
+        let byte = self.text.floor_char_boundary(byte.min(self.text.len()));
+        let line = self.starts.partition_point(|&start| start <= byte);
+        let before = &self.text[self.starts[line - 1]..byte];
+        Place { line, column: before.chars().count() + 1, byte }
+    }
 }
 
 impl Problems {
     /// All of them as they stand in JSON, sorted by place.
     #[must_use]
     pub fn views(&self, source: &Source) -> Vec<DiagnosticView> {
-        self.sorted().into_iter().map(|p| view(p, source)).collect()
+        let places = Places::of(&source.text);
+        self.sorted().into_iter().map(|p| view(p, source, &places)).collect()
     }
 }
 
-fn view(problem: &dyn Diagnostic, source: &Source) -> DiagnosticView {
+fn view(problem: &dyn Diagnostic, source: &Source, places: &Places<'_>) -> DiagnosticView {
     let mut labels = problem.labels().map(Iterator::collect::<Vec<_>>).unwrap_or_default();
     labels.sort_by_key(|l| !l.primary());
     DiagnosticView {
@@ -80,21 +95,20 @@ fn view(problem: &dyn Diagnostic, source: &Source) -> DiagnosticView {
         },
         message: problem.to_string(),
         help: problem.help().map(|h| h.to_string()),
-        spans: labels.iter().map(|l| span_view(l, source)).collect(),
+        spans: labels.iter().map(|l| span_view(l, source, places)).collect(),
     }
 }
 
-fn span_view(label: &LabeledSpan, source: &Source) -> SpanView {
+fn span_view(label: &LabeledSpan, source: &Source, places: &Places<'_>) -> SpanView {
+    // the lines of its file that stand before the text
+    let in_file = |byte: usize| {
+        let place = places.of_byte(byte);
+        Place { line: place.line + source.lines_before, ..place }
+    };
     SpanView {
         file: source.name.clone(),
-        start: in_file(source, label.offset()),
-        end: in_file(source, label.offset() + label.len()),
+        start: in_file(label.offset()),
+        end: in_file(label.offset() + label.len()),
         label: label.label().map(str::to_owned),
     }
-}
-
-/// A place with the lines of its file that stand before the text.
-fn in_file(source: &Source, byte: usize) -> Place {
-    let place = place(&source.text, byte);
-    Place { line: place.line + source.lines_before, ..place }
 }

@@ -1,6 +1,7 @@
-//! Tables as comma-separated values, RFC 4180.
+//! Tables as comma-separated values, RFC 4180. Texts that a spreadsheet would run have an apostrophe before them.
 
 use super::document::Table;
+use crate::exercise::table::as_cell;
 use std::borrow::Cow;
 
 /// The end of a line.
@@ -21,19 +22,27 @@ fn record<'a>(fields: impl Iterator<Item = &'a str>) -> String {
     fields.map(field).collect::<Vec<_>>().join(",") + LINE_END
 }
 
-/// A cell, in quotes where it needs them.
+/// A cell, in quotes where it needs them; no spreadsheet takes it for a formula.
 #[must_use]
 pub fn field(text: &str) -> Cow<'_, str> {
+    let text = as_cell(text);
     if text.contains([',', '"', '\r', '\n']) {
         Cow::Owned(format!("\"{}\"", text.replace('"', "\"\"")))
     } else {
-        Cow::Borrowed(text)
+        text
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::document::{Column, Table};
+
+    #[test]
+    fn formulas_are_texts() {
+        assert_eq!(super::field("=1+1"), "'=1+1");
+        assert_eq!(super::field("=HYPERLINK(\"a\",\"b\")"), "\"'=HYPERLINK(\"\"a\"\",\"\"b\"\")\"");
+        assert_eq!(super::field("-0.125"), "-0.125");
+    }
 
     #[test]
     fn fields_with_commas_and_quotes_are_quoted() {

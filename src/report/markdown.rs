@@ -1,11 +1,12 @@
 //! A report in Markdown (GitHub's tables).
 
 use super::document::{Align, Block, Report, Table};
+use crate::source::{shown, shown_in_line};
 
 /// The report as Markdown.
 #[must_use]
 pub fn render(report: &Report) -> String {
-    let mut out = format!("# {}\n", escaped(&report.title));
+    let mut out = format!("# {}\n", escaped(&shown_in_line(&report.title)));
     if !report.notes.is_empty() {
         out.push('\n');
     }
@@ -35,18 +36,18 @@ fn render_table(table: &Table) -> String {
         Align::Left => ":---".to_owned(),
         Align::Right | Align::Decimal => "---:".to_owned(),
     });
-    let mut out = row(table.columns.iter().map(|c| escaped(&c.header)).collect());
+    let mut out = row(table.columns.iter().map(|c| escaped(&shown_in_line(&c.header))).collect());
     out += &row(rules.collect());
     for cells in &table.rows {
-        out += &row(cells.iter().map(|c| escaped(c)).collect());
+        out += &row(cells.iter().map(|c| escaped(&shown_in_line(c))).collect());
     }
     out
 }
 
-/// Text with the signs escaped that mean something in Markdown within a line.
+/// Text with the signs escaped that mean something in Markdown within a line, and those that a terminal would obey.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
+    for c in shown(text).chars() {
         if matches!(c, '\\' | '|' | '*' | '_' | '`' | '[' | ']' | '<' | '>' | '#') {
             out.push('\\');
         }

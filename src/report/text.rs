@@ -1,6 +1,8 @@
 //! A report for a terminal.
 
 use super::document::{Align, Block, Report, Section, Table};
+use crate::source::{shown, shown_in_line};
+use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
 
 /// How a report is drawn.
@@ -27,12 +29,12 @@ const GAP: &str = "  ";
 #[must_use]
 pub fn render(report: &Report, look: Look) -> String {
     let mut out = String::new();
-    line(&mut out, &look.strong(&report.title));
+    line(&mut out, &look.strong(&shown_in_line(&report.title)));
     if !report.notes.is_empty() {
         out.push('\n');
     }
     for note in &report.notes {
-        line(&mut out, note);
+        line(&mut out, &shown(note));
     }
     for section in &report.sections {
         out.push('\n');
@@ -50,12 +52,15 @@ fn render_section(out: &mut String, section: &Section, look: Look) {
     line(out, &look.strong(&section.heading));
     for block in &section.blocks {
         match block {
-            Block::Text(text) => line(out, &format!("{GAP}{text}")),
-            Block::List(items) => items.iter().for_each(|item| line(out, &format!("{GAP}- {item}"))),
+            Block::Text(text) => line(out, &format!("{GAP}{}", shown(text))),
+            Block::List(items) => {
+                items.iter().for_each(|item| line(out, &format!("{GAP}- {}", shown(item))));
+            }
             Block::Facts(facts) => {
-                let width = facts.iter().map(|f| f.0.width()).max().unwrap_or(0);
-                for (name, fact) in facts {
-                    line(out, &format!("{GAP}{}{GAP}{fact}", padded(name, width, false)));
+                let names: Vec<_> = facts.iter().map(|f| shown_in_line(&f.0)).collect();
+                let width = names.iter().map(|n| n.width()).max().unwrap_or(0);
+                for (name, (_, fact)) in names.iter().zip(facts) {
+                    line(out, &format!("{GAP}{}{GAP}{}", padded(name, width, false), shown(fact)));
                 }
             }
             Block::Table(table) => render_table(out, table, look),
@@ -68,21 +73,22 @@ fn aligned(table: &Table) -> Vec<Vec<String>> {
     (0..table.columns.len())
         .map(|i| {
             let column = &table.columns[i];
-            let cells: Vec<&str> = table.rows.iter().map(|row| row[i].as_str()).collect();
+            let cells: Vec<_> = table.rows.iter().map(|row| shown_in_line(&row[i])).collect();
             let cells: Vec<String> = match column.align {
                 Align::Decimal => at_decimal_points(&cells),
-                Align::Left | Align::Right => cells.iter().map(|&c| c.to_owned()).collect(),
+                Align::Left | Align::Right => cells.into_iter().map(Cow::into_owned).collect(),
             };
-            let width = cells.iter().map(|c| c.width()).chain([column.header.width()]).max().unwrap_or(0);
+            let header = shown_in_line(&column.header);
+            let width = cells.iter().map(|c| c.width()).chain([header.width()]).max().unwrap_or(0);
             let right = column.align != Align::Left;
-            let header = padded(&column.header, width, right);
+            let header = padded(&header, width, right);
             [header].into_iter().chain(cells.iter().map(|c| padded(c, width, right))).collect()
         })
         .collect()
 }
 
 /// Numbers with blanks behind them so that their decimal points stand below each other.
-fn at_decimal_points(cells: &[&str]) -> Vec<String> {
+fn at_decimal_points(cells: &[Cow<'_, str>]) -> Vec<String> {
     let is_number = |c: &str| c.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '.');
     let after = |c: &str| if is_number(c) { c.find('.').map_or(0, |at| c.len() - at) } else { 0 };
     let most = cells.iter().map(|c| after(c)).max().unwrap_or(0);

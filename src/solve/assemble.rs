@@ -3,7 +3,7 @@
 use super::choices::{ambiguous, not_met, point_of};
 use super::error::SolveError;
 use super::gap::gap_text;
-use super::general::Workspace;
+use super::general::{STARTS, Workspace, is_never_regular};
 use super::solution::Scene;
 use super::state::{BodyState, Branch, State};
 use super::view::View;
@@ -71,6 +71,11 @@ impl Way {
 
 /// Assembles the mechanism for the inputs set in `start`.
 pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveError> {
+    assemble_from(scene, start, STARTS)
+}
+
+/// As [`assemble`], with so many starts of the search for the assemblies of a general group.
+pub(super) fn assemble_from(scene: &Scene<'_>, start: State, starts: usize) -> Result<State, SolveError> {
     let mut start = start;
     start.start(scene.plan);
     let extent = super::steps::extent(scene);
@@ -80,7 +85,7 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
         let mut ways: Vec<(usize, Way)> = Vec::new();
         for (i, candidate) in candidates.iter_mut().enumerate() {
             ways.extend(
-                every_way(scene, &mut candidate.state, index, extent).into_iter().map(|way| (i, way)),
+                ways_from(scene, &mut candidate.state, index, extent, starts).into_iter().map(|way| (i, way)),
             );
         }
         if ways.is_empty() {
@@ -102,8 +107,12 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
 
 /// All ways in which a group can stand, each once.
 pub(super) fn every_way(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64) -> Vec<Way> {
+    ways_from(scene, state, index, extent, STARTS)
+}
+
+fn ways_from(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64, starts: usize) -> Vec<Way> {
     let mut ways: Vec<Way> = Vec::new();
-    for way in assemblies(scene, state, index) {
+    for way in assemblies(scene, state, index, starts) {
         if !ways.iter().any(|w| w.is_same(&way, extent)) {
             ways.push(way);
         }
@@ -112,10 +121,11 @@ pub(super) fn every_way(scene: &Scene<'_>, state: &mut State, index: usize, exte
 }
 
 /// All ways in which a group can stand; leaves it in one of them.
-fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize) -> Vec<Way> {
+fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize) -> Vec<Way> {
     let step = &scene.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
-        let mut found = super::general::assemblies(state, index, *problem, &scene.plan.general[*problem]);
+        let group = &scene.plan.general[*problem];
+        let mut found = super::general::assemblies(state, index, *problem, group, starts);
         found.retain(|state| cylinders_are_positive(scene, state, index));
         return found.iter().map(|state| Way::of(scene, state, index)).collect();
     }
@@ -300,8 +310,13 @@ pub(super) fn does_not_close(scene: &Scene<'_>, state: State, index: usize, pose
     let step = &scene.plan.motion[index];
     let group = &scene.structure.motion[index];
     let labels = labels(scene, group, "does not close");
-    if matches!(step, MotionStep::General { .. }) {
+    if let MotionStep::General { problem, .. } = step {
         let help = match point_of(scene, group) {
+            _ if is_never_regular(&state, *problem, &scene.plan.general[*problem]) => {
+                "change a direction or a length: wherever these links stand, their pairs let them move or are too many, as \
+                 with two parallel guides"
+                    .to_owned()
+            }
             Some(point) => format!(
                 "say where its points are about, as in `assemble {point} near (200 mm, 100 mm)`, or check the lengths"
             ),

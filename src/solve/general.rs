@@ -8,7 +8,7 @@ use crate::math::Vec2;
 use crate::plan::{BalanceSystem, GeneralMotion, Settings, UnknownForce, Way};
 
 /// Starts of the search for assemblies: many for few bodies, as `group::general::assemblies` advises.
-const STARTS: usize = 400;
+pub(super) const STARTS: usize = 400;
 
 /// Memory of a general system.
 #[derive(Clone, Debug)]
@@ -227,8 +227,22 @@ fn on_body(way: &Way, on_slider: f64) -> f64 {
     if way.slider == way.body { on_slider } else { -on_slider }
 }
 
-/// All states in which a general group can stand.
-pub(super) fn assemblies(before: &State, branch: usize, problem: usize, group: &GeneralMotion) -> Vec<State> {
+/// Whether a general group can be moved within its pairs wherever it stands.
+pub(super) fn is_never_regular(state: &State, problem: usize, group: &GeneralMotion) -> bool {
+    let Some(mut work) = state.motion_work.get(problem).cloned().flatten() else { return false };
+    state.set_drives(&mut work.equations, group);
+    state.read_poses(&group.bodies, &mut work.poses);
+    general::is_never_regular(&mut work.equations, &work.poses)
+}
+
+/// All states in which a general group can stand, from so many starts.
+pub(super) fn assemblies(
+    before: &State,
+    branch: usize,
+    problem: usize,
+    group: &GeneralMotion,
+    starts: usize,
+) -> Vec<State> {
     let Some(work) = before.motion_work.get(problem).and_then(Option::as_ref) else { return Vec::new() };
     let mut out = Vec::new();
     for sides in 0..(1_u32 << group.round.len().min(8)) {
@@ -238,7 +252,7 @@ pub(super) fn assemblies(before: &State, branch: usize, problem: usize, group: &
         state.set_drives(&mut work.equations, group);
         state.set_sides(&mut work.equations, group, state.branches[branch]);
         state.read_poses(&group.bodies, &mut work.poses);
-        for poses in general::assemblies(&mut work.equations, &work.poses, STARTS) {
+        for poses in general::assemblies(&mut work.equations, &work.poses, starts) {
             let mut found = state.clone();
             found.open = None;
             found.write_poses(&group.bodies[..group.moving], &poses);

@@ -1,5 +1,9 @@
 //! Files and spans: where in the text a thing stands.
 
+mod shown;
+
+pub use shown::{shown, shown_in_line};
+
 /// A range of bytes in a source text, end exclusive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Span {

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use super::super::args::BatchFormat;
 use super::super::error::CliError;
+use super::super::reply::Status;
 use super::super::screen::Screen;
 use super::layout::{ERROR, Layout};
 use super::line::{Said, Written, write_row};
@@ -81,18 +82,26 @@ fn tell_fault((source, error): Fault, screen: &Screen) {
 }
 
 impl Job {
-    /// Reads a file and the header of its table; `None` where either has an error, which is told.
+    /// Reads a file and the header of its table; a status where either has an error, or a value set from outside, which is
+    /// told.
     pub fn new(
         source: Source,
         overrides: &Overrides,
         table: Option<&str>,
         within: Option<f64>,
         screen: &Screen,
-    ) -> Result<Option<Self>, CliError> {
+    ) -> Result<Result<Self, Status>, CliError> {
         let (document, problems) = syntax::parse(&source);
         tell(&problems, &source, screen);
         if problems.has_errors() {
-            return Ok(None);
+            return Ok(Err(Status::Wrong));
+        }
+        if !overrides.values.is_empty() {
+            let (_, found) = check::check(&document, overrides);
+            if Status::of(&found) == Status::Unusable {
+                tell(&found, &source, screen);
+                return Ok(Err(Status::Unusable));
+            }
         }
         let (rows, columns) = match table {
             Some(name) => match open(name)? {
@@ -103,7 +112,7 @@ impl Job {
                 }
                 Err(fault) => {
                     tell_fault(fault, screen);
-                    return Ok(None);
+                    return Ok(Err(Status::Wrong));
                 }
             },
             None => match check::table(&document) {
@@ -121,12 +130,12 @@ impl Job {
         let Some(columns) = columns else {
             // where the table is fine, the `given` that it replaces is not
             tell(&crate::check_source(&source, &overrides).1, &source, screen);
-            return Ok(None);
+            return Ok(Err(Status::Wrong));
         };
         let columns = Arc::from(columns);
         let mut job = Self { source, document, overrides, within, rows, columns, answers: None };
         job.answers = job.first_answers()?;
-        Ok(Some(job))
+        Ok(Ok(job))
     }
 
     /// The columns of the first row that has some.

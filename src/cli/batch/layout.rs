@@ -2,7 +2,7 @@
 
 use super::super::args::BatchFormat;
 use super::job::Job;
-use crate::exercise::table::{Separator, cells};
+use crate::exercise::table::{Separator, cells, from_cell};
 use crate::report::csv::LINE_END;
 use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::rows::{FULL, write_text};
@@ -101,7 +101,7 @@ impl Layout {
             self.headers.iter().take_while(|h| matches!(h.as_str(), "file" | "row" | "variant")).count();
         for line in lines.split_terminator(LINE_END) {
             let found = cells(line, Separator::Comma).unwrap_or_default();
-            table.row(found.into_iter().map(|c| c.text.into_owned()).collect());
+            table.row(found.into_iter().map(|c| from_cell(&c.text).to_owned()).collect());
         }
         drop_empty(&mut table);
         let section = Section { heading: "Answers".to_owned(), blocks: vec![Block::Table(table)] };

@@ -16,9 +16,11 @@ use super::error::CliError;
 use super::files;
 use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
+use crate::source::shown_in_line;
 use job::{Job, Run};
 use layout::Layout;
 pub use sink::Sink;
+pub use stop::{end_at_once, signal};
 use tally::Tally;
 
 /// Stack of a thread: that of the main thread.
@@ -49,8 +51,8 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
             .and_then(files::Input::read)
             .and_then(|source| Job::new(source, &overrides, args.variants.as_deref(), args.within, screen));
         match job {
-            Ok(Some(job)) => jobs.push(job),
-            Ok(None) => status = status.max(Status::Wrong),
+            Ok(Ok(job)) => jobs.push(job),
+            Ok(Err(found)) => status = status.max(found),
             Err(error) => {
                 screen.complain(&complaint(error, screen));
                 status = Status::Unusable;
@@ -79,7 +81,7 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
     for job in &jobs {
         let run = Run { job, format, layout: &layout, key: key_out.is_some().then_some(&key), screen };
         let tally = run.all(&mut out, &mut key_out)?;
-        screen.complain(&format!("{}: {}\n", job.source.name, tally.summary()));
+        screen.complain(&format!("{}: {}\n", shown_in_line(&job.source.name), tally.summary()));
         total.add(&tally);
         if out.closed() || stop::wanted() {
             break;
@@ -95,9 +97,10 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
         screen.complain(&complaint(CliError::Interrupted { rows, kept: kept.join(", ") }, screen));
         return Ok(status.max(Status::Wrong));
     }
-    out.finish()?;
-    key_out.map_or(Ok(()), Sink::finish)?;
-    Ok(status.max(if total.failed() > 0 { Status::Wrong } else { Status::Fine }))
+    let read = out.finish()?;
+    key_out.map_or(Ok(true), Sink::finish)?;
+    let failed = if total.failed() > 0 { Status::Wrong } else { Status::Fine };
+    Ok(status.max(if read { failed } else { Status::Unusable }))
 }
 
 /// What is written must not replace what is read, nor one the other.

@@ -3,12 +3,28 @@
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::{Builder, NamedTempFile};
 
 use super::super::error::CliError;
 
 const BUFFER: usize = 1 << 18;
+
+/// Files that are not yet in their place.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes what is not yet in its place, before the program ends.
+pub fn remove_unfinished() {
+    for path in unfinished().drain(..) {
+        // it may be in its place by now
+        let _ = std::fs::remove_file(path);
+    }
+}
 
 enum Target {
     Stdout(BufWriter<io::Stdout>),
@@ -48,13 +64,15 @@ impl Sink {
             let mut builder = Builder::new();
             builder.prefix(".assur-").suffix(".tmp");
             permissions(&mut builder, &real);
+            let mut unfinished = unfinished();
             let file = builder.tempfile_in(folder).map_err(fail)?;
+            unfinished.push(file.path().to_owned());
             Target::File(BufWriter::with_capacity(BUFFER, file))
         };
         Ok(Self { target, path: real, closed: false })
     }
 
-    /// Adds a text. A reader of standard output that has gone away is no mistake.
+    /// Adds a text. A reader of standard output that has gone away has seen enough: see [`Sink::closed`].
     pub fn write(&mut self, text: &str) -> Result<(), CliError> {
         if self.closed {
             return Ok(());
@@ -84,22 +102,25 @@ impl Sink {
         }
     }
 
-    /// Puts what was written in its place.
-    pub fn finish(mut self) -> Result<(), CliError> {
+    /// Puts what was written in its place; says whether all of it was read.
+    pub fn finish(mut self) -> Result<bool, CliError> {
         let flushed = match &mut self.target {
             Target::Stdout(out) => out.flush(),
             Target::Special(file) => file.flush(),
             Target::File(file) => file.flush().and_then(|()| file.get_ref().as_file().sync_all()),
         };
         self.told(flushed)?;
-        let path = self.path;
+        let (path, read) = (self.path, !self.closed);
         match self.target {
             Target::File(file) => {
                 let file = file.into_inner().map_err(|error| unwritable(&path, error.error()))?;
+                let mut unfinished = unfinished();
+                unfinished.retain(|path| path != file.path());
                 file.persist(&path).map(drop).map_err(|error| unwritable(&path, &error.error))
             }
             _ => Ok(()),
         }
+        .map(|()| read)
     }
 
     /// Keeps what was written beside its place: `FILE.part`.
@@ -118,11 +139,11 @@ impl Sink {
 }
 
 fn unwritable(path: &Path, error: &io::Error) -> CliError {
-    let name = match path.to_str() {
-        Some("-") => "standard output".to_owned(),
-        _ => path.display().to_string(),
-    };
-    CliError::Unwritable { name, why: error.to_string() }
+    let why = error.to_string();
+    match path.to_str() {
+        Some("-") => CliError::Unprinted { why },
+        _ => CliError::Unwritable { name: path.display().to_string(), why },
+    }
 }
 
 /// Those of the file that is replaced; else those of any new file.

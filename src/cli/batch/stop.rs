@@ -1,23 +1,85 @@
-//! Ctrl-C: the rows under way are finished, complete rows are kept. A second one ends at once.
+//! Signals that end the program: the rows under way are finished, complete rows are kept. A second one ends at once, and
+//! so does the first where rows take too long; no temporary file stays.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicU8, Ordering};
 
-static WANTED: AtomicBool = AtomicBool::new(false);
+static SIGNAL: AtomicU8 = AtomicU8::new(0);
 
-/// Exit status of a program that Ctrl-C ends.
-const INTERRUPTED: i32 = 130;
-
-/// Listens for Ctrl-C from now on.
-pub fn install() {
-    // where nothing can listen, Ctrl-C ends the program as usual
-    let _ = ctrlc::set_handler(|| {
-        if WANTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(INTERRUPTED);
-        }
-    });
+/// The signal that came, if any.
+pub fn signal() -> Option<u8> {
+    Some(SIGNAL.load(Ordering::Relaxed)).filter(|signal| *signal > 0)
 }
 
-/// Whether Ctrl-C was pressed.
+/// Whether the program is to end.
 pub fn wanted() -> bool {
-    WANTED.load(Ordering::Relaxed)
+    signal().is_some()
 }
+
+#[cfg(unix)]
+pub use unix::{end_at_once, install};
+
+#[cfg(unix)]
+mod unix {
+    use super::super::sink;
+    use super::{Ordering, SIGNAL};
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    use std::time::Duration;
+
+    /// What a program may take to end that was asked to by another.
+    const GRACE: Duration = Duration::from_secs(3);
+
+    /// Listens from now on.
+    pub fn install() {
+        listen(|signal| {
+            if SIGNAL.swap(signal, Ordering::Relaxed) != 0 {
+                end(signal);
+            }
+            if i32::from(signal) != SIGINT {
+                std::thread::spawn(move || {
+                    std::thread::sleep(GRACE);
+                    end(signal);
+                });
+            }
+        });
+    }
+
+    /// Listens from now on; the first signal ends the program.
+    pub fn end_at_once() {
+        listen(|signal| end(signal));
+    }
+
+    fn listen(hear: impl Fn(u8) + Send + 'static) {
+        let mut heard = vec![SIGINT, SIGTERM];
+        if !is_ignored(SIGHUP) {
+            heard.push(SIGHUP);
+        }
+        // where nothing can listen, a signal ends the program as usual
+        let Ok(mut signals) = Signals::new(heard) else { return };
+        std::thread::spawn(move || signals.forever().filter_map(|s| u8::try_from(s).ok()).for_each(hear));
+    }
+
+    fn end(signal: u8) {
+        sink::remove_unfinished();
+        std::process::exit(128 + i32::from(signal));
+    }
+
+    /// Whether the program was started with a signal ignored, as `nohup` does.
+    fn is_ignored(signal: i32) -> bool {
+        let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+        let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+        let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0);
+        mask >> (signal - 1) & 1 == 1
+    }
+}
+
+#[cfg(not(unix))]
+mod others {
+    /// A signal ends the program as usual.
+    pub fn install() {}
+    /// A signal ends the program as usual.
+    pub fn end_at_once() {}
+}
+
+#[cfg(not(unix))]
+pub use others::{end_at_once, install};

@@ -1,10 +1,12 @@
 //! Tables of comma-separated values: read line by line, so that their length does not matter.
 
 mod error;
+mod formula;
 mod line;
 mod number;
 
 pub use error::TableError;
+pub use formula::{as_cell, from_cell};
 pub use line::{Cell, Separator, cells};
 pub use number::Written;
 

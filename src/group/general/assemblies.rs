@@ -9,6 +9,12 @@ const DISTINCT: f64 = 1e-6;
 /// A step below this, relative to the length of the group, ends the iteration.
 const SMALL: f64 = 1e-12;
 
+/// Places at which a determinant is looked at.
+const PROBES: usize = 8;
+
+/// A condition figure of rounding alone.
+const VANISHES: f64 = 4.0 * f64::EPSILON;
+
 /// Assemblies of a group, by Newton's method from many starts. For use when a problem is set up: it allocates.
 /// # Given
 /// `poses` of all bodies; the known ones are read, and the group's own are the first start. `starts` number of
@@ -19,6 +25,9 @@ const SMALL: f64 = 1e-12;
 #[must_use]
 pub fn assemblies(group: &mut General, poses: &[Pose], starts: usize) -> Vec<Vec<Pose>> {
     let mut found: Vec<Vec<Pose>> = Vec::new();
+    if is_never_regular(group, poses) {
+        return found;
+    }
     let (centre, reach) = surroundings(group, poses);
     for start in 0..starts {
         let mut trial = poses.to_vec();
@@ -36,6 +45,20 @@ pub fn assemblies(group: &mut General, poses: &[Pose], starts: usize) -> Vec<Vec
         }
     }
     found
+}
+
+/// Whether the Jacobian is singular wherever the group's bodies stand, as with guides that are parallel. Its determinant is
+/// analytic in the poses: where it vanishes at places that have nothing in common, it vanishes everywhere.
+#[must_use]
+pub fn is_never_regular(group: &mut General, poses: &[Pose]) -> bool {
+    let (centre, reach) = surroundings(group, poses);
+    let mut trial = poses.to_vec();
+    (1..=PROBES).all(|start| {
+        for (body, pose) in trial[..group.moving].iter_mut().enumerate() {
+            *pose = scattered(start, body, centre, reach);
+        }
+        group.factor(&trial).map_or(0.0, |condition| condition) <= VANISHES
+    })
 }
 
 /// Where the group's bodies may be: round the known bodies, as far as the group reaches.

@@ -42,7 +42,7 @@ mod rates;
 #[cfg(test)]
 mod tests;
 
-pub use assemblies::assemblies;
+pub use assemblies::{assemblies, is_never_regular};
 pub use constraint::{Constraint, Law, Line, Point};
 pub use newton::{Failure, General};
 
