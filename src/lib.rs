@@ -22,10 +22,10 @@ pub mod units;
 use accuracy::Reached;
 use check::Overrides;
 use diagnostic::Problems;
-use exercise::{Outcome, OwnRows};
+use exercise::{Followed, Outcome, OwnRows, followed};
 use model::Mechanism;
 use plan::Plan;
-use solve::{Scene, Solution};
+use solve::{Pose, Scene, Solution};
 use source::Source;
 use structure::Structure;
 
@@ -121,35 +121,39 @@ fn plan_mechanism(
 }
 
 /// Solves what was compiled and holds it against its answer key. A failed expectation is an outcome, not a problem; one
-/// that cannot be evaluated is a problem.
+/// that cannot be evaluated is a problem, and so are more positions than can be kept: see [`solve_each`].
 pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
-    let mut problems = Problems::new();
-    let scene = compiled.scene();
-    let criticals = compiled
-        .origin
-        .as_ref()
-        .map(|o| exercise::criticals(&scene, &o.source, &o.overrides))
-        .unwrap_or_default();
-    let mut solution = match solve::solve_with(&scene, criticals) {
-        Ok(solution) => solution,
-        Err(errors) => {
-            problems.extend(errors);
-            return (Err(compiled), problems);
-        }
+    let found = followed(&compiled.scene(), compiled.origin.as_ref(), None);
+    evaluated(compiled, found)
+}
+
+/// As [`solve()`], however many positions there are: each is handed out, with the answers to what needs none, and of many
+/// those alone are kept that an expectation names. Nothing comes out, and nothing is said, where `each` stops it.
+pub fn solve_each(
+    compiled: Compiled,
+    each: &mut dyn FnMut(&report::Answers<'_>, &Pose) -> bool,
+) -> (Result<Solved, Compiled>, Problems) {
+    let (mechanism, structure, plan) = (&compiled.mechanism, &compiled.structure, &compiled.plan);
+    let scene = Scene { mechanism, structure, plan };
+    let precision = report::Precision::READABLE;
+    let mut answered = |solution: &Solution, pose: &Pose| {
+        each(&report::Answers { scene, solution, outcomes: &[], reached: None, precision }, pose)
     };
-    if let Some(origin) = &compiled.origin {
-        let hang = exercise::scales(&scene, &mut solution, origin);
-        if !hang.is_empty() {
-            problems.extend(hang);
-            return (Err(compiled), problems);
+    let found = followed(&scene, compiled.origin.as_ref(), Some(&mut answered));
+    evaluated(compiled, found)
+}
+
+/// Holds a solution against its answer key.
+fn evaluated(compiled: Compiled, found: Followed) -> (Result<Solved, Compiled>, Problems) {
+    match found {
+        Err(problems) => (Err(compiled), problems),
+        Ok(None) => (Err(compiled), Problems::new()),
+        Ok(Some((solution, mut problems))) => {
+            let (outcomes, errors) = exercise::evaluate(&compiled.scene(), &solution);
+            problems.extend(errors);
+            (Ok(Solved { compiled, solution, outcomes, reached: None }), problems)
         }
     }
-    problems.extend(std::mem::take(&mut solution.warnings));
-    problems.extend(std::mem::take(&mut solution.friction));
-    problems.extend(solution.failures());
-    let (outcomes, errors) = exercise::evaluate(&scene, &solution);
-    problems.extend(errors);
-    (Ok(Solved { compiled, solution, outcomes, reached: None }), problems)
 }
 
 /// As [`solve()`], with the cheapest settings whose answers keep a wanted accuracy, see [`accuracy::candidates`]. Where none
@@ -207,7 +211,11 @@ pub fn test_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, P
         }
         return (first, problems);
     }
-    let (solved, mut problems) = solve_source(source, overrides);
+    let (compiled, mut problems) = compile(source, overrides);
+    let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
+    let (solved, found) = solve_each(compiled, &mut |_, _| true);
+    problems.append(found);
+    let solved = solved.ok();
     problems.extend(solved.iter().flat_map(|s| &s.outcomes).filter_map(Outcome::mismatch));
     (solved, problems)
 }

@@ -29,7 +29,7 @@ pub fn run(args: &Accuracy, screen: &Screen) -> Status {
         &args.problem.files,
         screen,
         if args.format == AccuracyFormat::Json { "" } else { "\n" },
-        |source| {
+        |source, _| {
             let (solved, mut problems) = solve_source(source, &overrides);
             let Some(solved) = solved.filter(|_| !problems.has_errors()) else {
                 return Reply::new(String::new(), &problems, source, screen);

@@ -30,6 +30,7 @@ Examples:
   assur check --plan engine.mech            what every step and effect costs per position
   assur solve engine.mech                   the answers as a readable table
   assur solve examples --format json        one object per file and line
+  assur solve engine.mech --format csv      one line per pose, for up to a million of them
   assur solve engine.mech --set r=120mm     with another crank
   assur solve engine.mech --within 1e-6     only as accurate as that
   assur accuracy engine.mech --plot a.svg   what accuracy costs in time
@@ -287,6 +288,8 @@ pub enum Format {
     Table,
     /// One object per file and line, SI and radians
     Json,
+    /// One object per pose and line, SI and radians
+    Jsonl,
     /// One row per pose, in the author's units
     Csv,
     /// Tables to paste into a document

@@ -13,7 +13,7 @@ use crate::solve::Costs;
 /// assembled.
 pub fn run(args: &Check, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
-    for_each_file(&args.problem.files, screen, "\n", |source| {
+    for_each_file(&args.problem.files, screen, "\n", |source, _| {
         let (compiled, mut problems) = crate::compile(source, &overrides);
         let results = compiled.map_or_else(String::new, |c| {
             let costs = if args.plan && !problems.has_errors() { costs(&c, &mut problems) } else { None };

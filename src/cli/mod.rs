@@ -12,6 +12,7 @@ mod profile;
 mod reply;
 mod screen;
 mod solve;
+mod stream;
 mod test;
 
 use std::ffi::OsString;

@@ -72,38 +72,61 @@ pub fn complaint(error: CliError, screen: &Screen) -> String {
     screen.diagnostics(&problems, &Source::new("", ""))
 }
 
+/// Writes the results of files, with what stands between them.
+pub struct Printer<'s> {
+    screen: &'s Screen,
+    apart: &'s str,
+    /// A file before this one has results.
+    before: bool,
+    /// This one has.
+    begun: bool,
+    whole: bool,
+}
+
+impl Printer<'_> {
+    /// Writes results of the present file; `false` where that cannot be done.
+    pub fn print(&mut self, text: &str) -> bool {
+        if text.is_empty() || !self.whole {
+            return self.whole;
+        }
+        if self.before && !self.begun {
+            self.whole = self.screen.print(self.apart);
+        }
+        self.begun = true;
+        self.whole = self.whole && self.screen.print(text);
+        self.whole
+    }
+}
+
 /// Works through all files that the command line names; one that cannot be used does not spoil the others. `apart`
 /// stands between the results of two files.
 pub fn for_each_file(
     names: &[String],
     screen: &Screen,
     apart: &str,
-    work: impl Fn(&Source) -> Reply,
+    work: impl Fn(&Source, &mut Printer<'_>) -> Reply,
 ) -> Status {
     let mut status = Status::Fine;
-    let mut printed = false;
+    let mut printer = Printer { screen, apart, before: false, begun: false, whole: true };
     quiet_panics();
     for input in files::expand(names) {
         let reply = match input.and_then(Input::read) {
-            Ok(source) => guarded(&source, screen, &work),
+            Ok(source) => guarded(&source, screen, |source| work(source, &mut printer)),
             Err(error) => Reply::unusable(error, screen),
         };
         screen.complain(&reply.diagnostics);
         status = status.max(reply.status);
-        if reply.results.is_empty() {
-            continue;
-        }
-        let text = if printed { format!("{apart}{}", reply.results) } else { reply.results };
-        if !screen.print(&text) {
+        if !printer.print(&reply.results) {
             return Status::Unusable;
         }
-        printed = true;
+        printer.before |= printer.begun;
+        printer.begun = false;
     }
     status
 }
 
 /// An error of our own ends one file, not the program.
-fn guarded(source: &Source, screen: &Screen, work: impl Fn(&Source) -> Reply) -> Reply {
+fn guarded(source: &Source, screen: &Screen, work: impl FnOnce(&Source) -> Reply) -> Reply {
     match catch_unwind(AssertUnwindSafe(|| work(source))) {
         Ok(reply) => reply,
         Err(payload) => {

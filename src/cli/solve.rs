@@ -3,9 +3,10 @@
 use super::args::{Format, Solve};
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
+use super::stream;
 use crate::check::RowColumn;
 use crate::diagnostic::Problems;
-use crate::exercise::{OwnRows, SolvedRow};
+use crate::exercise::{OwnRows, SolvedRow, is_long};
 use crate::report::document::{Column, Table};
 use crate::report::json::Variant;
 use crate::report::{self, Answers, Precision};
@@ -18,11 +19,11 @@ use crate::{Compiled, Solved};
 pub fn run(args: &Solve, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
     let apart = match args.format {
-        Format::Json => "",
+        Format::Json | Format::Jsonl => "",
         Format::Csv => "\r\n",
         Format::Table | Format::Markdown => "\n",
     };
-    for_each_file(&args.problem.files, screen, apart, |source| {
+    for_each_file(&args.problem.files, screen, apart, |source, printer| {
         let (document, found) = syntax::parse(source);
         match OwnRows::of(source, &document, &overrides) {
             Some(Ok(rows)) if !found.has_errors() => {
@@ -36,6 +37,12 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
             _ => {}
         }
         let (compiled, mut problems) = crate::compile(source, &overrides);
+        let compiled = match compiled {
+            Some(compiled) if !problems.has_errors() && by_position(args, &compiled) => {
+                return stream::positions(args.format, source, compiled, problems, screen, printer);
+            }
+            compiled => compiled,
+        };
         let solved = match compiled {
             Some(compiled) if !problems.has_errors() => {
                 let (solved, found) = crate::solve_within(compiled, args.within);
@@ -52,6 +59,12 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
         };
         Reply::new(results, &problems, source, screen)
     })
+}
+
+/// Whether positions are written one after another.
+fn by_position(args: &Solve, compiled: &Compiled) -> bool {
+    let forgets = args.format == Format::Jsonl || args.format == Format::Csv && is_long(&compiled.scene());
+    forgets && args.within.is_none()
 }
 
 /// All rows of a table of variants, one below the other.
@@ -77,6 +90,10 @@ fn of_rows(
                 let line =
                     report::json::render_row(&source.name, variant, scene.as_ref(), solved.as_ref(), &views);
                 results.push(line + "\n");
+            }
+            (Format::Jsonl, solved) => {
+                let variant = Variant::of(row.number, row.row.label.clone(), &row.row.row);
+                results.extend(solved.as_ref().map(|s| positions(source, Some(&variant), s)));
             }
             (Format::Table | Format::Markdown, Some(solved)) => {
                 let mut report = report::of_answers(&source.name, solved);
@@ -119,10 +136,19 @@ fn csv_row(table: &mut Table, columns: &[RowColumn], row: &SolvedRow, solved: Op
     }
 }
 
+/// One line per position.
+fn positions(source: &Source, variant: Option<&Variant>, answers: &Answers<'_>) -> String {
+    let poses: Vec<_> = answers.poses().map(Some).collect();
+    let poses = if poses.is_empty() { vec![None] } else { poses };
+    let line = |pose| report::json::render_position(&source.name, variant, answers, pose) + "\n";
+    poses.into_iter().map(line).collect()
+}
+
 fn answers(format: Format, source: &Source, solved: &Solved, screen: &Screen) -> String {
     let answers = solved.answers(Precision::READABLE);
     match format {
         Format::Csv => report::csv::render(&report::table_of_poses(&answers)),
+        Format::Jsonl => positions(source, None, &answers),
         Format::Markdown => report::markdown::render(&report::of_answers(&source.name, &answers)),
         Format::Table | Format::Json => {
             report::text::render(&report::of_answers(&source.name, &answers), screen.look())

@@ -11,7 +11,7 @@ use crate::syntax;
 /// Holds solutions against their answer keys: one line per file, and a diagnostic per expectation that fails.
 pub fn run(args: &Problem, screen: &Screen) -> Status {
     let overrides = args.overrides();
-    for_each_file(&args.files, screen, "", |source| {
+    for_each_file(&args.files, screen, "", |source, _| {
         let (document, found) = syntax::parse(source);
         if let (false, Some(Ok(rows))) = (found.has_errors(), OwnRows::of(source, &document, &overrides)) {
             return of_rows(rows, source, found, screen);

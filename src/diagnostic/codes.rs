@@ -132,6 +132,7 @@ pub const CODES: &[Code] = codes! {
     "request" / "not_driven",
     "request" / "no_own_effort",
     "request" / "too_long",
+    "request" / "too_many_positions",
     "request" / "which_drive",
     "request" / "no_value",
     "request" / "part",

@@ -9,6 +9,10 @@ pub type AnyDiagnostic = Box<dyn Diagnostic + Send + Sync + 'static>;
 #[derive(Debug, Default)]
 pub struct Problems {
     items: Vec<AnyDiagnostic>,
+    /// Errors that are counted, not kept.
+    more_errors: usize,
+    /// The same of what is no error.
+    more_warnings: usize,
 }
 
 impl Problems {
@@ -16,6 +20,24 @@ impl Problems {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// These alone.
+    #[must_use]
+    pub fn of<D: Diagnostic + Send + Sync + 'static>(problems: impl IntoIterator<Item = D>) -> Self {
+        let mut all = Self::new();
+        all.extend(problems);
+        all
+    }
+
+    /// Counts errors of which enough are kept.
+    pub const fn count_errors(&mut self, more: usize) {
+        self.more_errors += more;
+    }
+
+    /// Counts warnings of which enough are kept.
+    pub const fn count_warnings(&mut self, more: usize) {
+        self.more_warnings += more;
     }
 
     /// Adds one.
@@ -26,6 +48,8 @@ impl Problems {
     /// Adds all of another collection.
     pub fn append(&mut self, other: Self) {
         self.items.extend(other.items);
+        self.more_errors += other.more_errors;
+        self.more_warnings += other.more_warnings;
     }
 
     /// Adds what a later stage says, except about places that an error of this collection is about: one mistake is told
@@ -45,6 +69,8 @@ impl Problems {
             before > 0 && start < told[before - 1].1
         };
         self.items.extend(later.items.into_iter().filter(|p| !primary(p.as_ref()).is_some_and(overlaps)));
+        self.more_errors += later.more_errors;
+        self.more_warnings += later.more_warnings;
     }
 
     /// Whether there is nothing to say.
@@ -56,13 +82,13 @@ impl Problems {
     /// How many there are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.items.len()
+        self.items.len() + self.more_errors + self.more_warnings
     }
 
     /// How many of them are errors.
     #[must_use]
     pub fn errors(&self) -> usize {
-        self.items.iter().filter(|p| is_error(p.as_ref())).count()
+        self.items.iter().filter(|p| is_error(p.as_ref())).count() + self.more_errors
     }
 
     /// How many are no errors.
@@ -74,7 +100,7 @@ impl Problems {
     /// Whether the text cannot be used.
     #[must_use]
     pub fn has_errors(&self) -> bool {
-        self.items.iter().any(|p| is_error(p.as_ref()))
+        self.more_errors > 0 || self.items.iter().any(|p| is_error(p.as_ref()))
     }
 
     /// Whether one has this code.

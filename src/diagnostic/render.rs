@@ -42,7 +42,9 @@ pub fn render_most(problems: &Problems, source: &Source, style: Style, most: usi
     }
     let lines = Lines::of_text(&source.text);
     let mut out = String::new();
-    for problem in chosen(problems, most) {
+    let chosen = chosen(problems, most);
+    let more = problems.len() - chosen.len();
+    for problem in chosen {
         if !out.is_empty() {
             out.push('\n');
         }
@@ -57,7 +59,6 @@ pub fn render_most(problems: &Problems, source: &Source, style: Style, most: usi
             out.push('\n');
         }
     }
-    let more = problems.len().saturating_sub(most);
     if more > 0 {
         out += &format!("\nand {} more\n", grouped(more));
     }
@@ -67,8 +68,8 @@ pub fn render_most(problems: &Problems, source: &Source, style: Style, most: usi
 /// The problems that are drawn, by place.
 fn chosen(problems: &Problems, most: usize) -> Vec<&(dyn Diagnostic + Send + Sync + 'static)> {
     let mut all = problems.sorted();
-    let errors = problems.errors().min(most);
-    let (mut errors, mut others) = (errors, most - errors);
+    let kept = all.iter().filter(|p| is_error(**p)).count().min(most);
+    let (mut errors, mut others) = (kept, most - kept);
     all.retain(|problem| {
         let left = if is_error(*problem) { &mut errors } else { &mut others };
         let taken = *left > 0;

@@ -107,10 +107,12 @@ impl<'a> Key<'a> {
             Some(At::Drives(_)) => poses.iter().filter(|p| p.origin == PoseOrigin::Expected(index)).collect(),
             None => sweep(),
         };
-        match (found.len(), values) {
+        // those of a long sweep are not kept
+        let count = if expect.at.is_none() { self.solution.positions.max(found.len()) } else { found.len() };
+        match (count, values) {
             (0, _) => Err(ExpectError::no_solution(expect)),
             (poses, values) if poses == values => Ok(found),
-            (_, 1) => Err(ExpectError::needs_pose(expect, found.len())),
+            (_, 1) => Err(ExpectError::needs_pose(expect, count)),
             (poses, values) => Err(ExpectError::list_length(expect, values, poses)),
         }
     }
@@ -134,7 +136,7 @@ impl<'a> Key<'a> {
     fn place(&self, pose: &Pose) -> String {
         match pose.origin {
             PoseOrigin::Expected(_) => format!(" at {}", self.name(pose)),
-            _ if self.solution.poses.len() == 1 => String::new(),
+            _ if self.solution.poses.len().max(self.solution.positions) == 1 => String::new(),
             _ => format!(" at pose {}", pose.name),
         }
     }

@@ -4,7 +4,7 @@
 //! it; what does not is an error where it is asked, and is left out where it is not.
 
 use crate::model::{Expr, FindKind, Mechanism, Relation, Scale, Value};
-use crate::solve::{self, OpenSizes, Scene, Solution};
+use crate::solve::{self, Following, OpenSizes, Pose, Scene, Statics};
 use crate::source::Span;
 use crate::{Origin, check, plan, structure, syntax};
 use miette::Diagnostic;
@@ -38,22 +38,24 @@ pub enum ScaleError {
     },
 }
 
-/// Finds what hangs on open sizes: errors for what is asked, and a note in the solution of the rest.
-pub fn scales(scene: &Scene<'_>, solution: &mut Solution, origin: &Origin) -> Vec<ScaleError> {
+/// Finds what hangs on open sizes.
+///
+/// # Errors
+/// What is asked and hangs on them.
+pub fn scales(scene: &Scene<'_>, origin: &Origin) -> Result<OpenSizes, Vec<ScaleError>> {
+    let mut open = OpenSizes::default();
     if scene.mechanism.scales.is_empty() {
-        return Vec::new();
+        return Ok(open);
     }
     let (document, _) = syntax::parse(&origin.source);
     let mut errors: Vec<ScaleError> = Vec::new();
-    let mut open = OpenSizes::default();
     for scale in &scene.mechanism.scales {
         let (mechanism, _) = check::check_stretched(&document, &origin.overrides, &scale.wheel);
         let Some(mechanism) = mechanism else { continue };
         let Ok((structure, _)) = structure::structure(&mechanism) else { continue };
         let plan = plan::plan(&mechanism, &structure);
         let other = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
-        let Ok(changed) = solve::solve(&other) else { continue };
-        let compared = Compared { scene, solution, other: &other, changed: &changed };
+        let Some(compared) = Compared::of(scene, &other) else { continue };
         for (name, span) in compared.questions() {
             if !errors
                 .iter()
@@ -64,8 +66,7 @@ pub fn scales(scene: &Scene<'_>, solution: &mut Solution, origin: &Origin) -> Ve
         }
         compared.note(&mut open);
     }
-    solution.open = open;
-    errors
+    if errors.is_empty() { Ok(open) } else { Err(errors) }
 }
 
 fn error(scale: &Scale, what: String, span: Span) -> ScaleError {
@@ -85,85 +86,118 @@ fn error(scale: &Scale, what: String, span: Span) -> ScaleError {
     }
 }
 
+/// An expression of the file, and the same where the size is another.
+type Pair<'a> = (&'a Expr, &'a Expr);
+
+/// What is asked: its name, its place, its expressions, and whether one of them comes out differently.
+struct Question<'a> {
+    name: &'a str,
+    span: Span,
+    asked: Vec<Pair<'a>>,
+    differs: bool,
+}
+
 /// The same file with two sizes of a wheel.
 struct Compared<'a> {
     scene: &'a Scene<'a>,
-    solution: &'a Solution,
     other: &'a Scene<'a>,
-    changed: &'a Solution,
+    questions: Vec<Question<'a>>,
+    links: Vec<bool>,
+    efforts: Vec<bool>,
+    laws: Vec<bool>,
 }
 
-impl Compared<'_> {
-    /// What is asked and comes out differently.
-    fn questions(&self) -> Vec<(String, Span)> {
-        let (here, there) = (self.scene.mechanism, self.other.mechanism);
-        let mut found = Vec::new();
-        for (a, b) in here.finds.iter().zip(&there.finds) {
-            if let (FindKind::Value { expr, .. }, FindKind::Value { expr: changed, .. }) = (&a.kind, &b.kind)
-                && self.differs(expr, changed)
-            {
-                found.push((a.name.clone(), a.span));
-            }
+impl<'a> Compared<'a> {
+    /// Both solved, position by position; `None` where one cannot be.
+    fn of(scene: &'a Scene<'a>, other: &'a Scene<'a>) -> Option<Self> {
+        let mut compared = Self {
+            scene,
+            other,
+            questions: questions(scene.mechanism, other.mechanism),
+            links: vec![false; scene.mechanism.links.len()],
+            efforts: vec![false; scene.structure.efforts.len()],
+            laws: vec![false; scene.plan.laws.len()],
+        };
+        let constants = |(a, b): &Pair<'_>| match (a, b) {
+            (Expr::Constant(a), Expr::Constant(b)) => !alike(*a, *b),
+            _ => false,
+        };
+        for question in &mut compared.questions {
+            question.differs = question.asked.iter().any(constants);
         }
-        for (a, b) in here.expects.iter().zip(&there.expects) {
-            let bounds = match (&a.relation, &b.relation) {
-                (Relation::Equal(x), Relation::Equal(y)) => x.iter().zip(y).collect(),
-                (Relation::Compare(_, x), Relation::Compare(_, y)) => vec![(x, y)],
-                _ => Vec::new(),
-            };
-            if self.differs(&a.expr, &b.expr) || bounds.iter().any(|(x, y)| self.differs(x, y)) {
-                found.push((a.text.clone(), a.span));
-            }
+        let mut here = Following::new(scene, Vec::new()).ok()?;
+        let mut there = Following::new(other, Vec::new()).ok()?;
+        while let (Some(a), Some(b)) = (&mut here, &mut there) {
+            let (Some(first), Some(second)) = (a.next(), b.next()) else { break };
+            compared.look((a.statics(), &first.ok()?), (b.statics(), &second.ok()?));
         }
-        found
+        Some(compared)
     }
 
-    fn differs(&self, expr: &Expr, changed: &Expr) -> bool {
-        if let (Expr::Constant(a), Expr::Constant(b)) = (expr, changed) {
-            return !alike(*a, *b);
+    /// Looks at one position of both.
+    fn look(&mut self, (statics, a): (&Statics, &Pose), (changed, b): (&Statics, &Pose)) {
+        let (Ok(here), Ok(there)) = (&a.outcome, &b.outcome) else { return };
+        let (view, other) = (here.view(self.scene, statics), there.view(self.other, changed));
+        for question in self.questions.iter_mut().filter(|q| !q.differs) {
+            let both_constant = |(a, b): &Pair<'_>| matches!((a, b), (Expr::Constant(_), Expr::Constant(_)));
+            let mut asked = question.asked.iter().filter(|pair| !both_constant(pair));
+            question.differs = asked.any(|(a, b)| !alike(view.value(a), other.value(b)));
         }
-        let poses = self.solution.poses.iter().zip(&self.changed.poses);
-        poses.into_iter().any(|(a, b)| {
-            let (Ok(here), Ok(there)) = (&a.outcome, &b.outcome) else { return false };
-            let here = self.solution.view(self.scene, here).value(expr);
-            let there = self.changed.view(self.other, there).value(changed);
-            !alike(here, there)
-        })
+        let same = |x: f64, y: f64| alike(Value::Scalar(x), Value::Scalar(y));
+        let (x, y) = (&here.state, &there.state);
+        for (differs, (p, q)) in self.links.iter_mut().zip(x.bodies.iter().zip(&y.bodies)) {
+            let equal = same(p.omega, q.omega) && same(p.alpha, q.alpha);
+            *differs |= !(equal && alike(Value::Vector(p.v), Value::Vector(q.v)));
+        }
+        for (differs, (p, q)) in self.efforts.iter_mut().zip(x.efforts.iter().zip(&y.efforts)) {
+            *differs |= !same(*p, *q);
+        }
+        for (i, differs) in self.laws.iter_mut().enumerate() {
+            let force =
+                |plan: &plan::Plan, state: &solve::State| state.law_forces[i].multiplier * plan.laws[i].force;
+            *differs |= !same(force(self.scene.plan, x), force(self.other.plan, y));
+        }
+    }
+
+    /// What is asked and comes out differently.
+    fn questions(&self) -> Vec<(String, Span)> {
+        self.questions.iter().filter(|q| q.differs).map(|q| (q.name.to_owned(), q.span)).collect()
     }
 
     /// Results that come out differently, asked or not.
     fn note(&self, open: &mut OpenSizes) {
-        let add = |list: &mut Vec<usize>, i: usize| {
-            if !list.contains(&i) {
-                list.push(i);
+        let add = |list: &mut Vec<usize>, differ: &[bool]| {
+            for (i, _) in differ.iter().enumerate().filter(|(_, differs)| **differs) {
+                if !list.contains(&i) {
+                    list.push(i);
+                }
             }
         };
-        let same = |x: f64, y: f64| alike(Value::Scalar(x), Value::Scalar(y));
-        for (a, b) in self.solution.poses.iter().zip(&self.changed.poses) {
-            let (Ok(here), Ok(there)) = (&a.outcome, &b.outcome) else { continue };
-            let (x, y) = (&here.state, &there.state);
-            for (i, (p, q)) in x.bodies.iter().zip(&y.bodies).enumerate().take(links(self.scene.mechanism)) {
-                let equal = same(p.omega, q.omega) && same(p.alpha, q.alpha);
-                if !(equal && alike(Value::Vector(p.v), Value::Vector(q.v))) {
-                    add(&mut open.links, i);
-                }
-            }
-            let efforts = x.efforts.iter().zip(&y.efforts).enumerate();
-            efforts.filter(|(_, (p, q))| !same(**p, **q)).for_each(|(i, _)| add(&mut open.efforts, i));
-            for i in 0..self.scene.plan.laws.len() {
-                let force = |plan: &plan::Plan, state: &solve::State| {
-                    state.law_forces[i].multiplier * plan.laws[i].force
-                };
-                if !same(force(self.scene.plan, x), force(self.other.plan, y)) {
-                    add(&mut open.laws, i);
-                }
-            }
-        }
+        add(&mut open.links, &self.links);
+        add(&mut open.efforts, &self.efforts);
+        add(&mut open.laws, &self.laws);
     }
 }
 
-fn links(mechanism: &Mechanism) -> usize {
-    mechanism.links.len()
+/// What a file asks and expects, in both.
+fn questions<'a>(here: &'a Mechanism, there: &'a Mechanism) -> Vec<Question<'a>> {
+    let question = |name, span, asked| Question { name, span, asked, differs: false };
+    let finds = here.finds.iter().zip(&there.finds).filter_map(|(a, b)| match (&a.kind, &b.kind) {
+        (FindKind::Value { expr, .. }, FindKind::Value { expr: changed, .. }) => {
+            Some(question(a.name.as_str(), a.span, vec![(expr, changed)]))
+        }
+        _ => None,
+    });
+    let expects = here.expects.iter().zip(&there.expects).map(|(a, b)| {
+        let bounds: Vec<Pair<'a>> = match (&a.relation, &b.relation) {
+            (Relation::Equal(x), Relation::Equal(y)) => x.iter().zip(y).collect(),
+            (Relation::Compare(_, x), Relation::Compare(_, y)) => vec![(x, y)],
+            _ => Vec::new(),
+        };
+        let asked = std::iter::once((&a.expr, &b.expr)).chain(bounds).collect();
+        question(a.text.as_str(), a.span, asked)
+    });
+    finds.chain(expects).collect()
 }
 
 fn alike(a: Value, b: Value) -> bool {

@@ -16,6 +16,7 @@ mod expectations;
 mod friction;
 pub mod grade;
 pub mod json;
+pub mod lines;
 pub mod markdown;
 mod mobility;
 mod modes;

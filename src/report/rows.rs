@@ -95,6 +95,28 @@ impl AnswerColumns {
 
     /// Writes the answers at a pose, each with a comma before it; empty where there is none.
     pub fn write(&self, answers: &Answers<'_>, pose: &Pose, digits: usize, key: bool, out: &mut String) {
+        self.write_beside(answers, pose, &self.whole(answers), (digits, key), out);
+    }
+
+    /// What needs no pose, by answer.
+    #[must_use]
+    pub fn whole(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
+        let value = |answer: &Answer| match answer.content {
+            Content::Find { index, poseless: true } => self.without_pose(answers, index),
+            _ => None,
+        };
+        self.answers.iter().map(value).collect()
+    }
+
+    /// As [`AnswerColumns::write`], with what needs no pose known.
+    pub fn write_beside(
+        &self,
+        answers: &Answers<'_>,
+        pose: &Pose,
+        whole: &[Option<Value>],
+        (digits, key): (usize, bool),
+        out: &mut String,
+    ) {
         let shown = &self.answers[if key { self.drives } else { 0 }..];
         let solved = pose.outcome.as_ref().ok();
         let entries = match solved {
@@ -104,13 +126,13 @@ impl AnswerColumns {
             _ => Vec::new(),
         };
         let view = solved.map(|solved| answers.solution.view(&answers.scene, solved));
-        for answer in shown {
+        for (answer, whole) in shown.iter().zip(&whole[self.answers.len() - shown.len()..]) {
             let value = match &answer.content {
                 Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
                 Content::Find { index, poseless: false } => {
                     view.as_ref().and_then(|view| found(answers, view, *index))
                 }
-                Content::Find { index, poseless: true } => self.without_pose(answers, *index),
+                Content::Find { poseless: true, .. } => *whole,
                 Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
                 Content::Reaction(pair, on) => entry(&entries, *pair, *on).map(|e| Value::Vector(e.force)),
                 Content::Moment(pair, on) => {

@@ -5,7 +5,7 @@ use super::choices::{lines, near_lines};
 use super::error::SolveError;
 use super::extremes::statics;
 use super::inputs::Rates;
-use super::positions::sweep;
+use super::positions::Sweep;
 use super::refused;
 use super::solution::Scene;
 use super::state::State;
@@ -60,7 +60,7 @@ pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
         return Ok(out);
     }
     let statics = statics(scene).map_err(|e| vec![e])?;
-    let Some(first) = sweep(scene, &statics).into_iter().next() else { return Ok(out) };
+    let first = Sweep::of(scene, &statics).at(0);
     out.pose = place(scene, &first);
     let mut state = State::new(scene.plan);
     Rates::of(scene, &statics).at(&first.drives, &mut state.inputs);

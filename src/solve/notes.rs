@@ -2,8 +2,9 @@
 
 use super::error::{SolveError, label};
 use super::positions::{Wanted, turns};
-use super::solution::{DriveValue, Pose, PoseOrigin, Scene};
+use super::solution::{DriveValue, Scene};
 use super::state::State;
+use super::sweep::Closing;
 use super::track::Switch;
 use super::train_error::TrainError;
 use super::words::{drive_text, four, labels, links, place, short, stands};
@@ -14,6 +15,11 @@ use crate::structure::{EffortKind, EffortSource, Group};
 const FEW_DIGITS: f64 = 7.0;
 /// Digits that forces of inertia lose beside: 16 ε/σ³.
 const GATHERED: f64 = 1.2;
+
+/// More switches are counted, not told.
+const MOST_SWITCHES: usize = 1000;
+/// The same for gaps.
+const MOST_GAPS: usize = 100;
 
 /// Drive values between which a sweep does not close; absent at its ends.
 #[derive(Debug, Default)]
@@ -35,7 +41,11 @@ struct Pull {
 #[derive(Debug, Default)]
 pub(super) struct Notes {
     switches: Vec<SolveError>,
+    /// Switches that are not kept.
+    more_switches: usize,
     gaps: Vec<Gap>,
+    /// Gaps that are not kept.
+    more_gaps: usize,
     in_gap: bool,
     /// The fewest digits left, with their warning.
     fewest: Option<(f64, SolveError)>,
@@ -55,17 +65,25 @@ impl Notes {
 
     pub(super) fn gap_begins(&mut self, from: Option<Vec<DriveValue>>) {
         self.in_gap = true;
-        self.gaps.push(Gap { from, to: None });
+        if self.gaps.len() < MOST_GAPS {
+            self.gaps.push(Gap { from, to: None });
+        } else {
+            self.more_gaps += 1;
+        }
     }
 
     pub(super) fn gap_ends(&mut self, to: Vec<DriveValue>) {
         self.in_gap = false;
-        if let Some(gap) = self.gaps.last_mut() {
+        if let Some(gap) = self.gaps.last_mut().filter(|_| self.more_gaps == 0) {
             gap.to = Some(to);
         }
     }
 
     pub(super) fn switched(&mut self, scene: &Scene<'_>, switch: &Switch, from: &str, to: &str) {
+        if self.switches.len() == MOST_SWITCHES {
+            self.more_switches += 1;
+            return;
+        }
         let group = &scene.structure.motion[switch.group];
         self.switches.push(SolveError::BranchSwitch {
             links: links(scene, group),
@@ -189,7 +207,8 @@ impl Notes {
         self.locking = Some((TrainError::SelfLocking { pose, more: String::new(), help, labels }, 0));
     }
 
-    pub(super) fn into_warnings(self, scene: &Scene<'_>, poses: &[Pose]) -> Vec<SolveError> {
+    /// The warnings, and how many there are more.
+    pub(super) fn into_warnings(self, scene: &Scene<'_>, closing: Closing) -> (Vec<SolveError>, usize) {
         let mut warnings = self.switches;
         if let Some((mut error, count)) = self.locking {
             if let TrainError::SelfLocking { more, .. } = &mut error {
@@ -210,7 +229,7 @@ impl Notes {
             let name = pair.name.clone();
             warnings.push(SolveError::ContactPulls { name, pose, normal, more, span: pair.span.into() });
         }
-        warnings.extend(partial_sweep(scene, poses, &self.gaps));
+        warnings.extend(partial_sweep(scene, closing, &self.gaps, self.more_gaps));
         warnings.extend(self.fewest.map(|f| f.1));
         if let Some((_, mut warning)) = self.uncertified {
             if let SolveError::NotCertified { more, .. } = &mut warning {
@@ -218,7 +237,7 @@ impl Notes {
             }
             warnings.push(warning);
         }
-        warnings
+        (warnings, self.more_switches)
     }
 }
 
@@ -245,15 +264,12 @@ fn rounded(scene: &Scene<'_>, values: &[DriveValue], per_degree: f64) -> Vec<Dri
 }
 
 /// A warning that tells over which ranges a sweep does not close.
-fn partial_sweep(scene: &Scene<'_>, poses: &[Pose], gaps: &[Gap]) -> Option<SolveError> {
+fn partial_sweep(scene: &Scene<'_>, closing: Closing, gaps: &[Gap], more: usize) -> Option<SolveError> {
     if gaps.is_empty() {
         return None;
     }
-    let open =
-        |p: &&Pose| matches!(&p.outcome, Err(SolveError::DoesNotClose { .. } | SolveError::NotFound { .. }));
-    let sweep = || poses.iter().filter(|p| matches!(p.origin, PoseOrigin::Sweep(_)));
-    let total = sweep().count();
-    let closed = total - sweep().filter(open).count();
+    let Closing { swept: total, open } = closing;
+    let closed = total - open;
     let text = |values: &[DriveValue]| drive_text(scene, &rounded(scene, values, 100.0));
     let ranges = gaps.iter().map(|gap| match (&gap.from, &gap.to) {
         (Some(from), Some(to)) => format!("from {} to {}", text(from), text(to)),
@@ -275,7 +291,10 @@ fn partial_sweep(scene: &Scene<'_>, poses: &[Pose], gaps: &[Gap]) -> Option<Solv
         Some(line) => format!("{listed}; to sweep over the part that closes write\n  {line}"),
         None => listed.to_owned(),
     };
-    let ranges = ranges.collect::<Vec<_>>().join(", nor ");
+    let mut ranges = ranges.collect::<Vec<_>>().join(", nor ");
+    if more > 0 {
+        ranges += &format!(", nor in {more} other ranges");
+    }
     Some(SolveError::PartialSweep { positions, ranges, help, span: drive.span.into() })
 }
 

@@ -30,28 +30,54 @@ fn drive_value(value: Value) -> DriveValue {
 }
 
 /// The values of one drive over its sweep.
-fn values(scene: &Scene<'_>, statics: &Statics, drive: &Drive) -> Vec<DriveValue> {
-    match &drive.positions {
-        Positions::None => vec![DriveValue::None],
-        Positions::List(list) => list.iter().map(|e| drive_value(constant(scene, statics, e))).collect(),
-        Positions::Range { from, to, steps } => {
-            let scalar = |e| match constant(scene, statics, e) {
-                Value::Scalar(x) => x,
-                _ => f64::NAN,
-            };
-            range(scalar(from), scalar(to), *steps, turns(scene, drive))
-        }
-    }
+#[derive(Clone, Debug)]
+enum Values {
+    List(Vec<DriveValue>),
+    Range { from: f64, to: f64, steps: usize, count: usize },
 }
 
-/// Equal steps; over whole turns of a drive that turns the last position, the first again, is left out.
-fn range(from: f64, to: f64, steps: usize, turning: bool) -> Vec<DriveValue> {
-    let turns = (to - from) / std::f64::consts::TAU;
-    let whole = turning && turns.round() != 0.0 && (turns - turns.round()).abs() < 1e-12;
-    let count = if whole { steps } else { steps + 1 };
-    #[allow(clippy::cast_precision_loss)] // steps are far below 2^52
-    let at = |i: usize| from + (to - from) * (i as f64 / steps as f64);
-    (0..count).map(|i| DriveValue::Scalar(at(i))).collect()
+impl Values {
+    fn of(scene: &Scene<'_>, statics: &Statics, drive: &Drive) -> Self {
+        match &drive.positions {
+            Positions::None => Self::List(vec![DriveValue::None]),
+            Positions::List(list) => {
+                Self::List(list.iter().map(|e| drive_value(constant(scene, statics, e))).collect())
+            }
+            Positions::Range { from, to, steps } => {
+                let scalar = |e| match constant(scene, statics, e) {
+                    Value::Scalar(x) => x,
+                    _ => f64::NAN,
+                };
+                Self::range(scalar(from), scalar(to), *steps, turns(scene, drive))
+            }
+        }
+    }
+
+    /// Equal steps; over whole turns of a drive that turns the last position, the first again, is left out.
+    fn range(from: f64, to: f64, steps: usize, turning: bool) -> Self {
+        let turns = (to - from) / std::f64::consts::TAU;
+        let whole = turning && turns.round() != 0.0 && (turns - turns.round()).abs() < 1e-12;
+        Self::Range { from, to, steps, count: if whole { steps } else { steps + 1 } }
+    }
+
+    const fn len(&self) -> usize {
+        match self {
+            Self::List(list) => list.len(),
+            Self::Range { count, .. } => *count,
+        }
+    }
+
+    /// The value at a position; the last one goes on.
+    fn at(&self, index: usize) -> DriveValue {
+        match self {
+            Self::List(list) => list.get(index).or(list.last()).copied().unwrap_or(DriveValue::None),
+            #[allow(clippy::cast_precision_loss)] // steps are far below 2^52
+            Self::Range { from, to, steps, count } => {
+                let i = index.min(count.saturating_sub(1));
+                DriveValue::Scalar(from + (to - from) * (i as f64 / *steps as f64))
+            }
+        }
+    }
 }
 
 /// Whether a drive's value is an angle.
@@ -65,19 +91,35 @@ pub(super) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
     }
 }
 
-/// All positions of the sweep, in order.
-pub(super) fn sweep(scene: &Scene<'_>, statics: &Statics) -> Vec<Wanted> {
-    let drives = &scene.mechanism.drives;
-    let all: Vec<Vec<DriveValue>> = drives.iter().map(|d| values(scene, statics, d)).collect();
-    let length = all.iter().map(Vec::len).max().unwrap_or(1);
-    // `check` has seen to it that all are of one length, or single
-    (0..length)
-        .map(|i| Wanted {
-            name: (i + 1).to_string(),
-            origin: PoseOrigin::Sweep(i),
-            drives: all.iter().map(|v| v.get(i).or(v.last()).copied().unwrap_or(DriveValue::None)).collect(),
-        })
-        .collect()
+/// The positions of the sweep, of which none is kept.
+#[derive(Clone, Debug)]
+pub(super) struct Sweep {
+    drives: Vec<Values>,
+    len: usize,
+}
+
+impl Sweep {
+    pub fn of(scene: &Scene<'_>, statics: &Statics) -> Self {
+        let drives = scene.mechanism.drives.iter().map(|d| Values::of(scene, statics, d));
+        let drives: Vec<Values> = drives.collect();
+        // `check` has seen to it that all are of one length, or single
+        let len = drives.iter().map(Values::len).max().unwrap_or(1);
+        Self { drives, len }
+    }
+
+    pub const fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Drive values at a position, counted from 0.
+    pub fn values(&self, index: usize) -> Vec<DriveValue> {
+        self.drives.iter().map(|d| d.at(index)).collect()
+    }
+
+    pub fn at(&self, index: usize) -> Wanted {
+        let origin = PoseOrigin::Sweep(index);
+        Wanted { name: (index + 1).to_string(), origin, drives: self.values(index) }
+    }
 }
 
 /// Positions beside the sweep: drives that are not named keep the value of the sweep's first position.

@@ -24,12 +24,17 @@ pub struct Scene<'a> {
 /// All positions of a file.
 #[derive(Debug, Default)]
 pub struct Solution {
-    /// The sweep's poses in order, then the file's own, then those that an `expect … at` adds.
+    /// The sweep's poses in order, then the file's own, then those that an `expect … at` adds. Of a motion that was
+    /// followed position by position those alone that an expectation names.
     pub poses: Vec<Pose>,
+    /// How many positions the sweep has.
+    pub positions: usize,
     /// Dead positions and strokes of the pairs asked for.
     pub statics: Statics,
     /// What deserves a warning.
     pub warnings: Vec<SolveError>,
+    /// How many warnings more there are than are kept.
+    pub unlisted: usize,
     /// What is to be said of friction.
     pub friction: Vec<FrictionError>,
     /// What hangs on sizes that the file leaves open: nothing of it is reported.
@@ -122,26 +127,41 @@ pub struct Residuals {
     pub power: Option<f64>,
 }
 
-impl Solution {
-    /// Why poses of the file have no solution, except for those of a sweep that do not close: one warning speaks of them
-    /// all.
+impl Pose {
+    /// Why it has no solution, except for one of a sweep that does not close: one warning speaks of them all.
     #[must_use]
-    pub fn failures(&self) -> Vec<SolveError> {
+    pub fn failure(&self) -> Option<&SolveError> {
         let open =
             |e: &SolveError| matches!(e, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. });
-        let poses = self.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
-        let failed = poses.filter_map(|p| Some((p.origin, p.outcome.as_ref().err()?)));
-        failed
-            .filter(|(origin, error)| !(matches!(origin, PoseOrigin::Sweep(_)) && open(error)))
-            .map(|(_, error)| error.clone())
-            .collect()
+        let error = self.outcome.as_ref().err()?;
+        match self.origin {
+            PoseOrigin::Expected(_) => None,
+            PoseOrigin::Sweep(_) if open(error) => None,
+            _ => Some(error),
+        }
+    }
+}
+
+impl Solved {
+    /// The position, seen from the language.
+    #[must_use]
+    pub fn view<'a>(&'a self, scene: &Scene<'a>, statics: &'a Statics) -> View<'a> {
+        let view = View::new(scene, &self.state, &self.angles, statics);
+        let frictionless = self.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
+        View { quantities: &self.quantities, frictionless, ..view }
+    }
+}
+
+impl Solution {
+    /// Why poses of the file have no solution: [`Pose::failure`] of each.
+    #[must_use]
+    pub fn failures(&self) -> Vec<SolveError> {
+        self.poses.iter().filter_map(Pose::failure).cloned().collect()
     }
 
     /// One of its positions, seen from the language.
     #[must_use]
     pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> View<'a> {
-        let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
-        let frictionless = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
-        View { quantities: &solved.quantities, frictionless, ..view }
+        solved.view(scene, &self.statics)
     }
 }

@@ -1,21 +1,28 @@
 //! Solves all positions of a file.
 
-use super::assemble::{assemble, does_not_close};
+use super::assemble::{assemble_from, does_not_close};
 use super::cycle::loads_name_quantities;
 use super::error::{SolveError, label};
 use super::extremes::{Statics, statics};
 use super::free_roller::free_rollers;
 use super::friction_notes::FrictionNotes;
+use super::general::STARTS;
 use super::inputs::Rates;
 use super::notes::Notes;
 use super::open;
-use super::positions::{Wanted, beside, sweep};
+use super::positions::{Sweep, Wanted, beside};
 use super::refused;
-use super::solution::{DriveValue, OpenSizes, Pose, Scene, Solution, Solved};
+use super::solution::{DriveValue, Pose, Scene, Solution, Solved};
 use super::state::State;
 use super::track::{Switch, Tracker};
 use super::words::place;
 use crate::model::{LoadId, Value};
+use std::collections::VecDeque;
+
+/// Positions in a row at which all starts of a search are tried in vain.
+const MANY: usize = 32;
+/// Starts at those behind them.
+const FEW_STARTS: usize = 4;
 
 /// Solves all positions. What fails at one position stands in its pose; what makes all of them meaningless is an error.
 ///
@@ -31,36 +38,156 @@ pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
 /// # Errors
 /// As [`solve`].
 pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
-    can_be_solved(scene)?;
-    let needs_poses = scene.mechanism.links.len() > 1;
-    if !needs_poses {
-        return Ok(Solution::default());
+    let Some(mut following) = Following::new(scene, criticals)? else { return Ok(Solution::default()) };
+    let mut poses = Vec::with_capacity(following.positions());
+    while let Some(pose) = following.next() {
+        poses.push(pose.map_err(|e| vec![e])?);
     }
-    let mut statics = statics(scene).map_err(|e| vec![e])?;
-    statics.criticals = criticals;
-    let wanted = sweep(scene, &statics);
-    let cycle_warnings = super::cycle::cycles(scene, &mut statics, &wanted).map_err(|e| vec![e])?;
-    let mut run = Run {
-        scene,
-        rates: Rates::of(scene, &statics),
-        statics,
-        evaluated: Vec::new(),
-        loads_name_quantities: loads_name_quantities(scene.mechanism),
-        memory: None,
-        before: None,
-        poses: Vec::new(),
-        notes: Notes::default(),
-        friction: FrictionNotes::default(),
-    };
-    let mut near = beside(scene, &run.statics, &wanted[0]).into_iter().map(Near::new).collect::<Vec<_>>();
-    run.poses.reserve(wanted.len() + near.len());
-    run.follow(wanted, &mut near).map_err(|e| vec![e])?;
-    run.beside(near);
-    let friction = run.friction_problems();
-    let mut warnings = run.notes.into_warnings(scene, &run.poses);
-    warnings.extend(cycle_warnings);
-    warnings.extend(refused::unit_speeds(scene));
-    Ok(Solution { poses: run.poses, statics: run.statics, warnings, friction, open: OpenSizes::default() })
+    Ok(Solution { poses, ..following.end() })
+}
+
+/// The positions of a file, solved one after another: none is kept.
+pub struct Following<'a, 's> {
+    run: Run<'a, 's>,
+    sweep: Sweep,
+    next: usize,
+    current: Option<Tracker>,
+    /// Poses beside the sweep, each followed from the nearest position of the sweep that closed.
+    near: VecDeque<Near>,
+    /// Why the first position that failed did.
+    first_error: Option<SolveError>,
+    cycle_warnings: Vec<SolveError>,
+}
+
+impl<'a, 's> Following<'a, 's> {
+    /// Finds all that needs no position; `None` where there is no mechanism to follow.
+    ///
+    /// # Errors
+    /// As [`solve`].
+    pub fn new(scene: &'s Scene<'a>, criticals: Vec<f64>) -> Result<Option<Self>, Vec<SolveError>> {
+        can_be_solved(scene)?;
+        let needs_poses = scene.mechanism.links.len() > 1;
+        if !needs_poses {
+            return Ok(None);
+        }
+        let mut statics = statics(scene).map_err(|e| vec![e])?;
+        statics.criticals = criticals;
+        let sweep = Sweep::of(scene, &statics);
+        let cycle_warnings = super::cycle::cycles(scene, &mut statics, &sweep).map_err(|e| vec![e])?;
+        let near = beside(scene, &statics, &sweep.at(0)).into_iter().map(Near::new).collect();
+        let run = Run {
+            scene,
+            rates: Rates::of(scene, &statics),
+            statics,
+            evaluated: Vec::new(),
+            loads_name_quantities: loads_name_quantities(scene.mechanism),
+            memory: None,
+            before: None,
+            last: None,
+            searched: 0,
+            closing: Closing::default(),
+            notes: Notes::default(),
+            friction: FrictionNotes::default(),
+        };
+        let (next, current, first_error) = (0, None, None);
+        Ok(Some(Self { run, sweep, next, current, near, first_error, cycle_warnings }))
+    }
+
+    /// How many positions there are, with the poses beside the sweep.
+    #[must_use]
+    pub fn positions(&self) -> usize {
+        self.sweep.len() + self.near.len()
+    }
+
+    /// How many positions the sweep has.
+    #[must_use]
+    pub const fn swept(&self) -> usize {
+        self.sweep.len()
+    }
+
+    /// Dead positions, strokes, functions over the sweep.
+    #[must_use]
+    pub const fn statics(&self) -> &Statics {
+        &self.run.statics
+    }
+
+    /// Whether a position that was looked at has a meaning.
+    #[must_use]
+    pub const fn has_begun(&self) -> bool {
+        self.run.closing.open < self.run.closing.swept
+    }
+
+    /// The next position: those of the sweep in order, then those beside it. An error where no position has a meaning.
+    #[allow(clippy::should_implement_trait)] // an error ends the file
+    pub fn next(&mut self) -> Option<Result<Pose, SolveError>> {
+        if self.next < self.sweep.len() {
+            let pose = self.sweep.at(self.next);
+            self.next += 1;
+            return Some(self.swept_pose(pose));
+        }
+        if let (Some(error), false) = (self.first_error.take(), self.has_begun()) {
+            self.near.clear();
+            return Some(Err(error));
+        }
+        self.near.pop_front().map(|near| Ok(self.run.beside(near)))
+    }
+
+    /// What is to be said of all positions.
+    #[must_use]
+    pub fn end(mut self) -> Solution {
+        let friction = self.run.friction_problems();
+        let (scene, closing) = (self.run.scene, self.run.closing);
+        let (mut warnings, unlisted) = self.run.notes.into_warnings(scene, closing);
+        warnings.extend(self.cycle_warnings);
+        warnings.extend(refused::unit_speeds(scene));
+        let (statics, positions) = (self.run.statics, self.sweep.len());
+        Solution { statics, warnings, unlisted, friction, positions, ..Solution::default() }
+    }
+
+    fn swept_pose(&mut self, pose: Wanted) -> Result<Pose, SolveError> {
+        let run = &mut self.run;
+        let came = match self.current.take() {
+            None => run.assembled(&pose).map(|t| (t, Way::Followed(Vec::new()))),
+            Some(mut tracker) => run.moved(&mut tracker, &pose).map(|way| (tracker, way)),
+        };
+        let outcome = match came {
+            Ok((tracker, way)) => {
+                run.note_way(way, &tracker, &pose);
+                let outcome = run.solved(&tracker, &pose);
+                self.near.iter_mut().for_each(|n| n.look(&tracker, &pose.drives));
+                self.current = Some(tracker);
+                outcome
+            }
+            Err(stuck) => {
+                let Stuck { error, back } = *stuck;
+                // without a choice, or with a hint that cannot be met, no position has a meaning
+                if self.next == 1 && (self.sweep.len() == 1 || !is_open(&error)) {
+                    self.next = self.sweep.len();
+                    self.near.clear();
+                    return Err(error);
+                }
+                if self.first_error.is_none() {
+                    self.first_error = Some(error.clone());
+                }
+                if is_open(&error) && !run.notes.in_gap() {
+                    let limit = back.clone().map(|t| t.limit(run.scene, &run.rates, &pose.drives));
+                    run.notes.gap_begins(limit);
+                }
+                self.current = back;
+                Err(error)
+            }
+        };
+        run.closing.swept += 1;
+        run.closing.open += usize::from(outcome.as_ref().is_err_and(is_open));
+        Ok(run.posed(pose, outcome))
+    }
+}
+
+/// How many positions of the sweep there are, and how many of them do not close.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Closing {
+    pub swept: usize,
+    pub open: usize,
 }
 
 /// A pose beside the sweep, with the tracker at the nearest position of the sweep that closed.
@@ -125,65 +252,40 @@ pub(super) struct Run<'a, 's> {
     pub memory: Option<State>,
     /// Memory for the place before a step of the sweep.
     before: Option<Tracker>,
-    poses: Vec<Pose>,
+    /// Name and drive values of the position before.
+    last: Option<(String, Vec<DriveValue>)>,
+    /// Searches for an assembly that found none, one after another.
+    searched: usize,
+    /// The sweep so far.
+    closing: Closing,
     pub notes: Notes,
     /// What is said of friction.
     pub friction: FrictionNotes,
 }
 
 impl Run<'_, '_> {
-    /// Follows the sweep, past the poses beside it.
-    fn follow(&mut self, wanted: Vec<Wanted>, near: &mut [Near]) -> Result<(), SolveError> {
-        let mut current: Option<Tracker> = None;
-        let mut first_error = None;
-        let alone = wanted.len() == 1;
-        for (i, pose) in wanted.into_iter().enumerate() {
-            let came = match current.take() {
-                None => self.assembled(&pose).map(|t| (t, Way::Followed(Vec::new()))),
-                Some(mut tracker) => self.moved(&mut tracker, &pose).map(|way| (tracker, way)),
-            };
-            match came {
-                Ok((tracker, way)) => {
-                    self.note_way(way, &tracker, &pose);
-                    let outcome = self.solved(&tracker, &pose);
-                    near.iter_mut().for_each(|n| n.look(&tracker, &pose.drives));
-                    self.push(pose, outcome);
-                    current = Some(tracker);
-                }
-                Err(stuck) => {
-                    let Stuck { error, back } = *stuck;
-                    // without a choice, or with a hint that cannot be met, no position has a meaning
-                    if i == 0 && (alone || !is_open(&error)) {
-                        return Err(error);
-                    }
-                    first_error.get_or_insert(error.clone());
-                    if is_open(&error) && !self.notes.in_gap() {
-                        let limit = back.clone().map(|t| t.limit(self.scene, &self.rates, &pose.drives));
-                        self.notes.gap_begins(limit);
-                    }
-                    self.push(pose, Err(error));
-                    current = back;
-                }
-            }
-        }
-        match first_error {
-            Some(error) if self.poses.iter().all(|p| p.outcome.as_ref().is_err_and(is_open)) => Err(error),
-            _ => Ok(()),
-        }
-    }
-
-    fn assembled(&self, pose: &Wanted) -> Result<Tracker, Box<Stuck>> {
+    fn assembled(&mut self, pose: &Wanted) -> Result<Tracker, Box<Stuck>> {
         let mut state = State::new(self.scene.plan);
         self.rates.at(&pose.drives, &mut state.inputs);
-        let state = assemble(self.scene, state)
-            .map_err(|e| Box::new(Stuck { error: with_pose(e, &place(self.scene, pose)), back: None }))?;
-        Ok(Tracker::new(self.scene, state, &pose.drives))
+        // what was not found at many positions is not looked for as long at the next
+        let starts = if self.searched < MANY { STARTS } else { FEW_STARTS };
+        match assemble_from(self.scene, state, starts) {
+            Ok(state) => {
+                self.searched = 0;
+                Ok(Tracker::new(self.scene, state, &pose.drives))
+            }
+            Err(error) => {
+                self.searched += usize::from(matches!(error, SolveError::NotFound { .. }));
+                let error = with_pose(error, &place(self.scene, pose));
+                Err(Box::new(Stuck { error, back: None }))
+            }
+        }
     }
 
     /// What is to be said of the way from the position before.
     fn note_way(&mut self, way: Way, tracker: &Tracker, pose: &Wanted) {
-        let Some(before) = self.poses.last() else { return };
-        let back = || tracker.clone().limit(self.scene, &self.rates, &before.drives);
+        let Some((name, drives)) = &self.last else { return };
+        let back = || tracker.clone().limit(self.scene, &self.rates, drives);
         if self.notes.in_gap() {
             let end = back();
             self.notes.gap_ends(end);
@@ -192,7 +294,7 @@ impl Run<'_, '_> {
         match way {
             Way::Followed(switched) => {
                 for switch in switched {
-                    self.notes.switched(self.scene, &switch, &before.name, &pose.name);
+                    self.notes.switched(self.scene, &switch, name, &pose.name);
                 }
             }
             Way::Blocked(limit) => {
@@ -233,23 +335,23 @@ impl Run<'_, '_> {
         }
     }
 
-    /// Poses beside the sweep: each followed from the nearest position of the sweep that closed.
-    fn beside(&mut self, near: Vec<Near>) {
-        for Near { pose, tracker, .. } in near {
-            let outcome = match tracker {
-                Some(mut tracker) => match self.moved(&mut tracker, &pose) {
-                    Ok(_) => self.solved(&tracker, &pose),
-                    Err(stuck) => Err(stuck.error),
-                },
-                None => self.assembled(&pose).map_err(|e| e.error).and_then(|t| self.solved(&t, &pose)),
-            };
-            self.push(pose, outcome);
-        }
+    /// A pose beside the sweep.
+    fn beside(&mut self, near: Near) -> Pose {
+        let Near { pose, tracker, .. } = near;
+        let outcome = match tracker {
+            Some(mut tracker) => match self.moved(&mut tracker, &pose) {
+                Ok(_) => self.solved(&tracker, &pose),
+                Err(stuck) => Err(stuck.error),
+            },
+            None => self.assembled(&pose).map_err(|e| e.error).and_then(|t| self.solved(&t, &pose)),
+        };
+        self.posed(pose, outcome)
     }
 
-    fn push(&mut self, pose: Wanted, outcome: Result<Solved, SolveError>) {
+    fn posed(&mut self, pose: Wanted, outcome: Result<Solved, SolveError>) -> Pose {
         let Wanted { name, origin, drives } = pose;
-        self.poses.push(Pose { name, origin, drives, outcome });
+        self.last = Some((name.clone(), drives.clone()));
+        Pose { name, origin, drives, outcome }
     }
 }
 

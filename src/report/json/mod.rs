@@ -15,7 +15,7 @@ use crate::check::{ColumnUse, Row};
 use crate::diagnostic::DiagnosticView;
 use crate::exercise::Outcome;
 use crate::model::{Find, FindKind, TableEntry};
-use crate::solve::Scene;
+use crate::solve::{Pose, Scene};
 use cycle::{AccuracyView, FlywheelView};
 use entries::{Entries, Number, Reading};
 use pose::PoseView;
@@ -52,6 +52,21 @@ struct SolutionView<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     expectations: Option<Vec<ExpectationView<'a>>>,
     diagnostics: &'a [DiagnosticView],
+}
+
+/// Name and version of the format of one position.
+const POSITION: &str = "assur.position/1";
+
+#[derive(Serialize)]
+struct PositionView<'a> {
+    schema: &'static str,
+    file: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    variant: Option<&'a Variant>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pose: Option<PoseView<'a>>,
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    cycle: Entries<Reading>,
 }
 
 /// A row of a table of variants.
@@ -133,6 +148,25 @@ pub fn render_row(
         diagnostics,
     };
     // a view of texts, truths and finite numbers is always written
+    serde_json::to_string(&view).unwrap_or_default()
+}
+
+/// One position as one line of JSON, without the line's end: `docs/json-schema/position-1.json`. Of a file without positions
+/// what needs none.
+#[must_use]
+pub fn render_position<'a>(
+    file: &'a str,
+    variant: Option<&'a Variant>,
+    answers: &Answers<'a>,
+    pose: Option<&'a Pose>,
+) -> String {
+    let view = PositionView {
+        schema: POSITION,
+        file,
+        variant,
+        pose: pose.map(|pose| PoseView::of(answers, pose)),
+        cycle: Entries(of_cycle(answers)),
+    };
     serde_json::to_string(&view).unwrap_or_default()
 }
 

@@ -64,7 +64,7 @@ pub fn costs(scene: &Scene<'_>) -> Result<Option<Costs>, Vec<SolveError>> {
         return Ok(None);
     }
     let mut statics = statics(scene).map_err(|e| vec![e])?;
-    let sweep = super::positions::sweep(scene, &statics);
+    let sweep = super::positions::Sweep::of(scene, &statics);
     super::cycle::cycles(scene, &mut statics, &sweep).map_err(|e| vec![e])?;
     let rates = Rates::of(scene, &statics);
     let (over, places) = places::places(scene, &statics, &rates).map_err(|e| vec![e])?;

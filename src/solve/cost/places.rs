@@ -4,7 +4,7 @@ use super::super::assemble::assemble;
 use super::super::error::SolveError;
 use super::super::extremes::Statics;
 use super::super::inputs::Rates;
-use super::super::positions::{sweep, turns};
+use super::super::positions::{Sweep, turns};
 use super::super::solution::{DriveValue, Scene};
 use super::super::state::State;
 use super::super::track::Tracker;
@@ -35,9 +35,9 @@ pub(super) fn places(
     statics: &Statics,
     rates: &Rates,
 ) -> Result<(Over, Vec<Place>), SolveError> {
-    let wanted = sweep(scene, statics);
-    let apart = wanted.len().div_ceil(ENOUGH).max(1);
-    let values: Vec<Vec<DriveValue>> = wanted.into_iter().step_by(apart).map(|w| w.drives).collect();
+    let sweep = Sweep::of(scene, statics);
+    let apart = sweep.len().div_ceil(ENOUGH).max(1);
+    let values: Vec<Vec<DriveValue>> = (0..sweep.len()).step_by(apart).map(|i| sweep.values(i)).collect();
     let (over, ways) = match (values.as_slice(), scene.mechanism.drives.as_slice()) {
         ([one], [drive]) if turns(scene, drive) => match one[0] {
             DriveValue::Scalar(start) => (Over::Turn, turn(start)),

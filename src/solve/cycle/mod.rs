@@ -18,7 +18,7 @@ pub(super) use sampler::loads_name_quantities;
 
 use super::error::SolveError;
 use super::extremes::Statics;
-use super::positions::{Wanted, sweep};
+use super::positions::Sweep;
 use super::solution::Scene;
 use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
 use crate::plan::needs_forces;
@@ -38,7 +38,7 @@ const COARSE: f64 = 1e-9;
 pub(super) fn cycles(
     scene: &Scene<'_>,
     statics: &mut Statics,
-    sweep: &[Wanted],
+    sweep: &Sweep,
 ) -> Result<Vec<SolveError>, SolveError> {
     let mechanism = scene.mechanism;
     if mechanism.cycles.is_empty() && mechanism.flywheels.is_empty() {
@@ -77,7 +77,7 @@ pub(super) fn cycles(
 pub fn over_cycle(scene: &Scene<'_>, found: &Statics) -> Result<Statics, SolveError> {
     let mut statics = found.clone();
     statics.flywheels.clear();
-    let sweep = sweep(scene, &statics);
+    let sweep = Sweep::of(scene, &statics);
     cycles(scene, &mut statics, &sweep)?;
     Ok(statics)
 }

@@ -2,7 +2,7 @@
 
 use super::super::error::{SolveError, label};
 use super::super::extremes::Statics;
-use super::super::positions::{Wanted, turns};
+use super::super::positions::{Sweep, turns};
 use super::super::solution::{DriveValue, Scene};
 use super::super::steps::{between, extent, ways};
 use crate::model::Positions;
@@ -26,11 +26,11 @@ pub(super) struct Way {
 
 impl Way {
     /// The sweep of a file.
-    pub(super) fn of(scene: &Scene<'_>, statics: &Statics, wanted: &[Wanted]) -> Result<Self, SolveError> {
+    pub(super) fn of(scene: &Scene<'_>, statics: &Statics, sweep: &Sweep) -> Result<Self, SolveError> {
         let drives = &scene.mechanism.drives;
-        let (Some(first), Some(last)) = (wanted.first(), wanted.last()) else { return Err(none(scene)) };
-        let mut to = last.drives.clone();
-        for ((drive, end), from) in drives.iter().zip(&mut to).zip(&first.drives) {
+        let Some(last) = sweep.len().checked_sub(1) else { return Err(none(scene)) };
+        let (from, mut to) = (sweep.values(0), sweep.values(last));
+        for ((drive, end), from) in drives.iter().zip(&mut to).zip(&from) {
             match &drive.positions {
                 // over a whole turn the last position is left out
                 Positions::Range { to: written, .. } => {
@@ -40,13 +40,13 @@ impl Way {
                         *end = DriveValue::Scalar(x);
                     }
                 }
-                Positions::List(list) if list.len() > 1 && (drives.len() > 1 || !in_order(wanted)) => {
+                Positions::List(list) if list.len() > 1 && (drives.len() > 1 || !in_order(sweep)) => {
                     return Err(unordered(scene, drive.span));
                 }
-                _ => *end = if wanted.len() > 1 { *end } else { *from },
+                _ => *end = if sweep.len() > 1 { *end } else { *from },
             }
         }
-        let way = Self { is_closed: false, turns: None, from: first.drives.clone(), to };
+        let way = Self { is_closed: false, turns: None, from, to };
         if way.from == way.to {
             return Err(none(scene));
         }
@@ -83,12 +83,12 @@ impl Way {
 }
 
 /// Whether the values of the one drive go one way.
-fn in_order(wanted: &[Wanted]) -> bool {
-    let value = |w: &Wanted| match w.drives.as_slice() {
+fn in_order(sweep: &Sweep) -> bool {
+    let value = |i: usize| match sweep.values(i).as_slice() {
         [DriveValue::Scalar(x)] => Some(*x),
         _ => None,
     };
-    let differences = wanted.windows(2).map(|w| Some(value(&w[1])? - value(&w[0])?));
+    let differences = (1..sweep.len()).map(|i| Some(value(i)? - value(i - 1)?));
     let Some(all) = differences.collect::<Option<Vec<f64>>>() else { return false };
     all.iter().all(|d| *d > 0.0) || all.iter().all(|d| *d < 0.0)
 }

@@ -1,0 +1,93 @@
+//! `assur solve` position by position: each is written and forgotten.
+
+use super::args::Format;
+use super::reply::{Printer, Reply, Status};
+use super::screen::Screen;
+use crate::diagnostic::Problems;
+use crate::report::lines::CsvLines;
+use crate::report::{Answers, Precision, json};
+use crate::solve::Pose;
+use crate::source::Source;
+use crate::{Compiled, Solved};
+
+/// Text is written in pieces of this size.
+const PIECE: usize = 1 << 16;
+/// What is held back at the most while no position has closed yet: where none does, the file has no answers.
+const HELD: usize = 1 << 25;
+
+/// Writes all positions of a file.
+pub fn positions(
+    format: Format,
+    source: &Source,
+    compiled: Compiled,
+    mut problems: Problems,
+    screen: &Screen,
+    printer: &mut Printer<'_>,
+) -> Reply {
+    let mut out = Out::new(format, source, &compiled, printer);
+    let (solved, found) = crate::solve_each(compiled, &mut |answers, pose| out.add(answers, pose));
+    problems.append(found);
+    if let Ok(solved) = &solved {
+        out.end(solved);
+    }
+    if out.failed {
+        return Reply { status: Status::Unusable, ..Reply::default() };
+    }
+    Reply::new(String::new(), &problems, source, screen)
+}
+
+struct Out<'p, 's, 'o> {
+    format: Format,
+    file: &'s str,
+    csv: CsvLines,
+    text: String,
+    /// A position has a meaning.
+    begun: bool,
+    any: bool,
+    failed: bool,
+    printer: &'p mut Printer<'o>,
+}
+
+impl<'p, 's, 'o> Out<'p, 's, 'o> {
+    fn new(format: Format, source: &'s Source, compiled: &Compiled, printer: &'p mut Printer<'o>) -> Self {
+        let csv = CsvLines::of(&compiled.scene());
+        let text = if format == Format::Csv { csv.header() } else { String::new() };
+        Self { format, file: &source.name, csv, text, begun: false, any: false, failed: false, printer }
+    }
+
+    /// Adds a position; `false` where nothing more can be written.
+    fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool {
+        self.any = true;
+        self.begun |= pose.outcome.is_ok() || pose.failure().is_some();
+        match self.format {
+            Format::Csv => self.csv.add(answers, pose, &mut self.text),
+            _ => {
+                self.text += &json::render_position(self.file, None, answers, Some(pose));
+                self.text.push('\n');
+            }
+        }
+        if self.text.len() >= if self.begun { PIECE } else { HELD } {
+            self.flush();
+        }
+        !self.failed
+    }
+
+    /// Writes what is left; what needs no pose where there is none.
+    fn end(&mut self, solved: &Solved) {
+        let answers = solved.answers(Precision::READABLE);
+        match self.format {
+            _ if self.any => {}
+            Format::Csv => self.csv.add_without_pose(&answers, &mut self.text),
+            _ => {
+                self.text += &json::render_position(self.file, None, &answers, None);
+                self.text.push('\n');
+            }
+        }
+        self.flush();
+    }
+
+    fn flush(&mut self) {
+        self.failed |= !self.printer.print(&self.text);
+        self.text.clear();
+    }
+}

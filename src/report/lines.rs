@@ -1,0 +1,48 @@
+//! The answers of a file as comma-separated values, one position after another: none is kept.
+
+use super::answers::Answers;
+use super::csv::LINE_END;
+use super::rows::{AnswerColumns, FULL, write_text};
+use crate::model::Value;
+use crate::solve::{Pose, Scene};
+
+/// Writes lines.
+#[derive(Clone, Debug)]
+pub struct CsvLines {
+    columns: AnswerColumns,
+    /// What needs no pose, once it is known.
+    whole: Option<Vec<Option<Value>>>,
+}
+
+impl CsvLines {
+    /// For the answers of a file.
+    #[must_use]
+    pub fn of(scene: &Scene<'_>) -> Self {
+        Self { columns: AnswerColumns::of(scene), whole: None }
+    }
+
+    /// The first line.
+    #[must_use]
+    pub fn header(&self) -> String {
+        let mut line = "pose".to_owned();
+        for header in self.columns.headers(false) {
+            line.push(',');
+            write_text(&header, &mut line);
+        }
+        line + LINE_END
+    }
+
+    /// Adds the line of a position.
+    pub fn add(&mut self, answers: &Answers<'_>, pose: &Pose, out: &mut String) {
+        let whole = self.whole.get_or_insert_with(|| self.columns.whole(answers));
+        write_text(&pose.name, out);
+        self.columns.write_beside(answers, pose, whole, (FULL, false), out);
+        out.push_str(LINE_END);
+    }
+
+    /// Adds the one line of a file without positions.
+    pub fn add_without_pose(&self, answers: &Answers<'_>, out: &mut String) {
+        self.columns.write_without_pose(answers, FULL, false, out);
+        out.push_str(LINE_END);
+    }
+}
