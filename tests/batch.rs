@@ -224,7 +224,7 @@ fn an_interrupt_leaves_whole_rows() {
     let id = child.id().to_string();
     assert!(std::process::Command::new("kill").args(["-INT", &id]).status().unwrap().success());
     let said = run::end(child);
-    assert_eq!(said.status, 1, "{}", said.stderr);
+    assert_eq!(said.status, 130, "{}", said.stderr);
     assert!(said.stderr.contains("interrupted after"), "{}", said.stderr);
     assert_eq!(folder.read("old.csv"), "old");
     let part = folder.read("old.csv.part");

@@ -85,6 +85,25 @@ fn a_locked_pose_fits_and_has_no_reactions() {
     assert_eq!(told, ["mech::friction::locked", "mech::friction::no_effort"]);
 }
 
+/// One object per position, of which the poses are those of `solution-1.json`.
+#[test]
+fn positions_one_after_another_fit() {
+    let (schema, whole) = (schema_of("position-1.json"), schema());
+    for (name, part) in schema["$defs"].as_object().unwrap() {
+        assert_eq!(*part, whole["$defs"][name], "{name} is one thing in both");
+    }
+    for (folder, least) in [("examples", 1000), ("examples/exercise-set", 75), ("tests/errors/solve", 1)] {
+        let lines = printed(&["solve", folder, "--format", "jsonl"]);
+        for line in lines.lines() {
+            let value: Value = serde_json::from_str(line).unwrap();
+            let mut wrong = Vec::new();
+            validate(&schema, &schema, &value, "", &mut wrong);
+            assert!(wrong.is_empty(), "{}: {}", value["file"], wrong.join("\n"));
+        }
+        assert!(lines.lines().count() >= least, "{folder}: {}", lines.lines().count());
+    }
+}
+
 /// Every kind of setting is in one of these.
 #[test]
 fn what_accuracy_costs_fits() {

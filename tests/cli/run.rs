@@ -124,6 +124,22 @@ pub fn with_input(folder: &Folder, args: &[&str], text: &str) -> Said {
     said(child.wait_with_output().unwrap())
 }
 
+/// Runs the program with its standard output in a pipe that nobody reads.
+pub fn into_closed_pipe(folder: &Folder, args: &[&str]) -> Said {
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    said(command(folder, args).stdin(Stdio::null()).stdout(writer).output().unwrap())
+}
+
+/// Runs the program with its standard output, or its standard error, going to a file.
+pub fn into_file(folder: &Folder, args: &[&str], path: &str, errors: bool) -> Said {
+    let file = std::fs::File::options().write(true).create(true).truncate(false).open(path).unwrap();
+    let mut command = command(folder, args);
+    command.stdin(Stdio::null());
+    let out = if errors { command.stderr(file) } else { command.stdout(file) }.output().unwrap();
+    said(out)
+}
+
 /// What the program says on standard error when nobody reads its standard output.
 pub fn with_closed_output(folder: &Folder, args: &[&str]) -> String {
     let mut child = command(folder, args)

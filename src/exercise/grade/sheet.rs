@@ -2,7 +2,7 @@
 
 use crate::diagnostic::did_you_mean;
 use crate::exercise::table::{Fault, Lines, Separator, Table, TableError, Written, cells, from_cell};
-use crate::source::{Source, Span};
+use crate::source::{Source, Span, shown};
 use crate::syntax::document::Column;
 use crate::units::{Dimension, Unit, lookup};
 use std::io::{self, BufRead};
@@ -184,8 +184,8 @@ impl Sheet {
         };
         for (role, cell) in roles.iter().zip(&found) {
             match role {
-                Role::Name(i) => row.names[*i] = Some(from_cell(&cell.text).to_owned()),
-                Role::Person => row.person = Some(from_cell(&cell.text).to_owned()),
+                Role::Name(i) => row.names[*i] = Some(from_cell(&shown(&cell.text)).to_owned()),
+                Role::Person => row.person = Some(from_cell(&shown(&cell.text)).to_owned()),
                 Role::Quantity(i, unit) => match entry(&cell.text, unit) {
                     Entry::Empty => {}
                     entry => row.entries[*i] = entry,

@@ -1,17 +1,18 @@
-//! Texts that a spreadsheet would run: written with an apostrophe before them, and read without it.
+//! Texts that a spreadsheet would run: written with an apostrophe before them, and read without it. Controls are spelt out.
 
+use crate::source::shown;
 use std::borrow::Cow;
 
 /// What begins a formula.
-const BEGINS: [char; 7] = ['=', '+', '-', '@', '\t', '\r', '\n'];
+const BEGINS: [char; 6] = ['=', '+', '-', '@', '\t', '\n'];
 
 /// A text as a cell that no spreadsheet runs; numbers stay as they are.
 #[must_use]
 pub fn as_cell(text: &str) -> Cow<'_, str> {
     if text.starts_with(BEGINS) && text != "-" && text.parse::<f64>().is_err() {
-        Cow::Owned(format!("'{text}"))
+        Cow::Owned(format!("'{}", shown(text)))
     } else {
-        Cow::Borrowed(text)
+        shown(text)
     }
 }
 
@@ -27,7 +28,8 @@ mod tests {
 
     #[test]
     fn formulas_come_back_and_numbers_stay() {
-        for text in ["=1+1", "@SUM(1)", "+1+1", "-1-1", "\t=1", "\r=1", "-A1"] {
+        assert_eq!(as_cell("\r=1\u{1b}"), "\\u{d}=1\\u{1b}");
+        for text in ["=1+1", "@SUM(1)", "+1+1", "-1-1", "\t=1", "\n=1", "-A1"] {
             assert_eq!(as_cell(text), format!("'{text}"));
             assert_eq!(from_cell(&as_cell(text)), text);
         }
