@@ -1,6 +1,6 @@
 //! Text → Document: no text makes the reader panic, and every span lies within it.
 //!
-//! `cargo +nightly fuzz run parse fuzz/corpus/parse examples tests/language -- -max_len=4000`
+//! `fuzz/run.sh 10000000 86400 parse`
 
 #![no_main]
 

@@ -1,6 +1,6 @@
 //! Text → Solution: the whole way, with what a reader sees at its end.
 //!
-//! `cargo +nightly fuzz run solve fuzz/corpus/solve examples tests/language -- -max_len=4000 -timeout=20`
+//! `fuzz/run.sh 10000000 86400 solve`
 
 #![no_main]
 

@@ -60,6 +60,16 @@ double-double on the constraints of all pairs and an independent system of Newto
 there is none. What has no answer is refused with a diagnostic. A part of 10,000 runs with all tests. Of the 100,000, 81,908
 answers are judged and 17,277 refused; forces of 5,689 are not judged, because a load hangs on the sign of nothing or no digit
 is claimed; the other cases claim no digit either. All hold.
+
+## No panic, no hang
+
+```sh
+fuzz/run.sh 10000000 86400
+```
+
+runs the libFuzzer targets on the stable toolchain, `parse` (text to document) and `solve` (text to answers), from the files of
+the examples and the tests, with assertions and checks of overflow: 10,000,000 mutated texts of up to 4,000 bytes each. A
+panic, more than two seconds or more than 1 GB ends it, and the text is kept.
 ";
 
 /// Rounded up to a power of ten, or of four.
