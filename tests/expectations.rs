@@ -98,3 +98,106 @@ fn poses() {
     );
     assert_eq!(outcomes(SWEEP, "expect angle(crank) > 300 deg at pose 3"), named(&[("3", true)]));
 }
+
+/// The code of the first error of a file that ends with these lines.
+fn error(drive: &str, expect: &str) -> Option<String> {
+    let source = Source::new("a.mech", format!("{CRANK_SLIDER}{drive}{expect}\n"));
+    let (_, problems) = assur::test_source(&source, &Overrides::none());
+    problems.views(&source).into_iter().find_map(|d| d.code)
+}
+
+#[test]
+fn nothing_is_met_by_any_value() {
+    let any = "mech::expect::any_value";
+    for (expect, code) in [
+        ("expect position(C).x = 451 mm within 3", any),
+        ("expect position(C).x = 451 mm within 100 %", any),
+        ("expect position(C).x = 451 mm within 1", any),
+        ("expect position(C).x = 451 mm within 50*2 %", any),
+        ("expect position(C).x = 451 mm within 1 m", any),
+        ("expect position(C).x = 1 mm within 350 mm", any),
+        ("expect position(C).y = 0 mm within 350 mm", any),
+        ("expect position(C) = (1 mm, 2 mm) within 350 mm", any),
+        ("expect position(C) = 400 mm @ 10 deg within 150 %", any),
+        ("expect mag(position(C)) = 430 mm within 5", any),
+        ("expect velocity(C).x = 0 m/s within 0 m/s", "mech::expect::tolerance"),
+        ("expect omega(rod) = 0 rad/s within 100 rad/s", any),
+        ("expect angle(rod) = 5 deg within 180 deg", any),
+        ("expect angle(rod) = 300 deg within 60 %", any),
+        ("expect angle(rod) = 2e4 deg", any),
+        ("expect r/(1 mm) = 100 within 7", any),
+        ("expect r/(1 mm) - 100 = 0 within 7", any),
+        ("expect r = r", any),
+        ("expect position(C).x = position( C ).x within 1e-9", any),
+        ("expect position(C).x <= position(C).x", any),
+        ("expect r = 100 mm within -3 %", "mech::expect::tolerance"),
+        ("expect r = 100 mm within 0/1", "mech::expect::tolerance"),
+        ("expect r = 100 mm within 1e-999", "mech::expect::tolerance"),
+    ] {
+        assert_eq!(error(ONE_POSE, expect).as_deref(), Some(code), "{expect}");
+    }
+    for expect in [
+        // near zero, where the mechanism is much larger
+        "expect position(C).y = 0.001 mm within 5 mm",
+        "expect position(C).x = 1 mm within 349 mm",
+        "expect angle(rod) = -5 deg within 10 deg",
+        "expect angle(rod) = 5 deg within 179 deg",
+        "expect position(C).x = 451 mm within 99 %",
+        // velocities are written nowhere
+        "expect velocity(C).x = 0 m/s within 1e-9 m/s",
+        "expect position(rod.C) = position(C) within 1e-9",
+    ] {
+        assert!(error(ONE_POSE, expect).is_none_or(|code| code == "mech::expect::mismatch"), "{expect}");
+    }
+}
+
+#[test]
+fn a_list_is_for_poses() {
+    for expect in [
+        "expect 2*r = 200 mm, 300 mm",
+        "expect stroke(D) = 200 mm, 200 mm",
+        "expect max(angle(rod)) = 2 deg, 1 deg",
+    ] {
+        assert_eq!(error(SWEEP, expect).as_deref(), Some("mech::expect::count"), "{expect}");
+    }
+    assert_eq!(
+        error(SWEEP, "expect 2*r = 200 mm, 200 mm at pose 1").as_deref(),
+        Some("mech::expect::list_at_pose")
+    );
+    assert_eq!(error(SWEEP, "expect 2*r = 200 mm"), None);
+}
+
+/// An answer that does not exist is met by nothing.
+#[test]
+fn what_has_no_value_is_not_met() {
+    let root = "let q = asin(position(C).x/(1 mm))\nlet less = q < 1 rad\n";
+    for expect in [
+        "expect q = 1 rad",
+        "expect q > 1 rad",
+        "expect not (q < 1 rad)",
+        "expect not less",
+        "expect not (less and r > 1 mm)",
+        "expect r < 1 mm or not less",
+        "expect 0 rad < max(q, 1 rad)",
+        "expect max(q, 1 rad) = 1 rad",
+        "expect min(1 rad, q) = 1 rad",
+        "expect q^0 = 1",
+        "expect position(C).x = 1 mm*q/(1 rad) within 1 %",
+    ] {
+        let all = format!("{root}{expect}");
+        assert_eq!(error(ONE_POSE, &all).as_deref(), Some("mech::expect::undefined"), "{expect}");
+    }
+    // what decides exists
+    for expect in ["expect r > 1 mm or less", "expect not (less and r < 1 mm)"] {
+        assert_eq!(error(ONE_POSE, &format!("{root}{expect}")), None, "{expect}");
+    }
+    // no pose is like that
+    for expect in ["expect r = 100 mm at pose 4", "expect position(C).x = 1 m at pose third"] {
+        assert_eq!(error(SWEEP, expect).as_deref(), Some("mech::expect::unknown_pose"), "{expect}");
+    }
+    let open = "drive D = 300 mm\nassemble B left of A-C\n";
+    let failed = error(open, "expect angle(crank) = 90 deg at D = 900 mm");
+    assert!(
+        failed.is_some_and(|code| code.starts_with("mech::assembly") || code == "mech::expect::pose_failed")
+    );
+}

@@ -5,7 +5,7 @@ use super::error::ExpectError;
 use super::expr::comparison_of;
 use super::expr::typed::{Dim, Type, Typed, phrase};
 use super::lookup::suggestion;
-use super::tolerance;
+use super::{tolerance, walk};
 use crate::model::{At, Display, Expect, Relation, Tolerance};
 use crate::source::Span;
 use crate::syntax::document::{self, ExpectAt, Expr, ExprKind, Name, Statement};
@@ -47,7 +47,9 @@ fn one(cx: &mut Context<'_>, expect: &document::Expect, span: Span) -> Option<Ex
             Relation::Compare(_, bound) => cx.is_poseless(bound),
             Relation::Truth => true,
         };
-    if !poseless {
+    if poseless {
+        one_value(cx, expect, at.as_ref())?;
+    } else {
         pose_is_clear(cx, expect, at.as_ref())?;
     }
     let d = claim.ty.dimension();
@@ -76,7 +78,9 @@ fn truth(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
         && !t.pending
     {
         // Read once more, in two parts; it is without mistakes.
-        let (left, right) = (cx.read(left)?, cx.read(right)?);
+        let (a, b) = (cx.read(left)?, cx.read(right)?);
+        not_itself(cx, left, &a, right)?;
+        let (left, right) = (a, b);
         let relation = Relation::Compare(comparison_of(op.node), right.expr);
         let ty = unified(left.ty, right.ty);
         return Some(Claim { expr: left.expr, relation, tolerance: Tolerance::None, ty, pending: false });
@@ -111,11 +115,23 @@ fn equality(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
         fitting.push(fits);
     }
     let values = fitting.into_iter().collect::<Option<Vec<_>>>()?;
+    for value in &expect.values {
+        not_itself(cx, &expect.what, &what, value)?;
+    }
     let pending = what.pending || values.iter().any(|v| v.pending);
     let ty = values.iter().fold(what.ty, |ty, v| unified(ty, v.ty));
     let tolerance = if open { Tolerance::None } else { tolerance::tolerance(cx, expect, &values, ty)? };
     let values = values.into_iter().map(|v| v.expr).collect();
     Some(Claim { expr: what.expr, relation: Relation::Equal(values), tolerance, ty, pending })
+}
+
+/// Reports what is compared with itself: any value would pass.
+fn not_itself(cx: &mut Context<'_>, what: &Expr, t: &Typed, value: &Expr) -> Option<()> {
+    if t.pending || !walk::same(what, value) {
+        return Some(());
+    }
+    cx.error(ExpectError::Itself { span: what.span.to(value.span) });
+    None
 }
 
 fn fit_value(cx: &mut Context<'_>, value: Typed, what: &Typed, expr: &Expr) -> Option<Typed> {
@@ -169,6 +185,18 @@ fn sweep(cx: &Context<'_>) -> Option<(Option<usize>, String, Span)> {
         let count = super::drive::count(&d.positions, super::drive::moves(cx, d.target));
         (count != Some(1)).then(|| (count, d.name.clone(), d.span))
     })
+}
+
+/// Reports a list of values for what has one.
+fn one_value(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At>) -> Option<()> {
+    let [first, .., last] = &expect.values[..] else { return Some(()) };
+    let (span, count) = (first.span.to(last.span), expect.values.len());
+    if at.is_some() {
+        cx.error(ExpectError::ListAtPose { span, count });
+    } else {
+        cx.error(ExpectError::ListOfOne { text: expect.text.clone(), count, span });
+    }
+    None
 }
 
 /// Reports an expectation that does not say for which pose it is.

@@ -44,6 +44,7 @@ mod row;
 mod simulation;
 mod spring;
 mod tolerance;
+mod too_wide;
 mod train;
 mod unit_choice;
 mod value;

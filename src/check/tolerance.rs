@@ -5,6 +5,7 @@ use super::error::ExpectError;
 use super::expect::words;
 use super::expr::typed::{Dim, Type, Typed};
 use super::names::QuantityKind;
+use super::too_wide;
 use crate::model::{Expr as ModelExpr, Tolerance, Value};
 use crate::syntax::document::{self, Expr, ExprKind, Number, UnaryOp};
 use crate::units::{Dimension, lookup};
@@ -43,18 +44,26 @@ fn given(
         return None;
     };
     let Some(Value::Scalar(size)) = t.value() else { return None };
-    if size <= 0.0 {
+    if !(size > 0.0 && size.is_finite()) {
         cx.error(ExpectError::Tolerance { span: within.span });
         return None;
     }
     if dim.known() == Dimension::NUMBER {
         let plain = ty.dimension().is_number();
         let zero = values.iter().zip(&expect.values).find(|(v, _)| !v.pending && magnitude(v) == Some(0.0));
+        if zero.is_none() || plain {
+            too_wide::relative(cx, within, size, ty)?;
+        }
         return match zero {
             // A share of zero is zero; of a plain number the tolerance has no unit that would tell.
             Some(_) if plain => Some(Tolerance::Absolute(size)),
             Some((_, expr)) => no_zero(cx, expr, ty),
-            None => Some(Tolerance::Relative(size)),
+            None => {
+                for expected in values.iter().filter_map(magnitude) {
+                    too_wide::turn(cx, within.span, size * expected, ty)?;
+                }
+                Some(Tolerance::Relative(size))
+            }
         };
     }
     if dim.unify(Dim::Of(ty.dimension())).is_none() {
@@ -63,6 +72,11 @@ fn given(
         let unit = if unit.is_empty() { "no unit".into() } else { unit };
         cx.error(ExpectError::ToleranceUnit { text, is, found, unit, span: within.span });
         return None;
+    }
+    too_wide::turn(cx, within.span, size, ty)?;
+    let expected = values.iter().map(magnitude).collect::<Option<Vec<_>>>();
+    if let Some(expected) = expected {
+        too_wide::absolute(cx, within, size, &expected, ty)?;
     }
     Some(Tolerance::Absolute(size))
 }
@@ -93,7 +107,9 @@ fn inferred(
             cx.error(ExpectError::NoTolerance { span: expr.span });
             return None;
         };
-        all.push(digit.min(MOST * size));
+        let size = digit.min(MOST * size);
+        too_wide::turn(cx, expr.span, size, ty)?;
+        all.push(size);
     }
     Some(Tolerance::Written(all))
 }

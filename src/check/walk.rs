@@ -2,7 +2,7 @@
 
 use crate::syntax::document::{
     AssembleClause, CamMember, Definition, DrivePosition, ExpectAt, Expr, ExprKind, LineDirection, Member,
-    Place, Property, Sensed, Setting, Site, Statement, WheelSize,
+    Number, Place, Property, Sensed, Setting, Site, Statement, WheelSize,
 };
 
 /// Calls `visit` on the direct parts of an expression, left to right.
@@ -31,6 +31,34 @@ pub fn children<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
 pub fn parts<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
     visit(expr);
     children(expr, &mut |child| parts(child, visit));
+}
+
+/// Whether two expressions are the same but for their places.
+pub fn same(a: &Expr, b: &Expr) -> bool {
+    let alike = match (&a.kind, &b.kind) {
+        (ExprKind::Number(a), ExprKind::Number(b)) => {
+            let unit = |n: &Number| n.unit.as_ref().map(|u| u.node.clone());
+            a.text == b.text && unit(a) == unit(b)
+        }
+        (ExprKind::Name(a), ExprKind::Name(b)) => a == b,
+        (ExprKind::Member(_, a), ExprKind::Member(_, b)) => a.node == b.node,
+        (ExprKind::Call { function: a, .. }, ExprKind::Call { function: b, .. }) => a.node == b.node,
+        (ExprKind::Unary(a, _), ExprKind::Unary(b, _)) => a.node == b.node,
+        (ExprKind::Chain(_, a), ExprKind::Chain(_, b)) => {
+            a.iter().map(|o| o.0.node).eq(b.iter().map(|o| o.0.node))
+        }
+        (ExprKind::Compare(_, a), ExprKind::Compare(_, b)) => {
+            a.iter().map(|o| o.0.node).eq(b.iter().map(|o| o.0.node))
+        }
+        (a, b) => std::mem::discriminant(a) == std::mem::discriminant(b),
+    };
+    let parts = |e| {
+        let mut all = Vec::new();
+        children(e, &mut |child| all.push(child));
+        all
+    };
+    let (a, b) = (parts(a), parts(b));
+    alike && a.len() == b.len() && a.into_iter().zip(b).all(|(a, b)| same(a, b))
 }
 
 /// Calls `visit` on every expression of a statement, each as a whole.

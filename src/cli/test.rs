@@ -38,7 +38,9 @@ fn of_rows(rows: OwnRows<'_>, source: &Source, mut problems: Problems, screen: &
         errors += row.problems.errors() - (outcomes.len() - passed);
         problems.append(row.problems);
     }
-    let mut parts = vec![format!("{} met", plural(met, "expectation"))];
+    let none = met + failed + unsolved + errors == 0;
+    let mut parts =
+        vec![if none { "no expectations".to_owned() } else { format!("{} met", plural(met, "expectation")) }];
     let more = [
         (failed, format!("{failed} failed")),
         (unsolved, format!("{} not solved", plural(unsolved, "row"))),

@@ -150,6 +150,7 @@ pub const CODES: &[Code] = codes! {
     "expect" / "zero",
     "expect" / "no_tolerance",
     "expect" / "tolerance",
+    "expect" / "any_value",
     "expect" / "tolerance_unit",
     "expect" / "which_pose",
     "expect" / "count",

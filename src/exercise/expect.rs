@@ -2,7 +2,7 @@
 
 use super::compare::{bound, equal, is_within};
 use super::error::ExpectError;
-use super::undefined::{why_undefined, without_cycle};
+use super::undefined::{truth, why_undefined, without_cycle};
 use crate::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
 use crate::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution, State, View, compare};
 use crate::source::Span;
@@ -150,8 +150,11 @@ impl<'a> Key<'a> {
     ) -> Result<Outcome, ExpectError> {
         let place = pose.map_or_else(String::new, |p| self.place(p));
         let value = |expr: &Expr| -> Result<Value, ExpectError> {
-            let value = view.value(expr);
-            if value.is_defined() {
+            let found = match view.value(expr) {
+                Value::Truth(_) => truth(view, expr).map(Value::Truth),
+                value => Some(value).filter(Value::is_defined),
+            };
+            if let Some(value) = found {
                 return Ok(value);
             }
             let locked = || "friction locks the mechanism, and no effort moves it".to_owned();

@@ -1,7 +1,35 @@
 //! Why a value does not exist.
 
-use crate::model::{Expr, Query};
-use crate::solve::{Scene, Solution};
+use crate::model::{Expr, Query, Value};
+use crate::solve::{Scene, Solution, View, compare};
+
+/// Whether a condition holds; `None` where that depends on a value that does not exist.
+pub(super) fn truth(view: &View<'_>, expr: &Expr) -> Option<bool> {
+    match expr {
+        Expr::Compare(how, a, b) => match (view.value(a), view.value(b)) {
+            (Value::Scalar(a), Value::Scalar(b)) if a.is_finite() && b.is_finite() => {
+                Some(compare(*how, a, b))
+            }
+            _ => None,
+        },
+        Expr::Not(a) => truth(view, a).map(|t| !t),
+        Expr::And(a, b) => match (truth(view, a), truth(view, b)) {
+            (Some(false), _) | (_, Some(false)) => Some(false),
+            (a, b) => Some(a? && b?),
+        },
+        Expr::Or(a, b) => match (truth(view, a), truth(view, b)) {
+            (Some(true), _) | (_, Some(true)) => Some(true),
+            (a, b) => Some(a? || b?),
+        },
+        Expr::Quantity(id) => truth(view, &view.mechanism.quantities.get(id.index())?.expr),
+        Expr::Frictionless(a) => truth(&view.without_friction(), a),
+        Expr::Query(Query::Locked) if !view.efficiency().is_finite() => None,
+        _ => match view.value(expr) {
+            Value::Truth(t) => Some(t),
+            _ => None,
+        },
+    }
+}
 
 /// Why an expression has no value, where the structure says so.
 #[must_use]

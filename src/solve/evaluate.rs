@@ -87,8 +87,8 @@ impl View<'_> {
             },
             Function::Dot => vector(0).dot(vector(1)),
             Function::Cross => vector(0).cross(vector(1)),
-            Function::Max => (1..args.len()).map(scalar).fold(scalar(0), f64::max),
-            Function::Min => (1..args.len()).map(scalar).fold(scalar(0), f64::min),
+            Function::Max => (1..args.len()).map(scalar).fold(scalar(0), known(f64::max)),
+            Function::Min => (1..args.len()).map(scalar).fold(scalar(0), known(f64::min)),
             Function::Direction => vector(0).angle(),
             Function::Unit => {
                 return Value::Vector(vector(0).unit().unwrap_or(Vec2::new(f64::NAN, f64::NAN)));
@@ -118,9 +118,14 @@ pub(super) fn binary(op: BinaryOp, a: Value, b: Value) -> Value {
     }
 }
 
+/// A function of two numbers that does not exist where one of them does not.
+fn known(f: impl Fn(f64, f64) -> f64) -> impl Fn(f64, f64) -> f64 {
+    move |a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { f(a, b) }
+}
+
 /// Whole powers by multiplication, so that they are exact where the numbers are.
 fn power(base: f64, exponent: f64) -> f64 {
-    if exponent == 2.0 { base * base } else { libm::pow(base, exponent) }
+    if exponent == 2.0 { base * base } else { known(libm::pow)(base, exponent) }
 }
 
 /// A comparison.

@@ -77,6 +77,29 @@ pub enum ExpectError {
         #[label(primary, "not greater than zero")]
         span: Span,
     },
+    /// A tolerance that any value would meet.
+    #[error("any value would meet this tolerance: {why}")]
+    #[diagnostic(code("mech::expect::any_value"), help("{help}"))]
+    AnyValue {
+        /// What is so wide about it.
+        why: String,
+        /// The tolerance, or the value that it is inferred from.
+        #[label(primary, "too wide")]
+        span: Span,
+        /// A tolerance that would do.
+        help: String,
+    },
+    /// A value that is compared with itself.
+    #[error("this is compared with itself: any value would pass")]
+    #[diagnostic(
+        code("mech::expect::any_value"),
+        help("write the value that is expected, as in `expect Mb = 26 N*m`")
+    )]
+    Itself {
+        /// Both sides.
+        #[label(primary, "equal whatever comes out")]
+        span: Span,
+    },
     /// A tolerance of another dimension than the value's.
     #[error("this tolerance is {found}, but `{text}` is {is}")]
     #[diagnostic(
@@ -132,6 +155,18 @@ pub enum ExpectError {
         sweep: Option<Span>,
         /// What to do.
         help: String,
+    },
+    /// A list for what is the same at every pose.
+    #[error("`{text}` has one value for the whole motion, and {count} are expected")]
+    #[diagnostic(code("mech::expect::count"), help("leave one of the values"))]
+    ListOfOne {
+        /// What is expected, as written.
+        text: String,
+        /// How many values.
+        count: usize,
+        /// The values.
+        #[label(primary, "{count} values")]
+        span: Span,
     },
     /// A list for one pose.
     #[error("a list has one value per pose, so it stands for no single pose")]
