@@ -216,7 +216,10 @@ pub fn test_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, P
     let (solved, found) = solve_each(compiled, &mut |_, _| true);
     problems.append(found);
     let solved = solved.ok();
-    problems.extend(solved.iter().flat_map(|s| &s.outcomes).filter_map(Outcome::mismatch));
+    if let Some(solved) = &solved {
+        let failed = exercise::mismatches(&solved.outcomes);
+        problems.extend(exercise::in_other_assembly(solved, source, overrides, failed));
+    }
     (solved, problems)
 }
 

@@ -92,7 +92,7 @@ fn rows_hold(source: &Source) -> Result<(), Failed> {
 
 fn answer_key(solved: &Solved, source: &Source) -> Result<(), Failed> {
     let mut mismatches = Problems::new();
-    mismatches.extend(solved.outcomes.iter().filter_map(Outcome::mismatch));
+    mismatches.extend(assur::exercise::mismatches(&solved.outcomes));
     if mismatches.is_empty() {
         return Ok(());
     }

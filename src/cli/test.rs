@@ -8,7 +8,10 @@ use crate::exercise::{Outcome, OwnRows};
 use crate::source::{Source, shown_in_line};
 use crate::syntax;
 
-/// Holds solutions against their answer keys: one line per file, and a diagnostic per expectation that fails.
+/// The code of expectations that are not met; they are counted apart.
+const MISMATCH: &str = "mech::expect::mismatch";
+
+/// Holds solutions against their answer keys: one line per file, and a diagnostic per `expect` that fails.
 pub fn run(args: &Problem, screen: &Screen) -> Status {
     let overrides = args.overrides();
     for_each_file(&args.files, screen, "", |source, _| {
@@ -18,7 +21,7 @@ pub fn run(args: &Problem, screen: &Screen) -> Status {
         }
         let (solved, problems) = crate::test_source(source, &overrides);
         let outcomes = solved.as_ref().map_or(&[][..], |s| &s.outcomes);
-        let errors = problems.errors() - outcomes.iter().filter(|o| !o.passed).count();
+        let errors = problems.errors() - problems.errors_of(MISMATCH);
         let line =
             format!("{}: {}\n", shown_in_line(&source.name), summary(solved.is_some(), errors, outcomes));
         Reply::new(line, &problems, source, screen)
@@ -35,7 +38,7 @@ fn of_rows(rows: OwnRows<'_>, source: &Source, mut problems: Problems, screen: &
         let passed = outcomes.iter().filter(|o| o.passed).count();
         met += passed;
         failed += outcomes.len() - passed;
-        errors += row.problems.errors() - (outcomes.len() - passed);
+        errors += row.problems.errors() - row.problems.errors_of(MISMATCH);
         problems.append(row.problems);
     }
     let none = met + failed + unsolved + errors == 0;

@@ -91,6 +91,13 @@ impl Problems {
         self.items.iter().filter(|p| is_error(p.as_ref())).count() + self.more_errors
     }
 
+    /// How many of the errors have this code.
+    #[must_use]
+    pub fn errors_of(&self, code: &str) -> usize {
+        let of = |p: &&AnyDiagnostic| is_error(p.as_ref()) && p.code().is_some_and(|c| c.to_string() == code);
+        self.items.iter().filter(of).count()
+    }
+
     /// How many are no errors.
     #[must_use]
     pub fn warnings(&self) -> usize {

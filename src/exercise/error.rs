@@ -3,9 +3,8 @@
 use miette::Diagnostic;
 use thiserror::Error;
 
-use super::expect::Outcome;
 use crate::diagnostic::did_you_mean;
-use crate::model::{Expect, Value};
+use crate::model::Expect;
 use crate::solve::{Pose, PoseOrigin, SolveError};
 use crate::source::Span;
 
@@ -144,65 +143,14 @@ impl ExpectError {
         Self::NoValue { text: expect.text.clone(), pose, why, span: expect.span, help }
     }
 
-    pub(super) fn mismatch(outcome: &Outcome) -> Self {
-        let Outcome { text, display, got, place: at, .. } = outcome;
-        let span = outcome.span;
-        if *got == Value::Truth(false) {
-            let message = format!("expected {text}{at}, and it does not hold");
-            return Self::Mismatch { message, difference: "does not hold".to_owned(), span, help: None };
+    /// The same, where all expectations are met in another assembly; `more` of them are not met besides this one.
+    pub(super) fn of_assembly(self, more: usize, line: &str) -> Self {
+        let Self::Mismatch { mut message, difference, span, .. } = self else { return self };
+        if more > 0 {
+            let (verb, s) = if more == 1 { ("is", "") } else { ("are", "s") };
+            message = format!("{message}; {more} more expectation{s} {verb} not met");
         }
-        let off = outcome.difference();
-        let digits = digits_to_tell(outcome.expected.magnitude(), off.magnitude());
-        let expected = outcome.expectation(digits);
-        let message = format!("expected {text} {expected}{at}, got {}", display.text(*got, digits));
-        let difference = match outcome.within {
-            Some(within) => format!(
-                "off by {}, allowed {}",
-                display.text(Value::Scalar(off.magnitude()), 3),
-                display.text(Value::Scalar(within), 3)
-            ),
-            None => format!("off by {}", display.text(Value::Scalar(off.magnitude()), 3)),
-        };
-        Self::Mismatch { message, difference, span, help: slip(outcome) }
+        let help = Some(format!("in the other assembly (`{line}`) all are met"));
+        Self::Mismatch { message, difference, span, help }
     }
-}
-
-/// Digits that show where two numbers part, with two more: at least 6.
-fn digits_to_tell(value: f64, difference: f64) -> usize {
-    let parts_after = libm::log10(value / difference).ceil();
-    if parts_after.is_finite() && parts_after > 4.0 {
-        (parts_after as usize).saturating_add(2).min(17)
-    } else {
-        6
-    }
-}
-
-/// The usual slips: a sign, a prefix, degrees for radians.
-fn slip(outcome: &Outcome) -> Option<String> {
-    let (Value::Scalar(got), Value::Scalar(expected), Some(within)) =
-        (outcome.got, outcome.expected, outcome.within)
-    else {
-        return None;
-    };
-    if expected == 0.0 {
-        return None;
-    }
-    // half a graphical solution's accuracy
-    let alike = |factor: f64| {
-        let allowed = (within * factor.abs()).max(0.02 * (expected * factor).abs());
-        (got - expected * factor).abs() <= allowed
-    };
-    let degree = std::f64::consts::PI / 180.0;
-    if alike(-1.0) {
-        return Some("the two differ in their sign: which way is positive, and on which link?".to_owned());
-    }
-    for factor in [1e3, 1e-3, 1e6, 1e-6] {
-        if alike(factor) || alike(-factor) {
-            return Some("the two differ by a power of 1000: check the units".to_owned());
-        }
-    }
-    if alike(degree) || alike(1.0 / degree) {
-        return Some("the two differ by 180/pi: one is in degrees, the other in radians".to_owned());
-    }
-    None
 }

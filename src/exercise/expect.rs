@@ -37,7 +37,7 @@ pub struct Outcome {
 /// Holds the solution against the answer key: one outcome per expectation and pose, in the order of the file.
 ///
 /// The second list names what could not be evaluated: each of them is an error of the file. A value that differs from
-/// the expected one is not among them, see [`Outcome::mismatch`].
+/// the expected one is not among them, see [`super::mismatches`].
 #[must_use]
 pub fn evaluate(scene: &Scene<'_>, solution: &Solution) -> (Vec<Outcome>, Vec<ExpectError>) {
     let mut key = Key { scene, solution, outcomes: Vec::new(), errors: Vec::new() };
@@ -217,12 +217,6 @@ impl Outcome {
     #[must_use]
     pub fn difference(&self) -> Value {
         equal::difference(self.got, self.expected, self.angle)
-    }
-
-    /// What is wrong, where it does not hold.
-    #[must_use]
-    pub fn mismatch(&self) -> Option<ExpectError> {
-        (!self.passed).then(|| ExpectError::mismatch(self))
     }
 
     /// What was expected, as `= 26 N*m`, `> 40 deg`; empty for a truth.

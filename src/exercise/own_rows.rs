@@ -1,6 +1,6 @@
 //! The rows of a file's own table of variants.
 
-use super::{Family, InRow, Outcome};
+use super::{Family, InRow, mismatches};
 use crate::Solved;
 use crate::check::{self, FileRow, Overrides, RowColumn};
 use crate::diagnostic::Problems;
@@ -65,7 +65,7 @@ impl<'a> OwnRows<'a> {
         self.rows.into_iter().enumerate().map(move |(i, row)| {
             let (solved, mut problems) = self.family.solve(&row.row);
             if test {
-                problems.extend(solved.iter().flat_map(|s| &s.outcomes).filter_map(Outcome::mismatch));
+                problems.extend(solved.iter().flat_map(|s| mismatches(&s.outcomes)));
             }
             let problems = InRow::all(problems, &row.words(i + 1), Some(row.span));
             SolvedRow { row, number: i + 1, solved, problems }
