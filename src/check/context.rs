@@ -82,6 +82,15 @@ impl<'a> Context<'a> {
         self.problems.push(problem);
     }
 
+    /// What `look` finds, with nothing reported.
+    pub(super) fn quietly<T>(&mut self, look: impl FnOnce(&mut Self) -> T) -> T {
+        let problems = std::mem::take(&mut self.problems);
+        let reported = self.reported.clone();
+        let found = look(self);
+        (self.problems, self.reported) = (problems, reported);
+        found
+    }
+
     /// Notes a construct that is understood but cannot be solved yet.
     pub fn unsupported(&mut self, what: impl Into<String>, span: Span) {
         let noted = Unsupported { what: what.into(), span };

@@ -69,6 +69,9 @@ pub(super) fn drives(cx: &mut Context<'_>) {
 fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive> {
     let (target, moves) = target(cx, &drive.target, "a drive")?;
     let name = text(&drive.target);
+    if super::drive_kind::is_other(cx, drive, (target, moves), &name) {
+        return None;
+    }
     let once = target.is_none_or(|target| once(cx, target, &name, span));
     let positions = positions(cx, drive, moves, &name);
     let speed = rate(cx, drive.rate.as_ref(), moves, 1, &name);

@@ -165,8 +165,11 @@ fn pose(cx: &mut Context<'_>, name: &Name) -> Option<()> {
     if in_sweep || cx.names.poses.contains_key(&name.node) {
         return Some(());
     }
-    if cx.names.bad.contains(&name.node) || cx.mech.drives.len() < cx.drive_statements().len() {
+    if cx.names.bad.contains(&name.node) {
         return None;
+    }
+    if count == Some(1) && may_sweep(cx) {
+        return Some(()); // looked for once more among the poses that are solved
     }
     let all = cx.names.poses.keys().map(String::as_str).collect::<Vec<_>>();
     let near = suggestion(&name.node, &all, "named poses");
@@ -177,6 +180,13 @@ fn pose(cx: &mut Context<'_>, name: &Name) -> Option<()> {
     };
     cx.error(ExpectError::UnknownPose { name: name.node.clone(), span: name.span, help });
     None
+}
+
+/// Whether a drive that is missing, or that has an error, may have been a sweep.
+fn may_sweep(cx: &Context<'_>) -> bool {
+    let declared = cx.drive_statements().len();
+    let bad = cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Bad(_)));
+    declared == 0 || cx.mech.drives.len() < declared || bad
 }
 
 /// The first drive that goes through several positions: how many (where that is known), its name and place.
@@ -212,8 +222,7 @@ fn pose_is_clear(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At
         return Some(());
     }
     let Some((count, drive, place)) = sweep(cx) else {
-        // A drive that has an error may have been a sweep.
-        if values > 1 && cx.mech.drives.len() == cx.drive_statements().len() {
+        if values > 1 && !may_sweep(cx) {
             let help = "a file without a sweep has one pose, and so one value".to_owned();
             cx.error(ExpectError::Count { values, poses: "one pose".into(), span, sweep: None, help });
             return None;

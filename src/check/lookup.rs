@@ -42,8 +42,8 @@ impl Context<'_> {
     pub fn pair(&mut self, name: &Name) -> Option<PairId> {
         let found = self.find_pair(&name.node);
         if found.is_none() {
-            let is_pair = |kind| matches!(kind, ThingKind::Joint(kind) if is_linkage_pair(kind));
-            self.no_thing(name, "pair", "a pair", is_pair);
+            // what is declared as one and is not in the mechanism has an error
+            self.no_thing(name, "pair", "a pair", |kind| matches!(kind, ThingKind::Joint(_)));
         }
         found
     }
@@ -190,10 +190,14 @@ impl Context<'_> {
             help: match bearers.as_slice() {
                 [a, b] => {
                     let [a, b] = [a, b].map(|&(link, _)| &self.mech.link(link).name);
-                    format!(
-                        "write {choices}; if a hinge is missing there, add `revolute {}: {a} - {b}`",
-                        name.node
-                    )
+                    let taken = self.names.things.contains_key(&name.node);
+                    let verb = if taken { "write it" } else { "add" };
+                    let where_to = if taken {
+                        format!("`{}` joins other points; to join these", name.node)
+                    } else {
+                        "if a hinge is missing there".to_owned()
+                    };
+                    format!("write {choices}; {where_to}, {verb} `revolute {}: {a} - {b}`", name.node)
                 }
                 _ => format!("write {choices}"),
             },

@@ -11,6 +11,7 @@ mod contact;
 mod context;
 mod definition;
 mod drive;
+mod drive_kind;
 pub mod error;
 mod expect;
 pub mod expr;

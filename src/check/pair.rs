@@ -3,13 +3,14 @@
 use super::context::Context;
 use super::error::{NameError, PairError};
 use super::lookup::is_linkage_pair;
-use super::pair_property::{Shared, phrase, properties, shared};
+use super::pair_property::{Shared, phrase, read_own as read, shared, with_shared};
 use super::prismatic::{Held, guide};
 use super::{contact, friction};
 use crate::math::Vec2;
 use crate::model::{Friction, GroupAssertion, LinkId, Pair, PairId, PairKind, Pin};
 use crate::source::{Span, Spanned};
 use crate::syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
+use crate::syntax::skeleton;
 
 /// Enters all pairs of the linkage into the mechanism.
 pub(super) fn pairs(cx: &mut Context<'_>) {
@@ -40,10 +41,12 @@ fn pair(
     shared: &Shared,
     held: &mut Held,
 ) -> Option<(PairKind, Option<Friction>)> {
-    let properties = properties(cx, joint, shared);
+    let read = read(cx, joint);
     let ends = ends(cx, joint)?;
+    let hinge = if joint.kind.node == JointKind::Revolute { Some(revolute(cx, joint, &ends)?) } else { None };
+    let properties = read.and_then(|own| with_shared(cx, joint, own, shared));
     let kind = match joint.kind.node {
-        JointKind::Revolute => revolute(cx, joint, &ends),
+        JointKind::Revolute => hinge,
         JointKind::Prismatic | JointKind::Slot => guide(cx, joint, &ends, properties.as_deref(), held),
         JointKind::Contact => contact::contact(cx, joint, &ends, properties.as_deref()),
         _ => cylinder(cx, joint, &ends),
@@ -151,21 +154,74 @@ pub(super) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     if inside.bad.contains(name) || cx.names.bad.contains(name) {
         return;
     }
+    if !cx.reported.insert(("end of a pair", joint.name.node.clone())) {
+        return; // one name is wrong, at both ends
+    }
+    let inside = &cx.names.inside[end.link.index()];
     let link = cx.mech.link(end.link).name.clone();
+    let alike = inside.points.keys().find(|p| skeleton(p) == skeleton(name)).cloned();
+    let elsewhere = (what == "point").then(|| meant(cx, joint)).flatten();
     let all = inside.points.keys().map(|p| format!("`{link}.{p}`")).collect::<Vec<_>>();
-    let help = match all.len() {
+    let choices = match all.len() {
         0 => format!("`{link}` has no points yet; give it one: `{name} (0, 0)`"),
         1 => format!("write {}, or give `{link}` a point `{name} (0, 0)`", all[0]),
         n => format!("say which point is meant: {}", all[..n.min(8)].join(" or ")),
     };
+    let help = match &alike {
+        Some(point) => {
+            let how = super::alike::difference(name, point, "here", &format!("in `{link}.{point}`"));
+            format!("name the pair `{point}`: {how}")
+        }
+        None => elsewhere.unwrap_or(choices),
+    };
+    let name = name.clone();
+    // what is not found because of this is no second mistake
+    cx.names.bad.extend(alike);
     cx.error(PairError::NothingToJoin {
         link,
         what: what.into(),
-        name: name.clone(),
+        name,
         help,
         span: end.span,
         pair: joint.name.span,
     });
+}
+
+/// The statement that may be meant where a hinge joins links that lack the point of its name.
+fn meant(cx: &Context<'_>, joint: &Joint) -> Option<String> {
+    let name = &joint.name.node;
+    let has = |inside: &super::names::Inside| inside.points.contains_key(name);
+    let links = cx.names.inside.iter().zip(&cx.mech.links).filter(|(inside, _)| has(inside));
+    let links = links.map(|(_, link)| link.name.as_str()).collect::<Vec<_>>();
+    if let [_, _, ..] = links[..] {
+        let line = format!("{} {name}: {}", joint.kind.node.word(), links.join(" - "));
+        let links = links.iter().map(|l| format!("`{l}`")).collect::<Vec<_>>().join(" and ");
+        return Some(format!("the point `{name}` is on {links}: write `{line}`"));
+    }
+    // another pair of the same links may be meant
+    let own = ends_named(joint)?;
+    let other = cx.doc.statements.iter().find_map(|s| match &s.node {
+        Statement::Joint(other) if other.name.span != joint.name.span && ends_named(other)? == own => {
+            Some(other)
+        }
+        _ => None,
+    })?;
+    let (other, kind) = (&other.name.node, other.kind.node.word());
+    let braces = if joint.properties.is_empty() { "" } else { " { … }" };
+    let ends = own.join(" - ");
+    Some(format!(
+        "`{other}` joins these links already: leave this line out, and write there what is in its braces, as in \
+         `{kind} {other}: {ends}{braces}`"
+    ))
+}
+
+/// The links of a joint whose ends name links alone.
+fn ends_named(joint: &Joint) -> Option<Vec<&str>> {
+    let ends = joint.ends.iter().map(|end| match end {
+        End::At(Path { head, tail: None }) => Some(head.node.as_str()),
+        _ => None,
+    });
+    ends.collect()
 }
 
 fn revolute(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<PairKind> {

@@ -56,11 +56,19 @@ pub(super) const fn specs(kind: JointKind) -> &'static [Spec] {
     }
 }
 
-/// The properties of a pair of the linkage, those from `all` included. `None` where one is wrong.
-pub(super) fn properties(cx: &mut Context<'_>, joint: &Joint, shared: &Shared) -> Option<Vec<Read>> {
+/// The properties in the braces of a pair of the linkage. `None` where one is wrong.
+pub(super) fn read_own(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Read>> {
+    read(cx, &phrase(joint.kind.node), &joint.properties, specs(joint.kind.node))
+}
+
+/// The properties of a pair, those from `all` included. `None` where they do not go together.
+pub(super) fn with_shared(
+    cx: &mut Context<'_>,
+    joint: &Joint,
+    mut all: Vec<Read>,
+    shared: &Shared,
+) -> Option<Vec<Read>> {
     let kind = joint.kind.node;
-    let what = phrase(kind);
-    let mut all = read(cx, &what, &joint.properties, specs(kind))?;
     let own = all.len();
     let says_friction = all.iter().any(|p| AMOUNTS.contains(&p.name));
     for shared in shared.iter().filter(|s| s.0 == kind).flat_map(|s| &s.1) {
@@ -114,9 +122,14 @@ fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read]) 
         (_, missing) => missing,
     };
     let Some((message, example, property)) = problem else { return Some(()) };
+    let of_all = !joint.properties.iter().any(|p| p.span == property.span);
+    if of_all && !cx.reported.insert(("property of all", property.span.start.to_string())) {
+        return None;
+    }
+    let of = if of_all { format!("all {} ", kind.word()) } else { String::new() };
     let help =
-        if example.is_empty() { "keep one of them".into() } else { format!("write `{{ {example} }}`") };
-    let label = format!("in `{}`", joint.name.node);
+        if example.is_empty() { "keep one of them".into() } else { format!("write `{of}{{ {example} }}`") };
+    let label = if of_all { "in all of them".into() } else { format!("in `{}`", joint.name.node) };
     cx.error(PairError::Incomplete { message, help, span: property.span, label });
     None
 }

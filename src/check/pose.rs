@@ -89,6 +89,9 @@ fn set(cx: &mut Context<'_>, setting: &Setting, name: &str) -> Option<(DriveId, 
     if cx.doc.statements.iter().any(|s| declared(&s.node)) {
         return None;
     }
+    if !cx.reported.insert(("drive", name.to_owned())) {
+        return None;
+    }
     let driven = cx.mech.drives.iter().map(|d| d.name.as_str()).collect::<Vec<_>>();
     let help = suggestion(name, &driven, "drives")
         .unwrap_or_else(|| format!("add `drive {name} = 45 deg`, with its own value"));

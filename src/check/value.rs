@@ -208,6 +208,25 @@ impl Context<'_> {
         }
     }
 
+    /// The line that makes a name an unknown effort, where the file has none and the name is usual for one.
+    fn no_balance(&self, name: &str) -> Option<String> {
+        let is_balance = |s: &Statement| matches!(s, Statement::Balance(_));
+        let torque = name.starts_with('M') || name.starts_with('T');
+        if !(torque || name.starts_with('F')) || self.doc.statements.iter().any(|s| is_balance(&s.node)) {
+            return None;
+        }
+        let [drive] = self.drive_statements()[..] else { return None };
+        let on = super::drive::text(&drive.target);
+        let line = match (self.drive_dimension(drive) == Dimension::ANGLE, self.find_link(&on)) {
+            (true, Some(_)) if torque => format!("balance torque {name} on {on}"),
+            (false, None) if !torque && drive.target.tail.is_none() => {
+                format!("balance force {name} in {on}")
+            }
+            _ => return None,
+        };
+        Some(format!("for an unknown effort add the line `{line}`"))
+    }
+
     fn no_quantity(&mut self, name: &Name) {
         let bad = self.names.bad.contains(&name.node);
         if bad || !self.reported.insert(("quantity", name.node.clone())) {
@@ -225,13 +244,17 @@ impl Context<'_> {
             }
         } else {
             let all = self.names.quantities.keys().map(String::as_str).collect::<Vec<_>>();
-            let near = || did_you_mean(&name.node, ["pi"]).first().map(|_| "did you mean `pi`?".to_owned());
-            let unit = || {
-                let alone = did_you_mean(&name.node, all.iter().copied()).is_empty();
-                if alone { unit_apart(&name.node) } else { None }
+            // names of the file come before the constant, unless it differs from that in its capitals alone
+            let is_pi = name.node.eq_ignore_ascii_case("pi");
+            let alone = is_pi || did_you_mean(&name.node, all.iter().copied()).is_empty();
+            let pi = || {
+                let near = alone && !did_you_mean(&name.node, ["pi"]).is_empty();
+                near.then(|| "did you mean `pi`?".to_owned())
             };
+            let unit = || if alone { unit_apart(&name.node) } else { None };
+            let effort = || if alone { self.no_balance(&name.node) } else { None };
             let listed = || super::lookup::suggestion(&name.node, &all, "quantities");
-            let help = near().or_else(unit).or_else(listed);
+            let help = pi().or_else(unit).or_else(effort).or_else(listed);
             let (name, span) = (name.node.clone(), name.span);
             NameError::Unknown { kind: "quantity", name, place: String::new(), span, help }
         };

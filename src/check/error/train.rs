@@ -48,6 +48,24 @@ pub enum TrainError {
         #[label(primary, "joins them")]
         span: Span,
     },
+    /// A shaft of the ground that meshes with a fixed wheel.
+    #[error("`{shaft}` turns on the ground and meshes with the fixed wheel `{fixed}`: it cannot turn")]
+    #[diagnostic(code("mech::train::no_carrier"))]
+    Stands {
+        /// The shaft.
+        shaft: String,
+        /// The wheel of the ground.
+        fixed: String,
+        /// What to write.
+        #[help]
+        help: String,
+        /// The mesh.
+        #[label(primary, "with a fixed wheel")]
+        span: Span,
+        /// The shaft.
+        #[label("on the ground")]
+        shaft_span: Span,
+    },
     /// Sizes that do not agree.
     #[error("{message}")]
     #[diagnostic(code("mech::train::sizes"))]

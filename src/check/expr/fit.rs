@@ -6,8 +6,11 @@ use crate::check::context::Context;
 use crate::check::error::UnitsError;
 use crate::check::names::QuantityKind;
 use crate::source::Span;
-use crate::syntax::document::{Expr, ExprKind};
+use crate::syntax::document::{BinaryOp, Expr, ExprKind};
 use crate::units::Dimension;
+
+/// Numbers from here on are speeds in rpm rather than in rad/s.
+const FAST: f64 = 100.0;
 
 impl Context<'_> {
     /// The expression, if it is a number of this dimension.
@@ -72,26 +75,64 @@ impl Context<'_> {
             return false;
         }
         if found == Dimension::NUMBER
-            && let Some(example) = with_unit(expr, &self.usual_unit(want))
+            && let Some(example) = with_unit(expr, &self.unit_of_bare(want, expr))
         {
             self.error(UnitsError::Missing { what, want, span, example: format!("`{example}`") });
             return false;
         }
-        let help = self.bare_definition(found, want, expr).or_else(|| mend(want, found));
+        if let Some((name, help)) = self.bare_definition(want, expr) {
+            if self.reported.insert(("without unit", name)) {
+                let (want, found) = (phrase(want), phrase(found));
+                self.error(UnitsError::Mismatch { what, want, found, span, help: Some(help) });
+            }
+            return false;
+        }
+        let help = mend(want, found);
         self.error(UnitsError::Mismatch { what, want: phrase(want), found: phrase(found), span, help });
         false
     }
 
-    /// A name that was given a number without its unit.
-    fn bare_definition(&self, found: Dimension, want: Dimension, expr: &Expr) -> Option<String> {
-        let ExprKind::Name(name) = &expr.kind else { return None };
+    /// The name in an expression that was given a number without its unit, and the definition with it.
+    fn bare_definition(&self, want: Dimension, expr: &Expr) -> Option<(String, String)> {
+        let name = match &expr.kind {
+            ExprKind::Name(name) => name,
+            ExprKind::Unary(_, inner) | ExprKind::Polar(inner, _) => {
+                return self.bare_definition(want, inner);
+            }
+            ExprKind::Vector(x, y) => {
+                return self.bare_definition(want, x).or_else(|| self.bare_definition(want, y));
+            }
+            // a multiple: the unit is that of the one factor with a name
+            ExprKind::Chain(first, rest) => {
+                let multiplies = |op: BinaryOp| matches!(op, BinaryOp::Multiply | BinaryOp::Divide);
+                let number = |e: &Expr| matches!(&e.kind, ExprKind::Number(n) if n.unit.is_none());
+                let mut factors = std::iter::once((BinaryOp::Multiply, first.as_ref()))
+                    .chain(rest.iter().map(|(op, e)| (op.node, e)))
+                    .filter(|(_, e)| !number(e));
+                let (Some((BinaryOp::Multiply, only)), None) = (factors.next(), factors.next()) else {
+                    return None;
+                };
+                return rest
+                    .iter()
+                    .all(|(op, _)| multiplies(op.node))
+                    .then(|| self.bare_definition(want, only))?;
+            }
+            _ => return None,
+        };
         let (word, value) = match self.names.quantities.get(name)?.what {
             QuantityKind::Given(value) => ("given", value),
             QuantityKind::Let(value) => ("let", value),
             _ => return None,
         };
-        let example = (found == Dimension::NUMBER).then(|| with_unit(value, &self.usual_unit(want)))??;
-        Some(format!("write the unit where `{name}` is defined: `{word} {name} = {example}`"))
+        let example = with_unit(value, &self.unit_of_bare(want, value))?;
+        Some((name.clone(), format!("write the unit where `{name}` is defined: `{word} {name} = {example}`")))
+    }
+
+    /// The unit that a bare number most likely lacks.
+    fn unit_of_bare(&self, want: Dimension, value: &Expr) -> String {
+        let usual = self.usual_unit(want);
+        let fast = matches!(&value.kind, ExprKind::Number(n) if n.value.abs() >= FAST);
+        if want == Dimension::ANGULAR_VELOCITY && usual == "rad/s" && fast { "rpm".into() } else { usual }
     }
 
     /// Reports a vector where a number is due, and the like.

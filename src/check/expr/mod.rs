@@ -7,9 +7,11 @@ mod number;
 mod read;
 pub mod typed;
 mod want;
+mod written;
 
 pub use read::{Sign, comparison_of};
 pub use want::Want;
+pub use written::written;
 
 use super::context::Context;
 use super::error::RequestError;

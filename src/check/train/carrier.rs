@@ -4,6 +4,7 @@ use crate::check::context::Context;
 use crate::check::error::TrainError;
 use crate::model::{Bearing, LinkId, Pair, PairKind, Pin, Wheel};
 use crate::source::Span;
+use crate::syntax::document::Statement;
 
 /// Points nearer than this, relative to their distance from the origin, are one.
 const SAME: f64 = 1e-9;
@@ -103,6 +104,33 @@ fn none(cx: &mut Context<'_>, first: &Wheel, second: &Wheel, on: (&[LinkId], &[L
         help,
         span,
     });
+}
+
+/// Reports a shaft of the ground that meshes with a wheel of the ground: it cannot turn. Where the
+/// file has a bare shaft that is its carrier.
+pub(super) fn turns_at_all(cx: &mut Context<'_>, fixed: &Wheel, planet: &Wheel, span: Span) -> Option<()> {
+    let shafts = cx.doc.statements.iter().filter_map(|s| match &s.node {
+        Statement::Shaft(shaft) => Some(shaft),
+        _ => None,
+    });
+    let shafts: Vec<_> = shafts.collect();
+    let own = shafts.iter().find(|s| cx.find_link(&s.name.node) == Some(planet.link) && s.on.is_none());
+    let (LinkId::GROUND, Some(own)) = (fixed.link, own) else { return Some(()) };
+    let name = &own.name.node;
+    let bare = shafts.iter().filter(|s| s.body.is_empty() && s.name.node != *name);
+    let bare = bare.map(|s| format!("`shaft {name} on {} {{`", s.name.node)).collect::<Vec<_>>();
+    if bare.is_empty() {
+        return Some(()); // a gear pair whose geometry is asked
+    }
+    let help = format!("let it turn on its carrier: write {}", bare.join(" or "));
+    cx.error(TrainError::Stands {
+        shaft: name.clone(),
+        fixed: fixed.name.clone(),
+        help,
+        span,
+        shaft_span: own.name.span,
+    });
+    None
 }
 
 /// Whether a link has a revolute pair with the carrier.

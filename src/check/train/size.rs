@@ -8,7 +8,9 @@ use crate::check::expr::{Want, fold};
 use crate::check::link::place as place_text;
 use crate::model::{LinkId, Scale, Wheel};
 use crate::source::Span;
-use crate::syntax::document::{Body, End, Expr, JointKind, Member, Name, Statement, WheelMember, WheelSize};
+use crate::syntax::document::{
+    Body, End, Expr, ExprKind, JointKind, Member, Name, Statement, WheelMember, WheelSize,
+};
 use crate::units::Dimension;
 use indexmap::IndexMap;
 use miette::LabeledSpan;
@@ -139,7 +141,9 @@ fn teeth(cx: &mut Context<'_>, member: &WheelMember) -> Option<Option<f64>> {
     let name = &member.name.node;
     match (&member.size, &member.module) {
         (Some(WheelSize::Teeth(teeth)), _) => {
-            size(cx, teeth, Dimension::NUMBER, &format!("the number of teeth of wheel `{name}`")).map(Some)
+            let number =
+                size(cx, teeth, Dimension::NUMBER, &format!("the number of teeth of wheel `{name}`"))?;
+            whole(cx, number, name, teeth).map(Some)
         }
         (Some(WheelSize::Radius(_) | WheelSize::Diameter(_)), Some(written)) => {
             let radius = radius(cx, name)?;
@@ -167,6 +171,29 @@ fn teeth(cx: &mut Context<'_>, member: &WheelMember) -> Option<Option<f64>> {
         }
         _ => Some(None),
     }
+}
+
+/// Teeth are a whole number.
+fn whole(cx: &mut Context<'_>, number: f64, wheel: &str, written: &Expr) -> Option<f64> {
+    if (number - number.round()).abs() <= WHOLE && number >= 1.0 {
+        return Some(number.round());
+    }
+    if !cx.reported.insert(("teeth", wheel.to_owned())) {
+        return None;
+    }
+    let (below, above) = (number.floor().max(1.0), number.ceil().max(1.0));
+    let line = |n: f64| match &written.kind {
+        ExprKind::Number(_) => format!("`teeth {n}`"),
+        ExprKind::Name(name) if cx.given_as_written(name).is_some() => format!("`given {name} = {n}`"),
+        _ => format!("{n} teeth"),
+    };
+    let choices = if below == above { line(above) } else { format!("{} or {}", line(below), line(above)) };
+    cx.error(TrainError::Sizes {
+        message: format!("wheel `{wheel}` has {} teeth", crate::check::amount::digits(number)),
+        help: format!("teeth are a whole number: write {choices}"),
+        labels: vec![label("not a whole number", written.span)],
+    });
+    None
 }
 
 pub(super) fn label(text: impl Into<String>, span: Span) -> LabeledSpan {

@@ -218,6 +218,8 @@ fn wheels(
     let carrier = carrier(cx, &a, &b, joint.name.span)?;
     let mut meeting = None;
     if meshes {
+        super::carrier::turns_at_all(cx, &a, &b, joint.name.span)?;
+        super::carrier::turns_at_all(cx, &b, &a, joint.name.span)?;
         if !is("shift") {
             distance(cx, [&a, &b], carrier, internal, joint.name.span)?;
         }
