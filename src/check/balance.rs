@@ -25,7 +25,9 @@ fn kind(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
     let (link, at) = match &balance.site {
         Site::Link { link, at } => (link, at.as_ref()),
         Site::Pair(pair) => {
-            let pair = effort(cx, balance.kind.node, balance.kind.span, pair);
+            let word = if balance.kind.node == LoadKind::Torque { "torque" } else { "force" };
+            let line = format!("balance {word} {} in {}", balance.name.node, pair.node);
+            let pair = effort(cx, balance.kind.node, balance.kind.span, (&line, pair));
             undirected(cx, balance, "a load in a pair acts along its coordinate")?;
             return Some(BalanceKind::InPair(pair?.0));
         }

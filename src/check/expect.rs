@@ -2,13 +2,13 @@
 
 use super::context::Context;
 use super::error::ExpectError;
-use super::expr::comparison_of;
 use super::expr::typed::{Dim, Type, Typed, phrase};
+use super::expr::{comparison_of, written};
 use super::lookup::suggestion;
 use super::{tolerance, walk};
 use crate::model::{At, Display, Expect, Relation, Tolerance};
 use crate::source::Span;
-use crate::syntax::document::{self, ExpectAt, Expr, ExprKind, Name, Statement};
+use crate::syntax::document::{self, BinaryOp, ExpectAt, Expr, ExprKind, Name, Statement};
 use crate::units::{Dimension, Kind};
 
 /// Enters all expectations into the mechanism.
@@ -100,6 +100,7 @@ fn unified(a: Type, b: Type) -> Type {
 
 /// `expect Mb = 26 N*m within 1 %`
 fn equality(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
+    plus_minus(cx, expect)?;
     let what = cx.read(&expect.what);
     let values = expect.values.iter().map(|v| (cx.read(v), v)).collect::<Vec<_>>();
     let what = what?;
@@ -111,7 +112,9 @@ fn equality(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
     let open = what.pending && what.ty == Type::Number(Dim::Any);
     let mut fitting = Vec::new();
     for (value, expr) in values {
-        let fits = value.and_then(|v| if open { Some(v) } else { fit_value(cx, v, &what, expr) });
+        let fits = value.and_then(|v| {
+            if open { Some(v) } else { fit_value(cx, v, &what, (&expect.text, &expect.what), expr) }
+        });
         fitting.push(fits);
     }
     let values = fitting.into_iter().collect::<Option<Vec<_>>>()?;
@@ -134,13 +137,51 @@ fn not_itself(cx: &mut Context<'_>, what: &Expr, t: &Typed, value: &Expr) -> Opt
     None
 }
 
-fn fit_value(cx: &mut Context<'_>, value: Typed, what: &Typed, expr: &Expr) -> Option<Typed> {
+/// Reports `+-` in place of `within`.
+fn plus_minus(cx: &mut Context<'_>, expect: &document::Expect) -> Option<()> {
+    for value in &expect.values {
+        if let ExprKind::Chain(first, rest) = &value.kind
+            && let [(plus, Expr { kind: ExprKind::Unary(minus, size), .. })] = &rest[..]
+            && plus.node == BinaryOp::Add
+            && plus.span.end == minus.span.start
+            && let (Some(first), Some(size)) = (written(first), written(size))
+        {
+            let line = format!("{} = {first} within {size}", expect.text);
+            cx.error(ExpectError::PlusMinus { line, span: plus.span.to(minus.span) });
+            return None;
+        }
+    }
+    Some(())
+}
+
+fn fit_value(
+    cx: &mut Context<'_>,
+    value: Typed,
+    what: &Typed,
+    text: (&str, &Expr),
+    expr: &Expr,
+) -> Option<Typed> {
     let d = what.ty.dimension();
     match what.ty {
-        Type::Vector(_) => cx.fit_vector(value, d, "the expected value", expr),
+        Type::Vector(_) => match component_or_magnitude(&value, text, expr) {
+            Some(help) => {
+                cx.shape("the expected value", "a vector", value.ty, expr.span, Some(help));
+                None
+            }
+            None => cx.fit_vector(value, d, "the expected value", expr),
+        },
         Type::Number(Dim::Any) if what.value().is_some() => Some(value),
         _ => cx.fit(value, d, "the expected value", expr),
     }
+}
+
+/// What may be meant where a number is expected of a vector.
+fn component_or_magnitude(value: &Typed, (text, what): (&str, &Expr), expr: &Expr) -> Option<String> {
+    let number = matches!(value.ty, Type::Number(dim) if dim != Dim::Any && !value.pending);
+    let value = written(expr).filter(|_| number)?;
+    let simple = matches!(what.kind, ExprKind::Name(_) | ExprKind::Member(..) | ExprKind::Call { .. });
+    let part = if simple { format!("{text}.x") } else { format!("({text}).x") };
+    Some(format!("write `expect mag({text}) = {value}` or `expect {part} = {value}`"))
 }
 
 /// `at pose 4'`, `at crank = 90 deg`

@@ -1,14 +1,16 @@
 //! Applied loads.
 
+use super::amount::told;
 use super::context::Context;
 use super::drive::{Moves, coordinate, negated, on_moving};
 use super::error::LoadError;
-use super::expr::Want;
+use super::expr::{Want, written};
 use super::names::ThingKind;
 use crate::model::{self, Bearing, Expr, LinkId, LoadKind, PairId, PairKind, Place, Query};
 use crate::source::Span;
 use crate::syntax::document::{self, Load, Name, Site, Statement, Turn};
 use crate::units::Dimension;
+use std::f64::consts::PI;
 
 /// Enters all loads into the mechanism.
 pub(super) fn loads(cx: &mut Context<'_>) {
@@ -134,8 +136,14 @@ fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::P
         Some(at) => on.and_then(|on| place(cx, on, at)),
         None => {
             let example = example(cx, on, &link.node);
-            no_place(cx, "a force", link, format!("force on {example} = 1000 N @ 270 deg"));
-            None
+            let name = load.name.as_ref().map_or_else(String::new, |n| format!("{} ", n.node));
+            let value = match written(&load.value.value) {
+                Some(value) if cx.is_vector(&load.value.value)? || load.against_motion.is_some() => value,
+                Some(value) => format!("{value} @ 270 deg"),
+                None => "1000 N @ 270 deg".into(),
+            };
+            no_place(cx, "a force", link, format!("force {name}on {example} = {value}"));
+            return None;
         }
     };
     if let Some(sense) = &load.value.sense {
@@ -144,7 +152,7 @@ fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::P
         return None;
     }
     let Some(against) = load.against_motion else {
-        let value = force_value(cx, load);
+        let value = force_value(cx, load, on);
         let frame = frame(cx, load.frame.as_ref());
         return Some(LoadKind::Force { on: on?, at: place?, value: value?, frame: frame? });
     };
@@ -163,15 +171,37 @@ fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::P
 }
 
 /// The vector of a force; reports a magnitude that has no direction.
-fn force_value(cx: &mut Context<'_>, load: &Load) -> Option<Expr> {
+fn force_value(cx: &mut Context<'_>, load: &Load, on: Option<LinkId>) -> Option<Expr> {
     let source = &load.value.value;
     if cx.is_vector(source)? {
         return value(cx, load, true, Dimension::FORCE);
     }
     value(cx, load, false, Dimension::FORCE)?;
     let message = format!("{} has no direction", described(load));
-    form(cx, message, "add one behind the value: `@ 270 deg` is down; or write `(Fx, Fy)`", source.span);
+    let help = directed(cx, source, on);
+    form(cx, message, &help, source.span);
     None
+}
+
+/// A force with a direction: along the guide of its link, or down.
+fn directed(cx: &Context<'_>, source: &document::Expr, on: Option<LinkId>) -> String {
+    let value = written(source).unwrap_or_else(|| "1000 N".into());
+    let guide = cx.mech.pairs.iter().find_map(|p| match &p.kind {
+        PairKind::Prismatic(g) if Some(g.slider) == on && g.guide == LinkId::GROUND => Some((p, g.along)),
+        _ => None,
+    });
+    let Some((pair, along)) = guide else {
+        return format!(
+            "write the direction after the value: `{value} @ 270 deg` is down; or write `(Fx, Fy)`"
+        );
+    };
+    let angle = along.angle();
+    let back = if angle > 0.0 { angle - PI } else { angle + PI };
+    let [along, back] = [angle, back].map(|a| told(a, Dimension::ANGLE));
+    let pair = &pair.name;
+    format!(
+        "write the direction: `{value} @ {along}` is along the guide `{pair}`, `{value} @ {back}` against it"
+    )
 }
 
 /// A torque has no place.
@@ -210,7 +240,12 @@ fn turned(value: Expr, load: &Load) -> Expr {
 }
 
 fn in_pair(cx: &mut Context<'_>, load: &Load, pair: &Name) -> Option<LoadKind> {
-    let pair = effort(cx, load.kind.node, load.kind.span, pair);
+    let pair = effort(
+        cx,
+        load.kind.node,
+        load.kind.span,
+        (&format!("{} … in {}", kind_word(load.kind.node), pair.node), pair),
+    );
     if let Some(against) = load.against_motion {
         let message = "a load in a pair acts along its coordinate".into();
         form(cx, message, "write it on one of the two links, or give it a sign", against);
@@ -238,7 +273,7 @@ pub(super) fn effort(
     cx: &mut Context<'_>,
     kind: document::LoadKind,
     kind_span: Span,
-    name: &Name,
+    (own, name): (&str, &Name),
 ) -> Option<(PairId, Moves)> {
     let (pair, moves) = coordinate(cx, name)?;
     let fits = if moves == Moves::Turning { document::LoadKind::Torque } else { document::LoadKind::Force };
@@ -251,7 +286,7 @@ pub(super) fn effort(
         is: is.into(),
         fits: format!("a {}", kind_word(fits)),
         given: format!("a {}", kind_word(kind)),
-        help: format!("write `{} … in {}`", kind_word(fits), name.node),
+        help: format!("write `{}`", own.replacen(kind_word(kind), kind_word(fits), 1)),
         span: name.span,
         kind: kind_span,
     });

@@ -48,6 +48,7 @@ mod tolerance;
 mod too_wide;
 mod train;
 mod unit_choice;
+mod unknown;
 mod value;
 mod variants;
 mod walk;

@@ -93,10 +93,28 @@ fn set(cx: &mut Context<'_>, setting: &Setting, name: &str) -> Option<(DriveId, 
         return None;
     }
     let driven = cx.mech.drives.iter().map(|d| d.name.as_str()).collect::<Vec<_>>();
-    let help = suggestion(name, &driven, "drives")
-        .unwrap_or_else(|| format!("add `drive {name} = 45 deg`, with its own value"));
+    let help = suggestion(name, &driven, "drives").unwrap_or_else(|| {
+        format!("add the line `drive {name} = {}`, with your own values", positions(cx, name))
+    });
     cx.error(MotionError::NotDriven { name: name.into(), help, span });
     None
+}
+
+/// An example of positions: as many as values are expected.
+fn positions(cx: &Context<'_>, name: &str) -> String {
+    let lists = cx.doc.statements.iter().filter_map(|s| match &s.node {
+        Statement::Expect(e) => Some(e.values.len()),
+        _ => None,
+    });
+    let sliding = cx.find_link(name).is_none()
+        && cx
+            .find_pair(name)
+            .is_some_and(|p| !matches!(cx.mech.pair(p).kind, crate::model::PairKind::Revolute(_)));
+    match lists.max() {
+        _ if sliding => "100 mm".into(),
+        Some(n) if n > 1 => format!("0 deg .. 360 deg in {n} steps at 60 rpm"),
+        _ => "45 deg".into(),
+    }
 }
 
 /// The poses of the sweep have numbers for names.

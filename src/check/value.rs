@@ -9,11 +9,10 @@ use super::overrides;
 use super::row::ColumnUse;
 use super::unit_choice::display_in;
 use super::walk;
-use crate::diagnostic::did_you_mean;
 use crate::model::{self, Display, NamedValue, Quantity, QuantityId};
 use crate::source::Span;
 use crate::syntax::document::{Column, Expr, ExprKind, LoadKind, Name, Site, Statement};
-use crate::units::{Dimension, Kind, lookup};
+use crate::units::{Dimension, Kind};
 use indexmap::IndexSet;
 
 /// The largest expression of a drive, in parts.
@@ -125,6 +124,9 @@ impl Context<'_> {
                 Some(Typed::new(model::Expr::Query(model::Query::Load(id)), ty))
             }
             QuantityKind::Balance(id, balance) => {
+                if self.is_wrong_effort(balance) {
+                    return None;
+                }
                 let ty = Type::number(dimension_of(balance.kind.node));
                 Some(Typed::new(model::Expr::Query(model::Query::Balance(id)), ty))
             }
@@ -206,59 +208,6 @@ impl Context<'_> {
                 None
             }
         }
-    }
-
-    /// The line that makes a name an unknown effort, where the file has none and the name is usual for one.
-    fn no_balance(&self, name: &str) -> Option<String> {
-        let is_balance = |s: &Statement| matches!(s, Statement::Balance(_));
-        let torque = name.starts_with('M') || name.starts_with('T');
-        if !(torque || name.starts_with('F')) || self.doc.statements.iter().any(|s| is_balance(&s.node)) {
-            return None;
-        }
-        let [drive] = self.drive_statements()[..] else { return None };
-        let on = super::drive::text(&drive.target);
-        let line = match (self.drive_dimension(drive) == Dimension::ANGLE, self.find_link(&on)) {
-            (true, Some(_)) if torque => format!("balance torque {name} on {on}"),
-            (false, None) if !torque && drive.target.tail.is_none() => {
-                format!("balance force {name} in {on}")
-            }
-            _ => return None,
-        };
-        Some(format!("for an unknown effort add the line `{line}`"))
-    }
-
-    fn no_quantity(&mut self, name: &Name) {
-        let bad = self.names.bad.contains(&name.node);
-        if bad || !self.reported.insert(("quantity", name.node.clone())) {
-            return;
-        }
-        let thing = self.names.things.get(&name.node).map(|d| (d.what.phrase(), Some(d.span), d.what));
-        let error = if let Some((is, declared, what)) = thing {
-            NameError::WrongKind {
-                name: name.node.clone(),
-                is,
-                wanted: "a quantity".into(),
-                span: name.span,
-                declared,
-                help: super::query::ask_of(what, &name.node),
-            }
-        } else {
-            let all = self.names.quantities.keys().map(String::as_str).collect::<Vec<_>>();
-            // names of the file come before the constant, unless it differs from that in its capitals alone
-            let is_pi = name.node.eq_ignore_ascii_case("pi");
-            let alone = is_pi || did_you_mean(&name.node, all.iter().copied()).is_empty();
-            let pi = || {
-                let near = alone && !did_you_mean(&name.node, ["pi"]).is_empty();
-                near.then(|| "did you mean `pi`?".to_owned())
-            };
-            let unit = || if alone { unit_apart(&name.node) } else { None };
-            let effort = || if alone { self.no_balance(&name.node) } else { None };
-            let listed = || super::lookup::suggestion(&name.node, &all, "quantities");
-            let help = pi().or_else(unit).or_else(effort).or_else(listed);
-            let (name, span) = (name.node.clone(), name.span);
-            NameError::Unknown { kind: "quantity", name, place: String::new(), span, help }
-        };
-        self.error(error);
     }
 
     /// Whether the expression needs no pose.
@@ -392,18 +341,4 @@ const fn dimension_of(kind: LoadKind) -> Dimension {
         LoadKind::Force => Dimension::FORCE,
         LoadKind::Torque => Dimension::TORQUE,
     }
-}
-
-/// What to say of a unit that stands by itself where a quantity is due: `60 N * m`, `20 m/s2`.
-fn unit_apart(name: &str) -> Option<String> {
-    let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let power = &name[letters.len()..];
-    if lookup(letters).is_err() {
-        return None;
-    }
-    let one_word = "a number and its unit are written as `60 N*m` or `2 m/s^2`";
-    Some(match power {
-        "" => format!("`{name}` is a unit; {one_word}, without blanks in the unit"),
-        _ => format!("the unit is `{letters}^{power}`; {one_word}"),
-    })
 }

@@ -66,6 +66,16 @@ pub enum ExpectError {
         #[label(primary, "not a number as written")]
         span: Span,
     },
+    /// A tolerance behind `+-`.
+    #[error("`+-` is a sum and a sign, not a tolerance")]
+    #[diagnostic(code("mech::expect::no_tolerance"), help("write `expect {line}`"))]
+    PlusMinus {
+        /// The statement with `within`.
+        line: String,
+        /// The signs.
+        #[label(primary, "`within` instead of this")]
+        span: Span,
+    },
     /// A tolerance that is no positive number.
     #[error("a tolerance is greater than zero")]
     #[diagnostic(

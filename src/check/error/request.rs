@@ -51,6 +51,20 @@ pub enum RequestError {
         /// How it is written.
         usage: String,
     },
+    /// Links in place of the group that they form.
+    #[error("`{function}` takes a group, not the links {links}")]
+    #[diagnostic(code("mech::request::arguments"), help("{help}"))]
+    LinksForGroup {
+        /// The function.
+        function: String,
+        /// The links, as written.
+        links: String,
+        /// The call.
+        #[label(primary, "a group is expected")]
+        span: Span,
+        /// The lines to write.
+        help: String,
+    },
     /// An argument of the wrong kind.
     #[error("`{function}` takes {wanted} here")]
     #[diagnostic(code("mech::request::argument"), help("write `{usage}`"))]

@@ -9,6 +9,7 @@ mod flywheel;
 mod force;
 mod friction;
 mod gear;
+mod meant;
 mod motion;
 mod substitution;
 mod table;
@@ -16,10 +17,9 @@ mod table;
 pub use table::{ask_of, takes_values};
 
 use super::context::Context;
-use super::error::{NameError, RequestError};
+use super::error::RequestError;
 use super::expr::Sign;
 use super::expr::typed::Typed;
-use super::lookup::suggestion;
 use crate::model::CamPart;
 use crate::source::Span;
 use crate::syntax::document::{Arg, Expr, ExprKind, Name};
@@ -101,17 +101,6 @@ impl Context<'_> {
                 None
             }
         }
-    }
-
-    fn no_function(&mut self, call: Call<'_>) {
-        let name = &call.name.node;
-        if !self.reported.insert(("function", name.clone())) {
-            return;
-        }
-        let all = FUNCTIONS.iter().map(|f| f.name).collect::<Vec<_>>();
-        let near = suggestion(name, &all, "functions").filter(|text| text.starts_with("did"));
-        let (name, span) = (name.clone(), call.name.span);
-        self.error(NameError::Unknown { kind: "function", name, place: String::new(), span, help: near });
     }
 
     /// The arguments, if there are as many as there should be and none has a name.

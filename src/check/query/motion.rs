@@ -68,6 +68,9 @@ impl Context<'_> {
     pub(super) fn speed(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let Some(pair) = self.slider(args[0]) else {
+            if self.speed_of_point(call) {
+                return None;
+            }
             self.element(call, "a slider", |k| k == ThingKind::Slider)?;
             return None;
         };
@@ -87,7 +90,13 @@ impl Context<'_> {
 
     /// `angle`, `omega`, `alpha`, `dir` of a link
     pub(super) fn link_motion(&mut self, call: Call<'_>) -> Option<Typed> {
+        if self.link_by_points(call).is_some() {
+            return None;
+        }
         let args = self.arguments(call, 1, 1)?;
+        if self.not_of_a_link(call, args[0]) {
+            return None;
+        }
         let mover = self.mover(call, args[0])?;
         let (dimension, query): (_, fn(_) -> Query) = match call.name.node.as_str() {
             "angle" => (Dimension::ANGLE, Query::Angle),
@@ -212,6 +221,9 @@ impl Context<'_> {
     }
 
     pub(super) fn transmission_angle(&mut self, call: Call<'_>) -> Option<Typed> {
+        if !call.args.is_empty() && self.group_by_links(call).is_some() {
+            return None;
+        }
         let args = self.arguments(call, 1, 1)?;
         let ExprKind::Name(name) = &args[0].kind else {
             self.wrong_argument(call, "a group", args[0].span);
