@@ -140,7 +140,7 @@ fn table_is_for_reading() {
       2              90    335.41          -10            0
 
     Expectations
-      the one there is holds
+      1 of 1 expectation met
     ");
 }
 

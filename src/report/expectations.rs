@@ -15,8 +15,8 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     let mut section = Section::new("Expectations");
     match (outcomes.len(), failed.len()) {
         (0, _) => return,
-        (1, 0) => section.text("the one there is holds"),
-        (all, 0) => section.text(format!("all {all} hold")),
+        (1, 0) => section.text("1 of 1 expectation met"),
+        (all, 0) => section.text(format!("all {all} expectations met")),
         (all, failed) => section.text(format!("{failed} of {all} FAIL:")),
     }
     section.table(table(&failed, answers.precision.digits));
@@ -37,7 +37,7 @@ fn is_off(outcome: &Outcome) -> bool {
 /// Expected values beside what was got, with the difference in parts of the value got.
 fn deviations(off: &[&Outcome], digits: usize) -> Table {
     let mut columns = ["expectation", "pose"].map(Column::words).to_vec();
-    columns.extend(["expected", "got", "expected is off by"].map(Column::right));
+    columns.extend(["expected", "got", "deviation"].map(Column::right));
     let mut table = Table::new(columns, 2);
     for outcome in off {
         let apart = 100.0 * outcome.difference().magnitude() / outcome.got.magnitude();
