@@ -73,6 +73,20 @@ impl Problems {
         self.more_warnings += later.more_warnings;
     }
 
+    /// Whether both have the same texts at the same places.
+    #[must_use]
+    pub fn is_alike(&self, other: &Self) -> bool {
+        let text = |p: &AnyDiagnostic| {
+            (
+                p.code().map(|c| c.to_string()),
+                p.to_string(),
+                p.help().map(|h| h.to_string()),
+                primary(p.as_ref()),
+            )
+        };
+        self.items.iter().map(text).eq(other.items.iter().map(text))
+    }
+
     /// Whether there is nothing to say.
     #[must_use]
     pub fn is_empty(&self) -> bool {

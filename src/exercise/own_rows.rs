@@ -44,7 +44,10 @@ impl<'a> OwnRows<'a> {
         };
         let columns: Arc<[RowColumn]> = columns.into();
         let rows = check::file_rows(table, &columns);
-        let family = Family::new(source, document, overrides);
+        let mut family = Family::new(source, document, overrides);
+        if let Some(problems) = of_every_row(&mut family, &rows) {
+            return Some(Err(problems));
+        }
         Some(Ok(Self { family, rows, columns }))
     }
 
@@ -71,6 +74,13 @@ impl<'a> OwnRows<'a> {
             SolvedRow { row, number: i + 1, solved, problems }
         })
     }
+}
+
+/// What is wrong with the file whatever the row: the first and the last row have the same errors.
+fn of_every_row(family: &mut Family<'_>, rows: &[FileRow]) -> Option<Problems> {
+    let [first, .., last] = rows else { return None };
+    let problems = family.compile(&first.row).1;
+    (problems.has_errors() && problems.is_alike(&family.compile(&last.row).1)).then_some(problems)
 }
 
 impl FileRow {
