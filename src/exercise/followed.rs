@@ -87,7 +87,7 @@ pub fn followed(scene: &Scene<'_>, origin: Option<&Origin>, each: Option<Each<'_
     }
     let (mut poses, mut problems) = (Vec::new(), Problems::new());
     let mut each = each;
-    let mut failed = 0;
+    let (mut failed, mut ambiguous) = (0, false);
     while let Some(pose) = following.next() {
         let pose = pose.map_err(|e| Problems::of([e]))?;
         if let Some(each) = &mut each
@@ -96,7 +96,9 @@ pub fn followed(scene: &Scene<'_>, origin: Option<&Origin>, each: Option<Each<'_
         {
             return Ok(None);
         }
-        if let Some(failure) = pose.failure() {
+        // one line of `assemble` chooses for the whole sweep
+        let again = pose.is_ambiguous() && std::mem::replace(&mut ambiguous, true);
+        if let Some(failure) = pose.failure().filter(|_| !again) {
             failed += 1;
             if failed <= TOLD || keeps_all {
                 problems.push(failure.clone());

@@ -265,10 +265,11 @@ fn rounded(scene: &Scene<'_>, values: &[DriveValue], per_degree: f64) -> Vec<Dri
 
 /// A warning that tells over which ranges a sweep does not close.
 fn partial_sweep(scene: &Scene<'_>, closing: Closing, gaps: &[Gap], more: usize) -> Option<SolveError> {
-    if gaps.is_empty() {
+    // where the assembly is not chosen yet, nothing is known of what closes
+    if gaps.is_empty() || closing.ambiguous {
         return None;
     }
-    let Closing { swept: total, open } = closing;
+    let Closing { swept: total, open, .. } = closing;
     let closed = total - open;
     let text = |values: &[DriveValue]| drive_text(scene, &rounded(scene, values, 100.0));
     let ranges = gaps.iter().map(|gap| match (&gap.from, &gap.to) {

@@ -140,6 +140,13 @@ impl Pose {
             _ => Some(error),
         }
     }
+
+    /// It belongs to a sweep and can be assembled in several ways.
+    #[must_use]
+    pub fn is_ambiguous(&self) -> bool {
+        let ambiguous = matches!(self.outcome, Err(SolveError::Ambiguous { .. }));
+        ambiguous && matches!(self.origin, PoseOrigin::Sweep(_))
+    }
 }
 
 impl Solved {
@@ -153,12 +160,6 @@ impl Solved {
 }
 
 impl Solution {
-    /// Why poses of the file have no solution: [`Pose::failure`] of each.
-    #[must_use]
-    pub fn failures(&self) -> Vec<SolveError> {
-        self.poses.iter().filter_map(Pose::failure).cloned().collect()
-    }
-
     /// One of its positions, seen from the language.
     #[must_use]
     pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> View<'a> {

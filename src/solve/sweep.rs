@@ -179,6 +179,7 @@ impl<'a, 's> Following<'a, 's> {
         };
         run.closing.swept += 1;
         run.closing.open += usize::from(outcome.as_ref().is_err_and(is_open));
+        run.closing.ambiguous |= matches!(outcome, Err(SolveError::Ambiguous { .. }));
         Ok(run.posed(pose, outcome))
     }
 }
@@ -188,6 +189,8 @@ impl<'a, 's> Following<'a, 's> {
 pub(super) struct Closing {
     pub swept: usize,
     pub open: usize,
+    /// One of them can be assembled in several ways.
+    pub ambiguous: bool,
 }
 
 /// A pose beside the sweep, with the tracker at the nearest position of the sweep that closed.
