@@ -159,7 +159,7 @@ impl Context<'_> {
     /// The first part of an expression that is known only once the mechanism is solved, in words.
     pub fn first_result(&self, expr: &Expr) -> Option<(Span, String)> {
         self.first_root(expr).map(|(span, root, via)| match via {
-            Some(name) => (span, format!("`{name}`, which hangs on {root}")),
+            Some(name) => (span, format!("`{name}`, which depends on {root}")),
             None => (span, root),
         })
     }
@@ -176,7 +176,8 @@ impl Context<'_> {
                         Some((part.span, format!("`{}(…)`", function.node)))
                     }
                     ExprKind::Name(name) => self.root_of(name).map(|(root, via)| {
-                        let text = via.map_or(root.clone(), |via| format!("`{via}`, which hangs on {root}"));
+                        let text =
+                            via.map_or(root.clone(), |via| format!("`{via}`, which depends on {root}"));
                         (part.span, text)
                     }),
                     _ => None,

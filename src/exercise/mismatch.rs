@@ -28,13 +28,8 @@ impl Failed<'_> {
         let Outcome { text, display, got, place: at, span, .. } = self.worst;
         let span = *span;
         if *got == Value::Truth(false) {
-            let message = format!("expected {text}{at}, and it does not hold");
-            return ExpectError::Mismatch {
-                message,
-                difference: "does not hold".to_owned(),
-                span,
-                help: None,
-            };
+            let message = format!("expected {text}{at}, but it is false");
+            return ExpectError::Mismatch { message, difference: "false".to_owned(), span, help: None };
         }
         let off = self.worst.difference();
         let digits = digits_to_tell(self.worst.expected.magnitude(), off.magnitude());

@@ -22,7 +22,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     section.table(table(&failed, answers.precision.digits));
     let off: Vec<&Outcome> = outcomes.iter().filter(|o| o.passed && is_off(o)).collect();
     if !off.is_empty() {
-        section.text("Within what the key allows, but off by more than 1 %:");
+        section.text("Within tolerance, but more than 1 % off:");
         section.table(deviations(&off, answers.precision.digits));
     }
     report.section(section);

@@ -19,24 +19,24 @@ pub enum ExpectError {
         /// What it is, with its article.
         is: String,
         /// Its place.
-        #[label(primary, "not a truth")]
+        #[label(primary, "not a condition")]
         span: Span,
     },
     /// A truth with values behind it.
-    #[error("`{text}` is a truth, and a truth has no value")]
+    #[error("`{text}` is a condition; it is either true or false")]
     #[diagnostic(
         code("mech::expect::truth"),
-        help("leave out what stands behind it; for the opposite put `not` before it")
+        help("remove the right-hand side; to expect the opposite, write `not …`")
     )]
     Truth {
         /// What is expected, as written.
         text: String,
         /// Its place.
-        #[label(primary, "a truth")]
+        #[label(primary, "a condition")]
         span: Span,
     },
     /// A tolerance on what has none.
-    #[error("a truth or comparison has no tolerance")]
+    #[error("a condition has no tolerance")]
     #[diagnostic(code("mech::expect::tolerance_of_truth"), help("leave out `within …`"))]
     ToleranceOfTruth {
         /// The tolerance.
@@ -48,13 +48,13 @@ pub enum ExpectError {
     #[diagnostic(code("mech::expect::zero"), help("write `within {example}`"))]
     Zero {
         /// The zero.
-        #[label(primary, "a share of zero is zero")]
+        #[label(primary, "a relative tolerance of zero is zero")]
         span: Span,
         /// A tolerance that would do.
         example: String,
     },
     /// A value that has no digits to infer a tolerance from.
-    #[error("how near should this be?")]
+    #[error("a tolerance is required here")]
     #[diagnostic(
         code("mech::expect::no_tolerance"),
         help(
@@ -179,7 +179,7 @@ pub enum ExpectError {
         span: Span,
     },
     /// A list for one pose.
-    #[error("a list has one value per pose, so it stands for no single pose")]
+    #[error("a list gives one value per pose and cannot be combined with `at …`")]
     #[diagnostic(code("mech::expect::list_at_pose"), help("leave one value, or leave out `at …`"))]
     ListAtPose {
         /// The values.

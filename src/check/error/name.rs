@@ -91,7 +91,7 @@ pub enum NameError {
         help: String,
     },
     /// A definition that hangs on itself.
-    #[error("`{name}` hangs on itself: {chain}")]
+    #[error("`{name}` is defined in terms of itself: {chain}")]
     #[diagnostic(code("mech::name::cycle"), help("give one of them a value of its own"))]
     Cycle {
         /// The name.
@@ -99,7 +99,7 @@ pub enum NameError {
         /// All names on the way round.
         chain: String,
         /// The definition.
-        #[label(primary, "hangs on the next, and so on itself")]
+        #[label(primary, "circular definition starts here")]
         span: Span,
         /// The other definitions.
         #[label(collection)]

@@ -8,7 +8,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum RequestError {
     /// A value that must be known beforehand hangs on results.
-    #[error("{what} must be known before anything is solved, but it hangs on {result}")]
+    #[error("{what} must be a constant, but it depends on {result}")]
     #[diagnostic(
         code("mech::request::not_constant"),
         help("use numbers, `given` and those `let` that hang on nothing but them")
@@ -23,7 +23,7 @@ pub enum RequestError {
         span: Span,
     },
     /// A value that must not differ from pose to pose does.
-    #[error("{what} cannot hang on results of a pose")]
+    #[error("{what} cannot depend on computed results")]
     #[diagnostic(
         code("mech::request::needs_pose"),
         help("it says which poses there are: use numbers, `given`, `let`, `dead(…)` and `stroke(…)`")
@@ -236,7 +236,7 @@ pub enum RequestError {
         span: Span,
     },
     /// A point is named where a value is due.
-    #[error("`{path}` is no value")]
+    #[error("`{path}` is not a quantity")]
     #[diagnostic(code("mech::request::no_value"))]
     NoValue {
         /// As written.
