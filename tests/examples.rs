@@ -6,7 +6,6 @@ mod folder;
 
 use assur::check::Overrides;
 use assur::diagnostic::Problems;
-use assur::exercise::Outcome;
 use assur::report::document::Report;
 use assur::report::text::Look;
 use assur::report::{self, Precision};

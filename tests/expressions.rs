@@ -129,7 +129,7 @@ fn quantities_stand_after_those_they_hang_on() {
 #[test]
 fn units_of_answers() {
     let rest = "given q = 3 cm\nfind position(C), v = velocity(C), omega(rod) as rev/s, angle(rod), ratio = displacement(D) / q
-expect v = (-8 m/s, 0) within 10 m/s";
+expect v = (-8 m/s, 0) within 5 m/s";
     let mechanism = crank_slider("45 deg at 1500 rpm", rest).unwrap();
     let units = mechanism.finds.iter().map(|f| match &f.kind {
         FindKind::Value { display, .. } => (f.name.as_str(), display.unit.as_str()),
