@@ -284,10 +284,19 @@ pub fn place_of_pair(kind: &PairKind) -> Option<(LinkId, Vec2)> {
     }
 }
 
+/// Among more names than these none is looked for: every error would go through all.
+const MOST_NAMES: usize = 2000;
+
 /// `did you mean …?`, or else what there is.
 pub fn suggestion(name: &str, all: &[&str], kind: &str) -> Option<String> {
     let quoted = |names: &[&str]| names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>();
-    if let Some(alike) = all.iter().find(|n| **n != name && skeleton(n) == skeleton(name)) {
+    if all.len() > MOST_NAMES {
+        return Some(format!("the {kind} are {}, …", quoted(&all[..8]).join(", ")));
+    }
+    // names of ASCII look like themselves alone
+    let alike =
+        |n: &&&str| **n != name && !(n.is_ascii() && name.is_ascii()) && skeleton(n) == skeleton(name);
+    if let Some(alike) = all.iter().find(alike) {
         let how = super::alike::difference(alike, name, "there", "here");
         return Some(format!("`{alike}` is declared, and only looks the same: {how}"));
     }

@@ -13,14 +13,27 @@ pub fn distance_allowed(name: &str) -> usize {
 #[must_use]
 pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     let folded = name.to_lowercase();
+    let (allowed, letters) = (distance_allowed(name), letters(name));
+    // every letter of one that the other lacks takes a change of its own; a part of a name lacks none
+    let lacks = |a: u128, b: u128| usize::try_from((a & !b).count_ones()).unwrap_or(usize::MAX);
+    let far = |c: &str| {
+        let theirs = self::letters(c);
+        let (here, there) = (lacks(letters, theirs), lacks(theirs, letters));
+        here.max(there) > allowed && here.min(there) > 0
+    };
     let mut ranked = candidates
         .into_iter()
-        .filter(|c| *c != name)
-        .filter_map(|c| rank(&folded, &c.to_lowercase(), distance_allowed(name)).map(|r| (r, c)))
+        .filter(|c| *c != name && !far(c))
+        .filter_map(|c| rank(&folded, &c.to_lowercase(), allowed).map(|r| (r, c)))
         .collect::<Vec<_>>();
     ranked.sort();
     ranked.dedup();
     ranked.into_iter().map(|(_, c)| c).take(3).collect()
+}
+
+/// Which letters a name of ASCII has, capitals as small ones; all of them where it has others.
+fn letters(name: &str) -> u128 {
+    if name.is_ascii() { name.bytes().fold(0, |all, b| all | 1 << b.to_ascii_lowercase()) } else { u128::MAX }
 }
 
 /// Nothing if the two are unlike.

@@ -18,7 +18,7 @@ impl CsvLines {
     /// For the answers of a file.
     #[must_use]
     pub fn of(scene: &Scene<'_>) -> Self {
-        Self { columns: AnswerColumns::of(scene), whole: None }
+        Self { columns: AnswerColumns::of_file(scene), whole: None }
     }
 
     /// The first line.

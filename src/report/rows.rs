@@ -5,7 +5,7 @@ use super::csv;
 use super::reactions::{ReactionEntry, reactions};
 use crate::math::Vec2;
 use crate::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
-use crate::solve::{DriveValue, Pose, Scene, Solved, State, View};
+use crate::solve::{DriveValue, Pose, Scene, Solved, State, View, unplaced_reactions};
 use crate::units::{Dimension, write_significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
@@ -79,6 +79,18 @@ impl AnswerColumns {
             all_reactions(scene, &mut answers);
         }
         Self { drives, answers }
+    }
+
+    /// Those of one file alone: without the reactions that hang on a place that the file leaves open.
+    #[must_use]
+    pub fn of_file(scene: &Scene<'_>) -> Self {
+        let unplaced = unplaced_reactions(scene);
+        let mut columns = Self::of(scene);
+        columns.answers.retain(|answer| match answer.content {
+            Content::Reaction(pair, _) | Content::Moment(pair, _) => !unplaced[pair.index()],
+            _ => true,
+        });
+        columns
     }
 
     /// The headers: names with units in brackets, `.x` and `.y` for the components of vectors. Without the drives for an
