@@ -220,6 +220,8 @@ pub const CODES: &[Code] = codes! {
     "solve" / "needless_flywheel",
     "solve" / "effort_cannot_hold",
     "solve" / "not_finite",
+    "solve" / "several_balances",
+    "solve" / "undecided",
     "accuracy" / "out_of_reach",
     "request" / "not_supported_yet",
     "request" / "needs_speed",
@@ -227,6 +229,7 @@ pub const CODES: &[Code] = codes! {
     "train" / "no_place",
     "train" / "rope_pushes",
     "train" / "self_locking",
+    "train" / "blocked",
 
     // element
 

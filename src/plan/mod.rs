@@ -13,6 +13,7 @@ mod motion;
 mod settings;
 pub mod step;
 mod train;
+mod train_losses;
 mod triad;
 
 pub use cam::CamStep;
@@ -25,6 +26,7 @@ pub use general::{BalanceSystem, GeneralMotion, UnknownForce};
 pub use loads::{ForceLine, LoadStep};
 pub use settings::{Numbers, Settings};
 pub use step::{Anchor, Arm, DrivenJoint, DrivenLeg, Leg, MotionStep, Slide};
+pub(crate) use train_losses::loss_system;
 pub use triad::{TriadForceLeg, TriadForces, TriadHold, TriadLeg, TriadMotion};
 
 pub use train::{

@@ -98,6 +98,8 @@ pub struct TrainForces {
     pub matrix: Vec<f64>,
     /// Its inverse: the unknowns are this times the loads with the opposite sign. Empty where it is singular.
     pub inverse: Vec<f64>,
+    /// Whatever the loads, one direction of the power in every transmission with losses is consistent, and only one.
+    pub unique: bool,
 }
 
 /// How a body of a train is held.
@@ -347,7 +349,8 @@ pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize, pl
         }
     }
     let inverse = inverse(&matrix, n, columns);
-    TrainForces { members, laws, efforts, matrix, inverse }
+    let unique = !inverse.is_empty() && super::train_losses::unique(&members, &laws, &matrix, plan);
+    TrainForces { members, laws, efforts, matrix, inverse, unique }
 }
 
 fn inverse(matrix: &[f64], n: usize, columns: usize) -> Vec<f64> {

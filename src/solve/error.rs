@@ -3,6 +3,7 @@
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 
+use super::consistent_error::ConsistentError;
 use super::train_error::TrainError;
 use crate::source::Span;
 
@@ -374,6 +375,10 @@ pub enum SolveError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Train(#[from] TrainError),
+    /// Several states of the forces, or none.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Consistent(#[from] ConsistentError),
     /// A number that is not finite.
     #[error("{what}{pose} cannot be computed: the numbers grow too large")]
     #[diagnostic(

@@ -1,5 +1,6 @@
 //! Runs the steps of forces: reactions group by group, each passed on to the bodies that carry it.
 
+use super::consistent::Consistent;
 use super::state::{Reaction, Shared, State};
 use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
 use crate::math::{Scalar, V2};
@@ -9,6 +10,10 @@ use crate::plan::{Arm, EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 impl State {
     /// Runs all steps of forces from the loads in `wrenches`, to which it adds the reactions. Allocates nothing.
     pub fn run_forces(&mut self, plan: &Plan) {
+        (self.locked, self.consistent) = (false, Consistent::One);
+        if !plan.friction.is_empty() {
+            self.loads_before.clone_from(&self.wrenches);
+        }
         for (index, step) in plan.forces.iter().enumerate() {
             self.force_sines[index] = match step {
                 ForceStep::Rubbing { plain, group } => self.force_rubbing(plan, index, plain, group),
@@ -18,6 +23,9 @@ impl State {
                 | ForceStep::Train { .. } => self.force_step(plan, step),
                 closed => self.closed_force(closed),
             };
+        }
+        if self.locked {
+            self.search_friction(plan);
         }
     }
 

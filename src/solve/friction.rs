@@ -10,9 +10,8 @@
 //!
 //! s_i the sense of the relative motion, ρ_i the radius of the friction circle or the coefficient, |λ_i| the force in
 //! the hinge, the normal force of the guide, or |N_1| + |N_2| of its two ends. Newton starts without friction, φ = 0,
-//! where the determinant of ∂g/∂φ is 1. It falls to zero where the mechanism locks: beyond, what solves the equations
-//! is no motion. The absolute values of normal forces have one kink each: their signs are tried in turn where Newton
-//! does not settle.
+//! where the determinant of ∂g/∂φ is 1, and accepts a solution where it is positive. Magnitudes have kinks where a force
+//! changes its sense: where Newton does not settle, all laws of the mechanism are searched (`friction_search`).
 
 use super::state::{Reaction, State, Wrench};
 use crate::math::Vec2;
@@ -125,7 +124,7 @@ impl State {
     }
 
     /// Adds an element's effort to the loads of its bodies.
-    fn apply_rub(&mut self, element: &FrictionElement, effort: f64) {
+    pub(super) fn apply_rub(&mut self, element: &FrictionElement, effort: f64) {
         match self.rubbing_line(element) {
             None => {
                 self.wrenches[element.through].moment += effort;
@@ -201,7 +200,7 @@ impl State {
                 self.respond(plan, plain, group, &mut work, Some(unit));
             }
         }
-        let settled = self.settle(plan, group, &mut work);
+        let settled = newton(plan, group, &mut work);
         self.restore(group, &work.saved);
         if settled {
             for (&element, &x) in group.elements.iter().zip(&work.values) {
@@ -239,27 +238,15 @@ impl State {
         self.restore(group, &work.saved);
         sine
     }
-
-    /// Solves the laws of friction; on success the efforts are in `work.values` and the motion is possible.
-    fn settle(&self, plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork) -> bool {
-        if newton(plan, group, work, 0) {
-            return true;
-        }
-        // the kinks of at most a few guides: every pattern of signs, and the one that its answer confirms
-        let guide = |e: &usize| matches!(plan.friction[*e].kind, Rub::Guide { .. });
-        let guides = group.elements.iter().filter(|e| guide(e)).count().min(8);
-        (0..1_u32 << guides).any(|pattern| newton(plan, group, work, 1 << 16 | pattern))
-    }
 }
 
-/// Newton's method. `pattern` holds a bit per guide, 1 where its normal force is taken as negative; without the bit of
-/// value 2¹⁶ signs are those of the present values.
-fn newton(plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork, pattern: u32) -> bool {
+/// Newton's method; on success the efforts are in `work.values` and the motion is possible.
+fn newton(plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork) -> bool {
     let count = group.elements.len();
     work.values.fill(0.0);
     for _ in 0..STEPS {
         work.steps += 1;
-        let (mut scale, mut confirmed, mut guides) = (f64::MIN_POSITIVE, true, 0);
+        let mut scale = f64::MIN_POSITIVE;
         for i in 0..count {
             let kind = &plan.friction[group.elements[i]].kind;
             let row = &work.measured[i * (count + 1)..][..count + 1];
@@ -267,24 +254,17 @@ fn newton(plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork, pattern: u3
             for (unit, x) in row[1..].iter().zip(&work.values) {
                 sum += *unit * *x;
             }
-            // the gradient of the measure: of a length, of a sum of magnitudes, of a magnitude whose sign is given
+            // the gradient of the measure: of a length, of a sum of magnitudes
             let (gradient, measure) = match kind {
-                Rub::BothEnds { .. } => {
+                Rub::BothEnds { .. } | Rub::Guide { .. } => {
                     let signs = Vec2::new(sum.x.signum(), sum.y.signum());
                     (signs, signs.dot(sum))
-                }
-                Rub::Guide { .. } => {
-                    let given = if pattern >> guides & 1 == 0 { 1.0 } else { -1.0 };
-                    let sign = if pattern >> 16 == 0 { sum.x.signum() } else { given };
-                    guides += 1;
-                    (Vec2::new(sign, 0.0), sign * sum.x)
                 }
                 Rub::Circle { .. } | Rub::Contact { .. } => {
                     let size = sum.norm();
                     (if size > 0.0 { sum / size } else { Vec2::zero() }, size)
                 }
             };
-            confirmed &= measure >= 0.0;
             let weight = work.senses[i] * kind.factor();
             work.right[i] = -(work.values[i] + weight * measure);
             scale = scale.max((weight * measure).abs());
@@ -304,7 +284,7 @@ fn newton(plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork, pattern: u3
         }
         // the error left is of the order of the square of the step
         if step <= plan.settings.friction_step * scale {
-            return confirmed && determinant > 0.0;
+            return determinant > 0.0;
         }
     }
     false

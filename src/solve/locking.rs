@@ -6,8 +6,10 @@ use super::view::View;
 use crate::model::PairId;
 use crate::plan::Plan;
 
-/// Halvings of the part of friction.
-const HALVINGS: usize = 50;
+/// Parts of friction at which is looked whether it moves: it may stop, and move again with more.
+const PARTS: u32 = 32;
+/// Halvings between two of them.
+const HALVINGS: usize = 45;
 
 /// A locked position.
 pub(super) struct Locked<'a> {
@@ -19,14 +21,16 @@ pub(super) struct Locked<'a> {
 }
 
 impl Locked<'_> {
-    /// The greatest part of the friction, in one pair or in all, with which it moves; `None` where it is locked without.
+    /// The part of the friction, in one pair or in all, below which it always moves; `None` where it is locked without.
     pub fn limit(&self, of: Option<PairId>) -> Option<f64> {
         let mut plan = self.scene.plan.clone();
         let mut state = self.state.clone().ready(self.scene.plan);
         if !self.moves(&mut state, &mut plan, of, 0.0) {
             return None;
         }
-        let (mut least, mut most) = (0.0, 1.0);
+        let parts = (1..PARTS).map(|i| f64::from(i) / f64::from(PARTS));
+        let first = parts.into_iter().find(|part| !self.moves(&mut state, &mut plan, of, *part));
+        let (mut least, mut most) = first.map_or((1.0 - 1.0 / f64::from(PARTS), 1.0), |part| (part - 1.0 / f64::from(PARTS), part));
         for _ in 0..HALVINGS {
             let middle = 0.5 * (least + most);
             if self.moves(&mut state, &mut plan, of, middle) {

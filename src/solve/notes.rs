@@ -1,5 +1,6 @@
 //! What deserves a warning, collected over all positions and said once.
 
+use super::consistent_notes::ConsistentNotes;
 use super::error::{SolveError, label};
 use super::positions::{Wanted, turns};
 use super::solution::{DriveValue, Scene};
@@ -53,6 +54,8 @@ pub(super) struct Notes {
     /// Ropes that push, with their pull in place of the normal force.
     slack: Vec<Pull>,
     locking: Option<(TrainError, usize)>,
+    /// Several states of the forces.
+    pub(super) consistent: ConsistentNotes,
     /// The greatest figure h beyond 1/2, with its warning, and how many positions have one.
     uncertified: Option<(f64, SolveError)>,
     uncertified_poses: usize,
@@ -216,6 +219,7 @@ impl Notes {
             }
             warnings.push(error.into());
         }
+        warnings.extend(self.consistent.into_warning());
         for pull in self.slack {
             let pair = scene.mechanism.pair(pull.pair);
             let (name, span) = (pair.name.clone(), pair.span.into());

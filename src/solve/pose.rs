@@ -139,6 +139,7 @@ impl Run<'_, '_> {
         let scene = self.scene;
         let quantities = self.loads_name_quantities;
         balanced(scene, &self.statics, state, angles, &mut self.evaluated, quantities);
+        self.notes.consistent.look(scene, state.consistent, pose)?;
         let mut least = 1.0_f64;
         for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
             let condition = sine.abs();

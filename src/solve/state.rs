@@ -1,5 +1,6 @@
 //! Everything that changes from position to position, laid out once before the loop.
 
+use super::consistent::Consistent;
 use super::friction::RubbingWork;
 use super::general::Workspace;
 use super::train::LawForce;
@@ -170,6 +171,10 @@ pub struct State<S = f64> {
     pub senses: Vec<f64>,
     /// Friction admits no motion: reactions and efforts do not exist.
     pub locked: bool,
+    /// How many states of the forces satisfy the laws of friction and of losses.
+    pub consistent: Consistent,
+    /// Loads before the first reaction was added, where there is friction.
+    pub(super) loads_before: Vec<Wrench<S>>,
     /// What the laws of transmissions do.
     pub law_forces: Vec<LawForce>,
     /// Memory of the train groups of forces.
@@ -204,6 +209,8 @@ impl<S: Scalar + Default> State<S> {
             frictions: vec![0.0; plan.friction.len()],
             senses: vec![0.0; plan.friction.len()],
             locked: false,
+            consistent: Consistent::One,
+            loads_before: Vec::new(),
             law_forces: vec![LawForce::default(); plan.laws.len()],
             train_work: Vec::new(),
             rubbing_work: Vec::new(),
@@ -264,6 +271,7 @@ impl State {
             frictions: self.frictions.clone(),
             senses: self.senses.clone(),
             locked: self.locked,
+            consistent: self.consistent,
             law_forces: self.law_forces.clone(),
             ..Self::default()
         }
@@ -280,6 +288,7 @@ impl State {
         self.senses.fill(0.0);
         self.law_forces.fill(LawForce::default());
         self.locked = false;
+        self.consistent = Consistent::One;
     }
 
     /// Takes over what motion starts from, of a state of the same plan: where the bodies are and how they are assembled.

@@ -1,8 +1,9 @@
 //! Forces of trains: multipliers of their laws, efforts, reactions of their members.
 
+use super::consistent::Consistent;
 use super::state::State;
 use crate::math::Vec2;
-use crate::plan::{LawSite, Plan, PlannedLaw, TrainEffort, TrainForces, TrainSupport};
+use crate::plan::{Plan, TrainEffort, TrainForces, TrainSupport};
 
 /// Memory of a train group of forces.
 #[derive(Clone, Debug, Default)]
@@ -10,19 +11,14 @@ pub struct TrainWork {
     /// The system with its right side.
     rows: Vec<f64>,
     /// Loads on the members' coordinates.
-    loads: Vec<f64>,
+    pub(super) loads: Vec<f64>,
     /// Forces that members get from those that stand on them.
     carried: Vec<(Vec2, f64)>,
     /// The unknowns.
-    found: Vec<f64>,
-    /// Unknowns of a case that is tried.
-    trial: Vec<f64>,
+    pub(super) found: Vec<f64>,
+    /// Unknowns with directions of the power that are tried.
+    pub(super) trial: Vec<f64>,
 }
-
-/// More transmissions with losses than this in one group are not tried in all senses.
-const MOST_SENSES: usize = 10;
-/// Powers below this part of the greatest are nothing.
-const NOTHING: f64 = 1e-9;
 
 impl TrainWork {
     pub(super) fn new(train: &TrainForces) -> Self {
@@ -54,14 +50,16 @@ impl State {
         for &law in &train.laws {
             self.law_forces[law].sides = [1.0, 1.0];
         }
-        // no sense of the flow of power fits: the efforts cannot hold the loads
-        let fits = !losses || self.with_losses(plan, train, &mut work);
+        let consistent = if losses { self.with_losses(plan, train, &mut work) } else { Consistent::One };
         for (unknown, &law) in work.found.iter().zip(&train.laws) {
             self.law_forces[law].multiplier = *unknown;
         }
         self.train_reactions(plan, train, &work);
         self.train_work[index] = work;
-        if fits { 1.0 } else { 0.0 }
+        if consistent != Consistent::One {
+            self.consistent = consistent;
+        }
+        if matches!(consistent, Consistent::None | Consistent::Undecided) { 0.0 } else { 1.0 }
     }
 
     /// Loads on the members' coordinates: moments about their hinges, forces along their guides.
@@ -92,65 +90,8 @@ impl State {
         }
     }
 
-    /// Finds the senses in which power flows through transmissions with losses. Whether there are such.
-    fn with_losses(&mut self, plan: &Plan, train: &TrainForces, work: &mut TrainWork) -> bool {
-        let moving = |state: &Self, slot: usize| {
-            let law = &plan.laws[slot];
-            law.efficiency.is_some() && state.side_rates(law).iter().any(|r| *r != 0.0)
-        };
-        let lossy = train.laws.iter().filter(|l| moving(self, **l)).count();
-        if lossy == 0 {
-            return true;
-        }
-        let lossy = lossy.min(MOST_SENSES);
-        for senses in 0..1_usize << lossy {
-            let mut bit = 0;
-            for &slot in &train.laws {
-                if moving(self, slot) && bit < lossy {
-                    let [there, back] = plan.laws[slot].efficiency.unwrap_or([1.0, 1.0]);
-                    let backwards = senses >> bit & 1 == 1;
-                    self.law_forces[slot].sides = if backwards { [back, 1.0] } else { [1.0, there] };
-                    bit += 1;
-                }
-            }
-            if self.unknowns(plan, train, work) && self.flows(plan, train, work, senses, lossy) {
-                work.found.copy_from_slice(&work.trial);
-                return true;
-            }
-        }
-        false
-    }
-
-    /// Rates of the two sides from the carrier.
-    fn side_rates(&self, law: &PlannedLaw) -> [f64; 2] {
-        let rate = |i: usize| law.terms.get(i).map_or(0.0, |t| self.site_rate(&t.0));
-        let carrier = rate(2);
-        [rate(0) - carrier, rate(1) - carrier]
-    }
-
-    /// Whether power flows through every transmission in the sense that is tried.
-    fn flows(&self, plan: &Plan, train: &TrainForces, work: &TrainWork, senses: usize, lossy: usize) -> bool {
-        let mut bit = 0;
-        for (&slot, multiplier) in train.laws.iter().zip(&work.trial) {
-            let law = &plan.laws[slot];
-            let rates = self.side_rates(law);
-            if law.efficiency.is_none() || rates == [0.0, 0.0] || bit >= lossy {
-                continue;
-            }
-            let side = usize::from(senses >> bit & 1 == 1);
-            bit += 1;
-            // power into the transmission from the side that drives
-            let power = -multiplier * self.law_forces[slot].sides[side] * law.terms[side].1 * rates[side];
-            let size = (multiplier * law.terms[side].1 * rates[side]).abs();
-            if power < -NOTHING * size {
-                return false;
-            }
-        }
-        true
-    }
-
     /// Solves the system with the sides as they are set.
-    fn unknowns(&self, plan: &Plan, train: &TrainForces, work: &mut TrainWork) -> bool {
+    pub(super) fn unknowns(&self, plan: &Plan, train: &TrainForces, work: &mut TrainWork) -> bool {
         let n = train.members.len();
         let width = n + 1;
         for i in 0..n {
@@ -162,17 +103,11 @@ impl State {
             if law.efficiency.is_none() {
                 continue;
             }
-            let [a, b] = self.law_forces[slot].sides;
+            let sides = self.law_forces[slot].sides;
             for (i, member) in train.members.iter().enumerate() {
-                let term = law.terms.iter().position(|(site, _)| acts_on(site, member));
-                let (c_1, c_2) = (a * law.terms[0].1, b * law.terms[1].1);
-                let value = match term {
-                    Some(0) => c_1,
-                    Some(1) => c_2,
-                    Some(_) => -(c_1 + c_2),
-                    None => continue,
-                };
-                work.rows[i * width + column] = value;
+                if let Some(value) = member.coefficient(law, sides) {
+                    work.rows[i * width + column] = value;
+                }
             }
         }
         eliminate(&mut work.rows, n) && {
@@ -224,17 +159,6 @@ impl State {
                 }
             }
         }
-    }
-}
-
-/// Whether a law's site is the coordinate of a member.
-fn acts_on(site: &LawSite, member: &TrainSupport) -> bool {
-    match (site, member) {
-        (LawSite::Turn(body), TrainSupport::Turn(hinge, _)) => *body == hinge.body,
-        (LawSite::Slide(a), TrainSupport::Shift(b, _)) => {
-            a.slider == b.slider && [a.body, a.base].contains(&b.body) && [a.body, a.base].contains(&b.base)
-        }
-        _ => false,
     }
 }
 

@@ -27,6 +27,55 @@ fn composite_words() {
     }
 }
 
+/// Every unit of the table with what it is in SI, written out.
+#[test]
+fn every_unit_has_its_value() {
+    let (pound, gravity) = (0.453_592_37, 9.806_65);
+    let values = [
+        ("m", 1.0, Dimension::LENGTH),
+        ("mm", 0.001, Dimension::LENGTH),
+        ("cm", 0.01, Dimension::LENGTH),
+        ("km", 1000.0, Dimension::LENGTH),
+        ("inch", 0.0254, Dimension::LENGTH),
+        ("ft", 0.3048, Dimension::LENGTH),
+        ("kg", 1.0, Dimension::MASS),
+        ("g", 0.001, Dimension::MASS),
+        ("t", 1000.0, Dimension::MASS),
+        ("lb", pound, Dimension::MASS),
+        ("s", 1.0, Dimension::TIME),
+        ("ms", 0.001, Dimension::TIME),
+        ("min", 60.0, Dimension::TIME),
+        ("h", 3600.0, Dimension::TIME),
+        ("rad", 1.0, Dimension::ANGLE),
+        ("deg", 0.017_453_292_519_943_295, Dimension::ANGLE),
+        ("°", 0.017_453_292_519_943_295, Dimension::ANGLE),
+        ("rev", std::f64::consts::TAU, Dimension::ANGLE),
+        ("rpm", 0.104_719_755_119_659_77, Dimension::ANGULAR_VELOCITY),
+        ("Hz", 1.0, Dimension::FREQUENCY),
+        ("N", 1.0, Dimension::FORCE),
+        ("kN", 1000.0, Dimension::FORCE),
+        ("MN", 1_000_000.0, Dimension::FORCE),
+        ("lbf", 4.448_221_615_260_5, Dimension::FORCE),
+        ("kgf", gravity, Dimension::FORCE),
+        ("J", 1.0, Dimension::TORQUE),
+        ("kJ", 1000.0, Dimension::TORQUE),
+        ("W", 1.0, Dimension::POWER),
+        ("kW", 1000.0, Dimension::POWER),
+        ("Pa", 1.0, Dimension::PRESSURE),
+        ("kPa", 1000.0, Dimension::PRESSURE),
+        ("MPa", 1_000_000.0, Dimension::PRESSURE),
+        ("%", 0.01, Dimension::NUMBER),
+    ];
+    for (word, factor, dimension) in values {
+        let found = unit(word);
+        assert!((found.factor / factor - 1.0).abs() <= f64::EPSILON, "{word}: {}", found.factor);
+        assert_eq!(found.dimension, dimension, "{word}");
+    }
+    for symbol in SYMBOLS {
+        assert!(values.iter().any(|v| v.0 == symbol.text), "`{}` has no value in this test", symbol.text);
+    }
+}
+
 #[test]
 fn angle_is_a_kind() {
     let number = Dimension::NUMBER;

@@ -8,12 +8,10 @@ whose answers it checks. The last step of everything is done in mpmath with 40 d
 
 Every solution is checked twice before a number leaves this file: all assembly modes are looked for from
 random starts and the clauses must leave exactly one; and the virtual power of all loads, inertia forces and
-balances is zero for the motion of each drive. Needs numpy and mpmath.
+balances is zero for the motion of each drive. Needs mpmath, or the stand-in in ../decimals.
 """
 import math
 import random
-
-import numpy
 
 from pairs import *
 from printing import *
@@ -205,25 +203,30 @@ class Mechanism:
     # ---- position
     def _rough(self, start, values):
         """Damped Newton in double precision from a random start; None when it does not arrive."""
-        q = numpy.array(start)
+        q = [float(x) for x in start]
         vals = [[float(x) for x in v] for v in values]
-        r = numpy.array(self.residuals(list(map(float, q)), vals, True), dtype=float)
-        for _ in range(60):
-            norm = numpy.abs(r).max()
+        r = self.residuals(q, vals, True)
+        before = math.inf
+        for i in range(60):
+            norm = max(abs(x) for x in r)
             if norm < 1e-11:
                 return q
-            jac = numpy.empty((len(r), len(q)))
+            if i % 6 == 5:
+                if norm > 0.5 * before:                       # it wanders about: another start is cheaper
+                    return None
+                before = norm
+            columns = []
             for j in range(len(q)):
                 h = 1e-7
-                p = q.copy()
+                p = list(q)
                 p[j] += h
-                jac[:, j] = (numpy.array(self.residuals(list(map(float, p)), vals, True), dtype=float) - r) / h
-            step = numpy.linalg.lstsq(jac, -r, rcond=1e-12)[0]
+                columns.append([(a - b) / h for a, b in zip(self.residuals(p, vals, True), r)])
+            step = least_squares(columns, [-x for x in r])
             k = 1.0
             while k > 1e-3:
-                new = q + k * step
-                rn = numpy.array(self.residuals(list(map(float, new)), vals, True), dtype=float)
-                if numpy.abs(rn).max() < norm:
+                new = [a + k * b for a, b in zip(q, step)]
+                rn = self.residuals(new, vals, True)
+                if max(abs(x) for x in rn) < norm:
                     break
                 k /= 2
             q, r = new, rn
@@ -276,11 +279,8 @@ class Mechanism:
             start = []
             for _ in self.moving():
                 start += [random.uniform(-scale, scale), random.uniform(-scale, scale), random.uniform(-math.pi, math.pi)]
-            try:
-                q = self._rough(start, values)
-            except numpy.linalg.LinAlgError:
-                continue
-            if q is None or max(abs(q)) > 1e3 * scale + 1e3:
+            q = self._rough(start, values)
+            if q is None or max(abs(x) for x in q) > 1e3 * scale + 1e3:
                 continue
             f = self.frames(list(map(float, q)), True)
             sign = [(f[k.name].o[0], f[k.name].o[1], scale * f[k.name].c, scale * f[k.name].s) for k in self.moving()]
@@ -339,6 +339,28 @@ class Mechanism:
             s = self.follow(s)
             out.append(s)
         return out
+
+
+def least_squares(columns, right):
+    """The step that leaves least of the equations, in double precision; damped where they are dependent."""
+    n = len(columns)
+    rows = [[sum(a * b for a, b in zip(u, v)) for v in columns] + [sum(a * b for a, b in zip(u, right))] for u in columns]
+    scale = max((rows[i][i] for i in range(n)), default=1.0)
+    for i in range(n):
+        rows[i][i] += 1e-13 * scale
+    for k in range(n):
+        pivot = max(range(k, n), key=lambda i: abs(rows[i][k]))
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        if rows[k][k] == 0:
+            rows[k][k] = 1e-13 * scale or 1.0
+        for row in rows[k + 1:]:
+            factor = row[k] / rows[k][k]
+            for j in range(k, n + 1):
+                row[j] -= factor * rows[k][j]
+    x = [0.0] * n
+    for k in reversed(range(n)):
+        x[k] = (rows[k][n] - sum(rows[k][j] * x[j] for j in range(k + 1, n))) / rows[k][k]
+    return x
 
 
 def extremes(m, clauses, drive, pair, near=None):

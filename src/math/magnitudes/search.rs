@@ -1,0 +1,432 @@
+//! All solutions: signs of numbers and sectors of directions are tried in turn, and cut off as soon as linear bounds show
+//! that nothing fits them.
+//!
+//! In a sector of half-angle δ a vector is a sum of its two edges with parts a, b ≥ 0, and its magnitude lies between
+//! (a + b) cos δ and a + b. With the sign of a number given its magnitude is known. What is left are linear equations in
+//! numbers ≥ 0: where they have no solution, neither has the system (`simplex`). Two solutions that share all sectors differ
+//! by a solution of the linear system with some direction of each sector: where none of these is singular there is one at
+//! most, and Newton's method finds it or not. Sectors are halved until either decides.
+
+use super::simplex::Equations;
+use super::{Magnitudes, eliminate};
+use crate::math::Vec2;
+use std::f64::consts::{FRAC_PI_4, PI};
+
+/// Half-angle of the narrowest sector, rad.
+const NARROWEST: f64 = 1e-7;
+/// A direction so near the edge of a sector, rad, or a number below this part of the greatest, is inside.
+const INSIDE: f64 = 1e-6;
+/// Solutions that differ by less than this part of the terms are the same.
+const SAME: f64 = 1e-8;
+/// What a solution may leave of the equations.
+const SOLVED: f64 = 1e-11;
+
+/// What is known of a part: anything, or a direction with the half-angle of its sector; zero for a number's sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Sector {
+    Whole,
+    Around { direction: Vec2, half: f64 },
+}
+
+/// All solutions of a system with magnitudes.
+#[derive(Clone, Debug, Default)]
+pub struct Solutions {
+    /// The solutions found.
+    pub found: Vec<Vec<f64>>,
+    /// There are no others.
+    pub complete: bool,
+}
+
+/// What a node came to.
+enum Verdict {
+    /// Nothing fits, or what fits is found.
+    Closed,
+    /// This part has to be split.
+    Split(usize),
+    /// Neither, and no part can be split any further.
+    Open,
+}
+
+struct Search<'a> {
+    system: &'a Magnitudes,
+    /// Typical sizes of the unknowns against each other.
+    sizes: Vec<f64>,
+    found: Vec<Vec<f64>>,
+}
+
+impl Magnitudes {
+    /// All solutions, with `most_work` multiplications or so at most.
+    #[must_use]
+    pub fn solutions(&self, most_work: f64) -> Solutions {
+        if self.parts.iter().all(|p| p.constant == Vec2::zero()) {
+            return Solutions { found: vec![vec![0.0; self.len()]], complete: true };
+        }
+        let mut search = Search { system: self, sizes: self.typical(), found: Vec::new() };
+        let mut complete = true;
+        #[allow(clippy::cast_precision_loss)] // a few dozen
+        let per_node = 8.0 * (self.len() + self.parts.len()).pow(3) as f64;
+        let mut work = 0.0;
+        let mut nodes = vec![vec![Sector::Whole; self.parts.len()]];
+        while let Some(node) = nodes.pop() {
+            work += per_node;
+            if work > most_work {
+                return Solutions { found: search.found, complete: false };
+            }
+            match search.look(&node) {
+                Verdict::Closed => {}
+                Verdict::Open => complete = false,
+                Verdict::Split(part) => {
+                    for sector in halves(node[part], self.parts[part].plane) {
+                        let mut child = node.clone();
+                        child[part] = sector;
+                        nodes.push(child);
+                    }
+                }
+            }
+        }
+        Solutions { found: search.found, complete }
+    }
+
+    /// Whether there is one solution whatever the constants: no signs and directions make the linear system singular.
+    #[must_use]
+    pub fn unique(&self) -> bool {
+        let search = Search { system: self, sizes: Vec::new(), found: Vec::new() };
+        search.one_at_most(&vec![Sector::Whole; self.parts.len()])
+    }
+
+    /// The direction in which magnitudes feed on each other most: how large the unknowns are against each other.
+    fn typical(&self) -> Vec<f64> {
+        let mut sizes = vec![1.0; self.len()];
+        for _ in 0..20 {
+            let mut next = vec![0.0; self.len()];
+            for part in &self.parts {
+                let sum: f64 = part.slopes.iter().zip(&sizes).map(|(g, s)| g.norm() * s).sum();
+                next[part.row] += self.weights[part.row].abs() * sum;
+            }
+            let most = next.iter().fold(f64::MIN_POSITIVE, |m: f64, x| m.max(*x));
+            next.iter_mut().zip(&sizes).for_each(|(n, s)| *n = 0.5 * (*n / most + *s));
+            sizes = next;
+        }
+        sizes
+    }
+}
+
+impl Search<'_> {
+    fn look(&mut self, node: &[Sector]) -> Verdict {
+        if !self.feasible(node) {
+            return Verdict::Closed;
+        }
+        let one_at_most = self.one_at_most(node);
+        if one_at_most {
+            let found = self.system.newton(&vec![0.0; self.system.len()]);
+            let started = self.centre(node).and_then(|start| self.system.newton(&start));
+            for x in found.into_iter().chain(started).map(|f| f.x) {
+                if self.system.residual(&x) <= SOLVED {
+                    let inside = self.inside(node, &x);
+                    self.keep(x);
+                    if inside {
+                        return Verdict::Closed;
+                    }
+                }
+            }
+        }
+        let width = |p: usize| spread(node[p]) * self.influence(p);
+        let can = |p: &usize| match node[*p] {
+            Sector::Whole => true,
+            Sector::Around { half, .. } => half > NARROWEST,
+        };
+        let split = (0..node.len()).filter(can).max_by(|a, b| width(*a).total_cmp(&width(*b)));
+        match split {
+            Some(part) => Verdict::Split(part),
+            // all signs are given and the linear system has another solution than they say
+            None if one_at_most => Verdict::Closed,
+            None => Verdict::Open,
+        }
+    }
+
+    fn keep(&mut self, x: Vec<f64>) {
+        let sizes = self.system.sizes(&x);
+        let same = |other: &Vec<f64>| {
+            other.iter().zip(&x).zip(&sizes).all(|((a, b), size)| (a - b).abs() <= SAME * size)
+        };
+        if !self.found.iter().any(same) {
+            self.found.push(x);
+        }
+    }
+
+    /// How much a part adds to its row, relative to the unknown of the row.
+    fn influence(&self, p: usize) -> f64 {
+        let part = &self.system.parts[p];
+        let sum: f64 = part.slopes.iter().zip(&self.sizes).map(|(g, s)| g.norm() * s).sum();
+        self.system.weights[part.row].abs() * sum / self.sizes[part.row].max(f64::MIN_POSITIVE)
+    }
+
+    fn inside(&self, node: &[Sector], x: &[f64]) -> bool {
+        let values: Vec<Vec2> = self.system.parts.iter().map(|p| p.at(x)).collect();
+        let most = values.iter().map(|v| v.norm()).fold(0.0, f64::max);
+        node.iter().zip(&values).all(|(sector, v)| match *sector {
+            Sector::Whole => true,
+            Sector::Around { direction, half } => {
+                let angle = libm::atan2(direction.cross(*v).abs(), direction.dot(*v));
+                angle <= half + INSIDE || v.norm() <= INSIDE * 1e-3 * most
+            }
+        })
+    }
+
+    /// Rows of the linear system with the middle direction of every sector.
+    fn middle(&self, node: &[Sector], width: usize) -> Vec<f64> {
+        let n = self.system.len();
+        let mut rows = vec![0.0; n * width];
+        (0..n).for_each(|i| rows[i * width + i] = 1.0);
+        for (part, sector) in self.system.parts.iter().zip(node) {
+            let Sector::Around { direction, .. } = *sector else { continue };
+            let (weight, row) = (self.system.weights[part.row], part.row * width);
+            for (j, slope) in part.slopes.iter().enumerate() {
+                rows[row + j] += weight * direction.dot(*slope);
+            }
+        }
+        rows
+    }
+
+    /// The solution of that system.
+    fn centre(&self, node: &[Sector]) -> Option<Vec<f64>> {
+        let n = self.system.len();
+        let mut rows = self.middle(node, n + 1);
+        for (part, sector) in self.system.parts.iter().zip(node) {
+            if let Sector::Around { direction, .. } = *sector {
+                let weight = self.system.weights[part.row];
+                rows[part.row * (n + 1) + n] -= weight * direction.dot(part.constant);
+            }
+        }
+        (eliminate(&mut rows, n, n + 1) != 0.0).then(|| (0..n).map(|i| rows[i * (n + 1) + n]).collect())
+    }
+
+    /// Whether every choice of directions in the sectors gives a regular linear system: with its inverse in the middle and
+    /// the greatest departures H from it, |A⁻¹| H has a spectral radius below 1.
+    fn one_at_most(&self, node: &[Sector]) -> bool {
+        let n = self.system.len();
+        let width = 2 * n;
+        let mut rows = self.middle(node, width);
+        (0..n).for_each(|i| rows[i * width + n + i] = 1.0);
+        if eliminate(&mut rows, n, width) == 0.0 {
+            return false;
+        }
+        let mut departure = vec![0.0; n * n];
+        for (part, sector) in self.system.parts.iter().zip(node) {
+            let weight = self.system.weights[part.row].abs() * spread(*sector);
+            for (j, slope) in part.slopes.iter().enumerate() {
+                departure[part.row * n + j] += weight * slope.norm();
+            }
+        }
+        // (1 − T) y = 1 has a positive solution
+        let mut test = vec![0.0; n * (n + 1)];
+        for i in 0..n {
+            for k in 0..n {
+                let inverse = rows[i * width + n + k].abs();
+                for j in 0..n {
+                    test[i * (n + 1) + j] -= inverse * departure[k * n + j];
+                }
+            }
+            test[i * (n + 1) + i] += 1.0;
+            test[i * (n + 1) + n] = 1.0;
+        }
+        eliminate(&mut test, n, n + 1) != 0.0 && (0..n).all(|i| test[i * (n + 1) + n] > 0.0)
+    }
+
+    /// Whether the linear bounds of the sectors leave anything.
+    fn feasible(&self, node: &[Sector]) -> bool {
+        let parts = &self.system.parts;
+        // the edges of each part, and behind them its magnitude where it is a number of its own
+        let mut layout = Vec::with_capacity(parts.len());
+        let mut columns = 0;
+        for (part, sector) in parts.iter().zip(node) {
+            let edges = edges(*sector, part.plane);
+            let own = part.plane;
+            let slacks = if own { 1 + usize::from(*sector != Sector::Whole) } else { 0 };
+            let (first, count) = (columns, edges.len());
+            columns += count + usize::from(own) + slacks;
+            layout.push((first, edges));
+        }
+        let magnitude = |p: usize| {
+            let (first, edges) = &layout[p];
+            if parts[p].plane { *first + edges.len()..*first + edges.len() + 1 } else { *first..*first + edges.len() }
+        };
+        let mut equations = Equations::new(columns);
+        for (p, part) in parts.iter().enumerate() {
+            let (first, edges) = &layout[p];
+            // v − Σ g x = c with x_j = −w_j Σ |v|
+            let mut add = |of: fn(Vec2) -> f64| {
+                let row = equations.row(of(part.constant));
+                for (i, edge) in edges.iter().enumerate() {
+                    row[first + i] += of(*edge);
+                }
+                for (q, other) in parts.iter().enumerate() {
+                    let slope = of(part.slopes[other.row]) * self.system.weights[other.row];
+                    magnitude(q).for_each(|column| row[column] += slope);
+                }
+            };
+            add(|v| v.x);
+            if !part.plane {
+                continue;
+            }
+            add(|v| v.y);
+            bounds(&mut equations, node[p], *first, edges.len());
+        }
+        equations.feasible()
+    }
+}
+
+/// The magnitude of a vector between its bounds by the parts along the edges.
+fn bounds(equations: &mut Equations, sector: Sector, first: usize, edges: usize) {
+    let magnitude = first + edges;
+    let row = equations.row(0.0);
+    (row[magnitude], row[magnitude + 1]) = (1.0, 1.0);
+    row[first..magnitude].fill(-1.0);
+    if let Sector::Around { half, .. } = sector {
+        let row = equations.row(0.0);
+        (row[magnitude], row[magnitude + 2]) = (1.0, -1.0);
+        row[first..magnitude].fill(-libm::cos(half));
+    }
+}
+
+/// How far a unit vector in the sector may be from the one it is reckoned with.
+fn spread(sector: Sector) -> f64 {
+    match sector {
+        Sector::Whole => 1.0,
+        Sector::Around { half, .. } => 2.0 * libm::sin(0.5 * half),
+    }
+}
+
+/// Vectors of which a value in the sector is a sum with parts ≥ 0.
+fn edges(sector: Sector, plane: bool) -> Vec<Vec2> {
+    let (x, y) = (Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0));
+    match sector {
+        Sector::Whole if plane => vec![x, y, -x, -y],
+        Sector::Whole => vec![x, -x],
+        Sector::Around { direction, .. } if !plane => vec![direction],
+        Sector::Around { direction, half } => {
+            [-half, half].map(|angle| direction.turned(Vec2::direction(angle))).to_vec()
+        }
+    }
+}
+
+fn halves(sector: Sector, plane: bool) -> Vec<Sector> {
+    let x = Vec2::new(1.0, 0.0);
+    match sector {
+        Sector::Whole if plane => [-0.75, -0.25, 0.25, 0.75]
+            .map(|angle| Sector::Around { direction: Vec2::direction(angle * PI), half: FRAC_PI_4 })
+            .to_vec(),
+        Sector::Whole => [x, -x].map(|direction| Sector::Around { direction, half: 0.0 }).to_vec(),
+        Sector::Around { direction, half } => [-0.5, 0.5]
+            .map(|angle| Sector::Around {
+                direction: direction.turned(Vec2::direction(angle * half)),
+                half: 0.5 * half,
+            })
+            .to_vec(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Part;
+    use super::*;
+
+    /// Numbers of a fixed sequence, between −1 and 1.
+    struct Sequence(u64);
+
+    impl Sequence {
+        fn next(&mut self) -> f64 {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            f64::from((self.0 >> 33) as u32) / f64::from(1_u32 << 30) - 1.0
+        }
+    }
+
+    fn random(sequence: &mut Sequence, numbers: usize, planes: usize, strength: f64) -> Magnitudes {
+        let n = numbers + planes;
+        let part = |row: usize, sequence: &mut Sequence| {
+            let plane = row >= numbers;
+            let mut vector = |by: f64| Vec2::new(sequence.next() * by, if plane { sequence.next() * by } else { 0.0 });
+            let constant = vector(1.0);
+            Part { row, plane, constant, slopes: (0..n).map(|_| vector(strength)).collect() }
+        };
+        let parts = (0..n).map(|row| part(row, sequence)).collect();
+        Magnitudes { orientation: 1.0, weights: (0..n).map(|_| sequence.next().signum()).collect(), parts }
+    }
+
+    /// All patterns of signs, one linear system each.
+    fn by_patterns(system: &Magnitudes) -> usize {
+        let n = system.len();
+        let search = Search { system, sizes: vec![1.0; n], found: Vec::new() };
+        let sign = |pattern: usize, p: usize| if pattern >> p & 1 == 0 { 1.0 } else { -1.0 };
+        (0..1_usize << n)
+            .filter(|pattern| {
+                let around = |p| Sector::Around { direction: Vec2::new(sign(*pattern, p), 0.0), half: 0.0 };
+                let node: Vec<Sector> = (0..n).map(around).collect();
+                let x = search.centre(&node).expect("regular");
+                system.parts.iter().enumerate().all(|(p, part)| sign(*pattern, p) * part.at(&x).x >= 0.0)
+            })
+            .count()
+    }
+
+    #[test]
+    fn finds_what_all_patterns_of_signs_give() {
+        let mut sequence = Sequence(1);
+        let mut counts = [0; 4];
+        for i in 0..600 {
+            let system = random(&mut sequence, 6, 0, 0.1 + 0.002 * f64::from(i));
+            let found = system.solutions(1e9);
+            let expected = by_patterns(&system);
+            assert!(found.complete, "system {i}");
+            assert_eq!(found.found.len(), expected, "system {i}");
+            counts[expected.min(3)] += 1;
+        }
+        assert!(counts[..3].iter().all(|c| *c > 10), "{counts:?}");
+    }
+
+    #[test]
+    fn finds_the_roots_of_a_quadratic_equation() {
+        let mut sequence = Sequence(2);
+        let mut counts = [0; 3];
+        for i in 0..300 {
+            let system = random(&mut sequence, 0, 1, 0.5 + 0.01 * f64::from(i));
+            // x² = |c + g x|² with the sign of −w
+            let part = &system.parts[0];
+            let (g, c, w) = (part.slopes[0], part.constant, system.weights[0]);
+            let (a, b, d) = (g.dot(g) - 1.0, g.dot(c), c.dot(c));
+            let root = b * b - a * d;
+            let roots = if root < 0.0 { vec![] } else { vec![(-b - root.sqrt()) / a, (-b + root.sqrt()) / a] };
+            let expected = roots.iter().filter(|x| **x * w < 0.0).count();
+            let found = system.solutions(1e9);
+            assert!(found.complete, "system {i}");
+            assert_eq!(found.found.len(), expected, "system {i}: {found:?} {roots:?}");
+            counts[expected] += 1;
+        }
+        assert!(counts.iter().all(|c| *c > 20), "{counts:?}");
+    }
+
+    #[test]
+    fn numbers_and_vectors_together_solve_what_they_say() {
+        let mut sequence = Sequence(3);
+        let mut counts = [0; 4];
+        for i in 0..200 {
+            let system = random(&mut sequence, 2, 3, 0.1 + 0.005 * f64::from(i));
+            let found = system.solutions(1e9);
+            assert!(found.complete, "system {i}");
+            for x in &found.found {
+                assert!(system.residual(x) <= SOLVED);
+            }
+            // none that Newton's method finds from anywhere is missing
+            for _ in 0..40 {
+                let start: Vec<f64> = (0..5).map(|_| 5.0 * sequence.next()).collect();
+                let Some(other) = system.newton(&start).filter(|f| system.residual(&f.x) <= SOLVED) else {
+                    continue;
+                };
+                let near = |x: &Vec<f64>| x.iter().zip(&other.x).all(|(a, b)| (a - b).abs() < 1e-6 * (1.0 + b.abs()));
+                assert!(found.found.iter().any(near), "system {i}: {:?} of {:?}", other.x, found.found);
+            }
+            counts[found.found.len().min(3)] += 1;
+        }
+        assert!(counts.iter().sum::<i32>() == 200 && counts[..2].iter().all(|c| *c > 10), "{counts:?}");
+        assert!(counts[2] + counts[3] > 5, "{counts:?}");
+    }
+}

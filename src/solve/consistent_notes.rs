@@ -1,0 +1,90 @@
+//! Positions at which the laws of friction or of losses have several solutions, or none.
+
+use super::consistent::Consistent;
+use super::consistent_error::ConsistentError;
+use super::error::{SolveError, label};
+use super::positions::Wanted;
+use super::solution::Scene;
+use super::words::place;
+use crate::model::PairId;
+use miette::LabeledSpan;
+
+/// The first position with several solutions, and how many more there are.
+#[derive(Debug, Default)]
+pub(super) struct ConsistentNotes {
+    several: Option<(ConsistentError, usize)>,
+}
+
+impl ConsistentNotes {
+    /// Notes what the forces of a position came to; an error where they are not found.
+    pub fn look(&mut self, scene: &Scene<'_>, consistent: Consistent, pose: &Wanted) -> Result<(), SolveError> {
+        let what = if scene.plan.effects.friction { "friction" } else { "losses" };
+        let here = || (place(scene, pose), labels(scene, what));
+        match consistent {
+            Consistent::Several { count, followed } => {
+                let (pose, labels) = here();
+                let reported = if followed {
+                    format!("the reported one is reached continuously from that without {what}")
+                } else {
+                    format!("none is reached continuously from that without {what}; the least forces are reported")
+                };
+                let more = String::new();
+                let first = ConsistentError::Several { count, what, pose, more, reported, labels };
+                match &mut self.several {
+                    Some((_, more)) => *more += 1,
+                    None => self.several = Some((first, 0)),
+                }
+                Ok(())
+            }
+            Consistent::Undecided => {
+                let (pose, labels) = here();
+                Err(ConsistentError::Undecided { what, pose, labels }.into())
+            }
+            Consistent::None if !scene.plan.effects.friction => {
+                let (pose, labels) = here();
+                Err(ConsistentError::Blocked { pose, help: blocked(scene), labels }.into())
+            }
+            Consistent::None | Consistent::One => Ok(()),
+        }
+    }
+
+    pub fn into_warning(self) -> Option<SolveError> {
+        let (mut warning, count) = self.several?;
+        if let ConsistentError::Several { more, .. } = &mut warning {
+            *more = match count {
+                0 => String::new(),
+                1 => ", and at 1 other pose".to_owned(),
+                n => format!(", and at {n} other poses"),
+            };
+        }
+        Some(warning.into())
+    }
+}
+
+/// The pairs concerned, each once.
+fn labels(scene: &Scene<'_>, what: &str) -> Vec<LabeledSpan> {
+    let mut pairs: Vec<PairId> = Vec::new();
+    let rubs = scene.plan.friction.iter().map(|e| e.pair);
+    let loses = scene.plan.laws.iter().filter(|l| l.efficiency.is_some()).map(|l| l.pair);
+    for pair in rubs.chain(loses) {
+        if !pairs.contains(&pair) {
+            pairs.push(pair);
+        }
+    }
+    pairs.iter().map(|p| label(format!("{what} here"), scene.mechanism.pair(*p).span)).collect()
+}
+
+/// Transmissions that let nothing through backwards, and what to change.
+fn blocked(scene: &Scene<'_>) -> String {
+    let one_way = scene.plan.laws.iter().filter(|l| l.efficiency.is_some_and(|[_, back]| back <= 0.0));
+    let mut names: Vec<String> = one_way.map(|l| format!("`{}`", scene.mechanism.pair(l.pair).name)).collect();
+    names.dedup();
+    if names.is_empty() {
+        return "raise the efficiencies: more power circulates than the losses leave".to_owned();
+    }
+    format!(
+        "raise the efficiency of {} above 0.5, or put the known load on its other side: driven backwards nothing \
+         comes out of it",
+        names.join(", ")
+    )
+}
