@@ -321,7 +321,7 @@ fn few_meshes_agree_with_all_directions() {
 #[test]
 fn up_to_thirty_coupled_meshes_are_consistent() {
     let mut random = Random::new(12);
-    let (mut solved, mut locked) = (0, 0);
+    let (mut solved, mut locked, mut undecided) = (0, 0, 0);
     for i in 0..18 {
         let (loops, meshes) = (1 + random.below(3), 12 + random.below(19));
         let least = [0.97, 0.9, 0.8][i % 3];
@@ -336,6 +336,8 @@ fn up_to_thirty_coupled_meshes_are_consistent() {
                 let near = |x: &&f64| (**x - got["M"]).abs() <= 1e-8 * x.abs();
                 assert!(several || reached.iter().all(|x| near(&x)), "{} of {reached:?}\n{text}", got["M"]);
             }
+            // refused where the search takes too long: never a wrong number
+            Err(words) if words.contains("too many combinations") => undecided += 1,
             Err(words) => {
                 assert!(words.contains("no direction of the power flow"), "{words}\n{text}");
                 assert!(reached.is_empty(), "{reached:?}\n{text}");
@@ -343,7 +345,7 @@ fn up_to_thirty_coupled_meshes_are_consistent() {
             }
         }
     }
-    assert!(solved > 8, "{solved} solved, {locked} locked");
+    assert!(solved > 8 && undecided < 4, "{solved} solved, {locked} locked, {undecided} undecided");
 }
 
 /// A worm below one half whose shaft bears the known torque: driven by the wheel two states are consistent, or none.

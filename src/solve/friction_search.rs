@@ -8,7 +8,7 @@ use crate::math::{Magnitudes, Part, Vec2};
 use crate::plan::{Plan, Rub};
 
 /// Most multiplications of a search, roughly: some seconds.
-const MOST_WORK: f64 = 1e10;
+const MOST_WORK: f64 = 1e9;
 
 impl State {
     /// Finds forces that satisfy all laws from the loads as they were before any reaction, or leaves the state locked.

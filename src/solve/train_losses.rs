@@ -16,9 +16,9 @@ const ROUNDS: usize = 12;
 /// Powers below this part of the greatest are rounding.
 const NOTHING: f64 = 1e-11;
 /// Most multiplications, roughly, of a search for other solutions than the one followed: some hundredths of a second.
-const WORK_FOR_OTHERS: f64 = 3e8;
+const WORK_FOR_OTHERS: f64 = 1e8;
 /// The same where none is known: some seconds.
-const MOST_WORK: f64 = 1e10;
+const MOST_WORK: f64 = 1e9;
 /// With a middle that is singular so many transmissions are tried in all directions.
 const MOST_TRIED: usize = 12;
 
