@@ -151,7 +151,8 @@ fn rubs(mechanism: &Mechanism, reference: &Reference) -> Vec<Rub> {
                 }));
             }
             (PairKind::Prismatic(g) | PairKind::Slot(g), friction) => {
-                let (slider, guide) = (&reference.bodies[g.slider.index()], &reference.bodies[g.guide.index()]);
+                let (slider, guide) =
+                    (&reference.bodies[g.slider.index()], &reference.bodies[g.guide.index()]);
                 let (p, d) = (slider.point(g.point).value(), guide.axis(g.along).value());
                 let speed = (velocity(g.slider, p) - velocity(g.guide, p)).dot(d);
                 let (kind, factor) = match (friction, g.contacts) {
@@ -183,7 +184,9 @@ fn loaded(mechanism: &Mechanism, rubs: &[Rub], efforts: &[f64]) -> Mechanism {
                     load(LoadKind::Torque { on, value: Expr::number(value), against_motion: false });
                 }
             }
-            Kind::Along(_) | Kind::Ends(..) => load(LoadKind::InPair { pair: rub.pair, value: Expr::number(x) }),
+            Kind::Along(_) | Kind::Ends(..) => {
+                load(LoadKind::InPair { pair: rub.pair, value: Expr::number(x) })
+            }
             Kind::Contact(p, tangent) => {
                 for (on, force) in [(rub.on, tangent * x), (rub.from, tangent * -x)] {
                     let constant = |v| Expr::Constant(Value::Vector(v));
@@ -240,7 +243,13 @@ impl<'a> Laws<'a> {
 
     /// Newton's method with the given signs of the numbers; hinges as at present, first along `directions`. The solution,
     /// and the determinant.
-    fn newton(&self, signs: &[[f64; 2]], directions: &[[f64; 2]], part: f64, start: Option<&[f64]>) -> Option<(Vec<f64>, f64)> {
+    fn newton(
+        &self,
+        signs: &[[f64; 2]],
+        directions: &[[f64; 2]],
+        part: f64,
+        start: Option<&[f64]>,
+    ) -> Option<(Vec<f64>, f64)> {
         let n = self.rubs.len();
         let mut x = start.map_or(vec![0.0; n], <[f64]>::to_vec);
         let mut along = directions.to_vec();
@@ -400,7 +409,11 @@ fn compare(seed: u64, draft: &Draft, mechanism: &Mechanism, tally: &mut Tally) -
     let (all, reached) = (laws.all(), laws.reached());
     if solved.state.locked {
         tally.locked += 1;
-        return if all.is_empty() { Ok(()) } else { Err(format!("called locked, but {all:?} solve it, {reached:?}")) };
+        return if all.is_empty() {
+            Ok(())
+        } else {
+            Err(format!("called locked, but {all:?} solve it, {reached:?}"))
+        };
     }
     let view = run.view(0)?;
     let found = view.rubbing();

@@ -126,9 +126,11 @@ fn the_scripts_print_what_the_examples_expect() {
         let name = p.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         !NO_SCRIPTS.contains(&name.as_str()) && name != "catalogue.py" && name != "pairs.py"
     };
-    let mut scripts: Vec<PathBuf> = files(&root().join("tests/reference"), "py").into_iter().filter(is_script).collect();
+    let mut scripts: Vec<PathBuf> =
+        files(&root().join("tests/reference"), "py").into_iter().filter(is_script).collect();
     scripts.push(root().join("tests/reference/gears/pairs.py"));
-    let examples: Vec<String> = files(&root().join("examples"), "mech").iter().map(|p| words(&read(p))).collect();
+    let examples: Vec<String> =
+        files(&root().join("examples"), "mech").iter().map(|p| words(&read(p))).collect();
     let keys = sorted(examples.iter().cloned());
     let rust = files(&root().join("tests"), "rs").into_iter().chain(files(&root().join("src"), "rs"));
     let texts = rust.map(|p| read(&p).replace('_', ""));
@@ -154,7 +156,8 @@ fn the_scripts_print_what_the_examples_expect() {
                 continue;
             }
             // printed under another name, or with another last digit
-            let value = line.split_once(" = ").map_or("", |l| l.1).split(" within ").next().unwrap_or_default();
+            let value =
+                line.split_once(" = ").map_or("", |l| l.1).split(" within ").next().unwrap_or_default();
             let missing: Vec<f64> = numbers(value).into_iter().filter(|x| !known(&keys, *x, 1e-13)).collect();
             if !missing.is_empty() {
                 wrong.push(format!("{name}: no example expects {missing:?} of `{line}`"));

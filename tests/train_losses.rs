@@ -47,10 +47,18 @@ impl Train {
         name
     }
 
-    fn mesh(&mut self, shafts: [usize; 2], teeth: [usize; 2], carrier: Option<usize>, internal: bool, efficiency: f64) {
+    fn mesh(
+        &mut self,
+        shafts: [usize; 2],
+        teeth: [usize; 2],
+        carrier: Option<usize>,
+        internal: bool,
+        efficiency: f64,
+    ) {
         let [a, b] = [0, 1].map(|i| self.wheel(shafts[i], teeth[i]));
         let kind = if internal { "internal; " } else { "" };
-        self.lines.push(format!("mesh k{}: {a} - {b} {{ {kind}efficiency {efficiency} }}", self.meshes.len()));
+        self.lines
+            .push(format!("mesh k{}: {a} - {b} {{ {kind}efficiency {efficiency} }}", self.meshes.len()));
         let teeth = teeth.map(|z| z as f64);
         self.meshes.push(Mesh { shafts, teeth, carrier, internal, efficiency });
     }
@@ -83,7 +91,10 @@ impl Train {
             let name = format!("w{planet}x0");
             let wheel = train.wheel(ring, zr);
             let efficiency = random.within(least, 0.995);
-            let line = format!("mesh k{}: {name} - {wheel} {{ internal; efficiency {efficiency} }}", train.meshes.len());
+            let line = format!(
+                "mesh k{}: {name} - {wheel} {{ internal; efficiency {efficiency} }}",
+                train.meshes.len()
+            );
             train.lines.push(line);
             train.meshes.push(Mesh {
                 shafts: [planet, ring],
@@ -112,14 +123,21 @@ impl Train {
         for (i, name) in self.names.iter().enumerate() {
             let on = self.carriers[i].map_or(String::new(), |c| format!(" on {}", self.names[c]));
             let wheels = self.wheels[i].join("; ");
-            text += &if wheels.is_empty() { format!("shaft {name}{on}\n") } else { format!("shaft {name}{on} {{ {wheels} }}\n") };
+            text += &if wheels.is_empty() {
+                format!("shaft {name}{on}\n")
+            } else {
+                format!("shaft {name}{on} {{ {wheels} }}\n")
+            };
         }
         text += &self.lines.join("\n");
         for (name, load) in self.names.iter().zip(&self.loads).filter(|(_, load)| **load != 0.0) {
             text += &format!("\ntorque on {name} = {load} N*m");
         }
         let moments = self.meshes.iter().enumerate().map(|(i, m)| {
-            format!("a{i} = moment(k{i}, {}), b{i} = moment(k{i}, {})", self.names[m.shafts[0]], self.names[m.shafts[1]])
+            format!(
+                "a{i} = moment(k{i}, {}), b{i} = moment(k{i}, {})",
+                self.names[m.shafts[0]], self.names[m.shafts[1]]
+            )
         });
         let moments = moments.collect::<Vec<_>>().join(", ");
         text + &format!("\ndrive I0 at 10 rad/s\nbalance torque M on I0\nfind M, {moments}\n")

@@ -69,7 +69,10 @@ pub fn loss_system(
 /// Whether a group has one solution whatever its loads and the senses of its rates.
 pub(super) fn unique(members: &[TrainSupport], laws: &[usize], matrix: &[f64], plan: &Plan) -> bool {
     let n = members.len();
-    let lossy = laws.iter().enumerate().filter_map(|(i, slot)| Some((i, &plan.laws[*slot], plan.laws[*slot].efficiency?)));
+    let lossy = laws
+        .iter()
+        .enumerate()
+        .filter_map(|(i, slot)| Some((i, &plan.laws[*slot], plan.laws[*slot].efficiency?)));
     let (mut middle, mut departures, mut columns) = (matrix.to_vec(), Vec::new(), Vec::new());
     for (index, law, [there, back]) in lossy {
         let [there, back] = [[1.0, there], [back, 1.0]].map(|sides| column(members, law, sides));

@@ -17,7 +17,12 @@ pub(super) struct ConsistentNotes {
 
 impl ConsistentNotes {
     /// Notes what the forces of a position came to; an error where they are not found.
-    pub fn look(&mut self, scene: &Scene<'_>, consistent: Consistent, pose: &Wanted) -> Result<(), SolveError> {
+    pub fn look(
+        &mut self,
+        scene: &Scene<'_>,
+        consistent: Consistent,
+        pose: &Wanted,
+    ) -> Result<(), SolveError> {
         let what = if scene.plan.effects.friction { "friction" } else { "losses" };
         let here = || (place(scene, pose), labels(scene, what));
         match consistent {
@@ -26,7 +31,9 @@ impl ConsistentNotes {
                 let reported = if followed {
                     format!("the reported one is reached continuously from that without {what}")
                 } else {
-                    format!("none is reached continuously from that without {what}; the least forces are reported")
+                    format!(
+                        "none is reached continuously from that without {what}; the least forces are reported"
+                    )
                 };
                 let more = String::new();
                 let first = ConsistentError::Several { count, what, pose, more, reported, labels };
@@ -77,7 +84,8 @@ fn labels(scene: &Scene<'_>, what: &str) -> Vec<LabeledSpan> {
 /// Transmissions that let nothing through backwards, and what to change.
 fn blocked(scene: &Scene<'_>) -> String {
     let one_way = scene.plan.laws.iter().filter(|l| l.efficiency.is_some_and(|[_, back]| back <= 0.0));
-    let mut names: Vec<String> = one_way.map(|l| format!("`{}`", scene.mechanism.pair(l.pair).name)).collect();
+    let mut names: Vec<String> =
+        one_way.map(|l| format!("`{}`", scene.mechanism.pair(l.pair).name)).collect();
     names.dedup();
     if names.is_empty() {
         return "raise the efficiencies: more power circulates than the losses leave".to_owned();

@@ -30,7 +30,8 @@ impl Locked<'_> {
         }
         let parts = (1..PARTS).map(|i| f64::from(i) / f64::from(PARTS));
         let first = parts.into_iter().find(|part| !self.moves(&mut state, &mut plan, of, *part));
-        let (mut least, mut most) = first.map_or((1.0 - 1.0 / f64::from(PARTS), 1.0), |part| (part - 1.0 / f64::from(PARTS), part));
+        let (mut least, mut most) =
+            first.map_or((1.0 - 1.0 / f64::from(PARTS), 1.0), |part| (part - 1.0 / f64::from(PARTS), part));
         for _ in 0..HALVINGS {
             let middle = 0.5 * (least + most);
             if self.moves(&mut state, &mut plan, of, middle) {

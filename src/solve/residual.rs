@@ -284,7 +284,8 @@ find effort(I)
             ],
         ];
         for (text, changes) in FILES.iter().zip(changes) {
-            let (solved, problems) = crate::solve_source(&Source::new("power.mech", *text), &Overrides::none());
+            let (solved, problems) =
+                crate::solve_source(&Source::new("power.mech", *text), &Overrides::none());
             let solved = solved.unwrap_or_else(|| panic!("{problems:?}"));
             let scene = solved.compiled.scene();
             let state = &solved.solution.poses[0].outcome.as_ref().expect("it moves").state;
@@ -298,7 +299,10 @@ find effort(I)
                     let (equilibrium, power) = both(&wrong, &scene);
                     assert!(power > 1e-3 * by && power < 10.0 * by, "{name} by {by:e}: power {power:e}");
                     let kinematic = *name == "speed";
-                    assert!(kinematic || equilibrium > 1e-3 * by, "{name} by {by:e}: equilibrium {equilibrium:e}");
+                    assert!(
+                        kinematic || equilibrium > 1e-3 * by,
+                        "{name} by {by:e}: equilibrium {equilibrium:e}"
+                    );
                 }
             }
             let mut wrong = state.clone();

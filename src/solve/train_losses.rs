@@ -30,7 +30,12 @@ fn sides(law: &PlannedLaw, backwards: bool, part: f64) -> [f64; 2] {
 
 impl State {
     /// Finds the directions in which power flows; the unknowns are then in `work.found`.
-    pub(super) fn with_losses(&mut self, plan: &Plan, train: &TrainForces, work: &mut TrainWork) -> Consistent {
+    pub(super) fn with_losses(
+        &mut self,
+        plan: &Plan,
+        train: &TrainForces,
+        work: &mut TrainWork,
+    ) -> Consistent {
         if !train.laws.iter().any(|l| self.loses(&plan.laws[*l])) {
             return Consistent::One;
         }
@@ -118,8 +123,13 @@ impl State {
     /// where it is singular with the middles of the columns.
     fn loss_laws(&self, plan: &Plan, train: &TrainForces, loads: &[f64], part: f64) -> Option<Magnitudes> {
         let n = train.members.len();
-        let lossy: Vec<(usize, usize)> =
-            train.laws.iter().copied().enumerate().filter(|(_, slot)| self.loses(&plan.laws[*slot])).collect();
+        let lossy: Vec<(usize, usize)> = train
+            .laws
+            .iter()
+            .copied()
+            .enumerate()
+            .filter(|(_, slot)| self.loses(&plan.laws[*slot]))
+            .collect();
         let (mut middle, mut departures) = (train.matrix.clone(), Vec::new());
         for &(column, slot) in &lossy {
             let law = &plan.laws[slot];
@@ -165,9 +175,12 @@ impl State {
     /// Whether power flows through every transmission in the direction that is taken.
     fn flows(&self, plan: &Plan, train: &TrainForces, multipliers: &[f64]) -> bool {
         let powers = || {
-            train.laws.iter().zip(multipliers).filter(|(slot, _)| self.loses(&plan.laws[**slot])).map(
-                |(slot, multiplier)| (slot, multiplier * self.power_sense(&plan.laws[*slot])),
-            )
+            train
+                .laws
+                .iter()
+                .zip(multipliers)
+                .filter(|(slot, _)| self.loses(&plan.laws[**slot]))
+                .map(|(slot, multiplier)| (slot, multiplier * self.power_sense(&plan.laws[*slot])))
         };
         let greatest = powers().map(|p| p.1.abs()).fold(0.0, f64::max);
         powers().all(|(slot, power)| {

@@ -249,7 +249,11 @@ impl Search<'_> {
         }
         let magnitude = |p: usize| {
             let (first, edges) = &layout[p];
-            if parts[p].plane { *first + edges.len()..*first + edges.len() + 1 } else { *first..*first + edges.len() }
+            if parts[p].plane {
+                *first + edges.len()..*first + edges.len() + 1
+            } else {
+                *first..*first + edges.len()
+            }
         };
         let mut equations = Equations::new(columns);
         for (p, part) in parts.iter().enumerate() {
@@ -345,7 +349,8 @@ mod tests {
         let n = numbers + planes;
         let part = |row: usize, sequence: &mut Sequence| {
             let plane = row >= numbers;
-            let mut vector = |by: f64| Vec2::new(sequence.next() * by, if plane { sequence.next() * by } else { 0.0 });
+            let mut vector =
+                |by: f64| Vec2::new(sequence.next() * by, if plane { sequence.next() * by } else { 0.0 });
             let constant = vector(1.0);
             Part { row, plane, constant, slopes: (0..n).map(|_| vector(strength)).collect() }
         };
@@ -394,7 +399,8 @@ mod tests {
             let (g, c, w) = (part.slopes[0], part.constant, system.weights[0]);
             let (a, b, d) = (g.dot(g) - 1.0, g.dot(c), c.dot(c));
             let root = b * b - a * d;
-            let roots = if root < 0.0 { vec![] } else { vec![(-b - root.sqrt()) / a, (-b + root.sqrt()) / a] };
+            let roots =
+                if root < 0.0 { vec![] } else { vec![(-b - root.sqrt()) / a, (-b + root.sqrt()) / a] };
             let expected = roots.iter().filter(|x| **x * w < 0.0).count();
             let found = system.solutions(1e9);
             assert!(found.complete, "system {i}");
@@ -421,7 +427,9 @@ mod tests {
                 let Some(other) = system.newton(&start).filter(|f| system.residual(&f.x) <= SOLVED) else {
                     continue;
                 };
-                let near = |x: &Vec<f64>| x.iter().zip(&other.x).all(|(a, b)| (a - b).abs() < 1e-6 * (1.0 + b.abs()));
+                let near = |x: &Vec<f64>| {
+                    x.iter().zip(&other.x).all(|(a, b)| (a - b).abs() < 1e-6 * (1.0 + b.abs()))
+                };
                 assert!(found.found.iter().any(near), "system {i}: {:?} of {:?}", other.x, found.found);
             }
             counts[found.found.len().min(3)] += 1;
