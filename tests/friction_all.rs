@@ -24,7 +24,6 @@ mod jet;
 #[allow(dead_code)]
 mod loads;
 #[path = "properties/machines.rs"]
-#[allow(dead_code)]
 mod machines;
 #[path = "properties/random.rs"]
 #[allow(dead_code)]
@@ -322,7 +321,7 @@ impl<'a> Laws<'a> {
                 let (mut directions, mut rest) = (vec![[0.0; 2]; n], start);
                 for i in &hinges {
                     let angle = std::f64::consts::TAU * (rest % steps) as f64 / steps as f64 + 0.1;
-                    directions[*i] = [angle.cos(), angle.sin()];
+                    directions[*i] = [libm::cos(angle), libm::sin(angle)];
                     rest /= steps;
                 }
                 let Some((x, _)) = self.newton(&signs, &directions, 1.0, None) else { continue };

@@ -90,16 +90,16 @@ fn inches_feet_pounds_and_kilogram_forces_are_read() {
     let text = |length: &str, force: &str, mass: &str| {
         format!(
             "mech 1\nmechanism \"units\"\ngravity 9.80665 m/s^2\nground {{ O (0, 0) }}\n\
-             link bar {{ O (0, 0); A ({length}, 0); mass {mass} at A }}\nrevolute O: ground - bar\n\
-             drive bar = 0 deg at 0 rad/s\nforce F on bar at A = {force} @ 90 deg\nbalance torque M on bar\nfind M\n"
+             link bar {{ O (0, 0); A ({length}, 0){mass} }}\nrevolute O: ground - bar\n\
+             drive bar = 0 deg at 1 rad/s\nforce F on bar at A = {force} @ 90 deg\nbalance torque M on bar\nfind M\n"
         )
     };
     let cases = [
-        ("1 inch", "1 lbf", "0 kg", -0.0254 * 4.448_221_615_260_5),
-        ("1 ft", "1 kgf", "0 kg", -0.3048 * 9.806_65),
-        ("2 ft", "0 N", "3 lb", 2.0 * 0.3048 * 3.0 * 0.453_592_37 * 9.806_65),
+        ("1 inch", "1 lbf", "", -0.0254 * 4.448_221_615_260_5),
+        ("1 ft", "1 kgf", "", -0.3048 * 9.806_65),
+        ("2 ft", "0 N", "; mass 3 lb at A", 2.0 * 0.3048 * 3.0 * 0.453_592_37 * 9.806_65),
         // a pound of force holds a pound of mass
-        ("1 m", "5 lbf", "6 lb", 0.453_592_37 * 9.806_65),
+        ("1 m", "5 lbf", "; mass 6 lb at A", 0.453_592_37 * 9.806_65),
     ];
     for (length, force, mass, expected) in cases {
         near(solved(&text(length, force, mass), "M").0, expected, 1e-14);

@@ -363,7 +363,7 @@ fn up_to_thirty_coupled_meshes_are_consistent() {
             }
         }
     }
-    assert!(solved > 8 && undecided < 4, "{solved} solved, {locked} locked, {undecided} undecided");
+    assert!(solved > 8 && undecided < 6, "{solved} solved, {locked} locked, {undecided} undecided");
 }
 
 /// A worm below one half whose shaft bears the known torque: driven by the wheel two states are consistent, or none.

@@ -17,8 +17,8 @@ const ROUNDS: usize = 12;
 const NOTHING: f64 = 1e-11;
 /// Most multiplications, roughly, of a search for other solutions than the one followed: some hundredths of a second.
 const WORK_FOR_OTHERS: f64 = 1e8;
-/// The same where none is known: some seconds.
-const MOST_WORK: f64 = 1e9;
+/// The same where none is known: about a second.
+const MOST_WORK: f64 = 4e8;
 /// With a middle that is singular so many transmissions are tried in all directions.
 const MOST_TRIED: usize = 12;
 
