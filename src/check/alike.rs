@@ -17,10 +17,12 @@ pub(super) fn look_alikes(cx: &mut Context<'_>) {
         return;
     }
     let quantities = names.quantities.iter().map(|(n, d)| (n.clone(), d.span)).collect::<Vec<_>>();
-    let things = names.things.iter().map(|(n, d)| (n.clone(), d.span)).collect::<Vec<_>>();
+    let things = names.things.iter().map(|(n, d)| (n.clone(), d.span));
     let inside = names.inside.iter().flat_map(|i| i.points.iter().chain(&i.lines).chain(&i.circles));
-    let inside = inside.map(|(n, span)| (n.clone(), *span)).collect::<Vec<_>>();
-    for list in [quantities, things, inside] {
+    let inside = inside.map(|(n, span)| (n.clone(), *span));
+    // a pair's name stands for points of that name
+    let things = things.chain(inside).collect::<Vec<_>>();
+    for list in [quantities, things] {
         compare(cx, &list);
     }
 }
@@ -33,8 +35,14 @@ fn compare(cx: &mut Context<'_>, list: &[(String, Span)]) {
             continue;
         }
         if let Some(&(first, first_span)) = alike.first() {
-            let help = difference(first, name, "in the first", "in the second");
-            cx.error(NameError::LookAlike { name: name.clone(), span: *span, first: first_span, help });
+            // of a Latin name and another, the other is the slip
+            let (odd, odd_span, other, other_span) = if name.is_ascii() {
+                (first, first_span, name.as_str(), *span)
+            } else {
+                (name.as_str(), *span, first, first_span)
+            };
+            let help = format!("write `{other}`: {}", difference(odd, other, "here", "there"));
+            cx.error(NameError::LookAlike { name: odd.to_owned(), span: odd_span, first: other_span, help });
             // What is not found because of this is no second mistake.
             cx.names.bad.extend([first.to_owned(), name.clone()]);
         }

@@ -142,7 +142,7 @@ impl Context<'_> {
         fits: impl Fn(ThingKind) -> bool,
     ) {
         if let Some(declared) = self.names.things.get(&name.node) {
-            if !fits(declared.what) {
+            if !fits(declared.what) && !self.names.bad.contains(&name.node) {
                 let (is, declared) = (declared.what.phrase(), Some(declared.span));
                 self.error(NameError::WrongKind {
                     name: name.node.clone(),

@@ -270,7 +270,10 @@ fn members(cx: &mut Context<'_>, link: LinkId, body: &Body) {
             Member::Line(l) => inside(cx, &l.name, |i| &mut i.lines, link),
             Member::Circle(c) => inside(cx, &c.name, |i| &mut i.circles, link),
             Member::Profile(p) => inside(cx, &p.name, |i| &mut i.circles, link),
-            Member::Bad(Bad { names }) => cx.names.inside[link.index()].bad.extend(names.iter().cloned()),
+            Member::Bad(Bad { names }) => {
+                cx.names.inside[link.index()].bad.extend(names.iter().cloned());
+                cx.names.bad.extend(names.iter().cloned());
+            }
             Member::Wheel(_) | Member::Mass(_) | Member::Weight(_) | Member::Inertia(_) => {}
         }
     }

@@ -2,11 +2,13 @@
 
 use super::context::Context;
 use super::error::RequestError;
+use super::expr::revolutions_or_radians;
 use super::expr::typed::{Dim, Type, Typed, phrase};
 use super::lookup::suggestion;
 use super::names::QuantityKind;
 use super::row::Row;
 use crate::model::Expr;
+use crate::syntax::{between_digits, readings};
 use crate::units::{Dimension, lookup};
 
 /// Values that replace those of `given` statements. A row of variants replaces what the file says, values set from
@@ -74,7 +76,7 @@ pub(super) fn replaced(cx: &mut Context<'_>, name: &str, written: Typed) -> Opti
     };
     let declared = cx.names.quantities.get(name).filter(|d| matches!(d.what, QuantityKind::Given(_)));
     let Some(declared) = declared.map(|d| d.span) else { return Some(written) };
-    match value(text, written.ty, &cx.usual_unit(written.ty.dimension())) {
+    match value(name, text, written.ty, &cx.usual_unit(written.ty.dimension())) {
         Ok(t) => Some(t),
         Err((why, help)) => {
             let (name, text) = (name.to_owned(), text.clone());
@@ -87,20 +89,28 @@ pub(super) fn replaced(cx: &mut Context<'_>, name: &str, written: Typed) -> Opti
 type Why = (String, Option<String>);
 
 /// `120mm`, `-30 deg`, `0.1`
-fn value(text: &str, ty: Type, usual: &str) -> Result<Typed, Why> {
+fn value(name: &str, text: &str, ty: Type, usual: &str) -> Result<Typed, Why> {
     let Type::Number(want) = ty else {
         return Err((
             format!("it is {} in the file, and only numbers can be set from outside", ty.shape()),
             None,
         ));
     };
+    let write = |values: &[String]| {
+        let line = |value: &String| format!("`--set {name}={}`", value.replacen(' ', "", 1));
+        Some(format!("write {}", values.iter().map(line).collect::<Vec<_>>().join(" or ")))
+    };
+    let example = || Some(format!("write a value as in `--set {name}=120{usual}`"));
     let text = text.trim().replace('−', "-");
+    let commas = between_digits(&text);
+    if !commas.is_empty() {
+        let readings = readings(&text, &commas);
+        let why = if readings.len() > 1 { THOUSANDS } else { "use a decimal point, not a comma" };
+        return Err((why.into(), write(&readings)));
+    }
     let (number, word) = split(&text);
     let Ok(x) = number.parse::<f64>() else {
-        return Err((
-            "this is not a number with a unit".into(),
-            Some(format!("write it like `120 {usual}`")),
-        ));
+        return Err(("this is not a number with a unit".into(), example()));
     };
     if !x.is_finite() {
         return Err(("this is not a number".into(), None));
@@ -111,15 +121,26 @@ fn value(text: &str, ty: Type, usual: &str) -> Result<Typed, Why> {
             return Ok(Typed::constant(x, if plain { Dimension::NUMBER } else { want.known() }));
         }
         let why = format!("it is {}, which needs a unit", phrase(want.known()));
-        return Err((why, Some(format!("did you mean `{number} {usual}`?"))));
+        return Err((why, write(&[format!("{number} {usual}")])));
     }
-    let unit = lookup(word).map_err(|e| (e.to_string(), e.help()))?;
+    let unit = lookup(word).map_err(|error| {
+        let fits = |unit: &&String| lookup(unit).is_ok_and(|u| want.unify(Dim::Of(u.dimension)).is_some());
+        let units = error.nearest().iter().filter(fits);
+        let units = units.map(|unit| format!("{number} {unit}")).collect::<Vec<_>>();
+        (error.to_string(), if units.is_empty() { example() } else { write(&units) })
+    })?;
     let Some(dim) = want.unify(Dim::Of(unit.dimension)) else {
         let found = phrase(unit.dimension);
-        return Err((format!("it is {} in the file, and this is {found}", phrase(want.known())), None));
+        let why = format!("it is {} in the file, and this is {found}", phrase(want.known()));
+        let rate = unit.dimension == Dimension::FREQUENCY && want.known() == Dimension::ANGULAR_VELOCITY;
+        let turns = rate.then(|| revolutions_or_radians(number, &unit));
+        return Err((why, turns.map_or_else(example, |values| write(&values))));
     };
     Ok(Typed::constant(unit.to_si(x), dim.known()))
 }
+
+/// Why a number with a comma is asked about.
+const THOUSANDS: &str = "a comma in a number may be a decimal point or separate thousands";
 
 /// The longest beginning that is a number, and the rest.
 fn split(text: &str) -> (&str, &str) {
@@ -140,7 +161,7 @@ mod tests {
     fn values_with_and_without_blanks() {
         for (text, si) in [("120mm", 0.12), ("-30 mm", -0.03), ("1.5e2 cm", 1.5), ("−2 m", -2.0), ("0", 0.0)]
         {
-            let t = value(text, Type::number(Dimension::LENGTH), "mm").unwrap();
+            let t = value("r", text, Type::number(Dimension::LENGTH), "mm").unwrap();
             assert_eq!(t, Typed::constant(si, Dimension::LENGTH), "{text}");
         }
     }
@@ -148,10 +169,15 @@ mod tests {
     #[test]
     fn what_is_wrong_is_said() {
         let length = Type::number(Dimension::LENGTH);
-        for (text, says) in
-            [("120", "needs a unit"), ("2 kg", "a mass"), ("2 mn", "not a unit"), ("mm", "not a number")]
-        {
-            let (why, _) = value(text, length, "mm").unwrap_err();
+        for (text, says) in [
+            ("120", "needs a unit"),
+            ("2 kg", "a mass"),
+            ("2 mn", "not a unit"),
+            ("mm", "not a number"),
+            ("1,5 mm", "decimal point"),
+            ("1,500 mm", "thousands"),
+        ] {
+            let (why, _) = value("r", text, length, "mm").unwrap_err();
             assert!(why.contains(says), "{text}: {why}");
         }
     }

@@ -83,7 +83,7 @@ pub(super) fn with_shared(
         let kept = all.drain(..).enumerate().filter(|(i, p)| *i < own || !beside(p));
         all = kept.map(|(_, p)| p).collect();
     }
-    complete(cx, kind, joint, &all)?;
+    complete(cx, kind, joint, &all, own)?;
     Some(all)
 }
 
@@ -97,7 +97,8 @@ pub(super) fn phrase(kind: JointKind) -> String {
 }
 
 /// What means nothing alone, or not beside another.
-fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read]) -> Option<()> {
+/// The first `own` properties are those of the pair, the others those of `all` statements.
+fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read], own: usize) -> Option<()> {
     let said = all.iter().filter(|p| AMOUNTS.contains(&p.name)).collect::<Vec<_>>();
     let needs = |name: &'static str, other: &'static str, example: &'static str| {
         let property = find(all, name).filter(|_| find(all, other).is_none())?;
@@ -122,7 +123,7 @@ fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read]) 
         (_, missing) => missing,
     };
     let Some((message, example, property)) = problem else { return Some(()) };
-    let of_all = !joint.properties.iter().any(|p| p.span == property.span);
+    let of_all = all.iter().position(|p| p.span == property.span).is_some_and(|i| i >= own);
     if of_all && !cx.reported.insert(("property of all", property.span.start.to_string())) {
         return None;
     }

@@ -112,7 +112,7 @@ impl Context<'_> {
             Type::Truth => ("a truth".to_owned(), Some("leave out `as …`".to_owned())),
             ty => {
                 let usual = self.usual_unit(ty.dimension());
-                (phrase(ty.dimension()), (!usual.is_empty()).then(|| format!("write `as {usual}`")))
+                (phrase(ty.dimension()), (!usual.is_empty()).then(|| format!("write `{usual}`")))
             }
         };
         let (want, what) = (phrase(unit.dimension), format!("what is printed in {}", unit.text));

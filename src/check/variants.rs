@@ -185,7 +185,7 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
     let (what, want) = (format!("column `{name}`"), dim.known());
     if column.unit.is_none() {
         let example = format!("`{name} [{}]`", cx.usual_unit(want));
-        cx.error(UnitsError::Missing { what, want, span, example });
+        cx.error(UnitsError::Missing { what, want, span, used: None, example });
         return None;
     }
     let help = mend(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.usual_unit(want)));
@@ -197,6 +197,10 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
 /// Reports rows that are longer or shorter than the header.
 pub(super) fn rows(cx: &mut Context<'_>, table: &Variants) {
     let columns = table.columns.len();
+    if columns == 0 {
+        // the header has an error, which is reported
+        return;
+    }
     let header = table.columns.iter().map(|c| c.name.span).reduce(|a, b| a.to(b));
     for row in table.rows.iter().filter(|row| row.cells.len() != columns) {
         let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });

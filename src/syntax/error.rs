@@ -4,14 +4,14 @@ use crate::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// A mistake in the text. `help` is, where possible, the mended line.
+/// A mistake in the text. `help` is, where possible, the corrected line.
 #[derive(Clone, Debug, Diagnostic, Error)]
 #[allow(missing_docs)] // the message is the documentation of each
 pub enum SyntaxError {
-    #[error("nothing is stated here: the file is empty")]
+    #[error("the file is empty")]
     #[diagnostic(
         code(mech::syntax::empty_file),
-        help("a problem begins with its title: mechanism \"My first crank-slider\"")
+        help("begin with a title: mechanism \"My first crank-slider\"")
     )]
     EmptyFile,
 
@@ -24,7 +24,7 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("a text stands in straight quotes")]
+    #[error("use straight quotes (`\"`)")]
     #[diagnostic(code(mech::syntax::curly_quotes))]
     CurlyQuotes {
         #[label("this is another kind of quote")]
@@ -44,7 +44,7 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("an invisible character (U+{found:04X}) stands here")]
+    #[error("an invisible character (U+{found:04X})")]
     #[diagnostic(code(mech::syntax::invisible_character))]
     InvisibleCharacter {
         found: u32,
@@ -65,7 +65,7 @@ pub enum SyntaxError {
         at: Span,
     },
 
-    #[error("more than {limit} levels are nested here")]
+    #[error("more than {limit} levels are nested")]
     #[diagnostic(
         code(mech::syntax::too_deep),
         help("give a part of it a name: let part = …; the rest of this line is not read")
@@ -97,7 +97,7 @@ pub enum SyntaxError {
         at: Span,
     },
 
-    #[error("decimals stand behind a point, not a comma")]
+    #[error("use a decimal point, not a comma")]
     #[diagnostic(code(mech::syntax::decimal_comma))]
     DecimalComma {
         #[label("a comma separates the values of a list")]
@@ -106,12 +106,21 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("`{{` stands on the line of its statement")]
+    #[error("a comma in a number may be a decimal point or separate thousands")]
+    #[diagnostic(code(mech::syntax::decimal_comma))]
+    ThousandsComma {
+        #[label("three digits follow")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("put `{{` on the same line as its statement")]
     #[diagnostic(code(mech::syntax::brace_on_its_own_line))]
     BraceOnItsOwnLine {
         #[label("this brace")]
         brace: Span,
-        #[label("belongs behind this")]
+        #[label("after this")]
         statement: Span,
         #[help]
         help: String,
@@ -136,7 +145,7 @@ pub enum SyntaxError {
         help: Option<String>,
     },
 
-    #[error("`{found}` closes nothing")]
+    #[error("unmatched `{found}`")]
     #[diagnostic(code(mech::syntax::unmatched_bracket))]
     UnmatchedBracket {
         found: char,
@@ -146,7 +155,7 @@ pub enum SyntaxError {
         help: Option<String>,
     },
 
-    #[error("a value is set by `=`")]
+    #[error("use `=` to assign a value")]
     #[diagnostic(code(mech::syntax::equals_expected))]
     EqualsExpected {
         found: String,
@@ -156,7 +165,7 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("a name and what it joins are separated by `:`")]
+    #[error("use `:` between a name and what it joins")]
     #[diagnostic(code(mech::syntax::colon_expected))]
     ColonExpected {
         found: String,
@@ -175,7 +184,7 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("the title stands in quotes")]
+    #[error("put the title in quotes")]
     #[diagnostic(code(mech::syntax::title_without_quotes))]
     TitleWithoutQuotes {
         #[label("the title")]
@@ -212,7 +221,7 @@ pub enum SyntaxError {
         help: &'static str,
     },
 
-    #[error("the numbers of a row stand without units")]
+    #[error("table rows take plain numbers; the unit goes in the header")]
     #[diagnostic(code(mech::syntax::unit_in_row))]
     UnitInRow {
         #[label("a unit")]
@@ -241,7 +250,7 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("`{found}` cannot stand here")]
+    #[error("`{found}` is not a statement")]
     #[diagnostic(code(mech::syntax::misplaced_member), help("{help}"))]
     MisplacedMember {
         found: String,
@@ -261,7 +270,7 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("two statements stand on one line")]
+    #[error("two statements or members are not separated")]
     #[diagnostic(code(mech::syntax::two_statements))]
     TwoStatements {
         #[label("a new line, or `;`, before this")]
@@ -300,7 +309,7 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("`{found}` is not written here")]
+    #[error("unexpected `{found}`")]
     #[diagnostic(code(mech::syntax::needless_sign))]
     NeedlessSign {
         found: String,
@@ -319,11 +328,11 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("what `{function}` is taken of stands in brackets")]
+    #[error("put the argument of `{function}` in parentheses")]
     #[diagnostic(code(mech::syntax::without_brackets))]
     WithoutBrackets {
         function: String,
-        #[label("in brackets")]
+        #[label("in parentheses")]
         at: Span,
         #[help]
         help: String,
@@ -342,7 +351,7 @@ pub enum SyntaxError {
     #[error("a vector has two coordinates")]
     #[diagnostic(
         code(mech::syntax::third_coordinate),
-        help("mechanisms are planar: write `(x, y)`; decimals stand behind a point, not a comma")
+        help("write `(x, y)`, mechanisms are planar; in numbers use a decimal point, not a comma")
     )]
     ThirdCoordinate {
         #[label("a third one")]
@@ -352,7 +361,7 @@ pub enum SyntaxError {
     #[error("a comment begins with `//`")]
     #[diagnostic(code(mech::syntax::comment_sign))]
     CommentSign {
-        #[label("`{found}` begins nothing here")]
+        #[label("`{found}` does not start a comment; use `//`")]
         at: Span,
         found: String,
         #[help]
@@ -362,7 +371,7 @@ pub enum SyntaxError {
     #[error("a point needs its coordinates")]
     #[diagnostic(code(mech::syntax::point_without_coordinates))]
     PointWithoutCoordinates {
-        #[label("a number, where `(x, y)` is expected")]
+        #[label("`(x, y)` is missing")]
         at: Span,
         #[help]
         help: String,
@@ -379,4 +388,14 @@ pub enum SyntaxError {
         #[help]
         help: Option<String>,
     },
+}
+
+impl SyntaxError {
+    /// A comma within a number: the lines are those that may be meant.
+    pub(super) fn comma_in_number(at: Span, lines: Vec<String>) -> Self {
+        match lines.as_slice() {
+            [line] => Self::DecimalComma { at, help: format!("write: {line}") },
+            _ => Self::ThousandsComma { at, help: format!("write one of\n  {}", lines.join("\n  ")) },
+        }
+    }
 }

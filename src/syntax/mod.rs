@@ -2,7 +2,9 @@
 //!
 //! Parsing cannot fail: what cannot be read is reported, left out, and kept as `Bad`.
 
+mod comma;
 mod error;
+mod foreign;
 mod line;
 mod lower;
 mod prepare;
@@ -17,6 +19,7 @@ mod tests;
 
 pub mod document;
 
+pub(crate) use comma::{between_digits, readings};
 pub use error::SyntaxError;
 pub use skeleton::skeleton;
 pub(crate) use words::CAM_MEMBERS;

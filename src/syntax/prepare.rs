@@ -1,7 +1,8 @@
 //! Makes a text readable byte for byte: foreign blanks, signs and digits are replaced by plain ones of the same total
 //! length, so that every place stays where it was, and are reported.
 //!
-//! Comments become blanks: the grammar knows none.
+//! Comments become blanks: the grammar knows none. Those of other languages, `# …` and `/* … */`, do so too, and are
+//! reported.
 //!
 //! What is left of a replaced character is filled with [`FILL`], which the grammar takes for a blank and which a place
 //! that ends before it includes, so that no place ends within a character of the author's.
@@ -9,7 +10,7 @@
 //! Brackets nested deeper than [`DEPTH`] are blanked out here, before anything descends into them.
 
 use super::error::SyntaxError;
-use super::line::Line;
+use super::foreign;
 use crate::diagnostic::Problems;
 use crate::source::Span;
 
@@ -27,23 +28,30 @@ pub(super) fn whole_end(read: &str, end: usize) -> usize {
 
 /// The text that the grammar reads, of the same length as the author's.
 pub(super) fn prepare(text: &str, problems: &mut Problems) -> String {
-    let mut prepare =
-        Prepare { text, out: String::with_capacity(text.len()), changes: Vec::new(), deep: None };
+    let mut prepare = Prepare {
+        text,
+        out: String::with_capacity(text.len()),
+        changes: Vec::new(),
+        comments: Vec::new(),
+        block_end: text.rfind("*/").unwrap_or(0),
+        deep: None,
+    };
     prepare.run(problems);
-    report(text, &prepare.changes, problems);
+    problems.extend(foreign::comments(text, &prepare.comments));
+    foreign::report(text, &prepare.changes, problems);
     prepare.out
 }
 
 /// A replacement that is reported.
-struct Change {
-    span: Span,
-    kind: Kind,
+pub(super) struct Change {
+    pub(super) span: Span,
+    pub(super) kind: Kind,
     /// What to write instead.
-    with: &'static str,
+    pub(super) with: &'static str,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Kind {
+pub(super) enum Kind {
     FullWidth,
     Quote,
     Sign,
@@ -54,6 +62,8 @@ enum Kind {
 enum Mode {
     Code,
     Comment,
+    /// Between `/*` and `*/`; whether the stroke of the end comes next.
+    Block(bool),
     /// A text; whether it was opened by a straight quote.
     Text(bool),
 }
@@ -62,6 +72,10 @@ struct Prepare<'a> {
     text: &'a str,
     out: String,
     changes: Vec<Change>,
+    /// The comments of other languages.
+    comments: Vec<Span>,
+    /// Where the last `*/` stands: a `/*` behind it is not closed and ends with its line.
+    block_end: usize,
     /// Where brackets were nested too deep first.
     deep: Option<Span>,
 }
@@ -78,11 +92,16 @@ impl<'a> Prepare<'a> {
         loop {
             let plain = plain_start(rest, mode);
             if plain > 0 && !blank_line {
-                self.pad(&mut padding);
                 let (run, behind) = rest.split_at(plain);
                 if mode == Mode::Code {
-                    self.out.push_str(run);
+                    let (word, more) = run.split_at(self.continued(run, padding));
+                    self.out.push_str(word);
+                    if !more.is_empty() {
+                        self.pad(&mut padding);
+                    }
+                    self.out.push_str(more);
                 } else {
+                    self.pad(&mut padding);
                     self.out.extend(std::iter::repeat_n(' ', plain));
                 }
                 rest = behind;
@@ -111,7 +130,7 @@ impl<'a> Prepare<'a> {
                 }
                 if is_end {
                     self.out.push('\n');
-                    mode = Mode::Code;
+                    mode = if matches!(mode, Mode::Block(_)) { Mode::Block(false) } else { Mode::Code };
                     depth = if blank_line { depth_at_line } else { depth };
                     depth_at_line = depth;
                     blank_line = false;
@@ -140,6 +159,19 @@ impl<'a> Prepare<'a> {
         }
     }
 
+    /// How much of a run continues the word that a replaced character is a part of: a word stays in one piece, and the
+    /// filling comes after it. What begins with a digit may be a number and a unit, and is no word.
+    fn continued(&self, run: &str, padding: usize) -> usize {
+        /// The longest word that is looked at.
+        const LONGEST: usize = 64;
+        let in_word = |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'\'');
+        let before = self.out.bytes().rev().take(LONGEST).take_while(in_word).last();
+        if padding == 0 || !before.is_some_and(|b| b.is_ascii_alphabetic()) {
+            return 0;
+        }
+        run.bytes().take_while(in_word).count()
+    }
+
     /// Filling behind a run of replaced characters, so that the run itself has none.
     fn pad(&mut self, padding: &mut usize) {
         self.out.extend(std::iter::repeat_n(FILL, *padding));
@@ -147,22 +179,51 @@ impl<'a> Prepare<'a> {
     }
 
     /// What is written for a character that stays, and the mode behind it.
-    fn plain(&self, span: Span, c: char, next: Option<char>, mode: Mode) -> (&'a str, Mode) {
+    fn plain(&mut self, span: Span, c: char, next: Option<char>, mode: Mode) -> (&'a str, Mode) {
         let text = &self.text[span.start..span.end];
         match (mode, c) {
             (Mode::Code, '"') => (text, Mode::Text(true)),
             (Mode::Code, '/') if next == Some('/') => (BLANKS[1], Mode::Comment),
+            (Mode::Code, '/') if next == Some('*') => {
+                self.comments.push(span);
+                let closed = span.end < self.block_end;
+                (BLANKS[1], if closed { Mode::Block(false) } else { Mode::Comment })
+            }
+            (Mode::Code, '#') => {
+                self.comments.push(span);
+                (BLANKS[1], Mode::Comment)
+            }
+            (Mode::Block(true), '/') => {
+                self.end_comment(span);
+                (BLANKS[1], Mode::Code)
+            }
+            (Mode::Block(_), _) => {
+                (BLANKS[c.len_utf8()], Mode::Block(c == '*' && next == Some('/') && self.opened_before(span)))
+            }
             (Mode::Comment, _) => (BLANKS[c.len_utf8()], mode),
             (Mode::Text(true), '"') => (text, Mode::Code),
             (Mode::Text(false), '"' | '”' | '“' | '„' | '»' | '«' | '＂') => {
                 if c == '"' {
                     (text, Mode::Code)
                 } else {
+                    self.changes.push(Change { span, kind: Kind::Quote, with: "\"" });
                     (CLOSING[c.len_utf8()], Mode::Code)
                 }
             }
             (Mode::Code, _) if c.is_whitespace() || c == '\u{FEFF}' => (BLANKS[c.len_utf8()], mode),
             _ => (text, mode),
+        }
+    }
+
+    /// Whether the star of an end is not that of the beginning: `/*/`.
+    fn opened_before(&self, star: Span) -> bool {
+        self.comments.last().is_some_and(|comment| star.start > comment.start + 1)
+    }
+
+    /// The comment that was opened last ends here.
+    fn end_comment(&mut self, stroke: Span) {
+        if let Some(comment) = self.comments.last_mut() {
+            comment.end = stroke.end;
         }
     }
 
@@ -185,6 +246,7 @@ fn plain_start(text: &str, mode: Mode) -> usize {
             | b'+' | b'-' | b'@' | b':' | b';' | b'\'')
         }
         Mode::Comment => matches!(b, b' '..=b'~' | b'\t'),
+        Mode::Block(_) => matches!(b, b' '..=b')' | b'+'..=b'.' | b'0'..=b'~' | b'\t'),
         Mode::Text(_) => false,
     };
     text.bytes().take_while(plain).count()
@@ -230,52 +292,4 @@ fn ascii(c: char) -> Option<&'static str> {
         "!\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~";
     let index = (c as usize).checked_sub(0xFF01)?;
     PLAIN.get(index..=index)
-}
-
-/// One diagnostic for each kind on a line.
-fn report(text: &str, changes: &[Change], problems: &mut Problems) {
-    let mut rest = changes;
-    while let Some(first) = rest.first() {
-        let line = Line::around(text, first.span.start);
-        let count = rest.iter().take_while(|c| c.span.start < line.end.max(first.span.end)).count();
-        let (here, later) = rest.split_at(count);
-        let mut mended = String::new();
-        let mut from = line.start;
-        for change in here {
-            mended.push_str(text.get(from..change.span.start).unwrap_or_default());
-            mended.push_str(change.with);
-            from = change.span.end;
-        }
-        mended.push_str(text.get(from..line.end).unwrap_or_default());
-        let help = format!("write: {}", mended.trim());
-        for kind in [Kind::FullWidth, Kind::Quote, Kind::Sign, Kind::Invisible] {
-            if let Some(problem) = describe(text, here, kind, &help) {
-                problems.push(problem);
-            }
-        }
-        rest = later;
-    }
-}
-
-fn describe(text: &str, changes: &[Change], kind: Kind, help: &str) -> Option<SyntaxError> {
-    let first = changes.iter().find(|c| c.kind == kind)?;
-    let found = text[first.span.start..].chars().next()?;
-    let help = help.to_owned();
-    // The first run of neighbours.
-    let mut at = first.span;
-    for change in changes.iter().filter(|c| c.kind == kind && c.with != "\"") {
-        if change.span.start == at.end {
-            at.end = change.span.end;
-        }
-    }
-    Some(match kind {
-        Kind::FullWidth => SyntaxError::FullWidth { at, help },
-        Kind::Quote => SyntaxError::CurlyQuotes { at: first.span, help },
-        Kind::Sign => SyntaxError::ForeignSign { found, at: first.span, wanted: first.with, help },
-        Kind::Invisible => SyntaxError::InvisibleCharacter {
-            found: u32::from(found),
-            at: first.span,
-            help: "delete it: a mechanism is plain text".to_owned(),
-        },
-    })
 }

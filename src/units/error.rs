@@ -27,7 +27,7 @@ pub enum UnitError {
         /// One past its last byte.
         end: usize,
     },
-    /// Nothing stands where a unit should.
+    /// The word is empty.
     #[error("a unit is missing")]
     Empty,
 }
@@ -42,15 +42,19 @@ impl UnitError {
         }
     }
 
+    /// Spellings of the whole word that are units, the nearest first.
+    #[must_use]
+    pub fn nearest(&self) -> &[String] {
+        match self {
+            Self::Unknown { nearest, .. } => nearest,
+            _ => &[],
+        }
+    }
+
     /// What to write instead, if anything is near.
     #[must_use]
     pub fn help(&self) -> Option<String> {
-        match self {
-            Self::Unknown { nearest, .. } if !nearest.is_empty() => {
-                let list = nearest.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>();
-                Some(format!("did you mean {}?", list.join(" or ")))
-            }
-            _ => None,
-        }
+        let list = self.nearest().iter().map(|n| format!("`{n}`")).collect::<Vec<_>>();
+        (!list.is_empty()).then(|| format!("write {}", list.join(" or ")))
     }
 }

@@ -20,6 +20,9 @@ pub struct Factor<'a> {
     pub divided: bool,
 }
 
+/// What stands between two factors: a blank and a point mean a product.
+pub(super) const BETWEEN: [char; 6] = ['*', '/', '·', '⋅', '.', ' '];
+
 /// The factors of a unit word, left to right. `1/s` is one factor.
 #[must_use]
 pub fn factors(word: &str) -> Vec<Factor<'_>> {
@@ -33,7 +36,7 @@ pub fn factors(word: &str) -> Vec<Factor<'_>> {
         }
     };
     for (i, c) in word.char_indices() {
-        if matches!(c, '*' | '/' | '·' | '⋅') {
+        if BETWEEN.contains(&c) {
             push(start, i, divided);
             start = i + c.len_utf8();
             divided = c == '/';
@@ -74,7 +77,7 @@ pub fn is_unit(word: &str) -> bool {
     symbol(word).is_some()
 }
 
-/// The unit that a word means: `kN*m`, `kg·m²`, `s^-1`, `1/s`, `m/s^2`, `°`.
+/// The unit that a word means: `kN*m`, `N m`, `kg·m²`, `s^-1`, `1/s`, `m/s^2`, `°`.
 ///
 /// # Errors
 /// Names the part that is no unit, with the nearest spellings that are.
@@ -107,10 +110,19 @@ pub fn lookup(word: &str) -> Result<Unit, UnitError> {
     }
     let kind = match (length, mass, angle) {
         (0, 0, 1) => Kind::Angle,
-        (0, 0, 0) if plain => Kind::Plain,
+        (0, 0, 0) if plain || per_minute(word) => Kind::Plain,
         _ => Kind::Free,
     };
-    Ok(Unit { factor, dimension: Dimension { length, mass, time, kind }, text: word.to_owned() })
+    let text = word.replace([' ', '.'], "*");
+    Ok(Unit { factor, dimension: Dimension { length, mass, time, kind }, text })
+}
+
+/// Whether a word is `1/min` or the like: what is counted per minute or hour, revolutions or radians, it does not say.
+/// In `1/s` it is radians.
+fn per_minute(word: &str) -> bool {
+    let factors = factors(word);
+    let [only] = factors.as_slice() else { return false };
+    matches!(only.symbol, "min" | "h") && only.power == Some(-1)
 }
 
 /// Repeated multiplication, of the reciprocal where that is whole: powers of ten stay exact.

@@ -17,4 +17,5 @@ pub use dimension::{Dimension, Kind};
 pub use error::UnitError;
 pub use lookup::{Factor, factors, is_unit, lookup};
 pub use number::{significant, write_significant};
+pub use spelling::meant;
 pub use unit::Unit;

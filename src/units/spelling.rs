@@ -4,13 +4,38 @@ use super::lookup::factors;
 use super::table::{SYMBOLS, Symbol, symbol};
 use crate::diagnostic::did_you_mean;
 
+/// Words that mean a unit as a whole.
+const WHOLE: &[(&str, &str)] = &[
+    ("U/min", "rpm"),
+    ("u/min", "rpm"),
+    ("r/min", "rpm"),
+    ("rot/min", "rpm"),
+    ("tr/min", "rpm"),
+    ("rps", "rev/s"),
+    ("kmh", "km/h"),
+    ("kph", "km/h"),
+];
+
 /// Spellings of the whole word that are units, the nearest first; at most three.
 pub(super) fn nearest(word: &str) -> Vec<String> {
+    spellings(word, true)
+}
+
+/// Spellings of the whole word that certainly were meant: other words for units, powers without `^`.
+#[must_use]
+pub fn meant(word: &str) -> Vec<String> {
+    spellings(word, false)
+}
+
+fn spellings(word: &str, roughly: bool) -> Vec<String> {
+    if let Some((_, unit)) = WHOLE.iter().find(|(whole, _)| *whole == word) {
+        return vec![(*unit).to_owned()];
+    }
     let mut spellings = vec![String::new()];
     let mut from = 0;
     for part in factors(word) {
         let before = &word[from..part.start];
-        let choices = part_choices(&word[part.start..part.end], part.symbol);
+        let choices = part_choices(&word[part.start..part.end], part.symbol, roughly);
         spellings = spellings
             .iter()
             .flat_map(|s| choices.iter().map(move |c| format!("{s}{before}{c}")))
@@ -22,7 +47,7 @@ pub(super) fn nearest(word: &str) -> Vec<String> {
 }
 
 /// Spellings for one factor; `text` is the symbol with its power.
-fn part_choices(text: &str, written: &str) -> Vec<String> {
+fn part_choices(text: &str, written: &str, roughly: bool) -> Vec<String> {
     if symbol(written).is_some() {
         return vec![text.to_owned()];
     }
@@ -43,8 +68,22 @@ fn part_choices(text: &str, written: &str) -> Vec<String> {
     if !split.is_empty() {
         return split.into_iter().map(|s| format!("{s}{power}")).collect();
     }
-    let symbols = SYMBOLS.iter().map(|s| s.text).collect::<Vec<_>>();
-    did_you_mean(written, symbols).into_iter().map(|s| format!("{s}{power}")).collect()
+    if !roughly {
+        return Vec::new();
+    }
+    // of the other words for a unit the long ones: a short word is near to many
+    let words = SYMBOLS.iter().flat_map(|s| s.also.iter().filter(|w| w.len() > 4).chain([&s.text]));
+    let mut near = Vec::new();
+    // of a long word the nearest alone: `milimeters` is not `kilometers`
+    let most = if written.len() > 4 { 1 } else { 3 };
+    for word in did_you_mean(written, words.copied()).into_iter().take(most) {
+        let unit = SYMBOLS.iter().find(|s| s.text == word || s.also.contains(&word)).map_or(word, |s| s.text);
+        let unit = format!("{unit}{power}");
+        if !near.contains(&unit) {
+            near.push(unit);
+        }
+    }
+    near
 }
 
 /// Other words for a symbol, then symbols that differ in their capitals alone.

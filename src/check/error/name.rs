@@ -77,17 +77,17 @@ pub enum NameError {
     },
     /// Two names that only look alike.
     #[error("two different names look like `{name}`")]
-    #[diagnostic(code("mech::name::look_alike"), help("{help}; write both with the same letters"))]
+    #[diagnostic(code("mech::name::look_alike"), help("{help}"))]
     LookAlike {
-        /// The second of the names.
+        /// The one with letters of another script.
         name: String,
         /// Where it stands.
         #[label(primary, "looks like the other one")]
         span: Span,
-        /// Where the first one stands.
+        /// Where the other one stands.
         #[label("the other one")]
         first: Span,
-        /// Which letters differ.
+        /// What to write, and which letters differ.
         help: String,
     },
     /// A definition that hangs on itself.

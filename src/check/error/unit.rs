@@ -14,7 +14,7 @@ pub enum UnitsError {
     Unknown {
         /// What is wrong with it.
         why: String,
-        /// The part that is wrong.
+        /// What the help replaces.
         #[label(primary, "not a unit")]
         span: Span,
         /// What may have been meant.
@@ -23,7 +23,7 @@ pub enum UnitsError {
     },
     /// A bare number where a quantity is due.
     #[error("{what} needs a unit: it is {want}")]
-    #[diagnostic(code("mech::unit::missing"), help("did you mean {example}?"))]
+    #[diagnostic(code("mech::unit::missing"), help("write {example}"))]
     Missing {
         /// What the number is for.
         what: String,
@@ -32,6 +32,9 @@ pub enum UnitsError {
         /// The number.
         #[label(primary, "a number without a unit")]
         span: Span,
+        /// Where it is used, if that is elsewhere.
+        #[label("used here")]
+        used: Option<Span>,
         /// The number with the unit that is most likely.
         example: String,
     },
@@ -48,7 +51,7 @@ pub enum UnitsError {
         /// Where it stands.
         #[label(primary, "{found}")]
         span: Span,
-        /// What would mend it.
+        /// What would correct it.
         #[help]
         help: Option<String>,
     },
@@ -68,19 +71,27 @@ pub enum UnitsError {
         /// Its place.
         #[label(primary, "{right}")]
         right_span: Span,
-        /// What would mend it.
+        /// What would correct it.
         #[help]
         help: Option<String>,
     },
-    /// Turns per time of which nobody said what a turn is.
-    #[error("{what} is an angular velocity: does Hz mean rev/s or rad/s here?")]
-    #[diagnostic(code("mech::unit::hertz"), help("write `rev/s` or `rad/s` instead of `Hz`"))]
+    /// Turns per time, which may be revolutions or radians.
+    #[error("{what} is an angular velocity: does `{unit}` mean revolutions or radians?")]
+    #[diagnostic(code("mech::unit::hertz"))]
     Hertz {
         /// What it is for.
         what: String,
+        /// `Hz`, `1/min`
+        unit: String,
         /// Where it stands.
-        #[label(primary, "so many per second of what?")]
+        #[label(primary, "revolutions or radians?")]
         span: Span,
+        /// Where it is used, if that is elsewhere.
+        #[label("used here")]
+        used: Option<Span>,
+        /// The two values that may be meant.
+        #[help]
+        help: String,
     },
     /// A number where a vector is due, or the other way round, or a truth.
     #[error("{what} should be {want}, but this is {found}")]
@@ -95,7 +106,7 @@ pub enum UnitsError {
         /// Where it stands.
         #[label(primary, "{found}")]
         span: Span,
-        /// What would mend it.
+        /// What would correct it.
         #[help]
         help: Option<String>,
     },
@@ -110,7 +121,7 @@ pub enum UnitsError {
         span: Span,
         /// What the base is.
         base: Dimension,
-        /// What would mend it.
+        /// What would correct it.
         #[help]
         help: Option<String>,
     },

@@ -1,16 +1,12 @@
 //! What an expression should be against what it is.
 
-use super::number::with_unit;
+use super::number::{with_unit, without_units};
 use super::typed::{Dim, Type, Typed, mend, phrase};
 use crate::check::context::Context;
 use crate::check::error::UnitsError;
-use crate::check::names::QuantityKind;
 use crate::source::Span;
-use crate::syntax::document::{BinaryOp, Expr, ExprKind};
-use crate::units::Dimension;
-
-/// Numbers from here on are speeds in rpm rather than in rad/s.
-const FAST: f64 = 100.0;
+use crate::syntax::document::{Expr, ExprKind};
+use crate::units::{Dimension, lookup};
 
 impl Context<'_> {
     /// The expression, if it is a number of this dimension.
@@ -71,68 +67,24 @@ impl Context<'_> {
         }
         let (found, what, span) = (dim.known(), what.to_owned(), expr.span);
         if want == Dimension::ANGULAR_VELOCITY && found == Dimension::FREQUENCY {
-            self.error(UnitsError::Hertz { what, span });
+            self.hertz(what, expr);
             return false;
         }
         if found == Dimension::NUMBER
-            && let Some(example) = with_unit(expr, &self.unit_of_bare(want, expr))
+            && let Some(example) = self.example(expr, want)
         {
-            self.error(UnitsError::Missing { what, want, span, example: format!("`{example}`") });
+            self.error(UnitsError::Missing { what, want, span, used: None, example });
             return false;
         }
-        if let Some((name, help)) = self.bare_definition(want, expr) {
-            if self.reported.insert(("without unit", name)) {
-                let (want, found) = (phrase(want), phrase(found));
-                self.error(UnitsError::Mismatch { what, want, found, span, help: Some(help) });
-            }
+        if found == Dimension::NUMBER && self.bare_definition(want, expr) {
             return false;
         }
-        let help = mend(want, found);
+        let bare = || {
+            without_units(expr).filter(|_| want == Dimension::NUMBER).map(|text| format!("write `{text}`"))
+        };
+        let help = bare().or_else(|| weight(expr, want)).or_else(|| mend(want, found));
         self.error(UnitsError::Mismatch { what, want: phrase(want), found: phrase(found), span, help });
         false
-    }
-
-    /// The name in an expression that was given a number without its unit, and the definition with it.
-    fn bare_definition(&self, want: Dimension, expr: &Expr) -> Option<(String, String)> {
-        let name = match &expr.kind {
-            ExprKind::Name(name) => name,
-            ExprKind::Unary(_, inner) | ExprKind::Polar(inner, _) => {
-                return self.bare_definition(want, inner);
-            }
-            ExprKind::Vector(x, y) => {
-                return self.bare_definition(want, x).or_else(|| self.bare_definition(want, y));
-            }
-            // a multiple: the unit is that of the one factor with a name
-            ExprKind::Chain(first, rest) => {
-                let multiplies = |op: BinaryOp| matches!(op, BinaryOp::Multiply | BinaryOp::Divide);
-                let number = |e: &Expr| matches!(&e.kind, ExprKind::Number(n) if n.unit.is_none());
-                let mut factors = std::iter::once((BinaryOp::Multiply, first.as_ref()))
-                    .chain(rest.iter().map(|(op, e)| (op.node, e)))
-                    .filter(|(_, e)| !number(e));
-                let (Some((BinaryOp::Multiply, only)), None) = (factors.next(), factors.next()) else {
-                    return None;
-                };
-                return rest
-                    .iter()
-                    .all(|(op, _)| multiplies(op.node))
-                    .then(|| self.bare_definition(want, only))?;
-            }
-            _ => return None,
-        };
-        let (word, value) = match self.names.quantities.get(name)?.what {
-            QuantityKind::Given(value) => ("given", value),
-            QuantityKind::Let(value) => ("let", value),
-            _ => return None,
-        };
-        let example = with_unit(value, &self.unit_of_bare(want, value))?;
-        Some((name.clone(), format!("write the unit where `{name}` is defined: `{word} {name} = {example}`")))
-    }
-
-    /// The unit that a bare number most likely lacks.
-    fn unit_of_bare(&self, want: Dimension, value: &Expr) -> String {
-        let usual = self.usual_unit(want);
-        let fast = matches!(&value.kind, ExprKind::Number(n) if n.value.abs() >= FAST);
-        if want == Dimension::ANGULAR_VELOCITY && usual == "rad/s" && fast { "rpm".into() } else { usual }
     }
 
     /// Reports a vector where a number is due, and the like.
@@ -161,9 +113,34 @@ impl Context<'_> {
         let bare = |d: Dimension, expr: &Expr, other: Dimension| {
             (d == Dimension::NUMBER).then(|| with_unit(expr, &self.usual_unit(other))).flatten()
         };
-        if let Some(text) = bare(y, right, x).or_else(|| bare(x, left, y)) {
-            return Some(format!("did you mean `{text}`?"));
+        if let Some(text) = bare(y, right, x) {
+            return Some(format!("write `{text}`"));
+        }
+        if let Some(text) = bare(x, left, y) {
+            return Some(format!("write `{text}` for the first"));
         }
         mend(x, y).map(|text| text.replacen("by", "the second by", 1))
     }
+}
+
+/// `8 lb*ft`, `20 kg @ 270 deg`: a mass where its weight is meant.
+fn weight(expr: &Expr, want: Dimension) -> Option<String> {
+    let (number, behind) = match &expr.kind {
+        ExprKind::Number(number) => (number, ""),
+        ExprKind::Polar(length, _) => match &length.kind {
+            ExprKind::Number(number) => (number, " @ …"),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let word = &number.unit.as_ref()?.node;
+    let force = [("lb", "lbf"), ("kg", "kgf")].into_iter().find_map(|(mass, force)| {
+        let rest = word.strip_prefix(mass).filter(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))?;
+        Some(format!("{force}{rest}"))
+    })?;
+    let fits = lookup(&force).is_ok_and(|unit| unit.dimension.fits(want));
+    fits.then(|| match behind {
+        "" => format!("write `{} {force}`", number.text),
+        _ => format!("write the force in `{force}`: {} {force}{behind}", number.text),
+    })
 }

@@ -1,5 +1,7 @@
 //! Expressions: names resolved, dimensions checked, constants folded.
 
+mod bare;
+mod factor;
 mod fit;
 pub mod fold;
 mod function;
@@ -9,6 +11,7 @@ pub mod typed;
 mod want;
 mod written;
 
+pub use bare::revolutions_or_radians;
 pub use read::{Sign, comparison_of};
 pub use want::Want;
 pub use written::written;

@@ -5,7 +5,7 @@ use crate::check::context::Context;
 use crate::check::error::UnitsError;
 use crate::model;
 use crate::source::{Span, Spanned};
-use crate::syntax::document::{Expr, ExprKind, Number, UnaryOp};
+use crate::syntax::document::{BinaryOp, Expr, ExprKind, Number, UnaryOp};
 use crate::units::{Dimension, Unit, factors, lookup};
 
 impl Context<'_> {
@@ -30,8 +30,10 @@ impl Context<'_> {
             Err(error) => {
                 if self.reported.insert(("unit", word.node.clone())) {
                     let (start, end) = error.range();
-                    let span = Span::new(word.span.start + start, word.span.start + end.max(start + 1));
+                    let part = Span::new(word.span.start + start, word.span.start + end.max(start + 1));
                     let (why, help) = (error.to_string(), error.help());
+                    // what is proposed replaces the whole word
+                    let span = if help.is_some() { word.span } else { part };
                     self.error(UnitsError::Unknown { why, span, help });
                 }
                 None
@@ -65,6 +67,22 @@ pub fn with_unit(expr: &Expr, unit: &str) -> Option<String> {
         },
         ExprKind::Vector(x, y) => Some(format!("({}, {})", with_unit(x, unit)?, with_unit(y, unit)?)),
         ExprKind::Polar(r, phi) => Some(format!("{} @ {}", with_unit(r, unit)?, in_words(phi))),
+        _ => None,
+    }
+}
+
+/// A number, or numbers multiplied and divided, without their units: `1/60` for `1/60 kg`.
+pub fn without_units(expr: &Expr) -> Option<String> {
+    match &expr.kind {
+        ExprKind::Number(number) => Some(number.text.clone()),
+        ExprKind::Chain(first, rest) => rest.iter().try_fold(without_units(first)?, |text, (op, operand)| {
+            let sign = match op.node {
+                BinaryOp::Multiply => "*",
+                BinaryOp::Divide => "/",
+                _ => return None,
+            };
+            Some(format!("{text}{sign}{}", without_units(operand)?))
+        }),
         _ => None,
     }
 }

@@ -29,6 +29,7 @@ impl Context<'_> {
 
     pub(super) fn read_signed(&mut self, expr: &Expr, sign: Sign) -> Option<Typed> {
         match &expr.kind {
+            ExprKind::Number(number) if self.implied_product(number, expr.span) => None,
             ExprKind::Number(number) => self.literal(number),
             ExprKind::Name(name) => self.named(&Spanned::new(name.clone(), expr.span)),
             ExprKind::Member(base, part) => self.part(expr, base, part, sign),
@@ -135,7 +136,12 @@ impl Context<'_> {
         let sign = if product { sign } else { Sign::Matters };
         let mut left = self.read_signed(first, sign);
         let mut left_span = first.span;
-        for (op, operand) in rest {
+        let mut before = first;
+        for (i, (op, operand)) in rest.iter().enumerate() {
+            if self.unit_goes_on(before, &rest[i..]) {
+                return None;
+            }
+            before = operand;
             let right = self.read_signed(operand, sign);
             let whole = Span::new(span.start.min(left_span.start), operand.span.end);
             left = match (left, right) {

@@ -40,8 +40,12 @@ pub(in crate::check) fn transmissions(cx: &mut Context<'_>) {
             }
             own
         });
-        let Some(properties) = properties else { continue };
-        if let Some(transmission) = transmission(cx, joint, &properties, &mut arms) {
+        let read = properties.and_then(|properties| transmission(cx, joint, &properties, &mut arms));
+        if read.is_none() {
+            // What is asked of it is no second mistake.
+            cx.names.bad.insert(joint.name.node.clone());
+        }
+        if let Some(transmission) = read {
             let id = PairId::at(cx.mech.pairs.len());
             let (name, span) = (joint.name.node.clone(), joint.name.span);
             cx.names.pairs.entry(name.clone()).or_insert(id);

@@ -25,7 +25,7 @@ pub enum TableError {
     #[diagnostic(
         code("mech::table::empty"),
         help(
-            "the first line names the columns, as in `r [mm], n [rpm]`, every other line is a row of numbers"
+            "write names with units in the first line, as in `r [mm], n [rpm]`, and rows of numbers below it"
         )
     )]
     Empty {
@@ -51,12 +51,12 @@ pub enum TableError {
         #[help]
         help: Option<String>,
         /// The cell.
-        #[label("no number")]
+        #[label("not a number")]
         span: Span,
     },
     /// A cell without a number.
     #[error("line {line}, column {column}: there is no value for `{name}`")]
-    #[diagnostic(code("mech::table::missing_cell"), help("every row gives one number per column"))]
+    #[diagnostic(code("mech::table::missing_cell"), help("write one number per column in every row"))]
     Missing {
         /// Line in the file.
         line: usize,
@@ -127,7 +127,7 @@ pub enum TableError {
         span: Span,
     },
     /// Two columns of one name.
-    #[error("`{name}` stands twice in the header")]
+    #[error("`{name}` is twice in the header")]
     #[diagnostic(code("mech::table::column_twice"), help("leave one of the columns out"))]
     Twice {
         /// The name.

@@ -13,6 +13,7 @@ pub use number::Written;
 use crate::check::{ColumnUse, Row, RowCell, RowColumn};
 use crate::source::{Source, Span, Spanned};
 use crate::syntax::document::{Column, Name, Variants};
+use crate::units::lookup;
 use std::io::{self, BufRead};
 use std::sync::Arc;
 use unicode_normalization::UnicodeNormalization;
@@ -154,6 +155,18 @@ impl Lines {
     }
 }
 
+/// The first two cells that may be one number with a decimal comma, as that number.
+fn decimal_comma(text: &str, cells: &[Cell<'_>], separator: Separator) -> Option<String> {
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let glued = |pair: &&[Cell<'_>]| {
+        let [whole, decimals] = pair else { return false };
+        let between = text.get(whole.span.end..decimals.span.start);
+        between == Some(",") && digits(whole.text.trim_start_matches('-')) && digits(&decimals.text)
+    };
+    let pair = cells.windows(2).find(glued).filter(|_| separator == Separator::Comma)?;
+    Some(format!("{}.{}", pair[0].text, pair[1].text))
+}
+
 /// The columns of a header.
 fn columns(text: &str, separator: Separator, utf8: bool) -> Result<Vec<Column>, TableError> {
     let whole = Span::new(0, text.len());
@@ -173,7 +186,24 @@ fn columns(text: &str, separator: Separator, utf8: bool) -> Result<Vec<Column>, 
     let Ok(cells) = cells(text, separator) else {
         return wrong("a quote is not closed", "write names without quotes: `r [mm], n [rpm]`", whole);
     };
+    if cells.iter().all(|cell| cell.text.replace(',', ".").parse::<f64>().is_ok()) {
+        let help = "write a line above it that names the columns, as in `r [mm], n [rpm]`";
+        return wrong("the first line names the columns, and these are numbers", help, whole);
+    }
+    if let Some(cell) = cells.iter().find(|cell| in_parentheses(&cell.text)) {
+        let (why, help) = (
+            format!("the unit of `{}` is in parentheses", cell.text),
+            format!("write: {}", text.replace('(', "[").replace(')', "]")),
+        );
+        return Err(TableError::Header { why, help, span: cell.span });
+    }
     cells.iter().map(|cell| column(text, cell)).collect()
+}
+
+/// `r (mm)`
+fn in_parentheses(text: &str) -> bool {
+    let unit = text.strip_suffix(')').and_then(|text| text.split_once('('));
+    unit.is_some_and(|(name, unit)| !name.trim().is_empty() && lookup(unit.trim()).is_ok())
 }
 
 /// `r [mm]`
@@ -270,17 +300,19 @@ impl<'a> RawRow<'a> {
         if let Some(extra) = cells.get(columns.len()) {
             let count = columns.len();
             let plural = if count == 1 { "" } else { "s" };
-            let comma = separator == Separator::Comma && cells.len() == 2 * count;
-            let help = if comma {
-                "a decimal comma? write 0.5 or separate the cells by semicolons"
-            } else {
-                "one number per column"
-            };
+            let help = decimal_comma(text, cells, separator).map_or_else(
+                || "write one number per column".to_owned(),
+                |number| {
+                    format!(
+                        "write decimals with a point, as in `{number}`, or separate the cells by semicolons"
+                    )
+                },
+            );
             return Err(TableError::TooMany {
                 line,
                 found: cells.len(),
                 columns: format!("{count} column{plural}"),
-                help: help.to_owned(),
+                help,
                 span: Span::new(extra.span.start, text.len()),
             });
         }

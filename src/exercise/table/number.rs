@@ -1,6 +1,7 @@
 //! Numbers as spreadsheets and people write them.
 
 use super::Separator;
+use crate::syntax::{between_digits, readings};
 use crate::units::{is_unit, lookup};
 
 /// Powers of ten with exact values.
@@ -37,10 +38,7 @@ impl Written {
             Some(number) if separator != Separator::Comma || !text.contains(',') => {
                 Self::read(number, Separator::Comma)
             }
-            Some(number) => {
-                let help = format!("write `{number}`, or separate the cells by semicolons");
-                Err((format!("`{text}` has a decimal comma"), Some(help)))
-            }
+            Some(_) => Err(with_comma(text)),
             None => Err(no_number(text)),
         }
     }
@@ -58,7 +56,33 @@ fn mended(text: &str) -> Option<String> {
     (number != text && figures && number.parse::<f64>().is_ok()).then_some(number)
 }
 
+/// A comma between digits, which may separate thousands where exactly three digits follow.
+fn with_comma(text: &str) -> Why {
+    let numbers = readings(text, &between_digits(text));
+    let list = numbers.iter().map(|number| format!("`{number}`")).collect::<Vec<_>>().join(" or ");
+    match numbers.as_slice() {
+        [_] => {
+            let help = format!("write {list}, or separate the cells by semicolons");
+            (format!("`{text}` has a decimal comma"), Some(help))
+        }
+        _ => (
+            format!("`{text}` may have a decimal comma or separate thousands"),
+            Some(format!("write {list}")),
+        ),
+    }
+}
+
 fn no_number(text: &str) -> Why {
+    let point = text.replace('.', "").replace(',', ".");
+    if let [number] = readings(text, &between_digits(text)).as_slice()
+        && number.parse::<f64>().is_ok()
+        && number != text
+    {
+        return (format!("`{text}` separates thousands"), Some(format!("write `{number}`")));
+    }
+    if text.contains(',') && text.matches(',').count() == 1 && point.parse::<f64>().is_ok() {
+        return (format!("`{text}` is not a number"), Some(format!("write `{point}`")));
+    }
     let split = text.find(|c: char| c.is_alphabetic() || matches!(c, '%' | '°')).unwrap_or(text.len());
     let (number, unit) = (text[..split].trim(), text[split..].trim());
     if !number.is_empty() && number.parse::<f64>().is_ok() && (is_unit(unit) || lookup(unit).is_ok()) {
@@ -106,6 +130,8 @@ mod tests {
     fn what_is_no_number_is_told() {
         for (text, says) in [
             ("0,5", "decimal comma"),
+            ("1,500", "thousands"),
+            ("1,500.5", "separates thousands"),
             ("120 mm", "has a unit"),
             ("inf", "not a number"),
             ("nan", "not a number"),

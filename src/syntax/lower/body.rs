@@ -2,12 +2,14 @@
 
 use super::Lower;
 use super::walk::{P, Parts, span, text};
-use crate::source::Spanned;
+use crate::source::{Span, Spanned};
 use crate::syntax::Rule;
 use crate::syntax::document::{
     About, At, Bar, Body, CircleMember, Expr, ExprKind, Ground, LineDirection, LineMember, Link, Member,
     Name, PointFrom, PointMember, ProfileMember, Shaft, Side, Slider, Statement, WheelMember, WheelSize,
 };
+use crate::syntax::error::SyntaxError;
+use crate::syntax::line::mended;
 use crate::syntax::recover::What;
 
 impl Lower<'_> {
@@ -111,6 +113,9 @@ impl Lower<'_> {
         let name: Name = super::walk::name(&name);
         let at = self.expr(parts.any()?)?;
         if !parts.word(Rule::w_from) {
+            if let Some(point) = self.word_before_point(&name, &at) {
+                return Some(Member::Point(point));
+            }
             self.check_point(&name, &at);
             return Some(Member::Point(PointMember { name, at }));
         }
@@ -120,6 +125,21 @@ impl Lower<'_> {
         let side = side(parts.any()?)?;
         let from = PointFrom { name, first_distance: at, first, second_distance, second, side };
         Some(Member::PointFrom(Box::new(from)))
+    }
+
+    /// `point A (0, 0)` reads as a point with a call: the word is reported, and the point is what follows.
+    fn word_before_point(&mut self, word: &Name, at: &Expr) -> Option<PointMember> {
+        let ExprKind::Call { function, args } = &at.kind else { return None };
+        let [x, y] = args.as_slice() else { return None };
+        if !matches!(word.node.as_str(), "point" | "points" | "pt" | "node") {
+            return None;
+        }
+        let gap = Span::new(word.span.start, function.span.start);
+        let help = format!("write: {}", mended(self.text, gap, ""));
+        self.problems.push(SyntaxError::NeedlessSign { found: word.node.clone(), at: word.span, help });
+        let span = Span::new(function.span.end, at.span.end);
+        let kind = ExprKind::Vector(Box::new(x.value.clone()), Box::new(y.value.clone()));
+        Some(PointMember { name: function.clone(), at: Expr { kind, span } })
     }
 
     /// A point behind whose name a number stands is no point: `wieght 21 N`.

@@ -8,6 +8,7 @@ use crate::syntax::document::{
     Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, Path, Sensed, Turn, UnaryOp,
 };
 use crate::syntax::error::SyntaxError;
+use crate::syntax::line::mended;
 use crate::units;
 
 /// How many signs, powers or parts may follow each other: each is a level of the tree.
@@ -198,12 +199,13 @@ impl Lower<'_> {
                 at = at.to(whole);
                 return Some((Expr { kind: ExprKind::Number(value), span: at }, rest));
             }
+            let word = self.once(word, start);
             let factors = units::factors(word);
             // The first factor is a unit, known or not; the first later one that is none ends it.
             let own = factors.iter().skip(1).position(|f| !units::is_unit(f.symbol));
             let own = own.map_or(factors.len(), |i| i + 1);
             let end = factors.get(own.checked_sub(1)?).map_or(word.len(), |f| f.end);
-            let unit_at = if end == word.len() { whole } else { Span::new(start, start + end) };
+            let unit_at = if end == unit.as_str().len() { whole } else { Span::new(start, start + end) };
             value.unit = Some(Spanned::new(nfc(word.get(..end)?), unit_at));
             at = at.to(unit_at);
             for factor in factors.into_iter().skip(own) {
@@ -211,6 +213,19 @@ impl Lower<'_> {
             }
         }
         Some((Expr { kind: ExprKind::Number(value), span: at }, rest))
+    }
+
+    /// `190 mm mm`: a blank makes a product of different units alone. The second is reported; the unit without it.
+    fn once<'w>(&mut self, word: &'w str, start: usize) -> &'w str {
+        let factors = units::factors(word);
+        let blank = |pair: &&[units::Factor<'_>]| {
+            pair[0].symbol == pair[1].symbol && word.get(pair[0].end..pair[1].start) == Some(" ")
+        };
+        let Some([first, again]) = factors.windows(2).find(blank) else { return word };
+        let at = Span::new(start + again.start, start + again.end);
+        let help = format!("write: {}", mended(self.text, Span::new(start + first.end, at.end), ""));
+        self.problems.push(SyntaxError::NeedlessSign { found: again.symbol.to_owned(), at, help });
+        &word[..first.end]
     }
 
     /// The digits alone.
@@ -255,38 +270,7 @@ impl Lower<'_> {
     pub(super) fn list(&mut self, pair: P<'_>) -> Option<Vec<Expr>> {
         let values = pair.into_inner().filter(|p| p.as_rule() == Rule::expr);
         let values = values.map(|p| self.expr(p)).collect::<Option<Vec<_>>>()?;
-        self.decimal_commas(&values);
-        Some(values)
-    }
-
-    /// `0,5 m` reads as the list `0` and `5 m`, which nobody means.
-    pub(super) fn decimal_commas(&mut self, values: &[Expr]) {
-        for pair in values.windows(2) {
-            let [left, right] = pair else { continue };
-            let (ExprKind::Number(whole), ExprKind::Number(tenths)) = (&unsigned(left).kind, &right.kind)
-            else {
-                continue;
-            };
-            let plain = |n: &Number| n.text.bytes().all(|b| b.is_ascii_digit());
-            let glued = self.read.get(left.span.end..right.span.start) == Some(",");
-            let alone = tenths.unit.is_some() || values.len() == 2;
-            if glued && whole.unit.is_none() && plain(whole) && plain(tenths) && alone {
-                let at = Span::new(left.span.end, right.span.start);
-                let help = format!(
-                    "write: {} (a blank behind the comma makes it a list)",
-                    crate::syntax::line::mended(self.text, at, ".")
-                );
-                self.problems.push(SyntaxError::DecimalComma { at, help });
-            }
-        }
-    }
-}
-
-/// A number behind its sign.
-fn unsigned(value: &Expr) -> &Expr {
-    match &value.kind {
-        ExprKind::Unary(_, inner) => inner,
-        _ => value,
+        Some(self.decimal_commas(values))
     }
 }
 

@@ -4,6 +4,7 @@
 //! That does not happen, but a reader of texts should not depend on it.
 
 mod body;
+mod decimal;
 mod expr;
 mod machine;
 mod motion;
@@ -19,6 +20,7 @@ use super::recover::{self, What};
 use crate::diagnostic::Problems;
 use crate::source::{Span, Spanned};
 use pest::iterators::Pairs;
+use std::collections::BTreeSet;
 use walk::{P, Parts, span, text};
 
 /// What the walk carries along.
@@ -28,11 +30,13 @@ pub(super) struct Lower<'a> {
     /// The text that the grammar read, of the same length.
     read: &'a str,
     problems: Problems,
+    /// Words of the language that were meant as names, and reported.
+    reserved: BTreeSet<String>,
 }
 
 /// All statements of a file.
 pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spanned<Statement>>, Problems) {
-    let mut lower = Lower { text, read, problems: Problems::new() };
+    let mut lower = Lower { text, read, problems: Problems::new(), reserved: BTreeSet::new() };
     slips::report(&mut lower, pairs.clone());
     let mut statements = Vec::new();
     for pair in pairs.flat_map(P::into_inner) {
@@ -49,7 +53,7 @@ pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spann
 
 /// A table of variants by itself.
 pub(super) fn table(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Variants, Problems) {
-    let mut lower = Lower { text, read, problems: Problems::new() };
+    let mut lower = Lower { text, read, problems: Problems::new(), reserved: BTreeSet::new() };
     slips::report(&mut lower, pairs.clone());
     let variants = lower.rows(pairs.flat_map(P::into_inner));
     (variants, lower.problems)
@@ -135,7 +139,7 @@ impl Lower<'_> {
     /// Reports what an error production caught.
     fn bad(&mut self, pair: &P<'_>, what: What) -> Bad {
         let at = trimmed(pair);
-        recover::report(self.text, self.read, at, what, &mut self.problems)
+        recover::report(self.text, self.read, at, what, &mut self.problems, &mut self.reserved)
     }
 
     /// A pair that could not be lowered; reported, unless something has been since there were `before` problems.

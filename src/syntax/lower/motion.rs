@@ -7,8 +7,8 @@ use super::walk::{P, Parts, span};
 use crate::source::Spanned;
 use crate::syntax::Rule;
 use crate::syntax::document::{
-    Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Expr, Load, LoadKind, Order,
-    Place, Pose, Sensed, Setting, Site, Start, Way,
+    Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind, Order, Place,
+    Pose, Sensed, Setting, Site, Start, Way,
 };
 
 impl Lower<'_> {
@@ -47,12 +47,21 @@ impl Lower<'_> {
             let steps = self.expr(parts.any()?)?;
             return Some(DrivePosition::Range(Box::new(Course { from: first.value, to, steps })));
         }
-        let mut values = vec![first];
+        let mut given = Vec::new();
         while let Some(pair) = parts.any() {
-            values.push(self.sensed(pair)?);
+            given.push(self.sensed(pair)?);
         }
-        let plain = values.iter().map(|v| v.value.clone()).collect::<Vec<Expr>>();
-        self.decimal_commas(&plain);
+        let alone = given.len() == 1;
+        let mut values = vec![first];
+        for value in given {
+            if let Some(last) = values.last_mut()
+                && self.decimal_comma(&mut last.value, &value.value, alone)
+            {
+                last.sense = value.sense;
+                continue;
+            }
+            values.push(value);
+        }
         Some(DrivePosition::Values(values))
     }
 

@@ -3,7 +3,7 @@
 use super::Lower;
 use super::expr::pose_name;
 use super::walk::{P, Parts, single_blanks, span, text};
-use crate::source::Spanned;
+use crate::source::{Span, Spanned};
 use crate::syntax::Rule;
 use crate::syntax::document::{
     Column, Expect, ExpectAt, Expr, Find, FindItem, Number, Row, Simulate, Until, Variants,
@@ -47,7 +47,12 @@ impl Lower<'_> {
         let what = self.expr(parts.any()?)?;
         let text = self.written(&what);
         let values = match parts.take(Rule::list) {
-            Some(list) => self.list(list)?,
+            Some(list) => {
+                if self.plus_minus(span(&list)) {
+                    return None;
+                }
+                self.list(list)?
+            }
             None => Vec::new(),
         };
         let within = self.within(&mut parts)?;
@@ -62,6 +67,17 @@ impl Lower<'_> {
             Some(pair) => Some(ExpectAt::Settings(self.settings(&mut Parts::of(pair))?)),
         };
         Some(Expect { what, text, values, within, at })
+    }
+
+    /// `5 mm +- 1 %` reads as a sum: a tolerance is meant.
+    fn plus_minus(&mut self, values: Span) -> bool {
+        let written = self.read.get(values.start..values.end).unwrap_or_default();
+        let Some(start) = written.find("+-").map(|at| values.start + at) else { return false };
+        let at = Span::new(start, start + 2);
+        let help = format!("write: {}", mended(self.text, at, "within"));
+        let (found, wanted) = ("+-".to_owned(), "within".to_owned());
+        self.problems.push(SyntaxError::OtherWord { found, wanted, at, help });
+        true
     }
 
     fn within(&mut self, parts: &mut Parts<'_>) -> Option<Option<Expr>> {

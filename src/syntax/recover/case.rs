@@ -30,9 +30,7 @@ impl<'a> Case<'a> {
     pub(super) fn new(text: &'a str, slice: &'a str, offset: usize, what: What) -> Self {
         let mut case = Self { text, slice, offset, what, fail: slice.len(), expected: Vec::new() };
         if let Err(error) = Grammar::parse(what.rule(), slice) {
-            case.fail = match error.location {
-                InputLocation::Pos(at) | InputLocation::Span((at, _)) => at.min(slice.len()),
-            };
+            case.fail = place(&error).min(slice.len());
             if let ErrorVariant::ParsingError { positives, .. } = error.variant {
                 case.expected = positives;
             }
@@ -45,6 +43,11 @@ impl<'a> Case<'a> {
         Grammar::parse(self.what.rule(), text).is_ok()
     }
 
+    /// Where reading a text as what this should be stops.
+    pub(super) fn fail_of(&self, text: &str) -> usize {
+        Grammar::parse(self.what.rule(), text).err().map_or(text.len(), |error| place(&error))
+    }
+
     /// The piece with a part replaced.
     pub(super) fn with(&self, start: usize, end: usize, new: &str) -> String {
         let part = |range: Option<&'a str>| range.unwrap_or_default();
@@ -53,8 +56,12 @@ impl<'a> Case<'a> {
 
     /// The author's lines with a part of the piece replaced, as a help.
     pub(super) fn help(&self, start: usize, end: usize, new: &str) -> String {
-        let span = self.span(start, end - start);
-        format!("write: {}", mended(self.text, span, new))
+        format!("write: {}", self.line(start, end, new))
+    }
+
+    /// The author's lines with a part of the piece replaced.
+    pub(super) fn line(&self, start: usize, end: usize, new: &str) -> String {
+        mended(self.text, self.span(start, end - start), new)
     }
 
     /// The place of some bytes of the piece.
@@ -106,5 +113,12 @@ impl<'a> Case<'a> {
         found.sort();
         found.dedup();
         found
+    }
+}
+
+/// The first byte that fits nothing.
+fn place(error: &pest::error::Error<Rule>) -> usize {
+    match error.location {
+        InputLocation::Pos(at) | InputLocation::Span((at, _)) => at,
     }
 }

@@ -3,14 +3,16 @@
 use super::What;
 use super::case::Case;
 use crate::diagnostic::did_you_mean;
+use crate::source::Span;
 use crate::syntax::error::SyntaxError;
 use crate::syntax::grammar::{Grammar, Rule};
+use crate::syntax::line::{Line, mended};
 use crate::syntax::words::{self, is_name_char};
 use pest::Parser;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     let word = case.token(0);
-    if let Some(sign) = ["#", "%", "--", "/*", "'"].into_iter().find(|s| case.slice.starts_with(s)) {
+    if let Some(sign) = ["%", "--", "'"].into_iter().find(|s| case.slice.starts_with(s)) {
         let at = case.span(0, sign.len());
         return Some(SyntaxError::CommentSign {
             at,
@@ -24,6 +26,10 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         What::CamMember => words::CAM_MEMBERS,
         What::Property | What::Header | What::Row => return None,
     };
+    if known.contains(&word) && case.what == What::Statement {
+        // `slider D: piston.C - ground.guide`
+        return synonym(case, word);
+    }
     if known.contains(&word) || !word.starts_with(is_name_char) {
         return None;
     }
@@ -33,6 +39,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     let member = words::MEMBERS.contains(&word) || words::CAM_MEMBERS.contains(&word);
     let exactly = if member { displaced(case, word) } else { None };
     exactly
+        .or_else(|| synonym(case, word))
         .or_else(|| misspelt(case, word, known))
         .or_else(|| displaced(case, word))
         .or_else(|| Some(unknown(case, word)))
@@ -40,6 +47,9 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
 
 /// A word that is near one that could stand there.
 fn misspelt(case: &Case<'_>, word: &str, known: &[&str]) -> Option<SyntaxError> {
+    if DRAWINGS.contains(&word) {
+        return None;
+    }
     let near = did_you_mean(word, known.iter().copied());
     let fits = near.iter().find(|w| case.reads(&case.with(0, word.len(), w)));
     let defines = case.slice[word.len()..].trim_start().starts_with('=');
@@ -62,27 +72,125 @@ fn displaced(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
         return None;
     }
     let member = Grammar::parse(Rule::one_member, case.slice).is_ok();
-    let point = member && case.slice.contains('(');
+    let point = member && case.slice[word.len()..].trim_start().starts_with('(');
     let (place, owner) = match word {
-        "wheel" => ("this belongs into the braces of a shaft or a link", "shaft"),
-        _ if words::CAM_MEMBERS.contains(&word) => ("this belongs into the braces of a cam", "cam"),
-        _ if point || words::MEMBERS.contains(&word) => ("this belongs into the braces of a link", "link"),
+        "wheel" => ("this goes inside the braces of a shaft or a link", "shaft"),
+        _ if words::CAM_MEMBERS.contains(&word) => ("this goes inside the braces of a cam", "cam"),
+        _ if point || words::MEMBERS.contains(&word) => ("this goes inside the braces of a link", "link"),
         _ => return None,
     };
-    let help = format!("write: {owner} NAME {{ {} }}", case.slice.trim());
+    let help = of_link(case, word)
+        .unwrap_or_else(|| format!("put it there: {owner} NAME {{ {} }}", case.slice.trim()));
     let found = word.to_owned();
     Some(SyntaxError::MisplacedMember { found, at: case.span(0, word.len()), place, help })
 }
 
+/// `mass of coupler = 3 kg`: the line of that link with the member in its braces.
+fn of_link(case: &Case<'_>, word: &str) -> Option<String> {
+    let rest = case.slice.get(word.len()..)?.trim_start().strip_prefix("of ")?;
+    let (name, value) = rest.split_once('=')?;
+    let is_link = |line: &&str| {
+        let mut words = line.split_whitespace();
+        words.next() == Some("link") && words.any(|w| w == name.trim())
+    };
+    let line = case.text.lines().map(str::trim).find(is_link)?;
+    let at = if word == "inertia" { "" } else { " at POINT" };
+    let member = format!("{word} {}{at}", value.trim());
+    Some(match line.strip_suffix('}') {
+        Some(open) => format!("put it there: {}; {member} }}", open.trim_end()),
+        None if line.contains('{') => format!("put it there: {member}"),
+        None => format!("put it there: {line} {{ {member} }}"),
+    })
+}
+
+/// What other programs and languages call the statements.
+const SYNONYMS: &[(&[&str], &[&str])] = &[
+    (&["hinge", "pin", "pivot", "joint", "rotary", "rotational", "turning_pair"], &["revolute"]),
+    (
+        &["slider", "sliding", "slide", "guide", "translational", "translation", "linear"],
+        &["prismatic", "slot"],
+    ),
+    (&["gear", "gears", "gearing", "teeth"], &["mesh"]),
+    (&["piston", "hydraulic", "actuator"], &["cylinder"]),
+    (&["body", "bar", "rod", "member", "element", "part", "beam", "crank", "lever"], &["link"]),
+    (&["frame", "base", "fixed", "earth", "fixed_link"], &["ground"]),
+    (&["input", "motor", "driver", "sweep"], &["drive"]),
+    (&["load", "apply"], &["force", "torque"]),
+    (&["moment", "couple"], &["torque"]),
+    (&["print", "output", "calculate", "compute", "solve", "show", "determine", "report", "get"], &["find"]),
+    (&["title", "name", "model", "problem"], &["mechanism"]),
+    (&["var", "const", "param", "parameter", "set", "def", "input"], &["given", "let"]),
+    (&["assert", "verify", "answer", "result"], &["expect"]),
+    (&["table", "data", "rows"], &["variants"]),
+    (&["position", "configuration", "assembly"], &["assemble"]),
+];
+
+/// A word for a statement that another program has, where the rest reads as that statement.
+fn synonym(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
+    let lower = word.to_lowercase();
+    let found = SYNONYMS.iter().filter(|(words, _)| words.contains(&lower.as_str()));
+    let mut wanted = found.flat_map(|(_, wanted)| wanted.iter());
+    let wanted = wanted.find(|w| case.reads(&case.with(0, word.len(), w)))?;
+    Some(SyntaxError::MisspeltWord {
+        found: word.to_owned(),
+        at: case.span(0, word.len()),
+        wanted: (*wanted).to_owned(),
+        help: Some(case.help(0, word.len(), wanted)),
+    })
+}
+
+/// Words that ask for a drawing.
+const DRAWINGS: &[&str] = &["plot", "draw", "graph", "chart", "animate", "figure"];
+
 fn unknown(case: &Case<'_>, word: &str) -> SyntaxError {
-    let behind = case.slice[word.len()..].trim_start();
-    let line = case.slice.lines().next().unwrap_or_default().trim();
-    let help = if behind.starts_with('=') {
-        format!("a value is defined by: given {line}")
-    } else if behind.starts_with(':') {
-        format!("a pair begins with its kind: revolute {line}")
+    let help = if DRAWINGS.contains(&word) {
+        let asked = case.slice.get(word.len()..).unwrap_or_default().trim();
+        let find = format!("find {asked}");
+        let find = if case.reads(&find) { format!("`{find}`") } else { "`find …`".to_owned() };
+        format!(
+            "nothing is drawn from a file: write {find} and plot the values that `assur solve --format csv` prints"
+        )
     } else {
-        format!("a statement begins with one of: {}", words::STATEMENTS.join(", "))
+        lines_meant(case).unwrap_or_else(|| {
+            "begin with the word of a statement: `given`, `ground`, `link`, `revolute`, `drive`, `force`, `find`, …; \
+             the command `assur explain mech::syntax::unknown_statement` lists all"
+                .to_owned()
+        })
     };
     SyntaxError::UnknownStatement { found: word.to_owned(), at: case.span(0, word.len()), help }
+}
+
+/// The line that reads with a statement's word before it.
+fn lines_meant(case: &Case<'_>) -> Option<String> {
+    if let Some(line) = list_goes_on(case) {
+        return Some(format!("write: {line}"));
+    }
+    if case.slice.contains(":=") {
+        let line = format!("given {}", case.slice.replace(":=", "="));
+        return case.reads(&line).then(|| format!("write: {}", case.line(0, case.slice.len(), &line)));
+    }
+    let asked = case.slice.contains('(') || case.slice.contains(" as ");
+    let bar = case.slice.contains('-') && !case.slice.contains([':', '=']);
+    let tried = [
+        ("revolute", true),
+        ("given", true),
+        ("let", true),
+        ("expect", true),
+        ("link", bar),
+        ("find", asked),
+    ];
+    let reads = |(before, may): &(&str, bool)| *may && case.reads(&format!("{before} {}", case.slice));
+    let (before, _) = tried.into_iter().find(reads)?;
+    Some(case.help(0, 0, &format!("{before} ")))
+}
+
+/// `find a; b`: the list of the statement before goes on behind a semicolon.
+fn list_goes_on(case: &Case<'_>) -> Option<String> {
+    let line = Line::around(case.text, case.offset);
+    let before = case.text.get(line.start..case.offset)?.trim_end().strip_suffix(';')?;
+    let statement = before.rsplit([';', '{', '}']).next()?;
+    let new = format!("{}, {}", statement.trim(), case.slice);
+    let list = statement.trim_start().starts_with("find ") && case.reads(&new);
+    let start = line.start + before.trim_end().len();
+    list.then(|| mended(case.text, Span::new(start, case.offset), ", "))
 }

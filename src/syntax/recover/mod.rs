@@ -1,10 +1,14 @@
-//! What the error productions caught: read again alone to learn where it fails, and mended on trial to learn how.
+//! What the error productions caught: read again alone to learn where it fails, and corrected on trial to learn how.
 //!
-//! A repair is believed only if the mended text reads.
+//! A repair is proposed only if the corrected text reads.
 
 mod brackets;
 mod case;
+mod commas;
 mod first_word;
+mod meant;
+mod range;
+mod separator;
 mod swap;
 mod within;
 
@@ -16,6 +20,7 @@ use super::words::{self, Expected, is_name_char, is_reserved};
 use crate::diagnostic::{Problems, did_you_mean};
 use crate::source::Span;
 use case::Case;
+use std::collections::BTreeSet;
 use unicode_normalization::UnicodeNormalization;
 
 /// What was being read.
@@ -43,18 +48,43 @@ impl What {
     }
 }
 
+/// The mistakes of a file that are looked into: repairs are tried, which takes time, and nobody reads more.
+const EXPLAINED: usize = 200;
+
+/// What was meant, where a repair reads.
+fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+    first_word::explain(case)
+        .or_else(|| commas::explain(case))
+        .or_else(|| separator::statements(case))
+        .or_else(|| range::explain(case))
+        .or_else(|| meant::explain(case))
+        .or_else(|| within::explain(case))
+        .or_else(|| separator::members(case))
+        .or_else(|| brackets::explain(case))
+        .or_else(|| swap::explain(case))
+        .or_else(|| within::missing(case))
+}
+
 /// Reports the text at `at`, and collects the names in it.
-pub(super) fn report(text: &str, read: &str, at: Span, what: What, problems: &mut Problems) -> Bad {
+pub(super) fn report(
+    text: &str,
+    read: &str,
+    at: Span,
+    what: What,
+    problems: &mut Problems,
+    reserved: &mut BTreeSet<String>,
+) -> Bad {
     let slice = read.get(at.start..at.end).unwrap_or_default();
     if !slice.trim().is_empty() && !cut_off(text, read, at) {
         let case = Case::new(text, slice, at.start, what);
-        let found = first_word::explain(&case)
-            .or_else(|| within::explain(&case))
-            .or_else(|| brackets::explain(&case))
-            .or_else(|| swap::explain(&case))
-            .or_else(|| within::missing(&case))
-            .unwrap_or_else(|| unexpected(&case));
-        problems.push(found);
+        let found = if problems.len() < EXPLAINED { explain(&case) } else { None };
+        let found = found.unwrap_or_else(|| unexpected(&case));
+        // A name that cannot be one is reported where it stands first.
+        let again =
+            matches!(&found, SyntaxError::ReservedName { found, .. } if !reserved.insert(found.clone()));
+        if !again {
+            problems.push(found);
+        }
     }
     Bad { names: names(slice) }
 }
@@ -64,7 +94,8 @@ fn cut_off(text: &str, read: &str, at: Span) -> bool {
     let end = Line::around(text, at.end).end;
     let rest = |text: &str| text.get(at.end..end).unwrap_or_default().trim().to_owned();
     let lost = rest(text);
-    rest(read).is_empty() && !lost.is_empty() && !lost.starts_with("//")
+    let comment = ["//", "#", "/*"].into_iter().any(|sign| lost.starts_with(sign));
+    rest(read).is_empty() && !lost.is_empty() && !comment
 }
 
 /// A pair of the grammar that has not the shape it promises.
@@ -87,14 +118,23 @@ pub(super) fn point_without_coordinates(text: &str, name: &Name, at: Span) -> Sy
             wanted: (*wanted).to_owned(),
             help: Some(format!("write: {}", mended(text, name.span, wanted))),
         },
-        None => SyntaxError::PointWithoutCoordinates { at, help: format!("write: {} (x, y)", name.node) },
+        None => without_coordinates(&name.node, at),
     }
+}
+
+fn without_coordinates(name: &str, at: Span) -> SyntaxError {
+    let help = format!("give its coordinates, as in: {name} (100 mm, 20 mm)");
+    SyntaxError::PointWithoutCoordinates { at, help }
 }
 
 /// What can be said where no repair helps.
 fn unexpected(case: &Case<'_>) -> SyntaxError {
+    let alone = case.slice.chars().all(is_name_char) && !words::MEMBERS.contains(&case.slice);
+    if case.what == What::Member && alone && case.reads(&format!("{} (0, 0)", case.slice)) {
+        return without_coordinates(case.slice, case.span(0, case.slice.len()));
+    }
     let token = case.token(case.fail);
-    let found = if token.is_empty() { "it ends here".to_owned() } else { format!("found `{token}`") };
+    let found = if token.is_empty() { "the line ends here".to_owned() } else { format!("found `{token}`") };
     let first = case.token(0);
     let what = match case.what {
         What::Statement if words::STATEMENTS.contains(&first) => format!("this `{first}`"),
@@ -113,6 +153,10 @@ fn unexpected(case: &Case<'_>) -> SyntaxError {
             "the header and each row stand on a line of their own: names with units, then plain numbers"
                 .to_owned(),
         ),
+        _ if first == "link" && token.is_empty() && case.slice.contains('-') && !case.slice.contains('{') => {
+            Some(format!("give its length, as in: {} 100 mm", case.slice.trim()))
+        }
+        _ if case.slice.trim() == "gravity" => Some("write: gravity 9.81 m/s^2".to_owned()),
         _ => help(first),
     };
     SyntaxError::Unexpected { what, expected: words::list(expected), at, found, help }

@@ -69,6 +69,10 @@ const OPERATORS: &[(&str, &str)] = &[
     ("|", "or"),
     ("!", "not "),
     ("±", "within"),
+    ("+/-", "within"),
+    ("~", "="),
+    ("≈", "="),
+    ("...", ".."),
     ("=>", ">="),
 ];
 
@@ -78,7 +82,7 @@ fn foreign_operator(case: &Case<'_>) -> Option<SyntaxError> {
         let end = start + found.len();
         (here && case.reads(&case.with(start, end, wanted))).then_some((start, *found, *wanted))
     };
-    let starts = [Some(case.fail), case.fail.checked_sub(1)];
+    let starts = [Some(case.fail), case.fail.checked_sub(1), case.fail.checked_sub(2)];
     let (start, found, wanted) = starts
         .into_iter()
         .flatten()
@@ -95,7 +99,9 @@ fn foreign_operator(case: &Case<'_>) -> Option<SyntaxError> {
 fn needless_sign(case: &Case<'_>) -> Option<SyntaxError> {
     let found = case.token(case.fail);
     let end = case.fail + found.len();
-    let needless = matches!(found, "=" | ":" | "," | "-") && case.reads(&case.with(case.fail, end, " "));
+    let listed = found == "," && case.what == What::Member;
+    let needless =
+        !listed && matches!(found, "=" | ":" | "," | "-") && case.reads(&case.with(case.fail, end, " "));
     let before = case.slice.get(..case.fail)?.trim_end().len();
     let behind = end + case.slice.get(end..)?.len() - case.slice.get(end..)?.trim_start().len();
     needless.then(|| SyntaxError::NeedlessSign {
@@ -158,6 +164,13 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("anticlockwise", "ccw"),
     ("along", "@"),
     ("by", "in"),
+    ("with", "at"),
+    ("at", "@"),
+    ("∠", "@"),
+    ("and", ","),
+    ("is", "="),
+    ("equals", "="),
+    ("tolerance", "within"),
 ];
 
 /// Whether a word or sign may have been meant: a sign for a word, and what fits nearly everywhere, says nothing.
@@ -171,13 +184,15 @@ fn meant(found: &str, wanted: &str) -> bool {
 fn other_word(case: &Case<'_>) -> Option<SyntaxError> {
     let found = case.token(case.fail);
     let end = case.fail + found.len();
-    let synonym = SYNONYMS.iter().find(|(word, _)| *word == found);
+    let fits = |wanted: &str| case.reads(&case.with(case.fail, end, &format!(" {wanted} ")));
+    let synonym = SYNONYMS.iter().find(|(word, wanted)| *word == found && fits(wanted));
     let mut fitting = match synonym {
         Some((_, wanted)) => vec![(*wanted).to_owned()],
         None if is_reserved(found) || !found.starts_with(is_name_char) => case.literals(),
         None => return None,
     };
-    if case.expected.iter().any(|r| words::expected(*r).contains(&Expected::Operator)) {
+    let operator = case.expected.iter().any(|r| words::expected(*r).contains(&Expected::Operator));
+    if operator && synonym.is_none() {
         fitting.push("@".to_owned());
     }
     fitting.retain(|w| w != "(" && w != "{" && case.reads(&case.with(case.fail, end, &format!(" {w} "))));

@@ -1,18 +1,14 @@
 //! Pieces that begin well and go wrong further on.
 
-use super::What;
 use super::case::Case;
 use crate::diagnostic::did_you_mean;
 use crate::syntax::Rule;
 use crate::syntax::error::SyntaxError;
 use crate::syntax::words::{self, Expected, is_name_char, is_reserved};
+use crate::units::is_unit;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
-    decimal_comma(case)
-        .or_else(|| two_statements(case))
-        .or_else(|| reserved_name(case))
-        .or_else(|| misspelt_here(case))
-        .or_else(|| misspelt_before(case))
+    reserved_name(case).or_else(|| misspelt_here(case)).or_else(|| misspelt_before(case))
 }
 
 /// What remains when nothing else mends it.
@@ -20,55 +16,14 @@ pub(super) fn missing(case: &Case<'_>) -> Option<SyntaxError> {
     missing_operator(case).or_else(|| missing_word(case))
 }
 
-/// `0,5 m`: first the comma nearest before the failure alone, then all.
-fn decimal_comma(case: &Case<'_>) -> Option<SyntaxError> {
-    let bytes = case.slice.as_bytes();
-    let digit = |i: Option<usize>| i.and_then(|i| bytes.get(i)).is_some_and(u8::is_ascii_digit);
-    let is_decimal = |i: &usize| bytes[*i] == b',' && digit(i.checked_sub(1)) && digit(Some(i + 1));
-    let commas = (0..bytes.len()).filter(is_decimal).collect::<Vec<_>>();
-    let nearest = *commas.iter().rev().find(|i| **i <= case.fail).or(commas.first())?;
-    if matches!(case.what, What::Row | What::Header) {
-        return None;
-    }
-    if case.reads(&case.with(nearest, nearest + 1, ".")) {
-        let help = case.help(nearest, nearest + 1, ".");
-        return Some(SyntaxError::DecimalComma { at: case.span(nearest, 1), help });
-    }
-    let mut all = case.slice.to_owned();
-    for comma in &commas {
-        all.replace_range(*comma..comma + 1, ".");
-    }
-    let first = *commas.first()?;
-    case.reads(&all).then(|| SyntaxError::DecimalComma {
-        at: case.span(first, 1),
-        help: case.help(0, case.slice.len(), &all),
-    })
-}
-
-/// A statement's word in the middle, with a statement on both sides of it.
-fn two_statements(case: &Case<'_>) -> Option<SyntaxError> {
-    if case.what != What::Statement {
-        return None;
-    }
-    let begins = |(at, word): &(usize, &str)| *at > 0 && *at <= case.fail && words::STATEMENTS.contains(word);
-    let candidates = case.words().into_iter().rev().filter(begins).take(4);
-    for (at, word) in candidates {
-        let (first, second) = (&case.slice[..at], &case.slice[at..]);
-        let more = case.words().iter().any(|(i, w)| *i > at && words::STATEMENTS.contains(w));
-        if case.reads(first.trim_end()) && (more || case.reads(second)) {
-            let trimmed = first.trim_end();
-            let help = case.help(trimmed.len(), at, "; ");
-            return Some(SyntaxError::TwoStatements { at: case.span(at, word.len()), help });
-        }
-    }
-    None
-}
-
 /// A reserved word where a name is due.
 fn reserved_name(case: &Case<'_>) -> Option<SyntaxError> {
     let word = case.token(case.fail);
-    let named = case.expected.iter().any(|r| words::expected(*r).contains(&Expected::Name));
-    if !is_reserved(word) || !named {
+    // `find at = …`: what is looked for may have a name
+    let asked = case.token(0) == "find";
+    let may_be = |e: &Expected| *e == Expected::Name || (asked && *e == Expected::Kind("a value"));
+    let named = case.expected.iter().any(|r| words::expected(*r).iter().any(may_be));
+    if !is_reserved(word) || !named || matches!(word, "cw" | "ccw") {
         return None;
     }
     let end = case.fail + word.len();
@@ -76,7 +31,7 @@ fn reserved_name(case: &Case<'_>) -> Option<SyntaxError> {
     case.reads(&case.with(case.fail, end, &other)).then(|| SyntaxError::ReservedName {
         found: word.to_owned(),
         at: case.span(case.fail, word.len()),
-        help: format!("{}, or any other name", case.help(case.fail, end, &other)),
+        help: case.help(case.fail, end, &other),
     })
 }
 
@@ -95,7 +50,7 @@ fn misspelt_before(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 fn respelt(case: &Case<'_>, at: usize, word: &str, known: Vec<&str>) -> Option<SyntaxError> {
-    if !word.starts_with(is_name_char) {
+    if !word.starts_with(is_name_char) || is_unit(word) {
         return None;
     }
     let end = at + word.len();
@@ -111,6 +66,9 @@ fn respelt(case: &Case<'_>, at: usize, word: &str, known: Vec<&str>) -> Option<S
 
 /// `2(a + b)`
 fn missing_operator(case: &Case<'_>) -> Option<SyntaxError> {
+    if let Some(call) = number_before_call(case) {
+        return Some(call);
+    }
     let before = case.slice.get(..case.fail)?.trim_end();
     let here = case.token(case.fail);
     let closes = before.ends_with(')') || before.ends_with(is_name_char);
@@ -119,6 +77,18 @@ fn missing_operator(case: &Case<'_>) -> Option<SyntaxError> {
     (closes && opens && !is_reserved(here) && case.reads(&mended)).then(|| SyntaxError::MissingOperator {
         at: case.span(case.fail, here.len()),
         help: case.help(before.len(), case.fail, "*"),
+    })
+}
+
+/// `2 sin(x)`: the name of the function has been read as a unit.
+fn number_before_call(case: &Case<'_>) -> Option<SyntaxError> {
+    let (at, word) = case.words().into_iter().rev().find(|(at, w)| at + w.len() == case.fail)?;
+    let before = case.slice.get(..at)?.trim_end();
+    let after_number = before.ends_with(|c: char| c.is_ascii_digit()) && before.len() < at;
+    let call = case.token(case.fail) == "(" && after_number && case.reads(&case.with(before.len(), at, "*"));
+    call.then(|| SyntaxError::MissingOperator {
+        at: case.span(at, word.len()),
+        help: case.help(before.len(), at, "*"),
     })
 }
 
@@ -131,7 +101,13 @@ fn missing_word(case: &Case<'_>) -> Option<SyntaxError> {
     let mut fitting = case.literals();
     fitting
         .retain(|w| w != "{" && w != "}" && case.reads(&case.with(case.fail, case.fail, &format!(" {w} "))));
-    let [missing] = fitting.as_slice() else { return None };
+    fitting.retain(|w| w != "accelerating");
+    let missing = match fitting.as_slice() {
+        [missing] => missing,
+        // loads and balances act on links more often than in pairs
+        [first, on] if first == "in" && on == "on" => on,
+        _ => return None,
+    };
     let before = case.slice.get(..case.fail)?.trim_end();
     let spaced = match missing.as_str() {
         sign @ (":" | ",") => format!("{sign} "),

@@ -1,0 +1,79 @@
+//! What is reported of characters and comments of other kinds.
+
+use super::error::SyntaxError;
+use super::line::Line;
+use super::prepare::{Change, Kind};
+use crate::diagnostic::Problems;
+use crate::source::Span;
+
+/// One diagnostic for all comments of other languages: they are one habit.
+pub(super) fn comments(text: &str, comments: &[Span]) -> Option<SyntaxError> {
+    let first = *comments.first()?;
+    let sign = if text[first.start..].starts_with('#') { "#" } else { "/*" };
+    let line = Line::around(text, first.start);
+    let written = |from: usize, to: usize| text.get(from..to).unwrap_or_default();
+    let before = written(line.start, first.start).trim();
+    let closed = first.end > first.start + 1;
+    let (comment, behind) = if closed {
+        (written(first.start + 2, first.end - 2), written(first.end, Line::around(text, first.end).end))
+    } else {
+        (written(first.start + sign.len(), line.end), "")
+    };
+    let lines = comment.contains('\n');
+    let code = [before, behind.trim()].join(" ").trim().to_owned();
+    let mut help = match (lines, code.is_empty()) {
+        (true, _) => "begin each line of this comment with `//`".to_owned(),
+        (false, true) => format!("write: // {}", comment.trim()),
+        (false, false) => format!("write: {code}  // {}", comment.trim()),
+    };
+    if let more @ 1.. = comments.len() - 1 {
+        let plural = if more == 1 { "comment" } else { "comments" };
+        help = format!("{help}\nand so for {more} more {plural}");
+    }
+    let at = Span::new(first.start, first.start + sign.len());
+    Some(SyntaxError::CommentSign { at, found: sign.to_owned(), help })
+}
+
+/// One diagnostic for each kind on a line.
+pub(super) fn report(text: &str, changes: &[Change], problems: &mut Problems) {
+    let mut rest = changes;
+    while let Some(first) = rest.first() {
+        let line = Line::around(text, first.span.start);
+        let count = rest.iter().take_while(|c| c.span.start < line.end.max(first.span.end)).count();
+        let (here, later) = rest.split_at(count);
+        let mut mended = String::new();
+        let mut from = line.start;
+        for change in here {
+            mended.push_str(text.get(from..change.span.start).unwrap_or_default());
+            mended.push_str(change.with);
+            from = change.span.end;
+        }
+        mended.push_str(text.get(from..line.end).unwrap_or_default());
+        let help = format!("write: {}", mended.trim());
+        for kind in [Kind::FullWidth, Kind::Quote, Kind::Sign, Kind::Invisible] {
+            if let Some(problem) = describe(text, here, kind, &help) {
+                problems.push(problem);
+            }
+        }
+        rest = later;
+    }
+}
+
+fn describe(text: &str, changes: &[Change], kind: Kind, help: &str) -> Option<SyntaxError> {
+    let first = changes.iter().find(|c| c.kind == kind)?;
+    let found = text[first.span.start..].chars().next()?;
+    let help = help.to_owned();
+    // The first run of neighbours.
+    let mut at = first.span;
+    for change in changes.iter().filter(|c| c.kind == kind && c.with != "\"") {
+        if change.span.start == at.end {
+            at.end = change.span.end;
+        }
+    }
+    Some(match kind {
+        Kind::FullWidth => SyntaxError::FullWidth { at, help },
+        Kind::Quote => SyntaxError::CurlyQuotes { at: first.span, help },
+        Kind::Sign => SyntaxError::ForeignSign { found, at: first.span, wanted: first.with, help },
+        Kind::Invisible => SyntaxError::InvisibleCharacter { found: u32::from(found), at: first.span, help },
+    })
+}
