@@ -21,7 +21,7 @@ pub mod units;
 
 use accuracy::Reached;
 use check::Overrides;
-use diagnostic::Problems;
+use diagnostic::{DiagnosticView, Problems};
 use exercise::{Followed, Outcome, OwnRows, followed};
 use model::Mechanism;
 use plan::Plan;
@@ -84,18 +84,31 @@ pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Pro
     plan_mechanism(mechanism, None, problems, origin)
 }
 
-/// The defects of the structure in place of errors that follow from them: a point of `assemble` slides on no guide where the
-/// guide is missing.
+/// The defects of the structure in place of errors that all follow from them: names of a pair that is missing, and guides
+/// that no pair makes.
 fn structure_first(source: &Source, overrides: &Overrides, problems: Problems) -> Problems {
     let (document, found) = syntax::parse(source);
     if found.has_errors() {
         return problems;
     }
-    let mechanism = check::without_guides(&document, overrides);
-    let Some(Err(errors)) = mechanism.map(|m| structure::structure(&m)) else { return problems };
-    let mut problems = found;
-    problems.extend(errors);
-    problems
+    let Err(defects) = structure::structure(&check::sound_part(&document, overrides)) else {
+        return problems;
+    };
+    let mut structural = found;
+    structural.extend(defects);
+    let proposed = structural.views(source).iter().flat_map(proposed_names).collect::<Vec<_>>();
+    let follows = |d: &DiagnosticView| {
+        d.severity != "error"
+            || d.code.as_deref() == Some("mech::geometry::no_guide")
+            || proposed.iter().any(|name| d.message.contains(&format!("`{name}`")))
+    };
+    if problems.views(source).iter().all(follows) { structural } else { problems }
+}
+
+/// The names of the pairs that a help proposes to add.
+fn proposed_names(defect: &DiagnosticView) -> Vec<String> {
+    let lines = defect.help.iter().flat_map(|help| help.lines()).filter(|line| line.starts_with("  "));
+    lines.filter_map(|line| Some(line.trim().split_once(':')?.0.split_once(' ')?.1.to_owned())).collect()
 }
 
 /// Structure and plan of a mechanism; the structure is known where another row of the same text has the same.

@@ -133,7 +133,6 @@ fn guide(
         (Some(_), Order::Behind) => format!("turn it round: `{} ahead of {}`", text(than), text(what)),
         _ => format!("write `{0} left of …`, or where it is: `{0} near (100 mm, 0)`", text(what)),
     };
-    cx.unguided += 1;
     cx.error(MotionError::NoGuide { point: text(what), help, span: what.span() });
     None
 }

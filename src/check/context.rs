@@ -46,8 +46,6 @@ pub struct Context<'a> {
     pub(super) gears: Gears,
     /// Names reported as unknown already, with the list they were looked for in.
     pub(super) reported: IndexSet<(&'static str, String)>,
-    /// How many of the errors are about guides that no pair makes.
-    pub(super) unguided: usize,
 }
 
 impl<'a> Context<'a> {
@@ -73,7 +71,6 @@ impl<'a> Context<'a> {
             stretched: None,
             gears: Gears::new(),
             reported: IndexSet::new(),
-            unguided: 0,
         }
     }
 
@@ -105,10 +102,5 @@ impl<'a> Context<'a> {
         self.mech.displays = self.displays();
         let fine = !self.problems.has_errors();
         (fine.then_some(self.mech), self.problems)
-    }
-
-    /// The mechanism, if its only errors are about guides that no pair makes.
-    pub(super) fn finish_without_guides(self) -> Option<Mechanism> {
-        (self.unguided > 0 && self.problems.errors() == self.unguided).then_some(self.mech)
     }
 }

@@ -111,14 +111,13 @@ pub fn columns(
     (columns.filter(|_| !cx.problems.has_errors()), cx.problems)
 }
 
-/// The mechanism of a document whose only errors are about points of `assemble` that slide on no guide: a guide that is
-/// missing is a matter of structure first.
+/// What is left of a document's mechanism without all that contains an error.
 #[must_use]
-pub fn without_guides(document: &Document, overrides: &Overrides) -> Option<Mechanism> {
+pub fn sound_part(document: &Document, overrides: &Overrides) -> Mechanism {
     let mut cx = Context::new(document, overrides);
     definitions(&mut cx);
     meaning(&mut cx);
-    cx.finish_without_guides()
+    cx.mech
 }
 
 fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {
