@@ -187,7 +187,7 @@ fn values_are_set_from_outside() {
     assert!(solved("r = 0.12 m").stdout.contains("\r\n1,0,470,"));
     for wrong in ["r=120", "r=120 kg", "radius=120mm"] {
         let out = solved(wrong);
-        assert_eq!((out.status, out.stdout.as_str()), (1, ""), "{wrong}");
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{wrong}");
         assert!(out.stderr.contains("mech::"), "{wrong}: {}", out.stderr);
     }
 }
@@ -308,7 +308,7 @@ fn accuracy_that_cannot_be_had_is_an_error() {
     assert_eq!((out.status, out.stdout.as_str()), (2, ""));
     assert!(out.stderr.contains("p.svg") && !folder.names().contains(&"p.svg".to_owned()), "{}", out.stderr);
     let out = assur(&folder, &["accuracy", "a.mech", "--set", "nothing=1mm"]);
-    assert_eq!(out.status, 1);
+    assert_eq!(out.status, 2);
 }
 
 #[test]

@@ -31,9 +31,12 @@ impl ConsistentNotes {
                 let reported = if followed {
                     format!("the reported one is reached continuously from that without {what}")
                 } else {
-                    format!(
-                        "none is reached continuously from that without {what}; the least forces are reported"
-                    )
+                    let taken = if scene.plan.effects.friction {
+                        "the one that loses least power is"
+                    } else {
+                        "that with the least forces is"
+                    };
+                    format!("none is reached continuously from that without {what}; {taken} reported")
                 };
                 let more = String::new();
                 let first = ConsistentError::Several { count, what, pose, more, reported, labels };

@@ -64,6 +64,17 @@ fn every_unit_has_its_value() {
         ("Pa", 1.0, Dimension::PRESSURE),
         ("kPa", 1000.0, Dimension::PRESSURE),
         ("MPa", 1_000_000.0, Dimension::PRESSURE),
+        ("GPa", 1e9, Dimension::PRESSURE),
+        ("bar", 100_000.0, Dimension::PRESSURE),
+        ("psi", 6_894.757_293_168_361, Dimension::PRESSURE),
+        ("dm", 0.1, Dimension::LENGTH),
+        ("um", 1e-6, Dimension::LENGTH),
+        ("µm", 1e-6, Dimension::LENGTH),
+        ("gon", 0.015_707_963_267_948_967, Dimension::ANGLE),
+        ("kp", gravity, Dimension::FORCE),
+        ("MW", 1_000_000.0, Dimension::POWER),
+        ("hp", 745.699_871_582_270_2, Dimension::POWER),
+        ("PS", 735.498_75, Dimension::POWER),
         ("%", 0.01, Dimension::NUMBER),
     ];
     for (word, factor, dimension) in values {
