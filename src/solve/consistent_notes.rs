@@ -1,6 +1,6 @@
 //! Positions at which the laws of friction or of losses have several solutions, or none.
 
-use super::consistent::Consistent;
+use super::consistent::{Consistent, Searched};
 use super::consistent_error::ConsistentError;
 use super::error::{SolveError, label};
 use super::positions::Wanted;
@@ -13,6 +13,8 @@ use miette::LabeledSpan;
 #[derive(Debug, Default)]
 pub(super) struct ConsistentNotes {
     several: Option<(ConsistentError, usize)>,
+    /// What searches have taken at the positions so far.
+    pub searched: Searched,
 }
 
 impl ConsistentNotes {

@@ -7,9 +7,6 @@ use super::state::{State, Wrench};
 use crate::math::{Magnitudes, Part, Vec2};
 use crate::plan::{Plan, Rub};
 
-/// Most multiplications of a search, roughly: some seconds.
-const MOST_WORK: f64 = 1e9;
-
 impl State {
     /// Finds forces that satisfy all laws from the loads as they were before any reaction, or leaves the state locked.
     #[cold]
@@ -35,8 +32,14 @@ impl State {
     }
 
     /// Of all solutions the one that loses the least power.
-    fn least_loss(&self, plan: &Plan, moving: &[usize], laws: &Magnitudes) -> (Option<Vec<f64>>, Consistent) {
-        let all = laws.solutions(MOST_WORK);
+    fn least_loss(
+        &mut self,
+        plan: &Plan,
+        moving: &[usize],
+        laws: &Magnitudes,
+    ) -> (Option<Vec<f64>>, Consistent) {
+        let all = laws.solutions(self.searched.left());
+        self.searched.add(all.work);
         let consistent = match all.found.len() {
             0 if all.complete => Consistent::None,
             0 => Consistent::Undecided,

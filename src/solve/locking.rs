@@ -25,6 +25,7 @@ impl Locked<'_> {
     pub fn limit(&self, of: Option<PairId>) -> Option<f64> {
         let mut plan = self.scene.plan.clone();
         let mut state = self.state.clone().ready(self.scene.plan);
+        state.searched = state.searched.nearly_spent();
         if !self.moves(&mut state, &mut plan, of, 0.0) {
             return None;
         }

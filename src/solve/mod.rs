@@ -65,7 +65,7 @@ mod words;
 
 pub use again::Again;
 pub use columns::DriveColumns;
-pub use consistent::Consistent;
+pub use consistent::{Consistent, Searched};
 pub use consistent_error::ConsistentError;
 pub use cost::{Costs, Over, costs};
 pub use cycle::{CycleAnswer, FlywheelAnswer, over_cycle};

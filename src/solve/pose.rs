@@ -138,7 +138,9 @@ impl Run<'_, '_> {
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
         let scene = self.scene;
         let quantities = self.loads_name_quantities;
+        state.searched = self.notes.consistent.searched;
         balanced(scene, &self.statics, state, angles, &mut self.evaluated, quantities);
+        self.notes.consistent.searched = state.searched;
         self.notes.consistent.look(scene, state.consistent, pose)?;
         let mut least = 1.0_f64;
         for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {

@@ -1,6 +1,6 @@
 //! Everything that changes from position to position, laid out once before the loop.
 
-use super::consistent::Consistent;
+use super::consistent::{Consistent, Searched};
 use super::friction::RubbingWork;
 use super::general::Workspace;
 use super::train::LawForce;
@@ -173,6 +173,8 @@ pub struct State<S = f64> {
     pub locked: bool,
     /// How many states of the forces satisfy the laws of friction and of losses.
     pub consistent: Consistent,
+    /// What searches for them have taken.
+    pub searched: Searched,
     /// Loads before the first reaction was added, where there is friction.
     pub(super) loads_before: Vec<Wrench<S>>,
     /// What the laws of transmissions do.
@@ -210,6 +212,7 @@ impl<S: Scalar + Default> State<S> {
             senses: vec![0.0; plan.friction.len()],
             locked: false,
             consistent: Consistent::One,
+            searched: Searched::default(),
             loads_before: Vec::new(),
             law_forces: vec![LawForce::default(); plan.laws.len()],
             train_work: Vec::new(),

@@ -17,8 +17,6 @@ const ROUNDS: usize = 12;
 const NOTHING: f64 = 1e-11;
 /// Most multiplications, roughly, of a search for other solutions than the one followed: some hundredths of a second.
 const WORK_FOR_OTHERS: f64 = 1e8;
-/// The same where none is known: about a second.
-const MOST_WORK: f64 = 4e8;
 /// With a middle that is singular so many transmissions are tried in all directions.
 const MOST_TRIED: usize = 12;
 
@@ -64,7 +62,9 @@ impl State {
             return self.try_directions(plan, train, work);
         };
         let followed = Magnitudes::follow(|part| self.loss_laws(plan, train, &work.loads, part));
-        let all = laws.solutions(if followed.is_some() { WORK_FOR_OTHERS } else { MOST_WORK });
+        let left = self.searched.left();
+        let all = laws.solutions(if followed.is_some() { left.min(WORK_FOR_OTHERS) } else { left });
+        self.searched.add(all.work);
         let consistent = match (all.found.len(), &followed) {
             (0 | 1, Some(_)) => Consistent::One,
             (1, None) if all.complete => Consistent::One,

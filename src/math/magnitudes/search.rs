@@ -35,6 +35,8 @@ pub struct Solutions {
     pub found: Vec<Vec<f64>>,
     /// There are no others.
     pub complete: bool,
+    /// Multiplications or so that it took.
+    pub work: f64,
 }
 
 /// What a node came to.
@@ -59,7 +61,7 @@ impl Magnitudes {
     #[must_use]
     pub fn solutions(&self, most_work: f64) -> Solutions {
         if self.parts.iter().all(|p| p.constant == Vec2::zero()) {
-            return Solutions { found: vec![vec![0.0; self.len()]], complete: true };
+            return Solutions { found: vec![vec![0.0; self.len()]], complete: true, work: 0.0 };
         }
         let mut search = Search { system: self, sizes: self.typical(), found: Vec::new() };
         let mut complete = true;
@@ -70,7 +72,7 @@ impl Magnitudes {
         while let Some(node) = nodes.pop() {
             work += per_node;
             if work > most_work {
-                return Solutions { found: search.found, complete: false };
+                return Solutions { found: search.found, complete: false, work };
             }
             match search.look(&node) {
                 Verdict::Closed => {}
@@ -84,7 +86,7 @@ impl Magnitudes {
                 }
             }
         }
-        Solutions { found: search.found, complete }
+        Solutions { found: search.found, complete, work }
     }
 
     /// Whether there is one solution whatever the constants: no signs and directions make the linear system singular.
