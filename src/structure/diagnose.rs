@@ -96,7 +96,16 @@ fn equations(trial: Trial<'_>, part: &Part) -> String {
     let moving: Vec<BodyId> = moving(trial, part);
     let has = if moving.len() == 1 { "has" } else { "have" };
     let names = names(trial.mechanism, links(trial.replaced, &moving));
+    if !is_rigid(part) {
+        return format!("{} of the unknowns marked cannot be separated from the others", part.surplus);
+    }
     format!("{names} {has} {} equations of equilibrium for {} unknowns", part.freedoms, part.taken())
+}
+
+/// Whether the count shows what is too much: not where joints at one place repeat each other and the part can move all the
+/// same.
+fn is_rigid(part: &Part) -> bool {
+    part.taken() == part.freedoms + part.surplus
 }
 
 /// Without the ground and the links driven at a point.
@@ -109,6 +118,12 @@ fn sum(trial: Trial<'_>, part: &Part) -> String {
     let moving = moving(trial, part);
     let names = names(trial.mechanism, links(trial.replaced, &moving));
     let (free, taken) = (counted(part.freedoms, "freedom"), part.taken());
+    if !is_rigid(part) {
+        let surplus = counted(part.surplus, "condition");
+        return format!(
+            "{names} have {surplus} too many at the places marked: joints at one place repeat each other"
+        );
+    }
     if moving.len() == part.bodies.len() {
         return format!("{names} have {free} relative to each other and lose {taken} at the places marked");
     }

@@ -46,7 +46,7 @@ mod unix {
 
     /// Listens from now on; the first signal ends the program.
     pub fn end_at_once() {
-        listen(|signal| end(signal));
+        listen(end);
     }
 
     fn listen(hear: impl Fn(u8) + Send + 'static) {
