@@ -6,7 +6,11 @@ use std::path::Path;
 
 /// A file below `tests/cases`, the one code reported, and words of its help.
 const CASES: &[(&str, Option<&str>, &[&str])] = &[
-    ("messages/083-extra-pair-other", Some("mech::determinacy::overconstrained"), &["leave out `revolute X`"]),
+    (
+        "messages/083-extra-pair-other",
+        Some("mech::determinacy::overconstrained"),
+        &["leave out `revolute X`"],
+    ),
     ("messages/178-set-comma", None, &[]),
     ("spellings/f2", Some("mech::name::unknown"), &["`B`, `C`"]),
     ("spellings/f11", None, &[]),

@@ -107,12 +107,24 @@ fn a_closed_pipe_is_quiet_and_no_success() {
     assert!(said.stderr.contains("mech::expect::mismatch"), "{}", said.stderr);
 }
 
+/// Whether this process, and so every program it starts, ignores SIGHUP.
+#[cfg(unix)]
+fn ignores_hangup() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0) & 1 == 1
+}
+
 #[cfg(unix)]
 #[test]
 fn a_signal_leaves_whole_rows_and_no_temporary_file() {
     let mut table = "r [mm]\n".to_owned();
     (0..400_000).for_each(|i| writeln!(table, "{}", 90 + i % 20).unwrap());
     for (signal, status) in [("-TERM", 143), ("-HUP", 129), ("-INT", 130)] {
+        // what a test run started by `nohup` hands on
+        if signal == "-HUP" && ignores_hangup() {
+            continue;
+        }
         let folder = Folder::new("signal").with("a.mech", ENGINE).with("t.csv", &table);
         let args = ["batch", "a.mech", "--variants", "t.csv", "--out", "o.csv", "--key", "k.csv"];
         let child = run::start(&folder, &args);
@@ -138,7 +150,9 @@ fn a_wrong_value_from_outside_is_a_wrong_command_line() {
             [("q=1mm", "no `given` of that name"), ("r=3kg", "a mass"), ("r=abc", "not a number")]
         {
             let said = assur(&folder, &[command, "a.mech", "--set", set]);
-            assert_eq!((said.status, said.stdout.as_str()), (2, ""), "{command} {set}: {}", said.stderr);
+            assert_eq!(said.status, 2, "{command} {set}: {}", said.stderr);
+            // `test` has a line for every file
+            assert!(said.stdout.is_empty() || command == "test", "{command} {set}: {}", said.stdout);
             assert!(said.stderr.contains(says), "{command} {set}: {}", said.stderr);
         }
     }
@@ -152,9 +166,14 @@ fn a_wrong_value_from_outside_is_a_wrong_command_line() {
 fn folders_that_cannot_be_read_are_told() {
     let folder = files();
     let name = "d".repeat(250);
-    let nest = format!("for i in $(seq 18); do mkdir {name} && cd {name} || exit 1; done");
-    let done = std::process::Command::new("sh").args(["-c", &nest]).current_dir(folder.path(".")).status();
-    assert!(done.unwrap().success());
+    let [outer, inner] = ["outer", &name].map(|name| std::path::PathBuf::from(folder.path(name)));
+    std::fs::create_dir(&inner).unwrap();
+    // from the innermost outwards: no path on the way is too long
+    for _ in 1..18 {
+        std::fs::create_dir(&outer).unwrap();
+        std::fs::rename(&inner, outer.join(&name)).unwrap();
+        std::fs::rename(&outer, &inner).unwrap();
+    }
     for command in ["check", "batch"] {
         let said = assur(&folder, &[command, "."]);
         assert_eq!(said.status, 2, "{command}: {}", said.stderr);

@@ -40,6 +40,11 @@ impl AnswerColumns {
     /// Those of a file, whatever the values of its givens.
     #[must_use]
     pub fn of(scene: &Scene<'_>) -> Self {
+        Self::with_moments(scene, false)
+    }
+
+    /// With the moments of transmissions, or without.
+    fn with_moments(scene: &Scene<'_>, of_transmissions: bool) -> Self {
         let mechanism = scene.mechanism;
         let vectors = &mechanism.vector_quantities();
         let mut answers = Vec::new();
@@ -76,16 +81,16 @@ impl AnswerColumns {
         }
         answers.extend(finds(true));
         if blank.wants_reactions() && !scene.plan.reactions.is_empty() {
-            all_reactions(scene, &mut answers);
+            all_reactions(scene, of_transmissions, &mut answers);
         }
         Self { drives, answers }
     }
 
-    /// Those of one file alone: without the reactions that hang on a place that the file leaves open.
+    /// Those of one file alone: without the reactions that depend on a place that the file leaves open.
     #[must_use]
     pub fn of_file(scene: &Scene<'_>) -> Self {
         let unplaced = unplaced_reactions(scene);
-        let mut columns = Self::of(scene);
+        let mut columns = Self::with_moments(scene, true);
         columns.answers.retain(|answer| match answer.content {
             Content::Reaction(pair, _) | Content::Moment(pair, _) => !unplaced[pair.index()],
             _ => true,
@@ -183,7 +188,7 @@ impl AnswerColumns {
     }
 }
 
-fn all_reactions(scene: &Scene<'_>, answers: &mut Vec<Answer>) {
+fn all_reactions(scene: &Scene<'_>, of_transmissions: bool, answers: &mut Vec<Answer>) {
     let mechanism = scene.mechanism;
     for (i, pair) in mechanism.pairs.iter().enumerate() {
         let id = PairId::at(i);
@@ -191,6 +196,7 @@ fn all_reactions(scene: &Scene<'_>, answers: &mut Vec<Answer>) {
         let couple = match pair.kind {
             PairKind::Revolute(_) => true,
             PairKind::Prismatic(_) => !scene.structure.undetermined_couples.contains(&id),
+            PairKind::Transmission(_) => of_transmissions,
             _ => false,
         };
         for &on in links.iter().skip(1) {

@@ -2,7 +2,7 @@
 
 mod shown;
 
-pub use shown::{shown, shown_in_line};
+pub use shown::{is_obeyed, shown, shown_in_line};
 
 /// A range of bytes in a source text, end exclusive.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -16,10 +16,12 @@ use crate::diagnostic::DiagnosticView;
 use crate::exercise::Outcome;
 use crate::model::{Find, FindKind, TableEntry};
 use crate::solve::{Pose, Scene};
+use crate::source::is_obeyed;
 use cycle::{AccuracyView, FlywheelView};
 use entries::{Entries, Number, Reading};
 use pose::PoseView;
 use reached::ReachedView;
+use std::fmt::Write;
 use structure::StructureView;
 
 /// Name and version of the format.
@@ -148,7 +150,7 @@ pub fn render_row(
         diagnostics,
     };
     // a view of texts, truths and finite numbers is always written
-    serde_json::to_string(&view).unwrap_or_default()
+    escaped(serde_json::to_string(&view).unwrap_or_default())
 }
 
 /// One position as one line of JSON, without the line's end: `docs/json-schema/position-1.json`. Of a file without positions
@@ -167,9 +169,25 @@ pub fn render_position<'a>(
         pose: pose.map(|pose| PoseView::of(answers, pose)),
         cycle: Entries(of_cycle(answers)),
     };
-    serde_json::to_string(&view).unwrap_or_default()
+    escaped(serde_json::to_string(&view).unwrap_or_default())
 }
 
+/// The same JSON without characters that a terminal obeys: they occur in strings only.
+fn escaped(json: String) -> String {
+    if !json.contains(is_obeyed) {
+        return json;
+    }
+    let mut out = String::with_capacity(json.len() + 16);
+    for c in json.chars() {
+        if is_obeyed(c) {
+            // writing to a String does not fail
+            let _ = write!(out, "\\u{:04x}", u32::from(c));
+        } else {
+            out.push(c);
+        }
+    }
+    out
+}
 /// Tables by the names of their entries.
 fn tables(answers: &Answers<'_>) -> Vec<(String, Entries<Vec<Number>>)> {
     let table = |find: &Find| {
