@@ -35,7 +35,7 @@ fn kind(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
     match balance.kind.node {
         LoadKind::Torque => {
             let on = moving(cx, link, "a torque");
-            whole_link(cx, at)?;
+            whole_link(cx, at, &format!("balance torque {} on {}", balance.name.node, link.node))?;
             undirected(cx, balance, "a torque has no direction in the plane")?;
             on.map(BalanceKind::Torque)
         }

@@ -140,6 +140,10 @@ pub(super) fn positive_value(
     let help = match dimension {
         Dimension::LENGTH => "a length is a distance; directions are given by points and angles",
         Dimension::MASS => "leave the mass out where it is of no account",
+        Dimension::ACCELERATION => {
+            let up = cx.amount(-value, dimension, expr);
+            &format!("write its magnitude, `{what} {up}`: it points down; `{what} {up} @ 90 deg` points up")
+        }
         _ => "write a value greater than zero, or leave it out",
     };
     cx.error(LinkError::NotPositive {

@@ -205,19 +205,21 @@ fn directed(cx: &Context<'_>, source: &document::Expr, on: Option<LinkId>) -> St
 }
 
 /// A torque has no place.
-pub(super) fn whole_link(cx: &mut Context<'_>, at: Option<&document::Place>) -> Option<()> {
+pub(super) fn whole_link(cx: &mut Context<'_>, at: Option<&document::Place>, line: &str) -> Option<()> {
     let span = match at {
         None => return Some(()),
         Some(document::Place::Point(name)) => name.span,
         Some(document::Place::Ground(expr)) => expr.span,
     };
-    form(cx, "a torque acts on a whole link".into(), "leave `at` out", span);
+    form(cx, "a torque acts on a whole link".into(), &format!("write it without a point: `{line}`"), span);
     None
 }
 
 fn torque(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::Place>) -> Option<LoadKind> {
     let on = moving(cx, link, "a torque");
-    whole_link(cx, at)?;
+    let name = load.name.as_ref().map_or_else(String::new, |n| format!("{} ", n.node));
+    let line = format!("torque {name}on {} = {}", link.node, torque_text(load));
+    whole_link(cx, at, &line)?;
     if let Some(frame) = &load.frame {
         form(cx, "a torque has no direction in the plane".into(), "leave `in` out", frame.span);
         return None;
@@ -230,6 +232,19 @@ fn torque(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::
     }
     let value = turned(value?, load);
     Some(LoadKind::Torque { on: on?, value, against_motion: load.against_motion.is_some() })
+}
+
+/// The value of a torque as written, with what stands behind it.
+fn torque_text(load: &Load) -> String {
+    let value = written(&load.value.value).unwrap_or_else(|| "…".into());
+    let sense = match load.value.sense.as_ref().map(|s| s.node) {
+        Some(Turn::Cw) => " cw",
+        Some(Turn::Ccw) => " ccw",
+        None => "",
+    };
+    let against = if load.against_motion.is_some() { " against motion" } else { "" };
+    let when = if load.when.is_some() { " when …" } else { "" };
+    format!("{value}{sense}{against}{when}")
 }
 
 fn turned(value: Expr, load: &Load) -> Expr {
@@ -327,8 +342,7 @@ pub(super) fn no_place(cx: &mut Context<'_>, what: &str, link: &Name, example: S
 
 /// `LINK at POINT` with a point that the link has.
 pub(super) fn example(cx: &Context<'_>, link: Option<LinkId>, name: &str) -> String {
-    let inside = link.and_then(|l| cx.names.inside.get(l.index()));
-    let point = inside.and_then(|i| i.points.keys().next()).map_or("S", String::as_str);
+    let point = link.and_then(|link| cx.point_meant(link)).unwrap_or("S");
     format!("{name} at {point}")
 }
 

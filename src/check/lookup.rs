@@ -161,7 +161,9 @@ impl Context<'_> {
         let ground = (kind == "link").then_some("ground");
         let all = self.names.things.iter().filter(|(_, d)| fits(d.what)).map(|(n, _)| n.as_str());
         let all = ground.into_iter().chain(all).collect::<Vec<_>>();
-        let help = suggestion(&name.node, &all, &format!("{kind}s"));
+        let near = !did_you_mean(&name.node, all.iter().copied()).is_empty();
+        let mesh = if kind == "pair" && !near { super::train::missing_mesh(self, &name.node) } else { None };
+        let help = mesh.or_else(|| suggestion(&name.node, &all, &format!("{kind}s")));
         let (name, span) = (name.node.clone(), name.span);
         self.error(NameError::Unknown { kind, name, place: String::new(), span, help });
     }

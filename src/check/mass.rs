@@ -173,7 +173,8 @@ fn amount_of_mass(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>) -> Op
         return Some(weight / libm::hypot(g.x, g.y));
     }
     let declared = cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Gravity(_)));
-    if !declared && !cx.names.bad.contains("gravity") {
+    let mut first = || cx.reported.insert(("gravity", "of a weight".to_owned()));
+    if !declared && !cx.names.bad.contains("gravity") && first() {
         let weight = cx.amount(weight, Dimension::FORCE, &stated.at.value);
         cx.error(LinkError::WeightWithoutGravity { link: name, weight, span: stated.span });
     }
@@ -204,7 +205,7 @@ fn centre(
         }
         _ => format!("mass {}", cx.amount(mass?, Dimension::MASS, value)),
     };
-    let point = cx.names.inside[link.index()].points.keys().next().cloned();
+    let point = cx.point_meant(link).map(str::to_owned);
     let error = LinkError::MassWithoutPlace {
         link: cx.mech.link(link).name.clone(),
         member,

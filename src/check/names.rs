@@ -161,7 +161,7 @@ pub fn declare(cx: &mut Context<'_>) {
             }
             Statement::Pose(pose) => {
                 if let Some(&first) = cx.names.poses.get(&pose.name.node) {
-                    cx.error(NameError::duplicate(&pose.name, first));
+                    cx.pose_taken(pose, first);
                 } else {
                     cx.names.poses.insert(pose.name.node.clone(), pose.name.span);
                 }
@@ -253,9 +253,14 @@ fn element(cx: &mut Context<'_>, name: &Name, kind: ThingKind, body: &Body) {
 }
 
 fn joint_names(cx: &mut Context<'_>, joint: &Joint) {
-    thing(cx, &joint.name, ThingKind::Joint(joint.kind.node));
+    match taken(cx, &joint.name) {
+        Some(first) => cx.joint_taken(joint, first),
+        None => _ = thing(cx, &joint.name, ThingKind::Joint(joint.kind.node)),
+    }
     for end in &joint.ends {
-        if let End::Over(name) = end {
+        if let End::Over(name) = end
+            && !cx.over_slider(joint, name)
+        {
             thing(cx, name, ThingKind::Idler);
         }
     }
@@ -295,7 +300,7 @@ where
     let names = &mut cx.names.inside[link.index()];
     let here = [&names.points, &names.lines, &names.circles];
     if let Some(&first) = here.iter().find_map(|list| list.get(&name.node)) {
-        cx.error(NameError::duplicate(name, first));
+        cx.error(NameError::duplicate(name, first, None));
     } else {
         list(names).insert(name.node.clone(), name.span);
     }
@@ -304,7 +309,7 @@ where
 fn quantity<'a>(cx: &mut Context<'a>, name: &Name, what: QuantityKind<'a>) {
     if let Some(first) = cx.names.quantities.get(&name.node) {
         let first = first.span;
-        cx.error(NameError::duplicate(name, first));
+        cx.quantity_taken(name, what, first);
     } else {
         cx.names.quantities.insert(name.node.clone(), Declared { what, span: name.span });
     }
@@ -323,11 +328,16 @@ fn number(cx: &mut Context<'_>, number: Option<&Spanned<String>>) {
     }
 }
 
+/// Where the name is declared before.
+fn taken(cx: &Context<'_>, name: &Name) -> Option<Span> {
+    let ground = (name.node == "ground").then(|| cx.mech.links[0].span);
+    cx.names.things.get(&name.node).map(|d| d.span).or(ground)
+}
+
 /// Whether the name was free.
 fn thing(cx: &mut Context<'_>, name: &Name, what: ThingKind) -> bool {
-    let ground = (name.node == "ground").then(|| cx.mech.links[0].span);
-    if let Some(first) = cx.names.things.get(&name.node).map(|d| d.span).or(ground) {
-        cx.error(NameError::duplicate(name, first));
+    if let Some(first) = taken(cx, name) {
+        cx.error(NameError::duplicate(name, first, None));
         return false;
     }
     cx.names.things.insert(name.node.clone(), Declared { what, span: name.span });

@@ -3,6 +3,7 @@
 use super::context::Context;
 use super::error::{NameError, PairError};
 use super::lookup::is_linkage_pair;
+use super::pair_meant::{end_text, line_of, write_one};
 use super::pair_property::{Shared, phrase, read_own as read, shared, with_shared};
 use super::prismatic::{Held, guide};
 use super::{contact, friction};
@@ -105,7 +106,11 @@ fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
     let joined = joined.into_iter().collect::<Option<Vec<_>>>()?;
     for (i, end) in joined.iter().enumerate() {
         if let Some(first) = joined[..i].iter().find(|e| e.link == end.link) {
+            let help = other_link(cx, joint, end.link).unwrap_or_else(|| {
+                "a link is rigid: name another link in one of the two places".into()
+            });
             cx.error(PairError::JoinedWithItself {
+                help,
                 what: joint.kind.node.word().into(),
                 name: joint.name.node.clone(),
                 link: cx.mech.link(end.link).name.clone(),
@@ -116,6 +121,22 @@ fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
         }
     }
     Some(joined)
+}
+
+/// The line of a hinge between a link that is named twice and the only other one that has the point of its name.
+fn other_link(cx: &Context<'_>, joint: &Joint, link: LinkId) -> Option<String> {
+    let name = &joint.name.node;
+    let links = cx.names.inside.iter().zip(&cx.mech.links).enumerate();
+    let mut others = links.filter(|(i, (inside, _))| *i != link.index() && inside.points.contains_key(name));
+    let (_, (_, other)) = others.next()?;
+    if joint.kind.node != JointKind::Revolute || joint.ends.len() != 2 || others.next().is_some() {
+        return None;
+    }
+    let line = line_of(joint, |end| {
+        let first = end.span() == joint.ends[0].span();
+        if first { end_text(end) } else { other.name.clone() }
+    });
+    Some(format!("`{}` has a point `{name}`: write `{line}`", other.name))
 }
 
 fn joined(cx: &mut Context<'_>, joint: &Joint, end: &End) -> Option<Joined> {
@@ -140,10 +161,27 @@ fn joined(cx: &mut Context<'_>, joint: &Joint, end: &End) -> Option<Joined> {
 /// The point of an end.
 pub(super) fn point(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Pin> {
     if !end.implied || cx.kind_inside(end.link, &end.part.node).is_some() {
+        not_on_line(cx, joint, end)?;
         let at = cx.point(end.link, &end.part)?;
         return Some(Pin { link: end.link, name: end.part.node.clone(), at });
     }
     nothing_to_join(cx, joint, end, "point");
+    None
+}
+
+/// Reports a line at the end of a hinge.
+fn not_on_line(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<()> {
+    let on_line =
+        joint.kind.node == JointKind::Revolute && cx.kind_inside(end.link, &end.part.node) == Some("line");
+    let lines = if on_line { cx.lines_meant(joint, JointKind::Prismatic) } else { Vec::new() };
+    let Some(help) = write_one(&lines) else { return Some(()) };
+    cx.error(PairError::WrongEnds {
+        what: phrase(joint.kind.node),
+        wants: "two points".into(),
+        got: format!("a point and the line `{}`", end.part.node),
+        help: format!("{help}: a point on a line"),
+        span: end.span,
+    });
     None
 }
 
@@ -163,7 +201,7 @@ pub(super) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     let elsewhere = (what == "point").then(|| meant(cx, joint)).flatten();
     let all = inside.points.keys().map(|p| format!("`{link}.{p}`")).collect::<Vec<_>>();
     let choices = match all.len() {
-        0 => format!("`{link}` has no points yet; give it one: `{name} (0, 0)`"),
+        0 => format!("give `{link}` the point: `{}`", with_point(cx, &link, name)),
         1 => format!("write {}, or give `{link}` a point `{name} (0, 0)`", all[0]),
         n => format!("say which point is meant: {}", all[..n.min(8)].join(" or ")),
     };
@@ -172,9 +210,10 @@ pub(super) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
             let how = super::alike::difference(name, point, "here", &format!("in `{link}.{point}`"));
             format!("name the pair `{point}`: {how}")
         }
-        None => elsewhere.unwrap_or(choices),
+        None => elsewhere.or_else(|| write_one(&cx.lines_meant(joint, joint.kind.node))).unwrap_or(choices),
     };
     let name = name.clone();
+    cx.names.inside[end.link.index()].bad.insert(name.clone());
     // what is not found because of this is no second mistake
     cx.names.bad.extend(alike);
     cx.error(PairError::NothingToJoin {
@@ -185,6 +224,17 @@ pub(super) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
         span: end.span,
         pair: joint.name.span,
     });
+}
+
+/// A point at the origin of a link: the whole line where nothing else is in it.
+fn with_point(cx: &Context<'_>, link: &str, point: &str) -> String {
+    let empty = cx.doc.statements.iter().find_map(|s| match &s.node {
+        Statement::Link(l) if l.name.node == link && l.bar.is_none() && l.body.is_empty() => Some(l),
+        _ => None,
+    });
+    let Some(empty) = empty else { return format!("{point} (0, 0)") };
+    let number = empty.number.as_ref().map_or_else(String::new, |n| format!("{} ", n.node));
+    format!("link {number}{link} {{ {point} (0, 0) }}")
 }
 
 /// The statement that may be meant where a hinge joins links that lack the point of its name.
@@ -201,8 +251,8 @@ fn meant(cx: &Context<'_>, joint: &Joint) -> Option<String> {
     // another pair of the same links may be meant
     let own = ends_named(joint)?;
     let other = cx.doc.statements.iter().find_map(|s| match &s.node {
-        Statement::Joint(other) if other.name.span != joint.name.span && ends_named(other)? == own => {
-            Some(other)
+        Statement::Joint(other) if other.name.span != joint.name.span && other.kind.node == joint.kind.node => {
+            (ends_named(other)? == own).then_some(other)
         }
         _ => None,
     })?;

@@ -3,8 +3,10 @@
 use super::context::Context;
 use super::error::PairError;
 use super::property::{Read, Spec, Takes, Value, find, read};
+use super::pair_meant::braces;
 use super::train;
-use crate::syntax::document::{Joint, JointKind, Statement};
+use crate::source::Span;
+use crate::syntax::document::{Joint, JointKind, Property, Statement};
 use crate::units::Dimension;
 
 const FRICTION: Spec =
@@ -100,39 +102,60 @@ pub(super) fn phrase(kind: JointKind) -> String {
 /// The first `own` properties are those of the pair, the others those of `all` statements.
 fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read], own: usize) -> Option<()> {
     let said = all.iter().filter(|p| AMOUNTS.contains(&p.name)).collect::<Vec<_>>();
-    let needs = |name: &'static str, other: &'static str, example: &'static str| {
+    let needs = |name: &'static str, other: &'static str, missing: &'static [&'static str]| {
         let property = find(all, name).filter(|_| find(all, other).is_none())?;
-        Some((format!("`{name}` means nothing without `{other}`"), example, property))
+        Some((format!("`{name}` means nothing without `{other}`"), missing, property))
     };
     let missing = match kind {
-        JointKind::Revolute => needs("friction", "radius", "radius 20 mm; friction 0.1")
-            .or_else(|| needs("equivalent_friction", "radius", "radius 15 mm; equivalent_friction 0.18"))
-            .or_else(|| needs("fit", "friction", "radius 20 mm; friction 0.1; fit even")),
-        JointKind::Prismatic => needs("groove", "friction", "friction 0.12; groove 35 deg").or_else(|| {
+        JointKind::Revolute => needs("friction", "radius", &["radius 20 mm"])
+            .or_else(|| needs("equivalent_friction", "radius", &["radius 20 mm"]))
+            .or_else(|| {
+                let missing: &[_] =
+                    if find(all, "radius").is_some() { &["friction 0.1"] } else { &["radius 20 mm", "friction 0.1"] };
+                needs("fit", "friction", missing)
+            }),
+        JointKind::Prismatic => needs("groove", "friction", &["friction 0.12"]).or_else(|| {
             let round = find(all, "groove").is_some_and(|g| g.value == Value::Word("round"));
-            if round { None } else { needs("fit", "groove", "friction 0.12; groove round; fit even") }
+            let missing: &[_] =
+                if find(all, "friction").is_some() { &["groove round"] } else { &["friction 0.12", "groove round"] };
+            if round { None } else { needs("fit", "groove", missing) }
         }),
         _ => None,
     };
     let problem = match (&said[..], missing) {
         ([_, second, ..], _) => Some((
             format!("`{}` and `{}` both say how much friction there is", said[0].name, second.name),
-            "",
+            &[][..],
             *second,
         )),
         (_, missing) => missing,
     };
-    let Some((message, example, property)) = problem else { return Some(()) };
+    let Some((message, missing, property)) = problem else { return Some(()) };
     let of_all = all.iter().position(|p| p.span == property.span).is_some_and(|i| i >= own);
     if of_all && !cx.reported.insert(("property of all", property.span.start.to_string())) {
         return None;
     }
-    let of = if of_all { format!("all {} ", kind.word()) } else { String::new() };
-    let help =
-        if example.is_empty() { "keep one of them".into() } else { format!("write `{of}{{ {example} }}`") };
+    let help = if missing.is_empty() {
+        "keep one of them".into()
+    } else if of_all {
+        let beside = braces(properties_of_all(cx, property.span), missing);
+        format!("write `all {}{beside}`, with its own value", kind.word())
+    } else {
+        let beside = braces(&joint.properties, missing);
+        format!("write `{}`, with its own value", beside.trim())
+    };
     let label = if of_all { "in all of them".into() } else { format!("in `{}`", joint.name.node) };
     cx.error(PairError::Incomplete { message, help, span: property.span, label });
     None
+}
+
+/// The properties of the `all` statement with one of them at this place.
+fn properties_of_all<'a>(cx: &Context<'a>, span: Span) -> &'a [Property] {
+    let all = cx.doc.statements.iter().filter_map(|s| match &s.node {
+        Statement::All(all) => Some(&all.properties[..]),
+        _ => None,
+    });
+    all.into_iter().find(|p| p.iter().any(|p| p.span == span)).unwrap_or_default()
 }
 
 /// What `all` statements say of each kind of joint.

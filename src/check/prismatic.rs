@@ -3,12 +3,15 @@
 use super::context::Context;
 use super::error::{NameError, PairError};
 use super::lookup::suggestion;
+use super::pair_meant::{end_text, line_of};
 use super::pair::{Joined, nothing_to_join};
 use super::pair_property::phrase;
 use super::property::{Read, Value, find};
+use crate::diagnostic::did_you_mean;
 use crate::math::Vec2;
 use crate::model::{Guide, Line, LinkId, PairKind};
-use crate::syntax::document::{Joint, JointKind, Member, Name, Statement};
+use crate::source::Spanned;
+use crate::syntax::document::{End, Joint, JointKind, Member, Name, Statement};
 use crate::units::Dimension;
 use indexmap::IndexMap;
 
@@ -76,7 +79,7 @@ fn part(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Part> {
             if end.implied {
                 nothing_to_join(cx, joint, end, "point");
             } else {
-                unknown(cx, end);
+                unknown(cx, joint, end);
             }
             None
         }
@@ -84,7 +87,7 @@ fn part(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Part> {
 }
 
 /// Reports a name that is neither a point nor a line of the link.
-fn unknown(cx: &mut Context<'_>, end: &Joined) {
+fn unknown(cx: &mut Context<'_>, joint: &Joint, end: &Joined) {
     let inside = &cx.names.inside[end.link.index()];
     let name = &end.part.node;
     if inside.bad.contains(name) || cx.names.bad.contains(name) {
@@ -92,11 +95,55 @@ fn unknown(cx: &mut Context<'_>, end: &Joined) {
     }
     let all = inside.points.keys().chain(inside.lines.keys()).map(String::as_str).collect::<Vec<_>>();
     let owner = &cx.mech.link(end.link).name;
-    let help = suggestion(name, &all, &format!("points and lines of {owner}"));
+    let near = !did_you_mean(name, all.iter().copied()).is_empty();
+    let line = if near { None } else { line_elsewhere(cx, joint, end).or_else(|| missing_line(cx, joint, end)) };
+    let help = line.or_else(|| suggestion(name, &all, &format!("points and lines of {owner}")));
     let place =
         if end.link == LinkId::GROUND { " on the ground".into() } else { format!(" in link `{owner}`") };
     let (name, span) = (name.clone(), end.part.span);
     cx.error(NameError::Unknown { kind: "point or line", name, place, span, help });
+}
+
+/// The pair with a line that another link has.
+fn line_elsewhere(cx: &Context<'_>, joint: &Joint, end: &Joined) -> Option<String> {
+    let name = &end.part.node;
+    let links = cx.names.inside.iter().zip(&cx.mech.links);
+    let mut owners = links.filter(|(inside, _)| inside.lines.contains_key(name)).map(|(_, link)| &link.name);
+    let owner = owners.next()?;
+    let among = |e: &End| matches!(e, End::At(path) if path.head.node == *owner);
+    if owners.next().is_some() || joint.ends.iter().any(among) {
+        return None;
+    }
+    let line = line_of(joint, |e| match e.span() == end.span {
+        true => format!("{owner}.{name}"),
+        false => end_text(e),
+    });
+    Some(format!("`{name}` is a line of `{owner}`: write `{line}`"))
+}
+
+/// The member that gives the link the line, where it has none and the other end is a point.
+fn missing_line(cx: &Context<'_>, joint: &Joint, end: &Joined) -> Option<String> {
+    let other = joint.ends.iter().find_map(|e| match e {
+        End::At(path) if e.span() != end.span => Some(path),
+        _ => None,
+    })?;
+    let part = other.tail.as_ref().unwrap_or(&joint.name);
+    let inside = &cx.names.inside[end.link.index()];
+    let point = cx.kind_inside(cx.find_link(&other.head.node)?, &part.node) == Some("point");
+    if !point || !inside.lines.is_empty() {
+        return None;
+    }
+    let (name, owner) = (&end.part.node, &cx.mech.link(end.link).name);
+    let bar = cx.doc.statements.iter().find_map(|s| match &s.node {
+        Statement::Link(l) if l.name.node == *owner => l.bar.as_ref(),
+        _ => None,
+    });
+    let first = inside.points.keys().next()?;
+    let line = bar.map_or_else(
+        || format!("line {name} through {first} along 0 deg"),
+        |bar| format!("line {name} through {} to {}", bar.from.node, bar.to.node),
+    );
+    Some(format!("give `{owner}` the line in its braces: `{line}`"))
 }
 
 /// The point's x axis makes `angle` with the line, so that the line lies at minus that angle in the slider's frame.
@@ -162,8 +209,15 @@ fn wrong_ends<T>(
 ) -> Option<T> {
     let slot = joint.kind.node == JointKind::Slot;
     let name = &joint.name.node;
+    let meant = cx.lines_meant(joint, joint.kind.node);
+    let meant = meant.iter().map(|l| format!("`{l}`")).collect::<Vec<_>>();
     let help = match (slot, got) {
         (true, "two lines") => format!("two lines on each other are a `prismatic {name}`"),
+        (_, "two points") if first.implied && second.implied => {
+            let line = line_of(&Joint { kind: Spanned::new(JointKind::Revolute, joint.kind.span), ..joint.clone() }, end_text);
+            format!("both links have the point `{name}`: write `{line}`")
+        }
+        (_, "two points") if !meant.is_empty() => format!("name the line: {}", meant.join(" or ")),
         (_, "two points") => {
             "one of the two links needs a line to slide along: `line guide through A along 0 deg`".into()
         }

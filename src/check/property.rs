@@ -6,7 +6,7 @@ use super::expr::Want;
 use super::link::{not_negative, positive};
 use super::lookup::suggestion;
 use crate::source::Span;
-use crate::syntax::document::{Expr, ExprKind, Property};
+use crate::syntax::document::{Definition, Expr, ExprKind, Property, Statement};
 use crate::units::Dimension;
 
 /// A property that a statement may have.
@@ -38,6 +38,18 @@ pub(super) enum Takes {
     /// Properties of its own.
     Block(&'static [Spec]),
 }
+
+/// Other usual words and symbols for properties.
+const USUAL: &[(&str, &str)] = &[
+    ("mu", "friction"),
+    ("coefficient", "friction"),
+    ("friction_coefficient", "friction"),
+    ("k", "stiffness"),
+    ("rate", "stiffness"),
+    ("spring_rate", "stiffness"),
+    ("eta", "efficiency"),
+    ("pitch", "lead"),
+];
 
 /// A property that is as it should be.
 #[derive(Clone, Debug)]
@@ -121,7 +133,10 @@ fn one(
     let name = &property.name.node;
     let Some(spec) = specs.iter().find(|s| s.name == name.as_str()) else {
         let known = specs.iter().map(|s| s.name).chain(others.iter().copied()).collect::<Vec<_>>();
-        let help = suggestion(name, &known, "properties")
+        let usual = USUAL.iter().find(|(other, ours)| *other == name.as_str() && known.contains(ours));
+        let help = usual
+            .map(|(_, ours)| format!("did you mean `{ours}`?"))
+            .or_else(|| suggestion(name, &known, "properties"))
             .unwrap_or_else(|| format!("{what} has no properties at all; leave the braces out"));
         let (what, name, span) = (what.to_owned(), name.clone(), property.name.span);
         cx.error(PairError::UnknownProperty { what, name, help, span });
@@ -192,4 +207,20 @@ fn word(expr: &Expr, words: &[&'static str]) -> Option<&'static str> {
 fn is_unknown_word(cx: &Context<'_>, expr: &Expr) -> bool {
     matches!(&expr.kind, ExprKind::Name(name)
         if name != "pi" && !cx.names.quantities.contains_key(name) && !cx.names.bad.contains(name))
+}
+
+impl Context<'_> {
+    /// The name of the only `given` of a dimension.
+    pub(super) fn only_given(&mut self, dimension: Dimension) -> Option<String> {
+        let doc = self.doc;
+        let fits = self.quietly(|cx| {
+            let givens = doc.statements.iter().filter_map(|s| match &s.node {
+                Statement::Given(given) => Some(given),
+                _ => None,
+            });
+            let mut fits = |d: &&Definition| cx.scalar_constant(&d.value, &Want(dimension), "").is_some();
+            givens.filter(&mut fits).map(|d| d.name.node.clone()).collect::<Vec<_>>()
+        });
+        if let [only] = &fits[..] { Some(only.clone()) } else { None }
+    }
 }

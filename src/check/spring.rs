@@ -34,6 +34,7 @@ fn spring(cx: &mut Context<'_>, spring: &Spring) -> Option<model::Spring> {
     let (properties, from, to) = (properties?, from?, to?);
     if from.0 == to.0 {
         cx.error(PairError::JoinedWithItself {
+            help: "a link is rigid: name another link in one of the two places".into(),
             what: "spring".into(),
             name: spring.name.node.clone(),
             link: spring.from.head.node.clone(),
@@ -43,16 +44,20 @@ fn spring(cx: &mut Context<'_>, spring: &Spring) -> Option<model::Spring> {
         return None;
     }
     let number = |name| find(&properties, name).map(super::property::Read::number);
+    let mut stiffness = || {
+        let own = cx.only_given(Dimension::STIFFNESS).map(|given| format!("stiffness {given}"));
+        own.unwrap_or_else(|| "stiffness 4530 N/m".into())
+    };
     let missing = match (number("stiffness"), number("free_length"), number("damping")) {
-        (None, _, None) => Some("stiffness 4530 N/m; free_length 80 mm"),
-        (Some(_), None, _) => Some("free_length 80 mm"),
-        (None, Some(_), _) => Some("stiffness 4530 N/m"),
+        (None, None, None) => Some(format!("{}; free_length 80 mm", stiffness())),
+        (Some(_), None, _) => Some("free_length 80 mm".to_owned()),
+        (None, Some(_), _) => Some(stiffness()),
         _ => None,
     };
     if let Some(missing) = missing {
         cx.error(PairError::Incomplete {
             message: format!("spring `{}` is not fully described", spring.name.node),
-            help: format!("add `{missing}`, with its own value; a damper alone needs only `damping`"),
+            help: format!("add `{missing}` in the braces, with its own value; a damper alone needs only `damping`"),
             span: spring.name.span,
             label: "its force is not known".into(),
         });

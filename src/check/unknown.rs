@@ -4,6 +4,7 @@ use super::context::Context;
 use super::error::NameError;
 use super::names::ThingKind;
 use crate::diagnostic::did_you_mean;
+use crate::model::{LinkId, PairKind};
 use crate::syntax::document::{Balance, JointKind, LoadKind, Name, Site, Statement};
 use crate::units::{Dimension, lookup};
 
@@ -22,9 +23,20 @@ impl Context<'_> {
             (false, None) if !torque && drive.target.tail.is_none() => {
                 format!("balance force {name} in {on}")
             }
+            (true, Some(_)) => format!("balance force {name} {} along 0 deg", self.on_guided()?),
             _ => return None,
         };
         Some(format!("for an unknown effort add the line `{line}`"))
+    }
+
+    /// The only link that slides on the ground, with its point on the guide.
+    fn on_guided(&self) -> Option<String> {
+        let mut guides = self.mech.pairs.iter().filter_map(|p| match &p.kind {
+            PairKind::Prismatic(g) if g.guide == LinkId::GROUND => Some(g),
+            _ => None,
+        });
+        let only = guides.next().filter(|_| guides.next().is_none())?;
+        Some(format!("on {} at {}", self.mech.link(only.slider).name, only.point_name))
     }
 
     /// `find velocities`: functions stand for one thing each.

@@ -82,7 +82,7 @@ pub(super) fn columns(cx: &mut Context<'_>, table: &Variants) -> Option<Vec<RowC
     for (i, column) in table.columns.iter().enumerate() {
         match table.columns[..i].iter().find(|c| c.name.node == column.name.node) {
             Some(first) => {
-                cx.error(NameError::duplicate(&column.name, first.name.span));
+                cx.error(NameError::duplicate(&column.name, first.name.span, None));
                 all.push(None);
             }
             None => all.push(check_column(cx, column)),

@@ -46,8 +46,10 @@ pub enum NameError {
     },
     /// Two things of one list have one name.
     #[error("`{name}` is declared twice")]
-    #[diagnostic(code("mech::name::duplicate"), help("give one of them another name"))]
+    #[diagnostic(code("mech::name::duplicate"), help("{help}"))]
     Duplicate {
+        /// What to write.
+        help: String,
         /// The name.
         name: String,
         /// The second declaration.
@@ -122,8 +124,9 @@ pub enum NameError {
 
 impl NameError {
     /// A second declaration of a name.
-    pub fn duplicate(again: &Spanned<String>, first: Span) -> Self {
+    pub fn duplicate(again: &Spanned<String>, first: Span, help: Option<String>) -> Self {
+        let help = help.unwrap_or_else(|| "give one of them another name".into());
         let first = (first != Span::default()).then_some(first);
-        Self::Duplicate { name: again.node.clone(), again: again.span, first }
+        Self::Duplicate { help, name: again.node.clone(), again: again.span, first }
     }
 }

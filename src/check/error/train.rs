@@ -126,11 +126,11 @@ pub enum TrainError {
     #[diagnostic(
         code("mech::train::planet_distance"),
         severity(Warning),
-        help(
-            "the rates do not hang on it; with coaxial wheels the arms are equal: sun and planet add, ring and planet subtract"
-        )
+        help("{help}")
     )]
     PlanetDistance {
+        /// What to write.
+        help: String,
         /// The planet's shaft.
         shaft: String,
         /// The first mesh.
@@ -163,15 +163,14 @@ pub enum TrainError {
     },
     /// An efficiency that is none.
     #[error("an efficiency lies above 0 and not above 1, this is {value}")]
-    #[diagnostic(
-        code("mech::train::efficiency"),
-        help("write the part of the power that gets through: `efficiency 0.98`, or `efficiency 98 %`")
-    )]
+    #[diagnostic(code("mech::train::efficiency"), help("{help}"))]
     Efficiency {
         /// What is written.
         value: String,
+        /// What to write.
+        help: String,
         /// Place.
-        #[label(primary, "of which power?")]
+        #[label(primary, "more than goes in")]
         span: Span,
     },
 }

@@ -2,6 +2,7 @@
 
 mod at_rest;
 mod carrier;
+mod meant;
 mod planet;
 mod property;
 mod rope;
@@ -10,6 +11,7 @@ mod size;
 mod transmission;
 
 pub(super) use at_rest::at_rest;
+pub(super) use meant::missing_mesh;
 pub(super) use property::{constant, known, specs};
 pub(super) use shaft::shafts;
 pub(super) use size::{Sizes, wheels};

@@ -4,16 +4,30 @@ use super::carrier::centre_on;
 use crate::check::amount::told;
 use crate::check::context::Context;
 use crate::check::error::TrainError;
+use crate::check::pair_meant::{braces, end_text};
 use crate::model::{LinkId, Pair, PairKind, Wheel};
 use crate::source::Span;
+use crate::syntax::document::Joint;
 use crate::units::Dimension;
 use indexmap::IndexMap;
 
 /// A distance may differ from what the sizes ask for by this part.
 const AGREES: f64 = 1e-6;
 
-/// Arms of planets as their meshes ask for them: by shaft, the arm, the mesh with its place, and the axis meshed with.
-pub(super) type Arms = IndexMap<LinkId, Vec<(f64, String, Span)>>;
+/// The arm that a mesh asks of a planet.
+#[derive(Clone)]
+pub(super) struct Arm {
+    length: f64,
+    /// That of a mesh that is internal where this one is not, or the other way round.
+    turned: f64,
+    mesh: String,
+    span: Span,
+    /// What to write to turn it.
+    help: String,
+}
+
+/// Arms of planets as their meshes ask for them, by shaft.
+pub(super) type Arms = IndexMap<LinkId, Vec<Arm>>;
 
 /// Reports placed wheels whose distance is not that of their sizes.
 pub(super) fn distance(
@@ -54,31 +68,51 @@ pub(super) fn arm(
     planet: &Wheel,
     other: &Wheel,
     internal: bool,
-    (name, span): (&str, Span),
+    joint: &Joint,
 ) {
     let scaled = |w: &Wheel| cx.mech.scales.iter().any(|s| s.wheel == w.name && !s.teeth);
     if scaled(planet) || scaled(other) {
         return;
     }
-    let arm = if internal { (other.radius - planet.radius).abs() } else { other.radius + planet.radius };
+    let (inner, outer) = ((other.radius - planet.radius).abs(), other.radius + planet.radius);
+    let (length, turned) = if internal { (inner, outer) } else { (outer, inner) };
+    let line = format!("mesh {}: {} - {}", joint.name.node, end_text(&joint.ends[0]), end_text(&joint.ends[1]));
+    let help = if internal {
+        format!("`{}` is no internal mesh: leave `internal` out", joint.name.node)
+    } else {
+        let more = braces(&joint.properties, &["internal"]);
+        format!("a ring has its teeth inside: write `{line}{more}`")
+    };
+    let asked = Arm { length, turned, mesh: joint.name.node.clone(), span: joint.name.span, help };
+    let agree = |a: f64, b: f64| (a - b).abs() <= AGREES * b;
     let before = arms.entry(planet.link).or_default();
-    let odd = before.iter().find(|(a, ..)| (a - arm).abs() > AGREES * arm).cloned();
-    before.push((arm, name.to_owned(), span));
-    let Some((one, first, first_span)) = odd else { return };
+    let odd = before.iter().find(|a| !agree(a.length, length)).cloned();
+    before.push(asked.clone());
+    let Some(first) = odd else { return };
     let modules = cx.mech.scales.iter().any(|s| s.teeth);
     // without a module an arm is a sum of teeth
     let text = |arm: f64| match modules {
         true => format!("{} teeth", crate::check::amount::digits(2.0 * arm)),
         false => told(arm, Dimension::LENGTH),
     };
+    let help = if agree(asked.turned, first.length) {
+        format!("{}; then both arms are {}", asked.help, text(first.length))
+    } else if agree(first.turned, length) {
+        format!("{}; then both arms are {}", first.help, text(length))
+    } else {
+        "make the arms equal: with coaxial wheels sun and planet add, ring and planet subtract; the rates are the \
+         same either way"
+            .into()
+    };
     let error = TrainError::PlanetDistance {
+        help,
         shaft: cx.mech.link(planet.link).name.clone(),
-        first,
-        second: name.to_owned(),
-        one: text(one),
-        two: text(arm),
-        first_span,
-        second_span: span,
+        first: first.mesh,
+        second: asked.mesh,
+        one: text(first.length),
+        two: text(length),
+        first_span: first.span,
+        second_span: asked.span,
     };
     cx.error(error);
 }

@@ -1,6 +1,7 @@
 //! Meshes, belts, chains, racks, worms and screws: each a law between rates.
 
 use super::carrier::{carrier, turns_on};
+use super::meant::{only_wheels, percent};
 use super::planet::{Arms, arm, distance, is_planet};
 use super::rope::{merged, rope, two_sides};
 use super::size::label;
@@ -9,6 +10,7 @@ use crate::check::context::Context;
 use crate::check::error::{PairError, TrainError};
 use crate::check::lookup::is_linkage_pair;
 use crate::check::names::ThingKind;
+use crate::check::pair_meant::{braces, end_text};
 use crate::check::pair_property::{phrase, shared, specs};
 use crate::check::property::{Read, find, read};
 use crate::model::{
@@ -69,7 +71,7 @@ fn transmission(
     arms: &mut Arms,
 ) -> Option<Transmission> {
     let kind = kind(joint.kind.node)?;
-    let efficiency = efficiency(cx, properties)?;
+    let efficiency = efficiency(cx, joint, properties)?;
     let pressure_angle = pressure_angle(cx, properties)?;
     let mut runs = match kind {
         TransmissionKind::Rope => rope(cx, joint).map(|(laws, links)| Runs { laws, links, meeting: None }),
@@ -90,7 +92,7 @@ fn transmission(
         let back = if thread { 2.0 - 1.0 / there } else { there };
         runs.laws.iter_mut().for_each(|l| l.efficiency = Some([there, back]));
     }
-    let ends = joint.ends.iter().map(text).collect();
+    let ends = joint.ends.iter().map(end_text).collect();
     let Runs { laws, links, meeting } = runs;
     Some(Transmission { kind, ends, links, laws, meeting, pressure_angle })
 }
@@ -108,22 +110,17 @@ fn kind(kind: JointKind) -> Option<TransmissionKind> {
     })
 }
 
-fn text(end: &End) -> String {
-    match end {
-        End::At(path) => crate::check::drive::text(path),
-        End::Over(name) => format!("over({})", name.node),
-        End::Under(name) => format!("under({})", name.node),
-    }
-}
-
 /// `Some(None)` where none is written.
-fn efficiency(cx: &mut Context<'_>, properties: &[Read]) -> Option<Option<f64>> {
+fn efficiency(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Option<f64>> {
     let Some(property) = find(properties, "efficiency") else { return Some(None) };
     let value = property.number();
     if value <= 1.0 {
         return Some(Some(value));
     }
-    cx.error(TrainError::Efficiency { value: digits(value), span: property.span });
+    let help = percent(cx, joint, value).unwrap_or_else(|| {
+        "write the part of the power that gets through: `efficiency 0.98`, or `efficiency 98 %`".into()
+    });
+    cx.error(TrainError::Efficiency { value: digits(value), help, span: property.span });
     None
 }
 
@@ -190,6 +187,7 @@ fn wheels(
     (arms, tangent): (&mut Arms, Option<f64>),
 ) -> Option<Runs> {
     let paths = two(cx, joint)?;
+    only_wheels(cx, joint, paths)?;
     let (a, b) = (wheel(cx, paths[0]), wheel(cx, paths[1]));
     let (a, b) = (a?, b?);
     if a.link == b.link {
@@ -229,7 +227,7 @@ fn wheels(
         }
         for (planet, other) in [(&a, &b), (&b, &a)] {
             if is_planet(cx, planet, carrier) && !is_planet(cx, other, carrier) {
-                arm(cx, arms, planet, other, internal, (&joint.name.node, joint.name.span));
+                arm(cx, arms, planet, other, internal, joint);
             }
         }
         if let (Some(p), Some(q), Some(tangent)) = (a.centre, b.centre, tangent) {
@@ -381,12 +379,8 @@ fn screw(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Run
     let (spindle, nut) = (turning(cx, first), sliding(cx, second));
     let (spindle, (pair, link, sense)) = (spindle?, nut?);
     let Some(lead) = find(properties, "lead") else {
-        return incomplete(
-            cx,
-            "how far does the nut go in one turn?",
-            "add `{ lead 5 mm }`",
-            joint.name.span,
-        );
+        let help = format!("add the lead, with its own value: `{}`", braces(&joint.properties, &["lead 5 mm"]).trim());
+        return incomplete(cx, "how far does the nut go in one turn?", &help, joint.name.span);
     };
     let lead_per_angle = lead.number() / TAU;
     if lead_per_angle == 0.0 {

@@ -46,9 +46,11 @@ pub enum PairError {
     #[error("{what} `{name}` joins `{link}` with itself")]
     #[diagnostic(
         code("mech::geometry::joined_with_itself"),
-        help("a link is rigid: name another link in one of the two places")
+        help("{help}")
     )]
     JoinedWithItself {
+        /// What to write.
+        help: String,
         /// Pair, spring …
         what: String,
         /// Its name.
