@@ -100,9 +100,12 @@ fn structure_first(source: &Source, overrides: &Overrides, problems: Problems) -
     let follows = |d: &DiagnosticView| {
         d.severity != "error"
             || d.code.as_deref() == Some("mech::geometry::no_guide")
-            || proposed.iter().any(|name| d.message.contains(&format!("`{name}`")))
+            // a pair that is there and has an error is not missing
+            || d.code.as_deref().is_some_and(|code| code.starts_with("mech::name::"))
+                && proposed.iter().any(|name| d.message.contains(&format!("`{name}`")))
     };
-    if problems.views(source).iter().all(follows) { structural } else { problems }
+    let views = problems.views(source);
+    if problems.has_errors() && views.iter().all(follows) { structural } else { problems }
 }
 
 /// The names of the pairs that a help proposes to add.

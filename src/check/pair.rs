@@ -106,9 +106,8 @@ fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
     let joined = joined.into_iter().collect::<Option<Vec<_>>>()?;
     for (i, end) in joined.iter().enumerate() {
         if let Some(first) = joined[..i].iter().find(|e| e.link == end.link) {
-            let help = other_link(cx, joint, end.link).unwrap_or_else(|| {
-                "a link is rigid: name another link in one of the two places".into()
-            });
+            let help = other_link(cx, joint, end.link)
+                .unwrap_or_else(|| "a link is rigid: name another link in one of the two places".into());
             cx.error(PairError::JoinedWithItself {
                 help,
                 what: joint.kind.node.word().into(),
@@ -251,7 +250,9 @@ fn meant(cx: &Context<'_>, joint: &Joint) -> Option<String> {
     // another pair of the same links may be meant
     let own = ends_named(joint)?;
     let other = cx.doc.statements.iter().find_map(|s| match &s.node {
-        Statement::Joint(other) if other.name.span != joint.name.span && other.kind.node == joint.kind.node => {
+        Statement::Joint(other)
+            if other.name.span != joint.name.span && other.kind.node == joint.kind.node =>
+        {
             (ends_named(other)? == own).then_some(other)
         }
         _ => None,

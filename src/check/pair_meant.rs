@@ -34,12 +34,14 @@ impl Context<'_> {
     fn in_pair(&self, link: LinkId, part: &str, but: Option<Span>) -> bool {
         let owner = &self.mech.link(link).name;
         self.doc.statements.iter().any(|s| match &s.node {
-            Statement::Joint(joint) if Some(joint.name.span) != but => joint.ends.iter().any(|end| match end {
-                End::At(path) => {
-                    path.head.node == *owner && path.tail.as_ref().unwrap_or(&joint.name).node == part
-                }
-                _ => false,
-            }),
+            Statement::Joint(joint) if Some(joint.name.span) != but => {
+                joint.ends.iter().any(|end| match end {
+                    End::At(path) => {
+                        path.head.node == *owner && path.tail.as_ref().unwrap_or(&joint.name).node == part
+                    }
+                    _ => false,
+                })
+            }
             _ => false,
         })
     }

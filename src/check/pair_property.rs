@@ -2,8 +2,8 @@
 
 use super::context::Context;
 use super::error::PairError;
-use super::property::{Read, Spec, Takes, Value, find, read};
 use super::pair_meant::braces;
+use super::property::{Read, Spec, Takes, Value, find, read};
 use super::train;
 use crate::source::Span;
 use crate::syntax::document::{Joint, JointKind, Property, Statement};
@@ -110,14 +110,20 @@ fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read], 
         JointKind::Revolute => needs("friction", "radius", &["radius 20 mm"])
             .or_else(|| needs("equivalent_friction", "radius", &["radius 20 mm"]))
             .or_else(|| {
-                let missing: &[_] =
-                    if find(all, "radius").is_some() { &["friction 0.1"] } else { &["radius 20 mm", "friction 0.1"] };
+                let missing: &[_] = if find(all, "radius").is_some() {
+                    &["friction 0.1"]
+                } else {
+                    &["radius 20 mm", "friction 0.1"]
+                };
                 needs("fit", "friction", missing)
             }),
         JointKind::Prismatic => needs("groove", "friction", &["friction 0.12"]).or_else(|| {
             let round = find(all, "groove").is_some_and(|g| g.value == Value::Word("round"));
-            let missing: &[_] =
-                if find(all, "friction").is_some() { &["groove round"] } else { &["friction 0.12", "groove round"] };
+            let missing: &[_] = if find(all, "friction").is_some() {
+                &["groove round"]
+            } else {
+                &["friction 0.12", "groove round"]
+            };
             if round { None } else { needs("fit", "groove", missing) }
         }),
         _ => None,

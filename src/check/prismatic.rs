@@ -3,8 +3,8 @@
 use super::context::Context;
 use super::error::{NameError, PairError};
 use super::lookup::suggestion;
-use super::pair_meant::{end_text, line_of};
 use super::pair::{Joined, nothing_to_join};
+use super::pair_meant::{end_text, line_of};
 use super::pair_property::phrase;
 use super::property::{Read, Value, find};
 use crate::diagnostic::did_you_mean;
@@ -96,7 +96,8 @@ fn unknown(cx: &mut Context<'_>, joint: &Joint, end: &Joined) {
     let all = inside.points.keys().chain(inside.lines.keys()).map(String::as_str).collect::<Vec<_>>();
     let owner = &cx.mech.link(end.link).name;
     let near = !did_you_mean(name, all.iter().copied()).is_empty();
-    let line = if near { None } else { line_elsewhere(cx, joint, end).or_else(|| missing_line(cx, joint, end)) };
+    let line =
+        if near { None } else { line_elsewhere(cx, joint, end).or_else(|| missing_line(cx, joint, end)) };
     let help = line.or_else(|| suggestion(name, &all, &format!("points and lines of {owner}")));
     let place =
         if end.link == LinkId::GROUND { " on the ground".into() } else { format!(" in link `{owner}`") };
@@ -214,7 +215,10 @@ fn wrong_ends<T>(
     let help = match (slot, got) {
         (true, "two lines") => format!("two lines on each other are a `prismatic {name}`"),
         (_, "two points") if first.implied && second.implied => {
-            let line = line_of(&Joint { kind: Spanned::new(JointKind::Revolute, joint.kind.span), ..joint.clone() }, end_text);
+            let line = line_of(
+                &Joint { kind: Spanned::new(JointKind::Revolute, joint.kind.span), ..joint.clone() },
+                end_text,
+            );
             format!("both links have the point `{name}`: write `{line}`")
         }
         (_, "two points") if !meant.is_empty() => format!("name the line: {}", meant.join(" or ")),

@@ -45,8 +45,8 @@ fn spring(cx: &mut Context<'_>, spring: &Spring) -> Option<model::Spring> {
     }
     let number = |name| find(&properties, name).map(super::property::Read::number);
     let mut stiffness = || {
-        let own = cx.only_given(Dimension::STIFFNESS).map(|given| format!("stiffness {given}"));
-        own.unwrap_or_else(|| "stiffness 4530 N/m".into())
+        let own = cx.only_given(Dimension::STIFFNESS);
+        format!("stiffness {}", own.unwrap_or_else(|| "4530 N/m".into()))
     };
     let missing = match (number("stiffness"), number("free_length"), number("damping")) {
         (None, None, None) => Some(format!("{}; free_length 80 mm", stiffness())),
@@ -57,7 +57,9 @@ fn spring(cx: &mut Context<'_>, spring: &Spring) -> Option<model::Spring> {
     if let Some(missing) = missing {
         cx.error(PairError::Incomplete {
             message: format!("spring `{}` is not fully described", spring.name.node),
-            help: format!("add `{missing}` in the braces, with its own value; a damper alone needs only `damping`"),
+            help: format!(
+                "add `{missing}` in the braces, with its own value; a damper alone needs only `damping`"
+            ),
             span: spring.name.span,
             label: "its force is not known".into(),
         });

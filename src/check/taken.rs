@@ -16,7 +16,8 @@ impl Context<'_> {
     /// Reports a second pose of one name. A pose that is named elsewhere and declared nowhere is the one meant.
     pub(super) fn pose_taken(&mut self, pose: &Pose, first: Span) {
         let statements = || self.doc.statements.iter().map(|s| &s.node);
-        let declared = |name: &str| statements().any(|s| matches!(s, Statement::Pose(p) if p.name.node == name));
+        let declared =
+            |name: &str| statements().any(|s| matches!(s, Statement::Pose(p) if p.name.node == name));
         let asked = statements().filter_map(|s| match s {
             Statement::Expect(e) => match &e.at {
                 Some(ExpectAt::Pose(name)) => Some(name.node.as_str()),

@@ -123,11 +123,7 @@ pub enum TrainError {
     #[error(
         "shaft `{shaft}` cannot turn about one axis: `{first}` asks for an arm of {one}, `{second}` for {two}"
     )]
-    #[diagnostic(
-        code("mech::train::planet_distance"),
-        severity(Warning),
-        help("{help}")
-    )]
+    #[diagnostic(code("mech::train::planet_distance"), severity(Warning), help("{help}"))]
     PlanetDistance {
         /// What to write.
         help: String,

@@ -62,11 +62,12 @@ pub(in crate::check) fn missing_mesh(cx: &Context<'_>, name: &str) -> Option<Str
     let odd = alone.next().filter(|_| alone.next().is_none())?;
     let planet = |link: &str| {
         let shafts = cx.doc.statements.iter();
-        shafts.into_iter().any(|s| {
-            matches!(&s.node, Statement::Shaft(s) if s.name.node == link && s.on.is_some())
-        })
+        shafts
+            .into_iter()
+            .any(|s| matches!(&s.node, Statement::Shaft(s) if s.name.node == link && s.on.is_some()))
     };
-    let mut planets = cx.mech.wheels.iter().filter(|w| w.link != odd.link && planet(&cx.mech.link(w.link).name));
+    let mut planets =
+        cx.mech.wheels.iter().filter(|w| w.link != odd.link && planet(&cx.mech.link(w.link).name));
     let with = planets.next().filter(|_| planets.next().is_none())?;
     Some(format!("`{0}` meshes with no wheel: add the line `mesh {name}: {0} - {1}`", odd.name, with.name))
 }

@@ -76,7 +76,8 @@ pub(super) fn arm(
     }
     let (inner, outer) = ((other.radius - planet.radius).abs(), other.radius + planet.radius);
     let (length, turned) = if internal { (inner, outer) } else { (outer, inner) };
-    let line = format!("mesh {}: {} - {}", joint.name.node, end_text(&joint.ends[0]), end_text(&joint.ends[1]));
+    let line =
+        format!("mesh {}: {} - {}", joint.name.node, end_text(&joint.ends[0]), end_text(&joint.ends[1]));
     let help = if internal {
         format!("`{}` is no internal mesh: leave `internal` out", joint.name.node)
     } else {

@@ -379,7 +379,10 @@ fn screw(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Run
     let (spindle, nut) = (turning(cx, first), sliding(cx, second));
     let (spindle, (pair, link, sense)) = (spindle?, nut?);
     let Some(lead) = find(properties, "lead") else {
-        let help = format!("add the lead, with its own value: `{}`", braces(&joint.properties, &["lead 5 mm"]).trim());
+        let help = format!(
+            "add the lead, with its own value: `{}`",
+            braces(&joint.properties, &["lead 5 mm"]).trim()
+        );
         return incomplete(cx, "how far does the nut go in one turn?", &help, joint.name.span);
     };
     let lead_per_angle = lead.number() / TAU;

@@ -44,10 +44,7 @@ pub enum PairError {
     },
     /// One of the ends is twice the same link.
     #[error("{what} `{name}` joins `{link}` with itself")]
-    #[diagnostic(
-        code("mech::geometry::joined_with_itself"),
-        help("{help}")
-    )]
+    #[diagnostic(code("mech::geometry::joined_with_itself"), help("{help}"))]
     JoinedWithItself {
         /// What to write.
         help: String,
