@@ -212,7 +212,7 @@ pub(super) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
         None => elsewhere.or_else(|| write_one(&cx.lines_meant(joint, joint.kind.node))).unwrap_or(choices),
     };
     let name = name.clone();
-    cx.names.inside[end.link.index()].bad.insert(name.clone());
+    cx.reported.insert(("point", format!("{link}.{name}")));
     // what is not found because of this is no second mistake
     cx.names.bad.extend(alike);
     cx.error(PairError::NothingToJoin {

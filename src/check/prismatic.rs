@@ -93,6 +93,10 @@ fn unknown(cx: &mut Context<'_>, joint: &Joint, end: &Joined) {
     if inside.bad.contains(name) || cx.names.bad.contains(name) {
         return;
     }
+    // said of another pair
+    if cx.reported.contains(&("point", format!("{}.{name}", cx.mech.link(end.link).name))) {
+        return;
+    }
     let all = inside.points.keys().chain(inside.lines.keys()).map(String::as_str).collect::<Vec<_>>();
     let owner = &cx.mech.link(end.link).name;
     let near = !did_you_mean(name, all.iter().copied()).is_empty();

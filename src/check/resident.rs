@@ -27,6 +27,7 @@ pub struct Resident<'a> {
     displays: Vec<Display>,
     links: usize,
     inside: usize,
+    bad: usize,
 }
 
 impl<'a> Resident<'a> {
@@ -40,9 +41,21 @@ impl<'a> Resident<'a> {
         let displays = cx.displays();
         let Context { names, units, definitions, mech, .. } = cx;
         let (order, results) = definitions.into_names();
-        let (links, inside) = (names.links.len(), names.inside.len());
+        let (links, inside, bad) = (names.links.len(), names.inside.len(), names.bad.len());
         let (doc, overrides) = (document, overrides);
-        quiet.then_some(Self { doc, overrides, names, units, order, results, mech, displays, links, inside })
+        quiet.then_some(Self {
+            doc,
+            overrides,
+            names,
+            units,
+            order,
+            results,
+            mech,
+            displays,
+            links,
+            inside,
+            bad,
+        })
     }
 
     /// As [`super::check`] with this row.
@@ -64,6 +77,8 @@ impl<'a> Resident<'a> {
         self.names.pairs.clear();
         self.names.links.truncate(self.links);
         self.names.inside.truncate(self.inside);
+        // an error of this row is not one of the next
+        self.names.bad.truncate(self.bad);
         let mechanism = Mechanism { displays: self.displays.clone(), ..mech };
         ((!problems.has_errors()).then_some(mechanism), problems)
     }
