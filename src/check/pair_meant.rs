@@ -78,7 +78,12 @@ impl Context<'_> {
                 ends.extend(both(first.lines(), &second.points()));
                 ends
             }
-            JointKind::Contact => both(first.profiles(), &second.profiles()),
+            JointKind::Contact => {
+                let mut ends = both(first.circles(), &second.circles());
+                ends.extend(both(first.circles(), &second.flat()));
+                ends.extend(both(first.flat(), &second.circles()));
+                ends
+            }
             JointKind::Revolute | JointKind::Cylinder => both(first.points(), &second.points()),
             _ => Vec::new(),
         };
@@ -108,7 +113,7 @@ struct MeantEnd<'a> {
 
 impl MeantEnd<'_> {
     /// The part that is named, where the link has it.
-    fn named<'n>(&'n self, all: impl Fn(&str) -> bool) -> Option<&'n str> {
+    fn named(&self, all: impl Fn(&str) -> bool) -> Option<&str> {
         let part = self.path.tail.as_ref().unwrap_or(&self.joint.name).node.as_str();
         all(part).then_some(part)
     }
@@ -142,14 +147,18 @@ impl MeantEnd<'_> {
         lines.keys().map(|l| self.spelled(l)).collect()
     }
 
-    fn profiles(&self) -> Vec<String> {
+    fn circles(&self) -> Vec<String> {
         let circles = &self.inside.circles;
         if let Some(part) = self.named(|p| circles.contains_key(p)) {
             return vec![self.spelled(part)];
         }
-        let mut all = circles.keys().map(|c| self.spelled(c)).collect::<Vec<_>>();
-        all.extend(self.lines());
-        if all.is_empty() { self.points() } else { all }
+        circles.keys().map(|c| self.spelled(c)).collect()
+    }
+
+    /// What a circle may touch beside another circle: lines, or else points.
+    fn flat(&self) -> Vec<String> {
+        let lines = self.lines();
+        if lines.is_empty() && self.inside.circles.is_empty() { self.points() } else { lines }
     }
 }
 
