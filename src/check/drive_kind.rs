@@ -20,7 +20,8 @@ pub(super) fn is_other(
     let Some(found) = cx.quietly(|cx| cx.read(first)).map(|t| t.ty.dimension()) else { return false };
     let want = moves.dimension(0);
     let help = match moves {
-        Moves::Turning if found == Dimension::LENGTH => by_pair(cx, drive, target),
+        Moves::Turning if found == Dimension::LENGTH => by_pair(cx, drive, target)
+            .or_else(|| cx.same_number(want, first).map(|text| format!("write `{text}`"))),
         Moves::Sliding if found == Dimension::ANGLE => {
             let (unit, rate) = (cx.usual_unit(Dimension::LENGTH), cx.usual_unit(Dimension::VELOCITY));
             Some(format!("`{name}` slides: write its position in {unit}, and its speed in {rate}"))

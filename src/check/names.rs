@@ -2,11 +2,12 @@
 
 use super::context::Context;
 use super::error::NameError;
+use super::expr::written;
 use crate::model::{BalanceId, Link, LinkId, LoadId, PairId};
 use crate::source::{Span, Spanned};
 use crate::syntax::document::{
-    Bad, Balance, Body, CamMember, Column, End, Expr, FindItem, Joint, JointKind, Load, Member, Name,
-    Statement,
+    Bad, Balance, Body, CamMember, Column, End, Expr, ExprKind, FindItem, Joint, JointKind, Load, Member,
+    Name, Statement,
 };
 use indexmap::{IndexMap, IndexSet};
 
@@ -309,6 +310,20 @@ where
 fn quantity<'a>(cx: &mut Context<'a>, name: &Name, what: QuantityKind<'a>) {
     if let Some(first) = cx.names.quantities.get(&name.node) {
         let first = first.span;
+        if let QuantityKind::Find(item) = what
+            && let ExprKind::Number(_) = &item.value.kind
+            && let Some(value) = written(&item.value)
+        {
+            let (name, span) = (name.node.clone(), item.span);
+            let is_expected =
+                |s: &Spanned<Statement>| matches!(&s.node, Statement::Expect(e) if e.text == name);
+            let help = match cx.doc.statements.iter().any(is_expected) {
+                true => format!("write `find {name}`; what is expected of it stands in its `expect`"),
+                false => format!("write `find {name}`, and as a line of its own `expect {name} = {value}`"),
+            };
+            cx.error(NameError::ValueInFind { name, span, declared: first, help });
+            return;
+        }
         cx.quantity_taken(name, what, first);
     } else {
         cx.names.quantities.insert(name.node.clone(), Declared { what, span: name.span });

@@ -4,7 +4,7 @@ use super::amount::told;
 use super::context::Context;
 use super::error::CamError;
 use super::property::Read;
-use crate::element::cam::{Fault, Follower, Misfit, Shape};
+use crate::element::cam::{Cam, Fault, Follower, Misfit, Shape};
 use crate::model::PlateCam;
 use crate::units::Dimension;
 
@@ -66,8 +66,8 @@ pub(super) fn follows(cx: &mut Context<'_>, plate: &PlateCam) {
         cx.error(CamError::Shock { name: name.clone(), at, before, behind, span });
     }
     let shape = cam.follower.shape();
-    let enough = || match cam.enough_base_radius() {
-        Some(r) => format!("a base radius of {} is enough", mm(r)),
+    let enough = || match rounded_up(cam) {
+        Some(r) => format!("write `base_radius {}`, which is enough", mm(r)),
         None => "spread the motion over more of the turn, or take a smoother law".to_owned(),
     };
     let smaller = |radius: f64| match shape {
@@ -106,4 +106,13 @@ pub(super) fn follows(cx: &mut Context<'_>, plate: &PlateCam) {
             span,
         }),
     }
+}
+
+/// The next greater base radius with a profile that the follower can follow, rounded up to four digits, m.
+fn rounded_up(cam: &Cam) -> Option<f64> {
+    let enough = cam.enough_base_radius()?;
+    let step = libm::pow(10.0, libm::floor(libm::log10(enough)) - 3.0);
+    let up = |more: f64| (libm::ceil(enough / step) + more) * step;
+    let sound = |r: &f64| cam.on_base(*r).is_ok_and(|cam| cam.fault().is_none());
+    [0.0, 1.0, 2.0].map(up).into_iter().find(sound)
 }

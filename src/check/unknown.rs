@@ -84,7 +84,9 @@ impl Context<'_> {
             let effort = || if alone { self.no_balance(&name.node) } else { None };
             let results = || if alone { self.results_by_name(&name.node) } else { None };
             let listed = || super::lookup::suggestion(&name.node, &all, "quantities");
-            let help = pi().or_else(unit).or_else(effort).or_else(results).or_else(listed);
+            let help = pi().or_else(unit).or_else(effort).or_else(results);
+            let listed = listed();
+            let help = help.or_else(|| self.function_alone(&name.node, name.span)).or(listed);
             let (name, span) = (name.node.clone(), name.span);
             NameError::Unknown { kind: "quantity", name, place: String::new(), span, help }
         };

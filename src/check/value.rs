@@ -279,7 +279,7 @@ impl Context<'_> {
     /// The expression with quantities that need no pose written out. Reports one that grows too large.
     pub(super) fn inline(&mut self, expr: &model::Expr, span: Span) -> Option<model::Expr> {
         if self.size(expr) > LARGEST {
-            self.error(UnitsError::NoValue { why: "written out it is too long", span });
+            self.error(UnitsError::NoValue { why: "written out it is too long", span, help: None });
             return None;
         }
         Some(self.written_out(expr))

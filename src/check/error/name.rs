@@ -59,6 +59,22 @@ pub enum NameError {
         #[label("first declared here")]
         first: Option<Span>,
     },
+    /// An expected value in a `find`, of what is declared already.
+    #[error("`{name}` is declared already: a `find` only asks for it")]
+    #[diagnostic(code("mech::name::duplicate"))]
+    ValueInFind {
+        /// The name.
+        name: String,
+        /// The item of the `find`.
+        #[label(primary, "asks and states a value at once")]
+        span: Span,
+        /// The declaration.
+        #[label("declared here")]
+        declared: Span,
+        /// The lines to write.
+        #[help]
+        help: String,
+    },
     /// Two links have one number.
     #[error("two links have the number {number}")]
     #[diagnostic(

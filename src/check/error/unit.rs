@@ -134,6 +134,9 @@ pub enum UnitsError {
         /// Where it stands.
         #[label(primary, "{why}")]
         span: Span,
+        /// The numbers.
+        #[help]
+        help: Option<String>,
     },
     /// A part of a unit that is also a name of the file.
     #[error("`{name}` is read as a unit here, and it is also a name of this file")]

@@ -1,12 +1,13 @@
 //! What an expression should be against what it is.
 
-use super::number::{with_unit, without_units};
+use super::number::with_unit;
 use super::typed::{Dim, Type, Typed, mend, phrase};
+use super::written;
 use crate::check::context::Context;
 use crate::check::error::UnitsError;
 use crate::source::Span;
 use crate::syntax::document::{Expr, ExprKind};
-use crate::units::{Dimension, lookup};
+use crate::units::Dimension;
 
 impl Context<'_> {
     /// The expression, if it is a number of this dimension.
@@ -79,10 +80,7 @@ impl Context<'_> {
         if found == Dimension::NUMBER && self.bare_definition(want, expr) {
             return false;
         }
-        let bare = || {
-            without_units(expr).filter(|_| want == Dimension::NUMBER).map(|text| format!("write `{text}`"))
-        };
-        let help = bare().or_else(|| weight(expr, want)).or_else(|| mend(want, found));
+        let help = self.in_its_place(want, found, &what, expr);
         self.error(UnitsError::Mismatch { what, want: phrase(want), found: phrase(found), span, help });
         false
     }
@@ -114,33 +112,32 @@ impl Context<'_> {
             (d == Dimension::NUMBER).then(|| with_unit(expr, &self.usual_unit(other))).flatten()
         };
         if let Some(text) = bare(y, right, x) {
-            return Some(format!("write `{text}`"));
+            let part =
+                part_of_stroke(left, right).map(|part| format!(", or `{part}` for a part of the stroke"));
+            return Some(format!("write `{text}`{}", part.unwrap_or_default()));
         }
         if let Some(text) = bare(x, left, y) {
             return Some(format!("write `{text}` for the first"));
         }
-        mend(x, y).map(|text| text.replacen("by", "the second by", 1))
+        let name = |d: Dimension, expr: &Expr, other: Dimension| match &expr.kind {
+            ExprKind::Name(name) if d == Dimension::NUMBER => {
+                let names = self.names_of(other)?;
+                Some(format!("write {} in place of `{name}`, as {names}", other.name()?))
+            }
+            _ => None,
+        };
+        name(y, right, x)
+            .or_else(|| name(x, left, y))
+            .or_else(|| mend(x, y).map(|text| text.replacen("by", "the second by", 1)))
     }
 }
 
-/// `8 lb*ft`, `20 kg @ 270 deg`: a mass where its weight is meant.
-fn weight(expr: &Expr, want: Dimension) -> Option<String> {
-    let (number, behind) = match &expr.kind {
-        ExprKind::Number(number) => (number, ""),
-        ExprKind::Polar(length, _) => match &length.kind {
-            ExprKind::Number(number) => (number, " @ …"),
-            _ => return None,
-        },
-        _ => return None,
+/// `0.9*stroke(G)`, where a travel is compared with a number.
+fn part_of_stroke(left: &Expr, right: &Expr) -> Option<String> {
+    let (ExprKind::Call { function, args }, ExprKind::Number(number)) = (&left.kind, &right.kind) else {
+        return None;
     };
-    let word = &number.unit.as_ref()?.node;
-    let force = [("lb", "lbf"), ("kg", "kgf")].into_iter().find_map(|(mass, force)| {
-        let rest = word.strip_prefix(mass).filter(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))?;
-        Some(format!("{force}{rest}"))
-    })?;
-    let fits = lookup(&force).is_ok_and(|unit| unit.dimension.fits(want));
-    fits.then(|| match behind {
-        "" => format!("write `{} {force}`", number.text),
-        _ => format!("write the force in `{force}`: {} {force}{behind}", number.text),
-    })
+    let is_travel = function.node == "travel" && number.value < 1.0;
+    let pair = args.first().filter(|_| is_travel).and_then(|a| written(&a.value))?;
+    Some(format!("{}*stroke({pair})", number.text))
 }

@@ -61,6 +61,14 @@ impl Context<'_> {
     fn of(&mut self, call: Call<'_>, from: Dimension, f: Function, to: Dimension) -> Option<Typed> {
         let (t, expr) = self.one(call, Sign::Matters)?;
         let t = self.fit(t, from, &format!("the argument of `{}`", call.name.node), expr)?;
+        if from == Dimension::NUMBER
+            && f != Function::Atan
+            && let Some(Value::Scalar(x)) = t.value()
+            && x.abs() > 1.0
+        {
+            self.without_value("its sine or cosine would lie beyond 1", call.span, &t, expr);
+            return None;
+        }
         let t = apply(f, Type::number(to), [t]);
         self.finite(t, "its sine or cosine would lie beyond 1", call.span)
     }
@@ -82,6 +90,12 @@ impl Context<'_> {
             self.error(UnitsError::Power { what, span: expr.span, base, help });
             return None;
         };
+        if let Some(Value::Scalar(x)) = t.value()
+            && x < 0.0
+        {
+            self.without_value("the square root of a negative number", call.span, &t, expr);
+            return None;
+        }
         let t = apply(Function::Sqrt, Type::Number(root), [t]);
         self.finite(t, "the square root of a negative number", call.span)
     }

@@ -194,7 +194,7 @@ impl Context<'_> {
             },
         };
         if op == BinaryOp::Divide && b.value() == Some(Value::Scalar(0.0)) {
-            self.error(UnitsError::NoValue { why: "division by zero", span: b_span });
+            self.without_value("division by zero", b_span, &b, operand);
             return None;
         }
         let op = match op {
@@ -332,7 +332,7 @@ impl Context<'_> {
             _ => true,
         };
         if !fine {
-            self.error(UnitsError::NoValue { why, span });
+            self.error(UnitsError::NoValue { why, span, help: None });
         }
         fine.then_some(t)
     }

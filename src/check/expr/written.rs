@@ -28,7 +28,7 @@ pub fn written(expr: &Expr) -> Option<String> {
             UnaryOp::Not => return None,
         },
         ExprKind::Chain(first, rest) => {
-            let mut text = bracketed(first)?;
+            let mut text = operand_of_chain(first)?;
             for (op, operand) in rest {
                 let sign = match op.node {
                     BinaryOp::Add => " + ",
@@ -38,13 +38,18 @@ pub fn written(expr: &Expr) -> Option<String> {
                     BinaryOp::And | BinaryOp::Or => return None,
                 };
                 text.push_str(sign);
-                text.push_str(&bracketed(operand)?);
+                text.push_str(&operand_of_chain(operand)?);
             }
             text
         }
         ExprKind::Power(a, b) => format!("{}^{}", bracketed(a)?, bracketed(b)?),
         ExprKind::Compare(..) => return None,
     })
+}
+
+/// A power binds more tightly than what joins the parts of a chain.
+fn operand_of_chain(expr: &Expr) -> Option<String> {
+    if matches!(expr.kind, ExprKind::Power(..)) { written(expr) } else { bracketed(expr) }
 }
 
 fn bracketed(expr: &Expr) -> Option<String> {

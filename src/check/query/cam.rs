@@ -87,7 +87,7 @@ impl Context<'_> {
             return Some(t);
         }
         let why = "the pitch curve is straight there";
-        self.error(UnitsError::NoValue { why, span: call.span });
+        self.error(UnitsError::NoValue { why, span: call.span, help: None });
         None
     }
 
@@ -149,7 +149,7 @@ impl Context<'_> {
         }
         let why =
             "on no base circle the pressure angle is that small, or it does not hang on the base circle";
-        self.error(UnitsError::NoValue { why, span: call.span });
+        self.error(UnitsError::NoValue { why, span: call.span, help: None });
         None
     }
 
@@ -197,7 +197,7 @@ impl Context<'_> {
             return Some(Typed::new(ModelExpr::number(value), ty));
         }
         let why = "the curve is straight or hollow somewhere: there is no greatest radius";
-        self.error(UnitsError::NoValue { why, span: call.span });
+        self.error(UnitsError::NoValue { why, span: call.span, help: None });
         None
     }
 

@@ -23,6 +23,9 @@ const fn may_have_mass(member: &Member) -> bool {
 impl Context<'_> {
     /// `reaction`, `moment`, `normal`, `friction` of a pair on a link
     pub(super) fn reaction(&mut self, call: Call<'_>) -> Option<Typed> {
+        if self.link_before_pair(call) {
+            return None;
+        }
         let args = self.arguments(call, 1, 2)?;
         let pair = self.pair_argument(call, args[0]);
         let link = match args.get(1) {

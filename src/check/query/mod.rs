@@ -11,6 +11,7 @@ mod friction;
 mod gear;
 mod meant;
 mod motion;
+mod own_usage;
 mod substitution;
 mod table;
 
@@ -23,7 +24,7 @@ use super::expr::typed::Typed;
 use crate::model::CamPart;
 use crate::source::Span;
 use crate::syntax::document::{Arg, Expr, ExprKind, Name};
-use table::{FUNCTIONS, usage};
+use table::FUNCTIONS;
 
 /// A call as the functions of results see it.
 #[derive(Clone, Copy)]
@@ -112,7 +113,7 @@ impl Context<'_> {
     ) -> Option<Vec<&'c Expr>> {
         let named = call.args.iter().find_map(|a| a.name.as_ref());
         if let Some(name) = named {
-            let usage = usage(&call.name.node);
+            let usage = self.own_usage(call);
             let wanted = "a value without a name".to_owned();
             self.error(RequestError::Argument {
                 function: call.name.node.clone(),
@@ -133,23 +134,14 @@ impl Context<'_> {
             (3, 3) => "three arguments",
             _ => "other arguments",
         };
-        self.error(RequestError::Arguments {
-            function: call.name.node.clone(),
-            takes,
-            found: call.args.len(),
-            span: call.span,
-            usage: usage(&call.name.node),
-        });
+        let (function, found, usage) = (call.name.node.clone(), call.args.len(), self.own_usage(call));
+        self.error(RequestError::Arguments { function, takes, found, span: call.span, usage });
         None
     }
 
     /// Reports an argument of the wrong kind.
     pub(super) fn wrong_argument(&mut self, call: Call<'_>, wanted: &str, span: Span) {
-        self.error(RequestError::Argument {
-            function: call.name.node.clone(),
-            wanted: wanted.to_owned(),
-            span,
-            usage: usage(&call.name.node),
-        });
+        let (function, usage) = (call.name.node.clone(), self.own_usage(call));
+        self.error(RequestError::Argument { function, wanted: wanted.to_owned(), span, usage });
     }
 }

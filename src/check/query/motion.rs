@@ -1,7 +1,7 @@
 //! Motion of points, links and pairs.
 
 use super::Call;
-use super::args::Mover;
+use super::args::{Mover, path};
 use crate::check::context::Context;
 use crate::check::error::RequestError;
 use crate::check::expr::fold;
@@ -41,6 +41,12 @@ impl Context<'_> {
                 }
                 let (link, at) = self.point_argument(call, one)?;
                 PointRef::Fixed(link, at)
+            }
+            [_, point] if path(point).is_none() => {
+                let (function, usage) = (call.name.node.clone(), self.own_usage(call));
+                let takes = "a point, or a link and a point";
+                self.error(RequestError::Arguments { function, takes, found: 2, span: call.span, usage });
+                return None;
             }
             [link, point] => {
                 let link = self.link_argument(call, link);
