@@ -93,7 +93,8 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
         return None;
     }
     let target = target?;
-    once.then_some(model::Drive { name, span, target, positions, speed, acceleration, sense })
+    let written = super::drive_kind::written_position(drive);
+    once.then_some(model::Drive { name, span, target, positions, written, speed, acceleration, sense })
 }
 
 /// Zero, as position (0) or speed (1).

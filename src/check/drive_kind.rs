@@ -56,14 +56,7 @@ fn by_pair(cx: &Context<'_>, drive: &Drive, target: Option<DriveTarget>) -> Opti
 
 /// The drive's statement with another target.
 fn retargeted(drive: &Drive, name: &str) -> Option<String> {
-    let value = |v: &Sensed| if v.sense.is_some() { None } else { written(&v.value) };
-    let position = match drive.position.as_ref()? {
-        DrivePosition::Values(values) => values.iter().map(value).collect::<Option<Vec<_>>>()?.join(", "),
-        DrivePosition::Range(course) => {
-            let [from, to, steps] = [&course.from, &course.to, &course.steps].map(written);
-            format!("{} .. {} in {} steps", from?, to?, steps?)
-        }
-    };
+    let position = written_position(drive)?;
     let mut line = format!("drive {name} = {position}");
     for (word, rate) in [("at", &drive.rate), ("accelerating", &drive.acceleration)] {
         if let Some(rate) = rate {
@@ -71,4 +64,22 @@ fn retargeted(drive: &Drive, name: &str) -> Option<String> {
         }
     }
     Some(line)
+}
+
+/// The positions as written: `0 deg .. 360 deg in 12 steps`.
+pub(super) fn written_position(drive: &Drive) -> Option<String> {
+    match drive.position.as_ref()? {
+        DrivePosition::Values(values) => {
+            Some(values.iter().map(value).collect::<Option<Vec<_>>>()?.join(", "))
+        }
+        DrivePosition::Range(course) => {
+            let [from, to, steps] = [&course.from, &course.to, &course.steps].map(written);
+            Some(format!("{} .. {} in {} steps", from?, to?, steps?))
+        }
+    }
+}
+
+/// A value without a sense.
+fn value(v: &Sensed) -> Option<String> {
+    if v.sense.is_some() { None } else { written(&v.value) }
 }

@@ -279,9 +279,7 @@ fn pose_is_clear(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At
         }
         Some(count) if count != values => {
             let (poses, sweep) = (format!("{count} poses"), Some(place));
-            let help = "over a whole turn the last pose is left out, being the first again; \
-                        named poses stand beside the list"
-                .to_owned();
+            let help = super::expected_list::help(cx, count, values, place);
             cx.error(ExpectError::Count { values, poses, span, sweep, help });
             None
         }

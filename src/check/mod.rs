@@ -14,6 +14,7 @@ mod drive;
 mod drive_kind;
 pub mod error;
 mod expect;
+mod expected_list;
 pub mod expr;
 mod flywheel;
 mod friction;

@@ -60,6 +60,7 @@ fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
         span,
         target,
         positions: Positions::List(vec![position]),
+        written: crate::check::expr::written(&start.value.value),
         speed: speed.flatten(),
         acceleration: None,
         sense: None,

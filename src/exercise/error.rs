@@ -69,7 +69,7 @@ pub enum ExpectError {
         help: String,
     },
     /// The pose has no solution.
-    #[error("`{text}` cannot be compared: {reason}")]
+    #[error("`{text}`{} cannot be compared: {reason}", and_more(*more))]
     #[diagnostic(
         code(mech::expect::pose_failed),
         help("an expectation can only hold at a pose that is solved")
@@ -77,6 +77,8 @@ pub enum ExpectError {
     PoseFailed {
         /// What is expected of.
         text: String,
+        /// How many other expectations cannot be compared either.
+        more: usize,
         /// Why the pose has no solution, and which it is.
         reason: String,
         /// Where.
@@ -127,7 +129,7 @@ impl ExpectError {
     }
 
     pub(super) fn pose_failed(expect: &Expect, error: &SolveError) -> Self {
-        Self::PoseFailed { text: expect.text.clone(), reason: error.to_string(), span: expect.span }
+        Self::PoseFailed { text: expect.text.clone(), more: 0, reason: error.to_string(), span: expect.span }
     }
 
     pub(super) fn no_solution(expect: &Expect) -> Self {
@@ -143,14 +145,44 @@ impl ExpectError {
         Self::NoValue { text: expect.text.clone(), pose, why, span: expect.span, help }
     }
 
+    /// The same for all expectations that name a pose without solution: the first one, with the number of the others.
+    pub(super) fn of_failed_poses(all: Vec<Self>) -> Vec<Self> {
+        let failed = |e: &Self| matches!(e, Self::PoseFailed { .. });
+        let others = all.iter().filter(|e| failed(e)).count().saturating_sub(1);
+        let (mut first, mut kept) = (true, Vec::new());
+        for mut error in all {
+            if let Self::PoseFailed { more, .. } = &mut error {
+                if !std::mem::take(&mut first) {
+                    continue;
+                }
+                *more = others;
+            }
+            kept.push(error);
+        }
+        kept
+    }
+
     /// The same, where all expectations are met in another assembly; `more` of them are not met besides this one.
     pub(super) fn of_assembly(self, more: usize, line: &str) -> Self {
-        let Self::Mismatch { mut message, difference, span, .. } = self else { return self };
-        if more > 0 {
-            let (verb, s) = if more == 1 { ("is", "") } else { ("are", "s") };
-            message = format!("{message}; {more} more expectation{s} {verb} not met");
-        }
+        let Self::Mismatch { message, difference, span, .. } = self.and_more(more) else { return self };
         let help = Some(format!("in the other assembly (`{line}`) all are met"));
         Self::Mismatch { message, difference, span, help }
     }
+
+    /// The same, for others besides that are not met either.
+    pub(super) fn and_more(&self, more: usize) -> Self {
+        let mut same = self.clone();
+        if let Self::Mismatch { message, .. } = &mut same
+            && more > 0
+        {
+            let (verb, s) = if more == 1 { ("is", "") } else { ("are", "s") };
+            *message = format!("{message}; {more} more expectation{s} {verb} not met");
+        }
+        same
+    }
+}
+
+/// ` and 3 more`
+fn and_more(more: usize) -> String {
+    if more == 0 { String::new() } else { format!(" and {more} more") }
 }

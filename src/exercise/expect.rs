@@ -46,7 +46,7 @@ pub fn evaluate(scene: &Scene<'_>, solution: &Solution) -> (Vec<Outcome>, Vec<Ex
             key.errors.push(error);
         }
     }
-    (key.outcomes, key.errors)
+    (key.outcomes, ExpectError::of_failed_poses(key.errors))
 }
 
 struct Key<'a> {

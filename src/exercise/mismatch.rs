@@ -11,6 +11,13 @@ pub fn mismatches(outcomes: &[Outcome]) -> Vec<ExpectError> {
     of_one.filter_map(|all| Some(Failed { all, worst: worst(all)? }.error())).collect()
 }
 
+/// The same in one error, for a sweep that does not close everywhere: all of them have that cause.
+#[must_use]
+pub fn in_one(failed: Vec<ExpectError>) -> Vec<ExpectError> {
+    let more = failed.len().saturating_sub(1);
+    failed.first().map(|first| first.and_more(more)).into_iter().collect()
+}
+
 /// The answer that is not met and differs most.
 fn worst(all: &[Outcome]) -> Option<&Outcome> {
     let off = |o: &&Outcome| o.difference().magnitude();

@@ -21,7 +21,7 @@ pub use expect::{Outcome, evaluate};
 pub use family::Family;
 pub use followed::{Each, Followed, SizeError, followed, is_long, most_positions};
 pub use in_row::InRow;
-pub use mismatch::mismatches;
+pub use mismatch::{in_one, mismatches};
 pub use other_assembly::in_other_assembly;
 pub use own_rows::{OwnRows, SolvedRow, row_words};
 pub use scales::{ScaleError, scales};

@@ -4,6 +4,7 @@ use super::{Family, InRow, mismatches};
 use crate::Solved;
 use crate::check::{self, FileRow, Overrides, RowColumn};
 use crate::diagnostic::Problems;
+use crate::solve::refusals;
 use crate::source::Source;
 use crate::syntax::document::Document;
 use std::sync::Arc;
@@ -79,8 +80,15 @@ impl<'a> OwnRows<'a> {
 /// What is wrong with the file whatever the row: the first and the last row have the same errors.
 fn of_every_row(family: &mut Family<'_>, rows: &[FileRow]) -> Option<Problems> {
     let [first, .., last] = rows else { return None };
-    let problems = family.compile(&first.row).1;
-    (problems.has_errors() && problems.is_alike(&family.compile(&last.row).1)).then_some(problems)
+    let mut refused = |row: &FileRow| {
+        let (compiled, mut problems) = family.compile(&row.row);
+        if let Some(compiled) = compiled.filter(|_| !problems.has_errors()) {
+            problems.extend(refusals(&compiled.scene()));
+        }
+        problems
+    };
+    let problems = refused(first);
+    (problems.has_errors() && problems.is_alike(&refused(last))).then_some(problems)
 }
 
 impl FileRow {

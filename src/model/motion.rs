@@ -15,6 +15,8 @@ pub struct Drive {
     pub target: DriveTarget,
     /// Its positions, rad, m, or a vector in m for a point. Expressions hang on nothing but `dead`, `stroke`.
     pub positions: Positions,
+    /// The positions as written: `phi`, `0 deg .. 360 deg in 12 steps`. `None` where they cannot be written again.
+    pub written: Option<String>,
     /// Signed speed, rad/s, m/s, or a vector for a point. `None` where the file gives none.
     pub speed: Option<Expr>,
     /// Signed acceleration; `None` where the file gives none (zero).

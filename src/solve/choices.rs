@@ -4,7 +4,7 @@ use super::assemble::{SAME, bare_view};
 use super::error::{SolveError, label};
 use super::solution::Scene;
 use super::state::State;
-use super::words::{labels, mm, short};
+use super::words::{labels, length, short};
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, PairKind};
 use crate::structure::{BodyOrigin, Dyad, Group, GroupKind, JointKind};
@@ -42,7 +42,7 @@ pub(super) fn not_met(scene: &Scene<'_>, hint: &Hint, states: &[&State], index: 
             let value = coordinate(scene, state, pair);
             let value = match scene.mechanism.pair(pair).kind {
                 PairKind::Revolute(_) => format!("{} deg", short(value.to_degrees())),
-                _ => mm(value),
+                _ => length(scene, value),
             };
             *line += &format!("   // {} = {value}", scene.mechanism.pair(pair).name);
         }
@@ -184,5 +184,5 @@ pub(super) fn near_lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> V
     }
     let Some((_, (name, body, at))) = best else { return Vec::new() };
     let places = ways.iter().map(|s| s.bodies[body].position(at));
-    places.map(|p| format!("assemble {name} near ({}, {})", mm(p.x), mm(p.y))).collect()
+    places.map(|p| format!("assemble {name} near ({}, {})", length(scene, p.x), length(scene, p.y))).collect()
 }

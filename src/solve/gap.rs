@@ -2,28 +2,40 @@
 
 use super::solution::Scene;
 use super::state::State;
-use super::words::{body, mm};
+use super::words::{body, hinge, length};
 use crate::group::triad::{Miss, gap};
 use crate::group::{Gap, rpr, rrp, rrr};
 use crate::math::Vec2;
-use crate::plan::{Anchor, MotionStep};
+use crate::model::PairKind;
+use crate::plan::{Anchor, DrivenJoint, DrivenLeg, MotionStep};
 use crate::structure::GroupJoint;
 
 /// The gap with its numbers and points, and what would close it.
 pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (String, String) {
     let group = &scene.structure.motion[index];
-    let name = |i: usize| pair_name(scene, group.joints[i]);
+    let name = |i: usize| hinge(scene, scene.structure.replaced.joint(group.joints[i].joint));
+    let mm = &|x: f64| length(scene, x);
     let link = |i: usize| body(scene, group.bodies[i]);
     let at = |a: &Anchor| state.bodies[a.body].position(a.at);
     match &scene.plan.motion[index] {
         MotionStep::Rrr { legs, .. } => {
             let ends = [at(&legs[0].base), at(&legs[1].base)];
-            reach(ends, [legs[0].length, legs[1].length], [link(0), link(1)], [name(0), name(1), name(2)])
+            reach(mm, ends, [legs[0].length, legs[1].length], [link(0), link(1)], [name(0), name(1), name(2)])
         }
         MotionStep::DrivenRrr { legs, .. } => {
             let ends = [at(&legs[0].base), at(&legs[1].base)];
             let lengths = [0, 1].map(|i| state.leg_length(&legs[i]));
-            reach(ends, lengths, [link(0), link(1)], [name(0), name(1), name(2)])
+            let (text, help) = reach(mm, ends, lengths, [link(0), link(1)], [name(0), name(1), name(2)]);
+            let driven = [0, 1].map(|i| is_cylinder(scene, &legs[i], group.joints[2 * i]));
+            let other = match driven {
+                [true, false] => 1,
+                [false, true] => 0,
+                _ => return (text, help),
+            };
+            // the third side of a triangle
+            let apart = (ends[1] - ends[0]).norm();
+            let [least, most] = [(apart - lengths[other]).abs(), apart + lengths[other]].map(mm);
+            (text, format!("drive {} between {least} and {most}", link(1 - other)))
         }
         MotionStep::Rrp { branch, leg, slide, from_point, .. } => {
             let base = &state.bodies[slide.base];
@@ -86,7 +98,7 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
             let plate = body(scene, crate::structure::BodyId(triad.body));
             let links = [leg(0), leg(1), leg(2), plate];
             let names = [0, 1, 2, 3, 4, 5].map(name);
-            triad_text(gap(&triad.plate, &state.triad_ends(triad)), &links, &names)
+            triad_text(mm, gap(&triad.plate, &state.triad_ends(triad)), &links, &names)
         }
         _ => (
             "the guides are parallel".to_owned(),
@@ -95,8 +107,12 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
     }
 }
 
+/// Lengths in the author's unit.
+type Lengths<'a> = &'a dyn Fn(f64) -> String;
+
 /// Two links of these lengths from hinge to hinge that do not meet.
 fn reach(
+    mm: Lengths<'_>,
     [p_A, p_B]: [Vec2; 2],
     [l_1, l_2]: [f64; 2],
     links: [String; 2],
@@ -156,7 +172,12 @@ fn reach(
 }
 
 /// A link on three legs: the links, the plate last; the outer pairs, then the inner ones.
-fn triad_text(miss: Option<Miss>, links: &[String; 4], names: &[String; 6]) -> (String, String) {
+fn triad_text(
+    mm: Lengths<'_>,
+    miss: Option<Miss>,
+    links: &[String; 4],
+    names: &[String; 6],
+) -> (String, String) {
     match miss {
         Some(Miss::Pair { legs: [i, j], lengths, longest, gap }) => {
             let sides = [
@@ -217,8 +238,11 @@ fn unknown(pair: &str) -> (String, String) {
     (format!("the group about {pair} cannot be solved"), "check the lengths".to_owned())
 }
 
-fn pair_name(scene: &Scene<'_>, joint: GroupJoint) -> String {
-    format!("`{}`", scene.mechanism.pair(scene.structure.replaced.joint(joint.joint).pair).name)
+/// Whether the leg is a driven cylinder, hinged with this joint.
+fn is_cylinder(scene: &Scene<'_>, leg: &DrivenLeg, outer: GroupJoint) -> bool {
+    let pair = scene.structure.replaced.joint(outer.joint).pair;
+    let cylinder = matches!(scene.mechanism.pair(pair).kind, PairKind::Cylinder { .. });
+    cylinder && matches!(leg.joint, Some(DrivenJoint::Shift { .. }))
 }
 
 /// Lengths of different orders are most often a slip in a unit.

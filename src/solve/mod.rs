@@ -84,7 +84,7 @@ pub use reference::{Reference, reference};
 pub use solution::{DriveValue, OpenSizes, Pose, PoseOrigin, Residuals, Scene, Solution, Solved};
 pub use state::{BodyState, Branch, DriveInput, Reaction, State, Wrench};
 pub use steps::extent;
-pub use sweep::{Following, solve, solve_with};
+pub use sweep::{Following, refusals, solve, solve_with};
 pub use train::LawForce;
 pub use train_error::TrainError;
 pub use train_forces::TrainWork;

@@ -169,6 +169,9 @@ fn written(mechanism: &Mechanism, drive: &Drive) -> (String, &'static str) {
         DriveTarget::Pair(_) => (false, "0.1 m/s"),
         DriveTarget::Point(..) => (false, "(0.1 m/s, 0)"),
     };
+    if let Some(text) = &drive.written {
+        return (format!(" = {text}"), speed);
+    }
     let value = |e: &Expr| match e {
         Expr::Constant(Value::Scalar(x)) if turns => Some(format!("{} deg", short(x.to_degrees()))),
         Expr::Constant(Value::Scalar(x)) => Some(format!("{} mm", four(x * 1e3))),

@@ -218,6 +218,12 @@ impl Near {
     }
 }
 
+/// What cannot be answered at any position, and is refused before one is looked at.
+#[must_use]
+pub fn refusals(scene: &Scene<'_>) -> Vec<SolveError> {
+    can_be_solved(scene).err().unwrap_or_default()
+}
+
 /// Everything that can be refused before any position is looked at.
 pub(super) fn can_be_solved(scene: &Scene<'_>) -> Result<(), Vec<SolveError>> {
     let mut errors = refused::not_supported(scene.mechanism);

@@ -4,8 +4,9 @@ use miette::LabeledSpan;
 
 use super::positions::{Wanted, turns};
 use super::solution::{DriveValue, PoseOrigin, Scene};
-use crate::model::PairKind;
-use crate::structure::{BodyId, BodyOrigin, Dyad, Group, GroupKind};
+use crate::model::{LinkId, PairKind};
+use crate::structure::{BodyId, BodyOrigin, Dyad, Group, GroupKind, Joint, JointKind};
+use crate::units::Dimension;
 
 /// ` at pose 3 (crank = 60 deg)`; empty where nothing is driven.
 pub(super) fn place(scene: &Scene<'_>, pose: &Wanted) -> String {
@@ -24,8 +25,10 @@ pub(super) fn drive_text(scene: &Scene<'_>, values: &[DriveValue]) -> String {
         DriveValue::Scalar(x) if turns(scene, drive) => {
             Some(format!("{} = {} deg", drive.name, short(x.to_degrees())))
         }
-        DriveValue::Scalar(x) => Some(format!("{} = {}", drive.name, mm(*x))),
-        DriveValue::Point(p) => Some(format!("{} = ({}, {})", drive.name, mm(p.x), mm(p.y))),
+        DriveValue::Scalar(x) => Some(format!("{} = {}", drive.name, length(scene, *x))),
+        DriveValue::Point(p) => {
+            Some(format!("{} = ({}, {})", drive.name, length(scene, p.x), length(scene, p.y)))
+        }
         DriveValue::None => None,
     });
     texts.collect::<Vec<_>>().join(", ")
@@ -38,9 +41,30 @@ pub(super) fn short(x: f64) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// A length in millimetres, to four significant digits.
-pub(super) fn mm(length: f64) -> String {
-    format!("{} mm", four(length * 1e3))
+/// A length in the author's unit, to four significant digits.
+pub(super) fn length(scene: &Scene<'_>, length: f64) -> String {
+    let display = scene.mechanism.display_of(Dimension::LENGTH);
+    format!("{} {}", four(display.of_si(length)), display.unit)
+}
+
+/// The hinge of a pair: its name, or of a cylinder the point of the link there.
+pub(super) fn hinge(scene: &Scene<'_>, joint: &Joint) -> String {
+    let pair = scene.mechanism.pair(joint.pair);
+    let point = match (&pair.kind, &joint.kind) {
+        (PairKind::Cylinder { from, to, .. }, JointKind::Revolute(members)) => {
+            let is_of = |link: LinkId| {
+                let of = |b: &BodyId| scene.structure.replaced.bodies[b.0].origin == BodyOrigin::Link(link);
+                members.iter().find(|(b, _)| of(b)).map(|(_, at)| *at)
+            };
+            [from.link, to.link].into_iter().find_map(|link| {
+                let at = is_of(link)?;
+                let points = &scene.mechanism.link(link).points;
+                points.iter().find(|p| p.at == at).map(|p| &p.name)
+            })
+        }
+        _ => None,
+    };
+    format!("`{}`", point.unwrap_or(&pair.name))
 }
 
 /// Four significant digits, without trailing zeros behind the point; very large and very small numbers with a power of

@@ -220,6 +220,7 @@ impl Draft {
             span: Span::default(),
             target,
             positions: Positions::List(vec![Expr::number(value)]),
+            written: None,
             speed: Some(Expr::number(speed)),
             acceleration,
             sense: None,

@@ -70,6 +70,7 @@ pub fn drive(m: &mut Mechanism, link: LinkId, angles: Positions) {
         span: Span::default(),
         target: DriveTarget::Link(link),
         positions: angles,
+        written: None,
         speed: Some(Expr::number(SPEED)),
         acceleration: None,
         sense: None,

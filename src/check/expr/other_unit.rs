@@ -44,10 +44,7 @@ impl Context<'_> {
 
     /// The number with a unit of the dimension that is due: `9.81 m/s^2` for `9.81 m/s`.
     pub(in crate::check) fn same_number(&self, want: Dimension, expr: &Expr) -> Option<String> {
-        let word = first_unit(expr)?;
-        let extended = ["^2", "*m", "/s"].map(|rest| format!("{word}{rest}"));
-        let fits = |unit: &String| lookup(unit).is_ok_and(|u| u.dimension == want);
-        let unit = extended.into_iter().find(fits).unwrap_or_else(|| self.usual_unit(want));
+        let unit = extended(expr, want).unwrap_or_else(|| self.usual_unit(want));
         in_unit(expr, &unit).filter(|_| !unit.is_empty())
     }
 
@@ -61,13 +58,14 @@ impl Context<'_> {
         Some(format!("write `{mass}`, or `weight {weight}` in place of `mass {weight}`"))
     }
 
-    /// The line of a `given` that is used nowhere else, with the unit that is due.
+    /// The line of a `given` that is used nowhere else, with what its unit lacks: `N*m` for `N`.
     fn definition_of(&self, want: Dimension, expr: &Expr) -> Option<String> {
         let ExprKind::Name(name) = &expr.kind else { return None };
         if self.row.find(name).is_some() || self.uses(name) != 1 {
             return None;
         }
-        let value = self.same_number(want, self.given_as_written(name)?)?;
+        let given = self.given_as_written(name)?;
+        let value = in_unit(given, &extended(given, want)?)?;
         Some(format!("write `given {name} = {value}`"))
     }
 
@@ -96,6 +94,13 @@ impl Context<'_> {
         let names = constants.filter(is).take(NAMES).map(|n| format!("`{n}`")).collect::<Vec<_>>();
         (!names.is_empty()).then(|| names.join(" or "))
     }
+}
+
+/// The unit of the first number with what it lacks: `kg*m^2` for `kg*m`.
+fn extended(expr: &Expr, want: Dimension) -> Option<String> {
+    let word = first_unit(expr)?;
+    let units = ["^2", "*m", "/s"].map(|rest| format!("{word}{rest}"));
+    units.into_iter().find(|unit| lookup(unit).is_ok_and(|u| u.dimension == want))
 }
 
 /// The unit of the first number of what consists of numbers alone.
