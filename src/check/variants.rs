@@ -188,7 +188,9 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
         cx.error(UnitsError::Missing { what, want, span, used: None, example });
         return None;
     }
-    let help = mend(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.usual_unit(want)));
+    let given = cx.completed_given(name, unit.dimension).map(|line| format!("write `{line}`"));
+    let column = || mend(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.usual_unit(want)));
+    let help = given.or_else(column);
     let found = phrase(unit.dimension);
     cx.error(UnitsError::Mismatch { what, want: phrase(want), found, span, help });
     None

@@ -195,7 +195,7 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// A contact that pulls.
-    #[error("contact `{name}` would have to pull{pose}: normal force {normal} N{more}")]
+    #[error("contact `{name}` would have to pull{pose}: normal force {normal}{more}")]
     #[diagnostic(
         code(mech::solve::contact_pulls),
         severity(warning),
@@ -208,7 +208,7 @@ pub enum SolveError {
         name: String,
         /// Where it pulls most.
         pose: String,
-        /// The normal force there, N, negative.
+        /// The normal force there, negative.
         normal: String,
         /// At how many other poses it pulls too.
         more: String,
@@ -335,9 +335,7 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// A flywheel that is not needed.
-    #[error(
-        "flywheel `{name}` is not needed: the links alone run evenly enough, {have} kg m² of {needed} kg m²"
-    )]
+    #[error("flywheel `{name}` is not needed: the links alone run evenly enough, {have} of {needed}")]
     #[diagnostic(
         code(mech::solve::needless_flywheel),
         severity(warning),

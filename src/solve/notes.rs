@@ -8,9 +8,10 @@ use super::state::State;
 use super::sweep::Closing;
 use super::track::Switch;
 use super::train_error::TrainError;
-use super::words::{drive_text, four, labels, links, place, short, stands};
+use super::words::{drive_text, four, labels, links, place, short, stands, with_unit};
 use crate::model::{Expr, PairId, Positions, Value};
 use crate::structure::{EffortKind, EffortSource, Group};
+use crate::units::Dimension;
 
 /// With fewer digits left a warning tells how many: σ = 1e-3 for accelerations, 5e-5 for velocities and forces.
 const FEW_DIGITS: f64 = 7.0;
@@ -223,13 +224,14 @@ impl Notes {
         for pull in self.slack {
             let pair = scene.mechanism.pair(pull.pair);
             let (name, span) = (pair.name.clone(), pair.span.into());
-            let (tension, pose, more) = (four(pull.normal), pull.place, and_at(pull.poses - 1));
+            let (tension, pose, more) =
+                (with_unit(scene, pull.normal, Dimension::FORCE), pull.place, and_at(pull.poses - 1));
             warnings.push(TrainError::RopePushes { name, pose, more, tension, span }.into());
         }
         for pull in self.pulls {
             let pair = scene.mechanism.pair(pull.pair);
             let more = and_at(pull.poses - 1);
-            let (normal, pose) = (four(pull.normal), pull.place);
+            let (normal, pose) = (with_unit(scene, pull.normal, Dimension::FORCE), pull.place);
             let name = pair.name.clone();
             warnings.push(SolveError::ContactPulls { name, pose, normal, more, span: pair.span.into() });
         }

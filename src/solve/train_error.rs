@@ -37,7 +37,7 @@ pub enum TrainError {
         labels: Vec<LabeledSpan>,
     },
     /// A rope that would have to push.
-    #[error("rope `{name}` would have to push{pose}{more}: its pull is {tension} N")]
+    #[error("rope `{name}` would have to push{pose}{more}: its pull is {tension}")]
     #[diagnostic(
         code(mech::train::rope_pushes),
         severity(warning),
@@ -52,7 +52,7 @@ pub enum TrainError {
         pose: String,
         /// `, and at 3 other poses`
         more: String,
-        /// Its pull there, N.
+        /// Its pull there.
         tension: String,
         /// Its place.
         #[label("slack")]

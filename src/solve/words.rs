@@ -43,8 +43,13 @@ pub(super) fn short(x: f64) -> String {
 
 /// A length in the author's unit, to four significant digits.
 pub(super) fn length(scene: &Scene<'_>, length: f64) -> String {
-    let display = scene.mechanism.display_of(Dimension::LENGTH);
-    format!("{} {}", four(display.of_si(length)), display.unit)
+    with_unit(scene, length, Dimension::LENGTH)
+}
+
+/// A value in the author's unit, to four significant digits.
+pub(super) fn with_unit(scene: &Scene<'_>, si: f64, dimension: Dimension) -> String {
+    let display = scene.mechanism.display_of(dimension);
+    format!("{} {}", four(display.of_si(si)), display.unit)
 }
 
 /// The hinge of a pair: its name, or of a cylinder the point of the link there.

@@ -58,15 +58,19 @@ impl Context<'_> {
         Some(format!("write `{mass}`, or `weight {weight}` in place of `mass {weight}`"))
     }
 
-    /// The line of a `given` that is used nowhere else, with what its unit lacks: `N*m` for `N`.
+    /// The line of a `given` that is used nowhere else, with what its unit lacks.
     fn definition_of(&self, want: Dimension, expr: &Expr) -> Option<String> {
         let ExprKind::Name(name) = &expr.kind else { return None };
         if self.row.find(name).is_some() || self.uses(name) != 1 {
             return None;
         }
-        let given = self.given_as_written(name)?;
-        let value = in_unit(given, &extended(given, want)?)?;
-        Some(format!("write `given {name} = {value}`"))
+        Some(format!("write `{}`", self.completed_given(name, want)?))
+    }
+
+    /// The line of a `given` with what its unit lacks: `given M = 500 N*m` for `500 N`.
+    pub(in crate::check) fn completed_given(&self, name: &str, want: Dimension) -> Option<String> {
+        let value = self.given_as_written(name)?;
+        Some(format!("given {name} = {}", in_unit(value, &extended(value, want)?)?))
     }
 
     fn uses(&self, name: &str) -> usize {

@@ -12,7 +12,7 @@ use super::super::extremes::Statics;
 use super::super::positions::{constant, turns};
 use super::super::solution::Scene;
 use super::super::state::BodyState;
-use super::super::words::{four, short};
+use super::super::words::{four, short, with_unit};
 use super::answer::{FlywheelAnswer, Undefined};
 use super::panels::{Piecewise, piecewise};
 use super::sampler::Sampler;
@@ -22,6 +22,7 @@ use crate::model::{
     BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, LinkId, Mechanism, Query, Value,
 };
 use crate::structure::EffortSource;
+use crate::units::Dimension;
 
 /// How much the ratio of the shaft to the drive may vary, relative to its mean.
 const EVEN: f64 = 1e-9;
@@ -70,8 +71,8 @@ pub(super) fn flywheel(
     let own = if wheel.with_links { reduced[0] } else { 0.0 };
     let warning = (needed <= own && wheel.with_links).then(|| SolveError::NeedlessFlywheel {
         name: wheel.name.clone(),
-        have: four(own),
-        needed: four(needed),
+        have: with_unit(scene, own, Dimension::INERTIA),
+        needed: with_unit(scene, needed, Dimension::INERTIA),
         span: wheel.span.into(),
     });
     let answer = FlywheelAnswer {
