@@ -34,6 +34,7 @@ pub const CODES: &[Code] = codes! {
     "syntax" / "decimal_comma",
     "syntax" / "brace_on_its_own_line",
     "syntax" / "missing_brace",
+    "syntax" / "statement_in_braces",
     "syntax" / "unclosed_bracket",
     "syntax" / "unmatched_bracket",
     "syntax" / "equals_expected",

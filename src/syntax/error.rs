@@ -136,6 +136,18 @@ pub enum SyntaxError {
         before: String,
     },
 
+    #[error("`{word}` is a statement of its own")]
+    #[diagnostic(code(mech::syntax::statement_in_braces))]
+    StatementInBraces {
+        word: String,
+        #[label("within these braces")]
+        open: Span,
+        #[label(primary, "this belongs behind them")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
     #[error("a bracket is not closed")]
     #[diagnostic(code(mech::syntax::unclosed_bracket))]
     UnclosedBracket {

@@ -6,19 +6,21 @@
 mod body;
 mod decimal;
 mod expr;
+mod inner;
 mod machine;
 mod motion;
 mod question;
 mod slips;
 mod walk;
 
-use super::Rule;
 use super::document::{Bad, Definition, Statement, Variants};
 use super::error::SyntaxError;
+use super::grammar::{Grammar, Rule};
 use super::prepare::whole_end;
 use super::recover::{self, What};
 use crate::diagnostic::Problems;
 use crate::source::{Span, Spanned};
+use pest::Parser;
 use pest::iterators::Pairs;
 use std::collections::BTreeSet;
 use walk::{P, Parts, span, text};
@@ -32,11 +34,14 @@ pub(super) struct Lower<'a> {
     problems: Problems,
     /// Words of the language that were meant as names, and reported.
     reserved: BTreeSet<String>,
+    /// Closing braces behind a statement that stands within them, which is reported.
+    closing: BTreeSet<usize>,
 }
 
 /// All statements of a file.
 pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spanned<Statement>>, Problems) {
-    let mut lower = Lower { text, read, problems: Problems::new(), reserved: BTreeSet::new() };
+    let mut lower =
+        Lower { text, read, problems: Problems::new(), reserved: BTreeSet::new(), closing: BTreeSet::new() };
     slips::report(&mut lower, pairs.clone());
     let mut statements = Vec::new();
     for pair in pairs.flat_map(P::into_inner) {
@@ -53,7 +58,8 @@ pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spann
 
 /// A table of variants by itself.
 pub(super) fn table(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Variants, Problems) {
-    let mut lower = Lower { text, read, problems: Problems::new(), reserved: BTreeSet::new() };
+    let mut lower =
+        Lower { text, read, problems: Problems::new(), reserved: BTreeSet::new(), closing: BTreeSet::new() };
     slips::report(&mut lower, pairs.clone());
     let variants = lower.rows(pairs.flat_map(P::into_inner));
     (variants, lower.problems)
@@ -139,6 +145,14 @@ impl Lower<'_> {
     /// Reports what an error production caught.
     fn bad(&mut self, pair: &P<'_>, what: What) -> Bad {
         let at = trimmed(pair);
+        let brace = at.end.saturating_sub(1);
+        if self.closing.contains(&brace) {
+            let before = Span::new(at.start, brace);
+            let rest = self.read.get(before.start..before.end).unwrap_or_default();
+            if rest.trim().is_empty() || Grammar::parse(Rule::one_statement, rest.trim_end()).is_ok() {
+                return self.names(before);
+            }
+        }
         recover::report(self.text, self.read, at, what, &mut self.problems, &mut self.reserved)
     }
 

@@ -1,7 +1,7 @@
 //! Slips that the grammar reads as what they were meant to be, and that are reported nevertheless.
 
-use super::Lower;
 use super::walk::{P, span};
+use super::{Lower, inner};
 use crate::source::Span;
 use crate::syntax::Rule;
 use crate::syntax::error::SyntaxError;
@@ -20,7 +20,14 @@ pub(super) fn report(lower: &mut Lower<'_>, pairs: Pairs<'_, Rule>) {
             Rule::x_missing_brace => {
                 let at = span(&pair);
                 let opened = open.pop().unwrap_or(at);
-                lower.problems.push(missing_brace(lower.text, opened, at));
+                let inner = inner::statement_in_braces(lower.text, lower.read, opened, at);
+                lower.problems.push(match inner {
+                    Some((problem, brace)) => {
+                        lower.closing.insert(brace);
+                        problem
+                    }
+                    None => missing_brace(lower.text, opened, at),
+                });
             }
             Rule::x_late_brace => lower.problems.push(late_brace(lower.text, &pair)),
             Rule::x_colon_for_equals => {
