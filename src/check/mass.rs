@@ -108,7 +108,9 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
     let about_centre = match (inertia, &stated) {
         (Some((inertia, _)), stated) => steiner(cx, link, inertia, stated.as_ref(), mass, centre)?,
         (None, Some(stated)) => {
-            if matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
+            // what cannot be read may be the inertia
+            let whole = !body.iter().any(|member| matches!(member.node, Member::Bad(_)));
+            if whole && matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
                 let link = cx.mech.link(link).name.clone();
                 cx.error(LinkError::PointMass { link, span: stated.span });
             }
