@@ -55,11 +55,10 @@ fn spring(cx: &mut Context<'_>, spring: &Spring) -> Option<model::Spring> {
         _ => None,
     };
     if let Some(missing) = missing {
+        let inside = if spring.properties.is_empty() { " in braces" } else { "" };
         cx.error(PairError::Incomplete {
             message: format!("spring `{}` is not fully described", spring.name.node),
-            help: format!(
-                "add `{missing}` in the braces, with its own value; a damper alone needs only `damping`"
-            ),
+            help: format!("add `{missing}`{inside}, with its own value; a damper alone needs only `damping`"),
             span: spring.name.span,
             label: "its force is not known".into(),
         });
