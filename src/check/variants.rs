@@ -10,7 +10,7 @@ use super::row::{ColumnUse, Row, RowCell, RowColumn};
 use super::tolerance;
 use crate::model::{Expr, Value};
 use crate::source::Span;
-use crate::syntax::document::{Column, Document, Number, Statement, Variants};
+use crate::syntax::document::{Column, Document, ExprKind, Number, Statement, Variants};
 use crate::units::{Dimension, Unit};
 use indexmap::IndexSet;
 use std::sync::Arc;
@@ -145,16 +145,34 @@ fn check_column(cx: &mut Context<'_>, column: &Column) -> Option<RowColumn> {
         }
         Some(kind) => {
             let is = kind.phrase().to_owned();
+            let replaces = "a row of variants replaces the values of `given`";
+            let meant = given_meant(cx, &name.node);
             cx.error(NameError::WrongKind {
                 name: name.node.clone(),
                 is,
                 wanted: "a `given`".into(),
                 span: name.span,
                 declared: cx.names.quantities.get(&name.node).map(|d| d.span),
-                help: Some("a row of variants replaces the values of `given`".into()),
+                help: Some(meant.map_or(replaces.into(), |meant| format!("write `{meant}`: {replaces}"))),
             });
             None
         }
+    }
+}
+
+/// The `given` whose name differs from this one in capitals alone.
+fn given_meant(cx: &Context<'_>, name: &str) -> Option<String> {
+    let given = cx.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
+    let mut alike = given.map(|(given, _)| given).filter(|given| given.to_lowercase() == name.to_lowercase());
+    alike.next().cloned()
+}
+
+/// The unit in which the file states a `given`.
+fn unit_of_given(cx: &Context<'_>, name: &str) -> Option<String> {
+    let QuantityKind::Given(value) = cx.names.quantities.get(name)?.what else { return None };
+    match &value.kind {
+        ExprKind::Number(number) => number.unit.as_ref().map(|unit| unit.node.clone()),
+        _ => None,
     }
 }
 
@@ -184,7 +202,8 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
     }
     let (what, want) = (format!("column `{name}`"), dim.known());
     if column.unit.is_none() {
-        let example = format!("`{name} [{}]`", cx.usual_unit(want));
+        let unit = unit_of_given(cx, name).unwrap_or_else(|| cx.usual_unit(want));
+        let example = format!("`{name} [{unit}]`");
         cx.error(UnitsError::Missing { what, want, span, used: None, example });
         return None;
     }
