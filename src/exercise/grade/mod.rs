@@ -161,7 +161,7 @@ fn find(key: &Sheet, answers: &Sheet, row: &SheetRow) -> Result<usize, Fault> {
     }
     let words = row_words(&row.names).join(", ");
     let (why, help) = match (found.len(), words.is_empty()) {
-        (0, _) => (format!("the key has no {words}"), "number the rows as the key does".to_owned()),
+        (0, _) => (format!("the key has no {words}"), named_in_key(key, row)),
         (n, true) => {
             let help = "add a column `row`, or `variant`, that names the row of the key".to_owned();
             (format!("nothing says which of the {n} rows of the key this is"), help)
@@ -173,6 +173,27 @@ fn find(key: &Sheet, answers: &Sheet, row: &SheetRow) -> Result<usize, Fault> {
     };
     let span = Span::new(0, row.text.text.len());
     Err((row.text.clone(), Box::new(TableError::UnknownRow { line: row.line, why, help, span })))
+}
+
+/// How the key names its rows, where a row of the answers is none of them.
+fn named_in_key(key: &Sheet, row: &SheetRow) -> String {
+    /// The most names that are listed.
+    const MOST: usize = 8;
+    let as_the_key = "number the rows as the key does".to_owned();
+    let names_of = |i: usize| key.rows.iter().filter_map(move |k| k.names[i].as_deref());
+    let missing = |i: &usize| row.names[*i].as_deref().is_some_and(|name| names_of(*i).all(|k| k != name));
+    let Some(i) = (0..4).find(missing) else { return as_the_key };
+    let mut names = names_of(i).collect::<Vec<_>>();
+    names.dedup();
+    let what = NAMES[i];
+    let numbered = names.iter().enumerate().all(|(at, name)| name.parse() == Ok(at + 1));
+    match names.as_slice() {
+        [] => as_the_key,
+        [only] => format!("{as_the_key}: it has {what} {only} alone"),
+        [first, .., last] if numbered => format!("{as_the_key}: it has {what}s {first} to {last}"),
+        all if all.len() <= MOST => format!("{as_the_key}: it has {what}s {}", all.join(", ")),
+        _ => as_the_key,
+    }
 }
 
 /// Marks the answers of one row.
