@@ -32,10 +32,24 @@ impl Separator {
     }
 
     const fn sign(self) -> u8 {
+        self.text().as_bytes()[0]
+    }
+
+    /// The sign, as a text.
+    pub(super) const fn text(self) -> &'static str {
         match self {
-            Self::Comma => b',',
-            Self::Semicolon => b';',
-            Self::Tab => b'\t',
+            Self::Comma => ",",
+            Self::Semicolon => ";",
+            Self::Tab => "\t",
+        }
+    }
+
+    /// Several of it, in words.
+    pub(super) const fn plural(self) -> &'static str {
+        match self {
+            Self::Comma => "commas",
+            Self::Semicolon => "semicolons",
+            Self::Tab => "tabulators",
         }
     }
 }

@@ -83,6 +83,12 @@ impl<R: BufRead> Table<R> {
         Ok(match columns(&header.text, separator, std::str::from_utf8(&bytes).is_ok()) {
             Ok(columns) => {
                 let columns = Variants { columns, rows: Vec::new() };
+                let first = String::from_utf8_lossy(reader.fill_buf()?);
+                if let Some(error) =
+                    separators(&header.text, separator, first.lines().next().unwrap_or_default())
+                {
+                    return Ok(Err((header, Box::new(error))));
+                }
                 Ok(Self { name: name.to_owned(), header, columns, separator, reader, line, rows: 0 })
             }
             Err(error) => Err((header, Box::new(error))),
@@ -155,16 +161,40 @@ impl Lines {
     }
 }
 
-/// The first two cells that may be one number with a decimal comma, as that number.
-fn decimal_comma(text: &str, cells: &[Cell<'_>], separator: Separator) -> Option<String> {
+/// The first two cells that may be one number with a decimal comma, as that number. One cell too many may be just that:
+/// then only a single decimal before the last cell speaks for a comma.
+fn decimal_comma(text: &str, cells: &[Cell<'_>], separator: Separator, one_more: bool) -> Option<String> {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     let glued = |pair: &&[Cell<'_>]| {
         let [whole, decimals] = pair else { return false };
         let between = text.get(whole.span.end..decimals.span.start);
         between == Some(",") && digits(whole.text.trim_start_matches('-')) && digits(&decimals.text)
     };
-    let pair = cells.windows(2).find(glued).filter(|_| separator == Separator::Comma)?;
+    let single = |pair: &&[Cell<'_>]| !one_more || pair[1].text.len() == 1;
+    let looked_at = if one_more { cells.len() - 1 } else { cells.len() };
+    let mut pairs = cells[..looked_at].windows(2).filter(glued);
+    let pair = pairs.find(single).filter(|_| separator == Separator::Comma)?;
     Some(format!("{}.{}", pair[0].text, pair[1].text))
+}
+
+/// What is wrong where the header separates its cells otherwise than the first row.
+fn separators(header: &str, separator: Separator, first: &str) -> Option<TableError> {
+    let count = |text: &str, separator| cells(text, separator).map_or(0, |cells| cells.len());
+    let columns = count(header, separator);
+    let fits = |other: &Separator| *other != separator && count(first, *other) == columns;
+    let of_row = [Separator::Semicolon, Separator::Tab, Separator::Comma].into_iter().find(fits)?;
+    if columns < 2 || count(first, separator) != 1 {
+        return None;
+    }
+    let why = format!(
+        "its cells are separated by {}, those of the rows by {}",
+        separator.plural(),
+        of_row.plural()
+    );
+    let names = cells(header, separator).ok()?;
+    let names = names.iter().map(|cell| cell.text.as_ref()).collect::<Vec<_>>();
+    let help = format!("write: {}", names.join(of_row.text()));
+    Some(TableError::Header { why, help, span: Span::new(0, header.len()) })
 }
 
 /// The columns of a header.
@@ -300,14 +330,16 @@ impl<'a> RawRow<'a> {
         if let Some(extra) = cells.get(columns.len()) {
             let count = columns.len();
             let plural = if count == 1 { "" } else { "s" };
-            let help = decimal_comma(text, cells, separator).map_or_else(
-                || "write one number per column".to_owned(),
-                |number| {
-                    format!(
-                        "write decimals with a point, as in `{number}`, or separate the cells by semicolons"
-                    )
-                },
-            );
+            let one_more = cells.len() == count + 1;
+            let help = match decimal_comma(text, cells, separator, one_more) {
+                Some(number) => format!(
+                    "write decimals with a point, as in `{number}`, or separate the cells by semicolons"
+                ),
+                None if one_more => {
+                    format!("leave `{}` out, or name a column for it in the header", extra.text)
+                }
+                None => "write one number per column".to_owned(),
+            };
             return Err(TableError::TooMany {
                 line,
                 found: cells.len(),
