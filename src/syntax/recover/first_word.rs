@@ -80,6 +80,7 @@ fn displaced(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
         _ => return None,
     };
     let help = of_link(case, word)
+        .or_else(|| link_with_point(case))
         .unwrap_or_else(|| format!("put it there: {owner} NAME {{ {} }}", case.slice.trim()));
     let found = word.to_owned();
     Some(SyntaxError::MisplacedMember { found, at: case.span(0, word.len()), place, help })
@@ -97,10 +98,42 @@ fn of_link(case: &Case<'_>, word: &str) -> Option<String> {
     let at = if word == "inertia" { "" } else { " at POINT" };
     let member = format!("{word} {}{at}", value.trim());
     Some(match line.strip_suffix('}') {
-        Some(open) => format!("put it there: {}; {member} }}", open.trim_end()),
         None if line.contains('{') => format!("put it there: {member}"),
-        None => format!("put it there: {line} {{ {member} }}"),
+        _ => with_member(line, &member),
     })
+}
+
+/// The line of a link with one more member in its braces.
+fn with_member(line: &str, member: &str) -> String {
+    match line.strip_suffix('}').map(str::trim_end) {
+        Some(open) if open.ends_with('{') => format!("put it there: {open} {member} }}"),
+        Some(open) => format!("put it there: {open}; {member} }}"),
+        None => format!("put it there: {line} {{ {member} }}"),
+    }
+}
+
+/// `circle rim centre R radius 20 mm`: the line of the link that has the point `R`; of several the nearest above.
+fn link_with_point(case: &Case<'_>) -> Option<String> {
+    let words = case.words();
+    let named = words.windows(2).filter(|pair| matches!(pair[0].1, "centre" | "at" | "through" | "about"));
+    let point = named.map(|pair| pair[1].1).next()?;
+    let code = |line: &'_ str| line.split_once("//").map_or(line, |(code, _)| code).trim().to_owned();
+    let with_it =
+        |text: &str| text.lines().map(code).filter(|line| has_point(line, point)).collect::<Vec<_>>();
+    let above = with_it(case.text.get(..case.offset)?);
+    let all = with_it(case.text);
+    let line = above.last().or(if all.len() == 1 { all.first() } else { None })?;
+    (!line.contains('{') || line.ends_with('}')).then(|| with_member(line, case.slice.trim()))
+}
+
+/// Whether a line is that of a link with a point of that name, at an end of its bar or in its braces.
+fn has_point(line: &str, point: &str) -> bool {
+    let (head, body) = line.split_once('{').unwrap_or((line, ""));
+    let mut words = head.split_whitespace();
+    let link = matches!(words.next(), Some("link" | "ground" | "slider" | "shaft"));
+    let ends = |word: &str| word.split_once('-').is_some_and(|(from, to)| from == point || to == point);
+    let members = || body.split([';', '}']).filter_map(|member| member.split_once('('));
+    link && (words.any(ends) || members().any(|(name, _)| name.trim() == point))
 }
 
 /// What other programs and languages call the statements.
@@ -180,8 +213,14 @@ fn lines_meant(case: &Case<'_>) -> Option<String> {
         ("find", asked),
     ];
     let reads = |(before, may): &(&str, bool)| *may && case.reads(&format!("{before} {}", case.slice));
-    let (before, _) = tried.into_iter().find(reads)?;
-    Some(case.help(0, 0, &format!("{before} ")))
+    if let Some((before, _)) = tried.into_iter().find(reads) {
+        return Some(case.help(0, 0, &format!("{before} ")));
+    }
+    // a word of another language
+    let length = case.token(0).len();
+    let instead = |wanted: &&str| case.reads(&case.with(0, length, wanted));
+    let wanted = ["given", "link", "ground", "drive", "assemble"].into_iter().find(instead)?;
+    Some(case.help(0, length, wanted))
 }
 
 /// `find a; b`: the list of the statement before goes on behind a semicolon.
