@@ -38,9 +38,14 @@ impl<'a> Case<'a> {
         case
     }
 
-    /// Whether a text reads as what this should be.
+    /// Whether a text reads as what this should be. What begins with the word of a member stays one: it is not corrected
+    /// to a point of that name.
     pub(super) fn reads(&self, text: &str) -> bool {
-        Grammar::parse(self.what.rule(), text).is_ok()
+        let Ok(mut pairs) = Grammar::parse(self.what.rule(), text) else { return false };
+        let word = self.token(0);
+        let begins = self.what == What::Member && words::MEMBERS.contains(&word) && text.starts_with(word);
+        let mut point = || pairs.next().and_then(|whole| whole.into_inner().next());
+        !begins || point().is_none_or(|member| member.as_rule() != Rule::m_point)
     }
 
     /// Where reading a text as what this should be stops.

@@ -21,6 +21,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| relative(case))
         .or_else(|| drive_left_out(case))
         .or_else(|| second_place(case))
+        .or_else(|| fillers(case))
 }
 
 /// The repair of a part, if the piece reads with it.
@@ -116,6 +117,22 @@ fn filler(case: &Case<'_>) -> Option<SyntaxError> {
     case.reads(&case.with(left, end, "")).then(|| SyntaxError::NeedlessSign {
         found: (*word).to_owned(),
         at: case.span(*at, word.len()),
+        help: case.help(left, end, ""),
+    })
+}
+
+/// `C to the left of B-D`: up to three words where reading stopped.
+fn fillers(case: &Case<'_>) -> Option<SyntaxError> {
+    const PREPOSITIONS: &[&str] = &["to", "on", "at", "of", "by", "from"];
+    let says_nothing = |word: &str| FILLERS.contains(&word) || PREPOSITIONS.contains(&word);
+    let words = case.words();
+    let run = words.iter().skip_while(|(at, _)| *at < case.fail).take_while(|(_, word)| says_nothing(word));
+    let left = case.slice.get(..case.fail)?.trim_end().len();
+    let ends = run.take(3).map(|(at, word)| at + word.len());
+    let end = ends.filter(|end| case.reads(&case.with(left, *end, ""))).next()?;
+    Some(SyntaxError::NeedlessSign {
+        found: case.slice.get(case.fail..end)?.to_owned(),
+        at: case.span(case.fail, end - case.fail),
         help: case.help(left, end, ""),
     })
 }

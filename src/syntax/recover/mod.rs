@@ -7,6 +7,9 @@ mod case;
 mod commas;
 mod first_word;
 mod meant;
+mod name;
+mod order;
+mod phrase;
 mod range;
 mod separator;
 mod swap;
@@ -58,10 +61,13 @@ fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| separator::statements(case))
         .or_else(|| range::explain(case))
         .or_else(|| meant::explain(case))
+        .or_else(|| name::explain(case))
+        .or_else(|| phrase::explain(case))
         .or_else(|| within::explain(case))
         .or_else(|| separator::members(case))
         .or_else(|| brackets::explain(case))
         .or_else(|| swap::explain(case))
+        .or_else(|| order::explain(case))
         .or_else(|| within::missing(case))
 }
 
@@ -75,6 +81,7 @@ pub(super) fn report(
     reserved: &mut BTreeSet<String>,
 ) -> Bad {
     let slice = read.get(at.start..at.end).unwrap_or_default();
+    let mut names = names(slice);
     if !slice.trim().is_empty() && !cut_off(text, read, at) {
         let case = Case::new(text, slice, at.start, what);
         let found = if problems.len() < EXPLAINED { explain(&case) } else { None };
@@ -82,11 +89,15 @@ pub(super) fn report(
         // A name that cannot be one is reported where it stands first.
         let again =
             matches!(&found, SyntaxError::ReservedName { found, .. } if !reserved.insert(found.clone()));
+        // `left-arm` declares `left_arm`
+        if let SyntaxError::OtherWord { wanted, .. } = &found {
+            names.extend(self::names(wanted));
+        }
         if !again {
             problems.push(found);
         }
     }
-    Bad { names: names(slice) }
+    Bad { names }
 }
 
 /// Whether the rest of the line was blanked out, which has been reported.

@@ -74,6 +74,11 @@ const OPERATORS: &[(&str, &str)] = &[
     ("≈", "="),
     ("...", ".."),
     ("=>", ">="),
+    ("<->", "-"),
+    ("-->", "-"),
+    ("->", "-"),
+    ("→", "-"),
+    ("--", "-"),
 ];
 
 fn foreign_operator(case: &Case<'_>) -> Option<SyntaxError> {
@@ -149,7 +154,9 @@ fn digit_first(case: &Case<'_>) -> Option<SyntaxError> {
         return None;
     }
     let end = case.fail + found.len();
-    let wanted = format!("{letters}{digits}");
+    // `1A` where points are named `A`
+    let alone = case.text.split(|c| !is_name_char(c)).any(|word| word == letters);
+    let wanted = if alone { letters.to_owned() } else { format!("{letters}{digits}") };
     case.reads(&case.with(case.fail, end, &wanted)).then(|| SyntaxError::DigitFirst {
         found: found.to_owned(),
         at: case.span(case.fail, found.len()),
@@ -171,6 +178,16 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("is", "="),
     ("equals", "="),
     ("tolerance", "within"),
+    ("speed", "at"),
+    ("velocity", "at"),
+    ("acceleration", "accelerating"),
+    ("if", "when"),
+    ("while", "when"),
+    ("where", "when"),
+    ("opposite", "against"),
+    ("opposing", "against"),
+    ("opposed", "against"),
+    ("via", "through"),
 ];
 
 /// Whether a word or sign may have been meant: a sign for a word, and what fits nearly everywhere, says nothing.
