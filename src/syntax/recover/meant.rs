@@ -121,19 +121,35 @@ fn filler(case: &Case<'_>) -> Option<SyntaxError> {
     })
 }
 
-/// `C to the left of B-D`: up to three words where reading stopped.
+/// `C to the left of B-D`, `at a speed of 30 rpm`: words around the place where reading stopped.
 fn fillers(case: &Case<'_>) -> Option<SyntaxError> {
-    const PREPOSITIONS: &[&str] = &["to", "on", "at", "of", "by", "from"];
-    let says_nothing = |word: &str| FILLERS.contains(&word) || PREPOSITIONS.contains(&word);
+    /// The most words that are left out.
+    const MOST: usize = 4;
+    const MORE: &[&str] = &["to", "on", "at", "of", "by", "from", "speed", "velocity", "angle"];
+    if case.what != What::Statement {
+        return None;
+    }
+    let says_nothing = |word: &str| FILLERS.contains(&word) || MORE.contains(&word);
     let words = case.words();
-    let run = words.iter().skip_while(|(at, _)| *at < case.fail).take_while(|(_, word)| says_nothing(word));
-    let left = case.slice.get(..case.fail)?.trim_end().len();
-    let ends = run.take(3).map(|(at, word)| at + word.len());
-    let end = ends.filter(|end| case.reads(&case.with(left, *end, ""))).next()?;
+    let here = words.iter().position(|(at, _)| *at >= case.fail)?;
+    let before = words.get(..here)?.iter().rev().take_while(|(_, word)| says_nothing(word)).take(MOST);
+    let starts = std::iter::once(case.fail).chain(before.map(|(at, _)| *at)).collect::<Vec<_>>();
+    let run = words.get(here..)?.iter().take_while(|(_, word)| says_nothing(word)).take(MOST);
+    let last = words.get(here.checked_sub(1)?).filter(|_| starts.len() > 1);
+    // what has an argument is a function
+    let alone = |end: &usize| !case.slice.get(*end..).unwrap_or_default().trim_start().starts_with('(');
+    let ends =
+        last.into_iter().chain(run).map(|(at, word)| at + word.len()).filter(alone).collect::<Vec<_>>();
+    let all = starts.iter().flat_map(|start| ends.iter().map(move |end| (*start, *end)));
+    let left = |start: usize| case.slice.get(..start).unwrap_or_default().trim_end().len();
+    let (start, end) = all
+        .into_iter()
+        .filter(|(start, end)| start < end)
+        .find(|(start, end)| case.reads(&case.with(left(*start), *end, "")))?;
     Some(SyntaxError::NeedlessSign {
-        found: case.slice.get(case.fail..end)?.to_owned(),
-        at: case.span(case.fail, end - case.fail),
-        help: case.help(left, end, ""),
+        found: case.slice.get(start..end)?.to_owned(),
+        at: case.span(start, end - start),
+        help: case.help(left(start), end, ""),
     })
 }
 

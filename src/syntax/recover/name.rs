@@ -15,7 +15,7 @@ fn joined(case: &Case<'_>, first: (usize, &str), second: (usize, &str)) -> Optio
     let (start, end) = (first.0, second.0 + second.1.len());
     let between = case.slice.get(start + first.1.len()..second.0)?;
     let wanted = format!("{}_{}", first.1, second.1);
-    let hyphen = between == "-";
+    let hyphen = between.trim() == "-";
     // the first word is that of the statement
     let names = start > 0 && first.1.starts_with(char::is_alphabetic) && !is_reserved(first.1);
     let apart = hyphen || (!between.is_empty() && between.bytes().all(|b| b == b' '));

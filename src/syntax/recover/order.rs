@@ -29,7 +29,9 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
 fn exchanged(case: &Case<'_>, start: usize, middle: usize, end: usize) -> Option<SyntaxError> {
     let (first, second) = (case.slice.get(start..middle)?.trim(), case.slice.get(middle..end)?.trim());
     let wanted = format!("{second} {first}");
-    (!first.is_empty() && !second.is_empty() && case.reads(&case.with(start, end, &wanted))).then(|| {
+    // what begins with an operator belongs to what stands before it
+    let whole = |part: &str| part.starts_with(|c| is_name_char(c) || matches!(c, '=' | '(' | '@' | '"'));
+    (whole(first) && whole(second) && case.reads(&case.with(start, end, &wanted))).then(|| {
         SyntaxError::OtherWord {
             found: case.slice.get(start..end).unwrap_or_default().to_owned(),
             wanted: wanted.clone(),

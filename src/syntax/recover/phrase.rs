@@ -5,9 +5,63 @@ use super::case::Case;
 use crate::syntax::error::SyntaxError;
 use crate::syntax::line::Line;
 use crate::syntax::words::is_name_char;
+use crate::units::{Dimension, lookup};
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
-    times(case).or_else(|| diameter(case)).or_else(|| through(case)).or_else(|| comma_in_list(case))
+    times(case)
+        .or_else(|| diameter(case))
+        .or_else(|| through(case))
+        .or_else(|| bar(case))
+        .or_else(|| position_or_speed(case))
+        .or_else(|| comma_in_list(case))
+}
+
+/// `link rod from B to C 350 mm`, `link rod BC 350 mm`
+fn bar(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let at = words.iter().rposition(|(at, _)| *at < case.fail || case.token(*at) == "from")?;
+    if case.token(0) != "link" {
+        return None;
+    }
+    let ends = |pair: (usize, &str)| {
+        let second = pair.1.char_indices().skip(1).find(|(_, c)| c.is_uppercase())?.0;
+        let (from, to) = pair.1.split_at(second);
+        from.starts_with(char::is_uppercase).then(|| (pair.0, pair.0 + pair.1.len(), format!("{from}-{to}")))
+    };
+    let spoken = words.windows(4).find_map(|four| match four {
+        [(start, "from"), (_, from), (_, "to"), (last, to)] => {
+            Some((*start, last + to.len(), format!("{from}-{to}")))
+        }
+        _ => None,
+    });
+    let (start, end, wanted) = spoken.or_else(|| ends(*words.get(at)?))?;
+    case.reads(&case.with(start, end, &wanted)).then(|| SyntaxError::OtherWord {
+        found: case.slice.get(start..end).unwrap_or_default().to_owned(),
+        wanted: wanted.clone(),
+        at: case.span(start, end - start),
+        help: case.help(start, end, &wanted),
+    })
+}
+
+/// `drive crank 45 deg`: `=` before a position, `at` before a speed.
+fn position_or_speed(case: &Case<'_>) -> Option<SyntaxError> {
+    if case.token(0) != "drive" || !case.token(case.fail).starts_with(|c: char| c.is_ascii_digit()) {
+        return None;
+    }
+    let value = case.slice.get(case.fail..)?;
+    let unit = value.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | ' '));
+    let unit = lookup(unit.split(' ').next()?).ok()?;
+    let missing = match unit.dimension {
+        Dimension::ANGLE | Dimension::LENGTH => "=",
+        Dimension::ANGULAR_VELOCITY | Dimension::VELOCITY => "at",
+        _ => return None,
+    };
+    let new = format!("{missing} ");
+    case.reads(&case.with(case.fail, case.fail, &new)).then(|| SyntaxError::MissingWord {
+        missing: missing.to_owned(),
+        at: case.span(case.fail, case.token(case.fail).len()),
+        help: case.help(case.fail, case.fail, &new),
+    })
 }
 
 /// What is written for `*`.

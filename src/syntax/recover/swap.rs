@@ -79,6 +79,9 @@ const OPERATORS: &[(&str, &str)] = &[
     ("->", "-"),
     ("→", "-"),
     ("--", "-"),
+    ("at an angle of", "@"),
+    ("at an angle", "@"),
+    ("at angle", "@"),
 ];
 
 fn foreign_operator(case: &Case<'_>) -> Option<SyntaxError> {
@@ -188,6 +191,9 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("opposing", "against"),
     ("opposed", "against"),
     ("via", "through"),
+    ("angle", "along"),
+    ("angle", "@"),
+    ("direction", "@"),
 ];
 
 /// Whether a word or sign may have been meant: a sign for a word, and what fits nearly everywhere, says nothing.
@@ -201,6 +207,13 @@ fn meant(found: &str, wanted: &str) -> bool {
 fn other_word(case: &Case<'_>) -> Option<SyntaxError> {
     let found = case.token(case.fail);
     let end = case.fail + found.len();
+    // `speed of 30 rpm`, `opposite to motion`
+    let known = SYNONYMS.iter().any(|(word, _)| *word == found);
+    let rest = case.slice.get(end..).filter(|_| known).unwrap_or_default();
+    let more = [" of", " to the", " to"]
+        .into_iter()
+        .find(|more| rest.strip_prefix(more).is_some_and(|r| r.starts_with(' ')));
+    let end = end + more.map_or(0, str::len);
     let fits = |wanted: &str| case.reads(&case.with(case.fail, end, &format!(" {wanted} ")));
     let synonym = SYNONYMS.iter().find(|(word, wanted)| *word == found && fits(wanted));
     let mut fitting = match synonym {

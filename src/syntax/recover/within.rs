@@ -102,6 +102,9 @@ fn missing_word(case: &Case<'_>) -> Option<SyntaxError> {
     fitting
         .retain(|w| w != "{" && w != "}" && case.reads(&case.with(case.fail, case.fail, &format!(" {w} "))));
     fitting.retain(|w| w != "accelerating");
+    // behind `when` stands a comparison
+    let compared = case.slice.get(case.fail..)?.contains(['<', '>']);
+    fitting.retain(|w| w != "when" || compared);
     let missing = match fitting.as_slice() {
         [missing] => missing,
         // loads and balances act on links more often than in pairs
