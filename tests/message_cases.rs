@@ -76,6 +76,10 @@ fn revealed(name: &str) -> usize {
 
 /// The files with the number of errors, the code of the first, and what its message or help says.
 const CASES: &[(&str, usize, &str, &[&str])] = &[
+    ("messages/name-with-hyphen", 1, "syntax::other_word", &["write: link 1 left_arm  A-B 900 mm"]),
+    ("messages/name-with-space", 1, "syntax::other_word", &["write: link 3 right_arm D-C 950 mm"]),
+    ("messages/column-without-unit", 1, "unit::missing", &["write `P [kN]`"]),
+    ("messages/column-in-capitals", 1, "name::wrong_kind", &["write `r`"]),
     ("messages/008-typo-unit", 1, "unit::unknown", &["write `mm`"]),
     ("messages/016-hinge-for-revolute", 1, "syntax::misspelt_word", &["write: revolute A: ground - crank"]),
     (
@@ -449,6 +453,26 @@ const LINES: &[(&str, &str, &str)] = &[
     ("drive crank = 30 deg at n", "drive crank = 30 deg speed n", "write: drive crank = 30 deg at n"),
     ("drive crank = 30 deg at n", "drive crank at n = 30 deg", "write: drive crank = 30 deg at n"),
     ("assemble C left of B-D", "assemble C to the left of B-D", "write: assemble C left of B-D"),
+    ("drive crank = 30 deg at n", "drive crank 30 deg at n", "write: drive crank = 30 deg at n"),
+    ("drive crank = 30 deg at n", "drive crank = 30 deg at a speed of n", "write: drive crank = 30 deg at n"),
+    ("drive crank = 30 deg at n", "drive crank = 30 deg at speed n", "write: drive crank = 30 deg at n"),
+    ("link rocker D-C 90 mm", "link rocker from D to C 90 mm", "write: link rocker D-C 90 mm"),
+    ("link rocker D-C 90 mm", "link rocker DC 90 mm", "write: link rocker D-C 90 mm"),
+    (
+        "expect w = 1 rad/s within 5 %",
+        "expect w = 1 rad/s at crank = 30 deg within 5 %",
+        "write: expect w = 1 rad/s within 5 % at crank = 30 deg",
+    ),
+    (
+        "force F on coupler at S = 20 N @ 270 deg",
+        "force F on coupler at S = 20 N at an angle of 270 deg",
+        "write: force F on coupler at S = 20 N @ 270 deg",
+    ),
+    (
+        "torque load on rocker = 8 N*m cw",
+        "torque load on rocker = 8 N*m opposite to motion",
+        "write: torque load on rocker = 8 N*m against motion",
+    ),
     (
         "torque load on rocker = 8 N*m cw",
         "torque load on rocker = 8 N*m opposite motion",
@@ -548,6 +572,8 @@ fn tables() {
     for (name, wanted) in [
         ("badunit", &["`milli` is not a unit", "write `mm`"][..]),
         ("deccomma", &["6 cells", "decimals with a point, as in `80.5`"]),
+        ("cell_too_many", &["6 cells", "leave `7` out, or name a column for it"]),
+        ("other_separator", &["semicolons, those of the rows by commas", "write: r [mm],l [mm],n [rpm]"]),
         ("noheader", &["the first line names the columns"]),
         ("paren", &["in parentheses", "write: r [mm],l [mm],n [rpm],phi [deg],P [N]"]),
         ("thousands", &["`1,500`", "write `1.500` or `1500`"]),
