@@ -28,7 +28,7 @@ const CASES: &[(&str, Option<&str>, &[&str])] = &[
     ("spellings/two2", Some("mech::determinacy::efforts"), &["leave out `balance F` or `balance F2`"]),
     ("spellings/tx", None, &[]),
     ("spellings/v1", None, &[]),
-    ("spellings/v4", Some("mech::request::asked_twice"), &["`omega(rod)`"]),
+    ("spellings/v4", Some("mech::request::asked_twice"), &["NAME = omega(rod)"]),
     ("spellings/v7", None, &[]),
     ("spellings/v19", None, &[]),
     ("spellings/v20", None, &[]),

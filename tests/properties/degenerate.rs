@@ -18,8 +18,9 @@ fn gap(m: &Mechanism) -> Option<(String, f64)> {
     let errors = run.solution.err()?;
     let [SolveError::DoesNotClose { gap, .. }] = errors.as_slice() else { return None };
     let words: Vec<&str> = gap.split_whitespace().collect();
-    let unit = words.iter().rposition(|w| *w == "mm")?;
-    Some((gap.clone(), words[unit - 1].parse::<f64>().ok()? / 1e3))
+    // a mechanism without a text has no units of its own: lengths are in metres
+    let unit = words.iter().rposition(|w| w.trim_end_matches([',', ';']) == "m")?;
+    Some((gap.clone(), words[unit - 1].parse::<f64>().ok()?))
 }
 
 /// The figure told is the gap, rounded to four digits; what closes is not told to be open.

@@ -34,7 +34,7 @@ fn agrees(verdict: &Verdict, truth: &Truth) -> bool {
     let over = names("overconstrained") || names("repeated");
     match (truth.surplus > 0, truth.missing > 0) {
         (false, false) => {
-            let still = names("immobile") == !truth.immobile.is_empty();
+            let still = names("immobile") != truth.immobile.is_empty();
             let named = truth.immobile.iter().take(5).all(|l| verdict.message.contains(&quoted(*l)));
             still && named && verdict.codes.len() == usize::from(!truth.immobile.is_empty())
         }

@@ -62,6 +62,7 @@ fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| range::explain(case))
         .or_else(|| meant::explain(case))
         .or_else(|| name::explain(case))
+        .or_else(|| swap::without_brackets(case))
         .or_else(|| phrase::explain(case))
         .or_else(|| within::explain(case))
         .or_else(|| separator::members(case))

@@ -13,7 +13,6 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| split_word(case))
         .or_else(|| digit_first(case))
         .or_else(|| other_word(case))
-        .or_else(|| without_brackets(case))
         .or_else(|| other_word_before(case))
 }
 
@@ -120,7 +119,7 @@ fn needless_sign(case: &Case<'_>) -> Option<SyntaxError> {
 }
 
 /// `sin 30 deg`, `position of C`
-fn without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+pub(super) fn without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
     let words = case.words();
     let (name_at, name) = *words.iter().rev().find(|(at, _)| *at < case.fail)?;
     let name_end = name_at + name.len();
