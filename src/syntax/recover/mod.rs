@@ -60,7 +60,7 @@ fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| commas::explain(case))
         .or_else(|| separator::statements(case))
         .or_else(|| range::explain(case))
-        .or_else(|| swap::without_brackets(case))
+        .or_else(|| swap::of_without_brackets(case))
         .or_else(|| meant::explain(case))
         .or_else(|| name::explain(case))
         .or_else(|| phrase::explain(case))

@@ -8,6 +8,7 @@ use crate::syntax::words::{self, Expected, is_name_char, is_reserved};
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     comma_between(case)
+        .or_else(|| without_brackets(case))
         .or_else(|| foreign_operator(case))
         .or_else(|| needless_sign(case))
         .or_else(|| split_word(case))
@@ -118,8 +119,13 @@ fn needless_sign(case: &Case<'_>) -> Option<SyntaxError> {
     })
 }
 
+/// `position of C`: the function is no word that says nothing.
+pub(super) fn of_without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+    (case.token(case.fail) == "of").then(|| without_brackets(case))?
+}
+
 /// `sin 30 deg`, `position of C`
-pub(super) fn without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+fn without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
     let words = case.words();
     let (name_at, name) = *words.iter().rev().find(|(at, _)| *at < case.fail)?;
     let name_end = name_at + name.len();
