@@ -207,9 +207,14 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
         cx.error(UnitsError::Missing { what, want, span, used: None, example });
         return None;
     }
-    let given = cx.completed_given(name, unit.dimension).map(|line| format!("write `{line}`"));
-    let column = || mend(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.usual_unit(want)));
-    let help = given.or_else(column);
+    let column = mend(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.usual_unit(want)));
+    // a torque that was given in newtons, or a force with a column for a torque
+    let is_torque = want == Dimension::FORCE && unit.dimension == Dimension::TORQUE;
+    let given = is_torque.then(|| cx.completed_given(name, unit.dimension)).flatten();
+    let help = match (given, column) {
+        (Some(given), Some(column)) => Some(format!("write `{given}` for a torque, or {column} for a force")),
+        (_, column) => column,
+    };
     let found = phrase(unit.dimension);
     cx.error(UnitsError::Mismatch { what, want: phrase(want), found, span, help });
     None

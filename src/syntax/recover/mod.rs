@@ -57,6 +57,7 @@ const EXPLAINED: usize = 200;
 /// What was meant, where a repair reads.
 fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     first_word::explain(case)
+        .or_else(|| within::equals_of_expect(case))
         .or_else(|| commas::explain(case))
         .or_else(|| separator::statements(case))
         .or_else(|| range::explain(case))

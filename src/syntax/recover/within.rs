@@ -92,6 +92,28 @@ fn number_before_call(case: &Case<'_>) -> Option<SyntaxError> {
     })
 }
 
+/// `expect M 12 N*m within 1 %`: the sign of equality between what is expected and its value.
+pub(super) fn equals_of_expect(case: &Case<'_>) -> Option<SyntaxError> {
+    if case.token(0) != "expect" || case.slice.contains(['=', '<', '>']) {
+        return None;
+    }
+    let mut depth = 0_usize;
+    let blanks = case.slice.char_indices().filter(|(_, c)| {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        *c == ' ' && depth == 0
+    });
+    let at = blanks.map(|(at, _)| at).find(|at| case.reads(&case.with(*at, at + 1, " = ")))?;
+    Some(SyntaxError::MissingWord {
+        missing: "=".to_owned(),
+        at: case.span(at + 1, case.token(at + 1).len()),
+        help: case.help(at, at + 1, " = "),
+    })
+}
+
 /// A word or sign that makes the piece read; only if there is just one.
 fn missing_word(case: &Case<'_>) -> Option<SyntaxError> {
     let here = case.token(case.fail);
