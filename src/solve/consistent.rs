@@ -19,8 +19,8 @@ pub enum Consistent {
     Undecided,
 }
 
-/// Multiplications or so that all searches of a solution may take together: a few seconds.
-const MOST_WORK: f64 = 2e9;
+/// Multiplications or so that all searches of a solution may take together: about a second.
+const MOST_WORK: f64 = 1e9;
 /// What a search may always take, whatever was searched before.
 const LEAST_WORK: f64 = 1e6;
 

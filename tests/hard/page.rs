@@ -68,8 +68,9 @@ fuzz/run.sh 10000000 86400
 ```
 
 runs the libFuzzer targets on the stable toolchain, `parse` (text to document) and `solve` (text to answers), from the files of
-the examples and the tests, with assertions and checks of overflow: 10,000,000 mutated texts of up to 4,000 bytes each. A
-panic, more than two seconds or more than 1 GB ends it, and the text is kept.
+the examples and the tests, with assertions and checks of overflow, on as many mutated texts of up to 4,000 bytes each as the
+first number says. A panic, more than two seconds or more than 1 GB ends it, and the text is kept. A run of four minutes has
+tried 71,969 texts with `parse` (300 per second, 97 MB) without any of these.
 ";
 
 /// Rounded up to a power of ten, or of four.
