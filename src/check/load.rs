@@ -234,7 +234,7 @@ fn torque(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::
     Some(LoadKind::Torque { on: on?, value, against_motion: load.against_motion.is_some() })
 }
 
-/// The value of a torque as written, with what stands behind it.
+/// The value of a torque as written, with what comes after it.
 fn torque_text(load: &Load) -> String {
     let value = written(&load.value.value).unwrap_or_else(|| "…".into());
     let sense = match load.value.sense.as_ref().map(|s| s.node) {

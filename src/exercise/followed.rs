@@ -15,7 +15,7 @@ const MOST: usize = 20_000;
 const MOST_BODIES: usize = 400_000;
 /// So many are kept of the largest mechanism.
 const FEWEST: usize = 360;
-/// Positions that fail are told up to this number, and counted beyond.
+/// Failing positions are reported up to this number, and counted beyond.
 const TOLD: usize = 1000;
 
 /// What is done with a position of a solution that holds none yet; says whether to go on.

@@ -38,10 +38,10 @@ pub enum ScaleError {
     },
 }
 
-/// Finds what hangs on open sizes.
+/// Finds what depends on open sizes.
 ///
 /// # Errors
-/// What is asked and hangs on them.
+/// What is asked and depends on them.
 pub fn scales(scene: &Scene<'_>, origin: &Origin) -> Result<OpenSizes, Vec<ScaleError>> {
     let mut open = OpenSizes::default();
     if scene.mechanism.scales.is_empty() {

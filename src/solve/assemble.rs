@@ -74,7 +74,7 @@ pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
     assemble_from(scene, start, STARTS)
 }
 
-/// As [`assemble`], with so many starts of the search for the assemblies of a general group.
+/// As [`assemble`], with a given number of starts of the search for the assemblies of a general group.
 pub(super) fn assemble_from(scene: &Scene<'_>, start: State, starts: usize) -> Result<State, SolveError> {
     let mut start = start;
     start.start(scene.plan);

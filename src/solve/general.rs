@@ -235,7 +235,7 @@ pub(super) fn is_never_regular(state: &State, problem: usize, group: &GeneralMot
     general::is_never_regular(&mut work.equations, &work.poses)
 }
 
-/// All states in which a general group can stand, from so many starts.
+/// All states in which a general group can be, from a given number of starts.
 pub(super) fn assemblies(
     before: &State,
     branch: usize,

@@ -18,7 +18,7 @@ const FEW_DIGITS: f64 = 7.0;
 /// Digits that forces of inertia lose beside: 16 ε/σ³.
 const GATHERED: f64 = 1.2;
 
-/// More switches are counted, not told.
+/// More switches are counted, not reported.
 const MOST_SWITCHES: usize = 1000;
 /// The same for gaps.
 const MOST_GAPS: usize = 100;

@@ -17,7 +17,7 @@ const ROUNDS: usize = 12;
 const NOTHING: f64 = 1e-11;
 /// Most multiplications, roughly, of a search for other solutions than the one followed: some hundredths of a second.
 const WORK_FOR_OTHERS: f64 = 1e8;
-/// With a middle that is singular so many transmissions are tried in all directions.
+/// With a middle that is singular, at most this number of transmissions is tried in all directions.
 const MOST_TRIED: usize = 12;
 
 /// What is left of the forces on the two sides of a law, by the direction of the power and the part of the losses.

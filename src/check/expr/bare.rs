@@ -9,7 +9,7 @@ use crate::source::Span;
 use crate::syntax::document::{BinaryOp, Expr, ExprKind, Number};
 use crate::units::{Dimension, Unit, lookup, significant};
 
-/// A definition that is a number: `given` or `let`, and what stands behind the sign of equality.
+/// A definition that is a number: `given` or `let`, and what comes after the equals sign.
 struct Definition<'a> {
     word: &'static str,
     value: &'a Expr,
