@@ -1,23 +1,16 @@
 //! `assur`: a small declarative language for planar mechanism problems, and the compiler that solves them.
 
-pub mod accuracy;
-pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
-pub mod diagnostic;
-pub mod element;
 pub mod exercise;
-pub mod force;
-pub mod group;
-pub mod math;
-pub mod model;
-pub mod plan;
 pub mod report;
-pub mod solve;
-pub mod source;
-pub mod structure;
-pub mod syntax;
-pub mod units;
+
+pub use assur_check as check;
+pub use assur_math::{element, force, group, math};
+pub use assur_model::{model, structure};
+pub use assur_solve::{accuracy, plan, solve};
+pub use assur_syntax as syntax;
+pub use assur_text::{diagnostic, source, units};
 
 use accuracy::Reached;
 use check::Overrides;

@@ -132,7 +132,7 @@ fn the_scripts_print_what_the_examples_expect() {
     let examples: Vec<String> =
         files(&root().join("examples"), "mech").iter().map(|p| words(&read(p))).collect();
     let keys = sorted(examples.iter().cloned());
-    let rust = files(&root().join("tests"), "rs").into_iter().chain(files(&root().join("src"), "rs"));
+    let rust = ["tests", "src", "crates"].into_iter().flat_map(|folder| files(&root().join(folder), "rs"));
     let texts = rust.map(|p| read(&p).replace('_', ""));
     let everywhere = sorted(texts.chain(examples.iter().cloned()));
     let (mut lines, mut verbatim, mut wrong) = (0, 0, Vec::new());

@@ -6,7 +6,7 @@ use super::screen::Screen;
 use super::stream;
 use crate::check::RowColumn;
 use crate::diagnostic::Problems;
-use crate::exercise::{OwnRows, SolvedRow, is_long};
+use crate::exercise::{OwnRows, SolvedRow, file_row_words, is_long};
 use crate::report::document::{Column, Table};
 use crate::report::json::Variant;
 use crate::report::{self, Answers, Precision};
@@ -97,7 +97,7 @@ fn of_rows(
             }
             (Format::Table | Format::Markdown, Some(solved)) => {
                 let mut report = report::of_answers(&source.name, solved);
-                report.title = format!("{}: {}", report.title, row.row.words(row.number));
+                report.title = format!("{}: {}", report.title, file_row_words(&row.row, row.number));
                 results.push(match format {
                     Format::Markdown => report::markdown::render(&report),
                     _ => report::text::render(&report, screen.look()),

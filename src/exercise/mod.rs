@@ -23,6 +23,6 @@ pub use followed::{Each, Followed, SizeError, followed, is_long, most_positions}
 pub use in_row::InRow;
 pub use mismatch::{in_one, mismatches};
 pub use other_assembly::in_other_assembly;
-pub use own_rows::{OwnRows, SolvedRow, row_words};
+pub use own_rows::{OwnRows, SolvedRow, file_row_words, row_words};
 pub use scales::{ScaleError, scales};
 pub use undefined::why_undefined;

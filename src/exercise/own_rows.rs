@@ -71,7 +71,7 @@ impl<'a> OwnRows<'a> {
             if test {
                 problems.extend(solved.iter().flat_map(|s| mismatches(&s.outcomes)));
             }
-            let problems = InRow::all(problems, &row.words(i + 1), Some(row.span));
+            let problems = InRow::all(problems, &file_row_words(&row, i + 1), Some(row.span));
             SolvedRow { row, number: i + 1, solved, problems }
         })
     }
@@ -91,12 +91,10 @@ fn of_every_row(family: &mut Family<'_>, rows: &[FileRow]) -> Option<Problems> {
     (problems.has_errors() && problems.is_alike(&refused(last))).then_some(problems)
 }
 
-impl FileRow {
-    /// `row 3 (r = 120 mm)`, `row 3, variant 7 (r = 120 mm)`
-    #[must_use]
-    pub fn words(&self, number: usize) -> String {
-        row_words(number, self.label.as_deref(), &self.row.words())
-    }
+/// A row of a file in words: `row 3 (r = 120 mm)`, `row 3, variant 7 (r = 120 mm)`.
+#[must_use]
+pub fn file_row_words(row: &FileRow, number: usize) -> String {
+    row_words(number, row.label.as_deref(), &row.row.words())
 }
 
 /// A row in words.

@@ -1,0 +1,131 @@
+//! What an expression should be against what it is.
+
+use super::number::with_unit;
+use super::typed::{Dim, Type, Typed, mend, phrase};
+use super::written;
+use crate::context::Context;
+use crate::error::UnitsError;
+use crate::source::Span;
+use crate::syntax::document::{Expr, ExprKind};
+use crate::units::Dimension;
+
+impl Context<'_> {
+    /// The expression, if it is a number of this dimension.
+    pub(crate) fn fit(&mut self, t: Typed, want: Dimension, what: &str, expr: &Expr) -> Option<Typed> {
+        match t.ty {
+            Type::Number(dim) => self.fits(dim, want, what, expr).then_some(t),
+            Type::Vector(_) => {
+                let help = Some("take a component, `.x` or `.y`, or `mag(…)`".to_owned());
+                self.shape(what, "a number", t.ty, expr.span, help);
+                None
+            }
+            Type::Truth => {
+                self.shape(what, "a number", t.ty, expr.span, None);
+                None
+            }
+        }
+    }
+
+    /// The expression, if it is a vector of this dimension.
+    pub(crate) fn fit_vector(&mut self, t: Typed, want: Dimension, what: &str, expr: &Expr) -> Option<Typed> {
+        match t.ty {
+            Type::Vector(dim) => self.fits(dim, want, what, expr).then_some(t),
+            Type::Number(Dim::Any) if t.pending => Some(t),
+            ty => {
+                let help = matches!(ty, Type::Number(_))
+                    .then(|| "write `(x, y)`, or a magnitude and its direction: `… @ 90 deg`".to_owned());
+                self.shape(what, "a vector", ty, expr.span, help);
+                None
+            }
+        }
+    }
+
+    /// The expression, if it is a truth.
+    pub(crate) fn fit_truth(&mut self, t: Typed, what: &str, expr: &Expr) -> Option<Typed> {
+        if t.ty == Type::Truth || (t.pending && t.ty == Type::Number(Dim::Any)) {
+            return Some(t);
+        }
+        let help = Some("compare it with something: `a < b`".to_owned());
+        self.shape(what, "a truth", t.ty, expr.span, help);
+        None
+    }
+
+    fn fits(&mut self, dim: Dim, want: Dimension, what: &str, expr: &Expr) -> bool {
+        if dim.unify(Dim::Of(want)).is_some() {
+            return true;
+        }
+        let (found, what, span) = (dim.known(), what.to_owned(), expr.span);
+        if want == Dimension::ANGULAR_VELOCITY && found == Dimension::FREQUENCY {
+            self.hertz(what, expr);
+            return false;
+        }
+        if found == Dimension::NUMBER
+            && let Some(example) = self.example(expr, want)
+        {
+            self.error(UnitsError::Missing { what, want, span, used: None, example });
+            return false;
+        }
+        if found == Dimension::NUMBER && self.bare_definition(want, expr) {
+            return false;
+        }
+        let help = self.in_its_place(want, found, &what, expr);
+        self.error(UnitsError::Mismatch { what, want: phrase(want), found: phrase(found), span, help });
+        false
+    }
+
+    /// Reports a vector where a number is due, and the like.
+    pub(crate) fn shape(
+        &mut self,
+        what: &str,
+        want: &'static str,
+        ty: Type,
+        span: Span,
+        help: Option<String>,
+    ) {
+        self.error(UnitsError::Shape { what: what.to_owned(), want, found: ty.shape(), span, help });
+    }
+
+    /// What would make two quantities fit each other.
+    pub(super) fn mend_operands(&mut self, a: Type, b: Type, left: &Expr, right: &Expr) -> Option<String> {
+        let (Type::Number(x), Type::Number(y)) = (a, b) else {
+            return match (a, b) {
+                (Type::Vector(_), Type::Number(_)) | (Type::Number(_), Type::Vector(_)) => {
+                    Some("take a component, `.x` or `.y`, or `mag(…)` of the vector".into())
+                }
+                _ => None,
+            };
+        };
+        let (x, y) = (x.known(), y.known());
+        let bare = |d: Dimension, expr: &Expr, other: Dimension| {
+            (d == Dimension::NUMBER).then(|| with_unit(expr, &self.usual_unit(other))).flatten()
+        };
+        if let Some(text) = bare(y, right, x) {
+            let part =
+                part_of_stroke(left, right).map(|part| format!(", or `{part}` for a part of the stroke"));
+            return Some(format!("write `{text}`{}", part.unwrap_or_default()));
+        }
+        if let Some(text) = bare(x, left, y) {
+            return Some(format!("write `{text}` for the first"));
+        }
+        let name = |d: Dimension, expr: &Expr, other: Dimension| match &expr.kind {
+            ExprKind::Name(name) if d == Dimension::NUMBER => {
+                let names = self.names_of(other)?;
+                Some(format!("write {} in place of `{name}`, as {names}", other.name()?))
+            }
+            _ => None,
+        };
+        name(y, right, x)
+            .or_else(|| name(x, left, y))
+            .or_else(|| mend(x, y).map(|text| text.replacen("by", "the second by", 1)))
+    }
+}
+
+/// `0.9*stroke(G)`, where a travel is compared with a number.
+fn part_of_stroke(left: &Expr, right: &Expr) -> Option<String> {
+    let (ExprKind::Call { function, args }, ExprKind::Number(number)) = (&left.kind, &right.kind) else {
+        return None;
+    };
+    let is_travel = function.node == "travel" && number.value < 1.0;
+    let pair = args.first().filter(|_| is_travel).and_then(|a| written(&a.value))?;
+    Some(format!("{}*stroke({pair})", number.text))
+}

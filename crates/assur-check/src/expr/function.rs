@@ -1,0 +1,179 @@
+//! Mathematical functions.
+
+use super::fold;
+use super::read::Sign;
+use super::typed::{Dim, Type, Typed, phrase};
+use crate::context::Context;
+use crate::error::UnitsError;
+use crate::model::{Expr as ModelExpr, Function, Value};
+use crate::query::Call;
+use crate::source::Span;
+use crate::syntax::document::{Arg, Expr, Name};
+use crate::units::Dimension;
+
+impl Context<'_> {
+    /// A call of any function.
+    pub(super) fn call(&mut self, name: &Name, args: &[Arg], span: Span, sign: Sign) -> Option<Typed> {
+        let call = Call { name, args, span, sign };
+        match name.node.as_str() {
+            "sqrt" => self.root(call),
+            "abs" => {
+                let (t, expr) = self.one(call, Sign::Free)?;
+                let help = matches!(t.ty, Type::Vector(_)).then(|| "write `mag(…)`".to_owned());
+                let Type::Number(_) = t.ty else {
+                    self.shape("the argument of `abs`", "a number", t.ty, expr.span, help);
+                    return None;
+                };
+                Some(apply(Function::Abs, t.ty, [t]))
+            }
+            "sin" => self.of(call, Dimension::ANGLE, Function::Sin, Dimension::NUMBER),
+            "cos" => self.of(call, Dimension::ANGLE, Function::Cos, Dimension::NUMBER),
+            "tan" => self.of(call, Dimension::ANGLE, Function::Tan, Dimension::NUMBER),
+            "asin" => self.of(call, Dimension::NUMBER, Function::Asin, Dimension::ANGLE),
+            "acos" => self.of(call, Dimension::NUMBER, Function::Acos, Dimension::ANGLE),
+            "atan" => self.of(call, Dimension::NUMBER, Function::Atan, Dimension::ANGLE),
+            "atan2" => self.atan2(call),
+            "mag" => self.magnitude(call),
+            "unit" => {
+                let (t, expr) = self.one(call, Sign::Matters)?;
+                self.is_vector_argument(&t, call, expr)?;
+                let t = apply(Function::Unit, Type::vector(Dimension::NUMBER), [t]);
+                self.finite(t, "the null vector has no direction", span)
+            }
+            "dir" if !self.is_result("dir", args) => {
+                let (t, expr) = self.one(call, Sign::Matters)?;
+                self.is_vector_argument(&t, call, expr)?;
+                Some(apply(Function::Direction, Type::number(Dimension::ANGLE), [t]))
+            }
+            "dot" => self.product(call, Function::Dot),
+            "cross" => self.product(call, Function::Cross),
+            "max" | "min" if args.len() != 1 => self.extreme(call),
+            _ => self.result(call),
+        }
+    }
+
+    fn one<'c>(&mut self, call: Call<'c>, sign: Sign) -> Option<(Typed, &'c Expr)> {
+        let args = self.arguments(call, 1, 1)?;
+        Some((self.read_signed(args[0], sign)?, args[0]))
+    }
+
+    /// A function of a number of one dimension with a number of another.
+    fn of(&mut self, call: Call<'_>, from: Dimension, f: Function, to: Dimension) -> Option<Typed> {
+        let (t, expr) = self.one(call, Sign::Matters)?;
+        let t = self.fit(t, from, &format!("the argument of `{}`", call.name.node), expr)?;
+        if from == Dimension::NUMBER
+            && f != Function::Atan
+            && let Some(Value::Scalar(x)) = t.value()
+            && x.abs() > 1.0
+        {
+            self.without_value("its sine or cosine would lie beyond 1", call.span, &t, expr);
+            return None;
+        }
+        let t = apply(f, Type::number(to), [t]);
+        self.finite(t, "its sine or cosine would lie beyond 1", call.span)
+    }
+
+    fn root(&mut self, call: Call<'_>) -> Option<Typed> {
+        let (t, expr) = self.one(call, Sign::Matters)?;
+        let Type::Number(dim) = t.ty else {
+            self.shape("the argument of `sqrt`", "a number", t.ty, expr.span, None);
+            return None;
+        };
+        let root = match dim {
+            Dim::Any => Some(Dim::Any),
+            Dim::Of(d) => d.sqrt().map(Dim::Of),
+        };
+        let Some(root) = root else {
+            let base = dim.known();
+            let what = format!("the square root of {}", phrase(base));
+            let help = Some("the square root of an area is a length: is a square missing?".to_owned());
+            self.error(UnitsError::Power { what, span: expr.span, base, help });
+            return None;
+        };
+        if let Some(Value::Scalar(x)) = t.value()
+            && x < 0.0
+        {
+            self.without_value("the square root of a negative number", call.span, &t, expr);
+            return None;
+        }
+        let t = apply(Function::Sqrt, Type::Number(root), [t]);
+        self.finite(t, "the square root of a negative number", call.span)
+    }
+
+    fn atan2(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 2, 2)?;
+        let (y, x) = (self.read(args[0]), self.read(args[1]));
+        let (y, x) = (y?, x?);
+        let fits = match (y.ty, x.ty) {
+            (Type::Number(a), Type::Number(b)) => a.unify(b).is_some(),
+            _ => false,
+        };
+        if !fits {
+            self.operands("compared", &y, &x, args[0], args[1]);
+            return None;
+        }
+        Some(apply(Function::Atan2, Type::number(Dimension::ANGLE), [y, x]))
+    }
+
+    fn magnitude(&mut self, call: Call<'_>) -> Option<Typed> {
+        let (t, expr) = self.one(call, Sign::Free)?;
+        match t.ty {
+            Type::Vector(dim) => Some(apply(Function::Mag, Type::Number(dim), [t])),
+            Type::Number(_) => Some(apply(Function::Abs, t.ty, [t])),
+            Type::Truth => {
+                self.shape("the argument of `mag`", "a vector", t.ty, expr.span, None);
+                None
+            }
+        }
+    }
+
+    fn is_vector_argument(&mut self, t: &Typed, call: Call<'_>, expr: &Expr) -> Option<()> {
+        if matches!(t.ty, Type::Vector(_)) || t.pending {
+            return Some(());
+        }
+        self.shape(&format!("the argument of `{}`", call.name.node), "a vector", t.ty, expr.span, None);
+        None
+    }
+
+    fn product(&mut self, call: Call<'_>, f: Function) -> Option<Typed> {
+        let args = self.arguments(call, 2, 2)?;
+        let (a, b) = (self.read(args[0]), self.read(args[1]));
+        let (a, b) = (a?, b?);
+        self.is_vector_argument(&a, call, args[0])?;
+        self.is_vector_argument(&b, call, args[1])?;
+        let dim = match (a.ty, b.ty) {
+            (Type::Vector(x), Type::Vector(y)) => x.times(y),
+            _ => Dim::Any,
+        };
+        Some(apply(f, Type::Number(dim), [a, b]))
+    }
+
+    /// `max` and `min` of two or more numbers.
+    fn extreme(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 2, usize::MAX)?;
+        let read = args.iter().map(|a| self.read(a)).collect::<Vec<_>>();
+        let read = read.into_iter().collect::<Option<Vec<_>>>()?;
+        let mut dim = Dim::Any;
+        for (t, expr) in read.iter().zip(&args) {
+            let unified = match t.ty {
+                Type::Number(d) => dim.unify(d),
+                _ => None,
+            };
+            let Some(unified) = unified else {
+                self.operands("compared", &read[0], t, args[0], expr);
+                return None;
+            };
+            dim = unified;
+        }
+        let f = if call.name.node == "max" { Function::Max } else { Function::Min };
+        Some(apply(f, Type::Number(dim), read))
+    }
+}
+
+fn apply(f: Function, ty: Type, args: impl IntoIterator<Item = Typed>) -> Typed {
+    let args = args.into_iter().collect::<Vec<_>>();
+    let pending = args.iter().any(|t| t.pending);
+    let args = args.into_iter().map(|t| t.expr).collect();
+    let expr = if pending { ModelExpr::Constant(Value::Scalar(0.0)) } else { fold::call(f, args) };
+    Typed { expr, ty, pending }
+}

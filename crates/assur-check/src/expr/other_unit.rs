@@ -1,0 +1,157 @@
+//! What to write in place of a quantity of another dimension than the one due.
+
+use super::number::without_units;
+use super::typed::{Type, mend};
+use super::written;
+use crate::context::Context;
+use crate::definition::Settled;
+use crate::names::QuantityKind;
+use crate::syntax::document::{Expr, ExprKind, Number, Statement, UnaryOp};
+use crate::units::{Dimension, Kind, lookup};
+use crate::walk;
+
+/// Most names that a help lists.
+const NAMES: usize = 4;
+
+impl Context<'_> {
+    /// What to write in place of the expression.
+    pub(super) fn in_its_place(
+        &self,
+        want: Dimension,
+        found: Dimension,
+        what: &str,
+        expr: &Expr,
+    ) -> Option<String> {
+        let argument = what.starts_with("the argument of");
+        if want == Dimension::NUMBER {
+            let angle = found.is_dimensionless() && found.kind == Kind::Angle;
+            if angle && what.contains("friction") {
+                let tangent = format!("tan({})", written(expr)?);
+                return Some(format!(
+                    "write `{tangent}`: a coefficient of friction is the tangent of its angle"
+                ));
+            }
+            let bare = without_units(expr).filter(|_| !(angle && argument));
+            return bare.map(|text| format!("write `{text}`")).or_else(|| mend(want, found));
+        }
+        let angles = || self.names_of(want).map(|names| format!("write an angle, as {names}"));
+        weight(expr, want)
+            .or_else(|| self.mass_of_weight(want, found, expr))
+            .or_else(|| self.same_number(want, expr).map(|text| format!("write `{text}`")))
+            .or_else(|| self.definition_of(want, expr))
+            .or_else(|| if argument && want == Dimension::ANGLE { angles() } else { mend(want, found) })
+    }
+
+    /// The number with a unit of the dimension that is due: `9.81 m/s^2` for `9.81 m/s`.
+    pub(crate) fn same_number(&self, want: Dimension, expr: &Expr) -> Option<String> {
+        let unit = extended(expr, want).unwrap_or_else(|| self.usual_unit(want));
+        in_unit(expr, &unit).filter(|_| !unit.is_empty())
+    }
+
+    /// `2 N` for a mass, in a file with gravity.
+    fn mass_of_weight(&self, want: Dimension, found: Dimension, expr: &Expr) -> Option<String> {
+        let gravity = self.doc.statements.iter().any(|s| matches!(s.node, Statement::Gravity(_)));
+        if want != Dimension::MASS || found != Dimension::FORCE || !gravity {
+            return None;
+        }
+        let (mass, weight) = (self.same_number(want, expr)?, written(expr)?);
+        Some(format!("write `{mass}`, or `weight {weight}` in place of `mass {weight}`"))
+    }
+
+    /// The line of a `given` that is used nowhere else, with what its unit lacks.
+    fn definition_of(&self, want: Dimension, expr: &Expr) -> Option<String> {
+        let ExprKind::Name(name) = &expr.kind else { return None };
+        if self.row.find(name).is_some() || self.uses(name) != 1 {
+            return None;
+        }
+        Some(format!("write `{}`", self.completed_given(name, want)?))
+    }
+
+    /// The line of a `given` with what its unit lacks: `given M = 500 N*m` for `500 N`.
+    pub(crate) fn completed_given(&self, name: &str, want: Dimension) -> Option<String> {
+        let value = self.given_as_written(name)?;
+        Some(format!("given {name} = {}", in_unit(value, &extended(value, want)?)?))
+    }
+
+    fn uses(&self, name: &str) -> usize {
+        let mut count = 0;
+        for statement in &self.doc.statements {
+            walk::expressions(&statement.node, &mut |expr| {
+                walk::parts(expr, &mut |part| {
+                    count += usize::from(matches!(&part.kind, ExprKind::Name(n) if n == name));
+                });
+            });
+        }
+        count
+    }
+
+    /// The constants of the file of this dimension: `` `psi` or `phi` ``.
+    pub(super) fn names_of(&self, want: Dimension) -> Option<String> {
+        let is = |name: &&String| match self.definitions.settled.get(*name) {
+            Some(Settled::Constant(t)) => matches!(t.ty, Type::Number(_)) && t.ty.dimension() == want,
+            _ => false,
+        };
+        let declared = self.names.quantities.iter();
+        let constants = declared
+            .filter(|(_, d)| matches!(d.what, QuantityKind::Given(_) | QuantityKind::Let(_)))
+            .map(|(name, _)| name);
+        let names = constants.filter(is).take(NAMES).map(|n| format!("`{n}`")).collect::<Vec<_>>();
+        (!names.is_empty()).then(|| names.join(" or "))
+    }
+}
+
+/// The unit of the first number with what it lacks: `kg*m^2` for `kg*m`.
+fn extended(expr: &Expr, want: Dimension) -> Option<String> {
+    let word = first_unit(expr)?;
+    let units = ["^2", "*m", "/s"].map(|rest| format!("{word}{rest}"));
+    units.into_iter().find(|unit| lookup(unit).is_ok_and(|u| u.dimension == want))
+}
+
+/// The unit of the first number of what consists of numbers alone.
+fn first_unit(expr: &Expr) -> Option<&str> {
+    match &expr.kind {
+        ExprKind::Number(number) => number.unit.as_ref().map(|u| u.node.as_str()),
+        ExprKind::Unary(_, inner) => first_unit(inner),
+        ExprKind::Polar(length, _) => first_unit(length),
+        ExprKind::Vector(x, y) => first_unit(x).or_else(|| first_unit(y)),
+        _ => None,
+    }
+}
+
+/// What consists of numbers alone, in another unit.
+fn in_unit(expr: &Expr, unit: &str) -> Option<String> {
+    match &expr.kind {
+        ExprKind::Number(Number { text, unit: Some(_), .. }) => Some(format!("{text} {unit}")),
+        ExprKind::Number(Number { text, value, .. }) => (*value == 0.0).then(|| text.clone()),
+        ExprKind::Unary(op, inner) => match op.node {
+            UnaryOp::Minus => Some(format!("-{}", in_unit(inner, unit)?)),
+            UnaryOp::Plus => in_unit(inner, unit),
+            UnaryOp::Not => None,
+        },
+        ExprKind::Vector(x, y) => Some(format!("({}, {})", in_unit(x, unit)?, in_unit(y, unit)?)),
+        ExprKind::Polar(length, phi) => Some(format!("{} @ {}", in_unit(length, unit)?, written(phi)?)),
+        _ => None,
+    }
+}
+
+/// `8 lb*ft`, `20 kg @ 270 deg`: a mass where its weight is meant.
+fn weight(expr: &Expr, want: Dimension) -> Option<String> {
+    let (number, behind) = match &expr.kind {
+        ExprKind::Number(number) => (number, ""),
+        ExprKind::Polar(length, _) => match &length.kind {
+            ExprKind::Number(number) => (number, " @ …"),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let word = &number.unit.as_ref()?.node;
+    let force = [("lb", "lbf"), ("kg", "kgf")].into_iter().find_map(|(mass, force)| {
+        let rest = word.strip_prefix(mass).filter(|rest| !rest.starts_with(|c: char| c.is_alphanumeric()))?;
+        Some(format!("{force}{rest}"))
+    })?;
+    let fits = lookup(&force).is_ok_and(|unit| unit.dimension.fits(want));
+    fits.then(|| match behind {
+        "" => format!("write `{} {force}`", number.text),
+        _ => format!("write the force in `{force}`: {} {force}{behind}", number.text),
+    })
+}

@@ -1,0 +1,358 @@
+//! From the tree to typed expressions.
+
+use super::fold;
+use super::typed::{Dim, Type, Typed, phrase};
+use crate::context::Context;
+use crate::error::{RequestError, UnitsError};
+use crate::model::{self, Axis, Comparison, Value};
+use crate::source::{Span, Spanned};
+use crate::syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp};
+use crate::units::{Dimension, Kind};
+
+/// The most operands in a row.
+const MOST: usize = 500;
+
+/// Whether the sign of a value matters where it stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// It does.
+    Matters,
+    /// Only the magnitude is asked: within `mag()` and `abs()`.
+    Free,
+}
+
+impl Context<'_> {
+    /// Reads an expression. Everything wrong with it is reported.
+    pub(crate) fn read(&mut self, expr: &Expr) -> Option<Typed> {
+        self.read_signed(expr, Sign::Matters)
+    }
+
+    pub(super) fn read_signed(&mut self, expr: &Expr, sign: Sign) -> Option<Typed> {
+        match &expr.kind {
+            ExprKind::Number(number) if self.implied_product(number, expr.span) => None,
+            ExprKind::Number(number) => self.literal(number),
+            ExprKind::Name(name) => self.named(&Spanned::new(name.clone(), expr.span)),
+            ExprKind::Member(base, part) => self.part(expr, base, part, sign),
+            ExprKind::Call { function, args } => self.call(function, args, expr.span, sign),
+            ExprKind::Vector(x, y) => self.components(x, y),
+            ExprKind::Polar(r, phi) => self.polar(r, phi),
+            ExprKind::Unary(op, inner) => self.unary(op.node, inner, sign),
+            ExprKind::Chain(_, rest) if rest.len() >= MOST => self.too_long(rest.len(), expr.span),
+            ExprKind::Compare(_, rest) if rest.len() >= MOST => self.too_long(rest.len(), expr.span),
+            ExprKind::Chain(first, rest) => self.chain(first, rest, expr.span, sign),
+            ExprKind::Power(base, exponent) => self.raised(base, exponent, expr.span),
+            ExprKind::Compare(first, rest) => self.comparison(first, rest),
+        }
+    }
+
+    fn too_long(&mut self, count: usize, span: Span) -> Option<Typed> {
+        self.error(RequestError::TooLong { count: count + 1, most: MOST, span });
+        None
+    }
+
+    /// `.x` and `.y` of vectors, and the parts of a mass substitution.
+    fn part(&mut self, whole: &Expr, base: &Expr, part: &Name, sign: Sign) -> Option<Typed> {
+        if let Some(result) = self.part_of_result(whole, base, part) {
+            return result;
+        }
+        let axis = match part.node.as_str() {
+            "x" => Axis::X,
+            "y" => Axis::Y,
+            _ => {
+                let base = self.read_signed(base, sign)?;
+                return self.no_part(&base, part);
+            }
+        };
+        let v = self.read_signed(base, sign)?;
+        let Type::Vector(dim) = v.ty else {
+            if v.pending {
+                return Some(v);
+            }
+            self.shape(&format!("what stands before `.{}`", part.node), "a vector", v.ty, base.span, None);
+            return None;
+        };
+        Some(Typed { expr: fold::component(v.expr, axis), ty: Type::Number(dim), pending: v.pending })
+    }
+
+    fn components(&mut self, x: &Expr, y: &Expr) -> Option<Typed> {
+        let (a, b) = (self.read(x), self.read(y));
+        let (a, b) = (a?, b?);
+        let (Type::Number(da), Type::Number(db)) = (a.ty, b.ty) else {
+            for (t, span) in [(&a, x.span), (&b, y.span)] {
+                if !matches!(t.ty, Type::Number(_)) {
+                    self.shape("a component of a vector", "a number", t.ty, span, None);
+                }
+            }
+            return None;
+        };
+        let Some(dim) = da.unify(db) else {
+            self.operands("the components of one vector", &a, &b, x, y);
+            return None;
+        };
+        let pending = a.pending || b.pending;
+        Some(Typed { expr: fold::pair(a.expr, b.expr), ty: Type::Vector(dim), pending })
+    }
+
+    fn polar(&mut self, r: &Expr, phi: &Expr) -> Option<Typed> {
+        let magnitude = self.read(r);
+        let angle =
+            self.read(phi).and_then(|t| self.fit(t, Dimension::ANGLE, "the direction behind `@`", phi));
+        let (magnitude, angle) = (magnitude?, angle?);
+        let Type::Number(dim) = magnitude.ty else {
+            self.shape("the magnitude before `@`", "a number", magnitude.ty, r.span, None);
+            return None;
+        };
+        let pending = magnitude.pending || angle.pending;
+        Some(Typed { expr: fold::polar(magnitude.expr, angle.expr), ty: Type::Vector(dim), pending })
+    }
+
+    fn unary(&mut self, op: UnaryOp, inner: &Expr, sign: Sign) -> Option<Typed> {
+        let t = self.read_signed(inner, sign)?;
+        match (op, t.ty) {
+            (UnaryOp::Not, Type::Truth) => Some(Typed { expr: fold::not(t.expr), ..t }),
+            (UnaryOp::Not, _) => {
+                let help = Some("compare it with something: `not (a < b)`".to_owned());
+                self.shape("what stands behind `not`", "a truth", t.ty, inner.span, help);
+                None
+            }
+            (_, Type::Truth) => {
+                self.shape("what stands behind a sign", "a number or a vector", t.ty, inner.span, None);
+                None
+            }
+            (UnaryOp::Minus, _) => Some(Typed { expr: fold::negate(t.expr), ..t }),
+            (UnaryOp::Plus, _) => Some(t),
+        }
+    }
+
+    fn chain(
+        &mut self,
+        first: &Expr,
+        rest: &[(Spanned<BinaryOp>, Expr)],
+        span: Span,
+        sign: Sign,
+    ) -> Option<Typed> {
+        // A factor changes the sign of a product as the sign of the whole; a sum's sign hangs on its terms.
+        let product = rest.iter().all(|(op, _)| matches!(op.node, BinaryOp::Multiply | BinaryOp::Divide));
+        let sign = if product { sign } else { Sign::Matters };
+        let mut left = self.read_signed(first, sign);
+        let mut left_span = first.span;
+        let mut before = first;
+        for (i, (op, operand)) in rest.iter().enumerate() {
+            if self.unit_goes_on(before, &rest[i..]) {
+                return None;
+            }
+            before = operand;
+            let right = self.read_signed(operand, sign);
+            let whole = Span::new(span.start.min(left_span.start), operand.span.end);
+            left = match (left, right) {
+                (Some(a), Some(b)) => {
+                    self.operate(op.node, (a, left_span), (b, operand.span), first, operand)
+                }
+                _ => None,
+            };
+            left_span = whole;
+        }
+        left
+    }
+
+    fn operate(
+        &mut self,
+        op: BinaryOp,
+        (a, a_span): (Typed, Span),
+        (b, b_span): (Typed, Span),
+        first: &Expr,
+        operand: &Expr,
+    ) -> Option<Typed> {
+        let pending = a.pending || b.pending;
+        let whole = a_span.to(b_span);
+        let ty = match op {
+            BinaryOp::And | BinaryOp::Or => {
+                for (t, span) in [(&a, a_span), (&b, b_span)] {
+                    if t.ty != Type::Truth {
+                        self.shape("what `and` and `or` join", "a truth", t.ty, span, None);
+                        return None;
+                    }
+                }
+                let join = if op == BinaryOp::And { fold::and } else { fold::or };
+                return Some(Typed { expr: join(a.expr, b.expr), ty: Type::Truth, pending });
+            }
+            BinaryOp::Add | BinaryOp::Subtract => {
+                let verb = if op == BinaryOp::Add { "added" } else { "subtracted" };
+                self.sum_type(verb, (&a, a_span), (&b, b_span), first, operand)?
+            }
+            BinaryOp::Multiply => match (a.ty, b.ty) {
+                (Type::Number(x), Type::Number(y)) => Type::Number(x.times(y)),
+                (Type::Vector(x), Type::Number(y)) | (Type::Number(x), Type::Vector(y)) => {
+                    Type::Vector(x.times(y))
+                }
+                _ => return self.no_product("multiplied", (&a, a_span), (&b, b_span)),
+            },
+            BinaryOp::Divide => match (a.ty, b.ty) {
+                (Type::Number(x), Type::Number(y)) => Type::Number(x.over(y)),
+                (Type::Vector(x), Type::Number(y)) => Type::Vector(x.over(y)),
+                _ => return self.no_product("divided", (&a, a_span), (&b, b_span)),
+            },
+        };
+        if op == BinaryOp::Divide && b.value() == Some(Value::Scalar(0.0)) {
+            self.without_value("division by zero", b_span, &b, operand);
+            return None;
+        }
+        let op = match op {
+            BinaryOp::Add => model::BinaryOp::Add,
+            BinaryOp::Subtract => model::BinaryOp::Sub,
+            BinaryOp::Multiply => model::BinaryOp::Mul,
+            _ => model::BinaryOp::Div,
+        };
+        self.finite(Typed { expr: fold::binary(op, a.expr, b.expr), ty, pending }, "too large", whole)
+    }
+
+    fn sum_type(
+        &mut self,
+        verb: &'static str,
+        (a, a_span): (&Typed, Span),
+        (b, b_span): (&Typed, Span),
+        first: &Expr,
+        operand: &Expr,
+    ) -> Option<Type> {
+        let unified = match (a.ty, b.ty) {
+            (Type::Number(x), Type::Number(y)) => x.unify(y).map(Type::Number),
+            (Type::Vector(x), Type::Vector(y)) => x.unify(y).map(Type::Vector),
+            _ => None,
+        };
+        if unified.is_none() {
+            let left = if a_span == first.span { first } else { operand };
+            let help = self.mend_operands(a.ty, b.ty, left, operand);
+            self.error(UnitsError::Operands {
+                verb,
+                left: a.ty.phrase(),
+                right: b.ty.phrase(),
+                left_span: a_span,
+                right_span: b_span,
+                help,
+            });
+        }
+        unified
+    }
+
+    fn no_product(
+        &mut self,
+        verb: &'static str,
+        (a, a_span): (&Typed, Span),
+        (b, b_span): (&Typed, Span),
+    ) -> Option<Typed> {
+        let vectors = matches!((a.ty, b.ty), (Type::Vector(_), Type::Vector(_))) && verb == "multiplied";
+        let help = vectors.then(|| "write `dot(a, b)` or `cross(a, b)`".to_owned());
+        let (left, right) = (a.ty.phrase(), b.ty.phrase());
+        self.error(UnitsError::Operands { verb, left, right, left_span: a_span, right_span: b_span, help });
+        None
+    }
+
+    fn raised(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Option<Typed> {
+        let b = self.read(base);
+        let n = self.read(exponent).and_then(|t| self.fit(t, Dimension::NUMBER, "an exponent", exponent));
+        let (b, n) = (b?, n?);
+        let Type::Number(dim) = b.ty else {
+            self.shape("the base of a power", "a number", b.ty, base.span, Some("write `dot(v, v)`".into()));
+            return None;
+        };
+        let pending = b.pending || n.pending;
+        let dimension = dim.known();
+        let raised = match n.value() {
+            _ if dimension == Dimension::NUMBER => Some(Dimension::NUMBER),
+            Some(Value::Scalar(n)) => {
+                // a ratio of lengths has any power
+                let ratio =
+                    (dimension.is_dimensionless() && dimension.kind == Kind::Free).then_some(dimension);
+                power_of(dimension, n).or(ratio)
+            }
+            _ => dimension.is_number().then_some(Dimension::NUMBER),
+        };
+        let Some(raised) = raised else {
+            let help = Some("a base with a unit takes a whole exponent".to_owned());
+            let what = format!("this power of {}", phrase(dimension));
+            self.error(UnitsError::Power { what, span: base.span, base: dimension, help });
+            return None;
+        };
+        let ty = if dim == Dim::Any { Type::Number(Dim::Any) } else { Type::number(raised) };
+        let why = "this power does not exist";
+        self.finite(Typed { expr: fold::power(b.expr, n.expr), ty, pending }, why, span)
+    }
+
+    fn comparison(&mut self, first: &Expr, rest: &[(Spanned<CompareOp>, Expr)]) -> Option<Typed> {
+        let mut all = Some(Typed::new(model::Expr::Constant(Value::Truth(true)), Type::Truth));
+        let mut left = self.read(first);
+        let mut left_expr = first;
+        for (op, operand) in rest {
+            let right = self.read(operand);
+            let holds = match (&left, &right) {
+                (Some(a), Some(b)) => self.compared(op.node, a, b, left_expr, operand),
+                _ => None,
+            };
+            all = match (all, holds) {
+                (Some(a), Some(b)) => Some(Typed {
+                    expr: fold::and(a.expr, b.expr),
+                    ty: Type::Truth,
+                    pending: a.pending || b.pending,
+                }),
+                _ => None,
+            };
+            (left, left_expr) = (right, operand);
+        }
+        all
+    }
+
+    fn compared(&mut self, op: CompareOp, a: &Typed, b: &Typed, left: &Expr, right: &Expr) -> Option<Typed> {
+        if let (Type::Number(x), Type::Number(y)) = (a.ty, b.ty)
+            && x.unify(y).is_some()
+        {
+            let expr = fold::compare(comparison_of(op), a.expr.clone(), b.expr.clone());
+            return Some(Typed { expr, ty: Type::Truth, pending: a.pending || b.pending });
+        }
+        self.operands("compared", a, b, left, right);
+        None
+    }
+
+    pub(super) fn operands(&mut self, verb: &'static str, a: &Typed, b: &Typed, left: &Expr, right: &Expr) {
+        let help = self.mend_operands(a.ty, b.ty, left, right);
+        self.error(UnitsError::Operands {
+            verb,
+            left: a.ty.phrase(),
+            right: b.ty.phrase(),
+            left_span: left.span,
+            right_span: right.span,
+            help,
+        });
+    }
+
+    /// Reports a constant that is no number.
+    pub(crate) fn finite(&mut self, t: Typed, why: &'static str, span: Span) -> Option<Typed> {
+        let fine = match t.value() {
+            Some(Value::Scalar(x)) => x.is_finite(),
+            Some(Value::Vector(v)) => v.x.is_finite() && v.y.is_finite(),
+            _ => true,
+        };
+        if !fine {
+            self.error(UnitsError::NoValue { why, span, help: None });
+        }
+        fine.then_some(t)
+    }
+}
+
+/// The model's comparison.
+pub const fn comparison_of(op: CompareOp) -> Comparison {
+    match op {
+        CompareOp::Less => Comparison::Less,
+        CompareOp::LessOrEqual => Comparison::LessEqual,
+        CompareOp::Greater => Comparison::Greater,
+        CompareOp::GreaterOrEqual => Comparison::GreaterEqual,
+    }
+}
+
+/// The dimension of a power: whole exponents, halves where they come out even.
+fn power_of(base: Dimension, exponent: f64) -> Option<Dimension> {
+    let whole = |x: f64| (x == x.round() && x.abs() <= 20.0).then_some(x as i8);
+    match whole(exponent) {
+        Some(n) => Some(base.powi(n)),
+        None => base.powi(whole(2.0 * exponent)?).sqrt(),
+    }
+}

@@ -1,0 +1,7 @@
+//! A mechanism as plain data, and its structure.
+
+pub mod model;
+pub mod structure;
+
+use assur_math::{element, math};
+use assur_text::{source, units};

@@ -1,0 +1,190 @@
+//! Kinematic pairs as declared.
+
+use super::{LinkId, Transmission};
+use crate::math::Vec2;
+use crate::source::Span;
+
+/// A kinematic pair.
+#[derive(Clone, Debug)]
+pub struct Pair {
+    /// Name.
+    pub name: String,
+    /// Place of the name.
+    pub span: Span,
+    /// What it joins, and how.
+    pub kind: PairKind,
+    /// Friction in it, where declared.
+    pub friction: Option<Friction>,
+    /// It belongs to a shaft or a slider, which brings it along.
+    pub bearing: Option<Bearing>,
+}
+
+/// The pair of a shaft or a slider.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bearing {
+    /// Its place is left open.
+    Open,
+    /// Its place is known.
+    Placed,
+}
+
+/// The law of friction of a pair. It opposes the relative velocity; where that is nothing there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Friction {
+    /// Journal: the reaction touches the friction circle of this radius ρ, m, so that its moment about the hinge is ρ R.
+    /// In a pin of many links every link but the first turns against the first.
+    Circle(f64),
+    /// Guide, slot or contact: a force of this equivalent coefficient times the normal force against the sliding.
+    Coefficient(f64),
+    /// Guide with two contact points: both ends rub, f (|N_1| + |N_2|).
+    BothEnds(f64),
+}
+
+impl Friction {
+    /// Whether it is more than nothing.
+    #[must_use]
+    pub fn is_some(&self) -> bool {
+        match self {
+            Self::Circle(rho) => *rho > 0.0,
+            Self::Coefficient(f) | Self::BothEnds(f) => *f > 0.0,
+        }
+    }
+
+    /// Coefficient of a guide or contact; zero for a friction circle.
+    #[must_use]
+    pub const fn coefficient(&self) -> f64 {
+        match self {
+            Self::Circle(_) => 0.0,
+            Self::Coefficient(f) | Self::BothEnds(f) => *f,
+        }
+    }
+}
+
+/// The kinds of pair.
+#[derive(Clone, Debug)]
+pub enum PairKind {
+    /// Hinge: the pins' points coincide. The pin sits in the first link; k links make k − 1 lower pairs.
+    Revolute(Vec<Pin>),
+    /// Slider: the slider keeps its orientation to the line and its point on it. A lower pair.
+    Prismatic(Guide),
+    /// Pin in slot: the point stays on the line. A higher pair.
+    Slot(Guide),
+    /// Contact of two profiles. A higher pair.
+    Contact {
+        /// The first profile as written.
+        first: Profile,
+        /// The second profile as written.
+        second: Profile,
+        /// One circle lies inside the other.
+        internal: bool,
+    },
+    /// Barrel and rod between two points: two links, two revolutes and a prismatic pair.
+    Cylinder {
+        /// The barrel's link.
+        barrel: LinkId,
+        /// The rod's link.
+        rod: LinkId,
+        /// Where the barrel is hinged.
+        from: Pin,
+        /// Where the rod is hinged.
+        to: Pin,
+    },
+    /// What runs between wheels and sliders. As many higher pairs as it has laws.
+    Transmission(Transmission),
+}
+
+/// A point of a link where a hinge stands.
+#[derive(Clone, Debug)]
+pub struct Pin {
+    /// The link.
+    pub link: LinkId,
+    /// Name of the point.
+    pub name: String,
+    /// The point in the link's frame, m.
+    pub at: Vec2,
+}
+
+/// A point on a line. The coordinate is that of the point, measured along the line from its `through` point.
+#[derive(Clone, Debug)]
+pub struct Guide {
+    /// The link that carries the point.
+    pub slider: LinkId,
+    /// Name of the point on the slider (of its line's `through` point where two lines slide).
+    pub point_name: String,
+    /// The point in the slider's frame, m.
+    pub point: Vec2,
+    /// Unit direction in the slider's frame that lies along the line (meaningless for a slot).
+    pub direction: Vec2,
+    /// The link that carries the line.
+    pub guide: LinkId,
+    /// Name of the line.
+    pub line_name: String,
+    /// The line's `through` point in the guide's frame, m.
+    pub through: Vec2,
+    /// The line's unit direction in the guide's frame.
+    pub along: Vec2,
+    /// Coordinates of two contact points relative to the pair's point, m.
+    pub contacts: Option<[f64; 2]>,
+    /// The line's link was written first: `from` is the guide and `on` the slider in a list of reactions.
+    pub guide_first: bool,
+}
+
+/// A profile in contact.
+#[derive(Clone, Debug)]
+pub struct Profile {
+    /// The link that carries it.
+    pub link: LinkId,
+    /// Name of the point, line or circle.
+    pub name: String,
+    /// Its shape.
+    pub shape: ProfileShape,
+}
+
+/// Shapes of profiles, in the frame of their link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ProfileShape {
+    /// A point.
+    Point(Vec2),
+    /// A circle: centre and radius, m.
+    Circle(Vec2, f64),
+    /// A line: a point of it and its unit direction.
+    Line(Vec2, Vec2),
+    /// The profile of a designed cam: index into [`super::Mechanism::cam_contacts`], one for each of its contacts.
+    Rim(usize),
+}
+
+impl PairKind {
+    /// The links joined, in the order written.
+    #[must_use]
+    pub fn links(&self) -> Vec<LinkId> {
+        match self {
+            Self::Revolute(pins) => pins.iter().map(|p| p.link).collect(),
+            Self::Prismatic(g) | Self::Slot(g) if g.guide_first => vec![g.guide, g.slider],
+            Self::Prismatic(g) | Self::Slot(g) => vec![g.slider, g.guide],
+            Self::Contact { first, second, .. } => vec![first.link, second.link],
+            Self::Cylinder { from, to, .. } => vec![from.link, to.link],
+            Self::Transmission(t) => t.links.clone(),
+        }
+    }
+
+    /// Number of lower pairs it counts for.
+    #[must_use]
+    pub fn lower(&self) -> usize {
+        match self {
+            Self::Revolute(pins) => pins.len().saturating_sub(1),
+            Self::Prismatic(_) => 1,
+            Self::Cylinder { .. } => 3,
+            Self::Slot(_) | Self::Contact { .. } | Self::Transmission(_) => 0,
+        }
+    }
+
+    /// Number of higher pairs it counts for.
+    #[must_use]
+    pub fn higher(&self) -> usize {
+        match self {
+            Self::Slot(_) | Self::Contact { .. } => 1,
+            Self::Transmission(t) => t.laws.len(),
+            Self::Revolute(_) | Self::Prismatic(_) | Self::Cylinder { .. } => 0,
+        }
+    }
+}

@@ -1,0 +1,299 @@
+//! Which joints rub, and how: one element per sliding or turning contact, each in the group that finds its reaction.
+
+use super::Plan;
+use super::force_step::{EffortLine, ForceStep, Way};
+use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
+use crate::structure::{BodyId, Group, JointKind, Structure};
+
+/// Friction in one joint: an effort that opposes the relative motion, in proportion to the reaction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrictionElement {
+    /// The pair.
+    pub pair: PairId,
+    /// Slot of the body the effort is counted on.
+    pub body: usize,
+    /// Slot of the other body.
+    pub base: usize,
+    /// Slot of the body through which the effort reaches `body`: the block that stands for a pin in a slot, or `body`
+    /// itself. The link of the pin may have been solved before the block.
+    pub through: usize,
+    /// Slot of the reaction.
+    pub slot: usize,
+    /// The law.
+    pub kind: Rub,
+    /// Hinge of several links that its own link does not carry: the force on `body` is the sum of these reactions, a range
+    /// of [`Plan::pin_slots`], instead of the one in `slot`.
+    pub pin: Option<(usize, usize)>,
+}
+
+/// Laws of friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Rub {
+    /// A torque ρ |f| about a hinge.
+    Circle {
+        /// Radius of the friction circle, m.
+        radius: f64,
+    },
+    /// A force f |N| along a guide.
+    Guide {
+        /// Equivalent coefficient.
+        coefficient: f64,
+        /// The guide.
+        way: Way,
+    },
+    /// A force f (|N_1| + |N_2|) along a guide with two contact points.
+    BothEnds {
+        /// Coefficient.
+        coefficient: f64,
+        /// The guide.
+        way: Way,
+        /// Coordinates of the contact points relative to the pair's point, m.
+        contacts: [f64; 2],
+    },
+    /// A force f |N| along the tangent of a contact, or along a slot. `slot` holds the normal force.
+    Contact {
+        /// Coefficient.
+        coefficient: f64,
+        /// The profile on `body`.
+        first: ProfileShape,
+        /// The profile on `base`.
+        second: ProfileShape,
+        /// One circle lies inside the other.
+        internal: bool,
+    },
+}
+
+/// The bodies whose loads a group's step reads or changes, and the elements inside it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RubbingGroup {
+    /// Slots of the group's bodies.
+    pub bodies: Vec<usize>,
+    /// Slots of the bodies that carry it.
+    pub bases: Vec<usize>,
+    /// Its elements: indices into [`Plan::friction`].
+    pub elements: Vec<usize>,
+    /// Slots of its reactions.
+    pub slots: Vec<usize>,
+    /// The elements in its joints, where the laws reduce to the force in the inner hinge of a dyad, or to nothing unknown.
+    pub reduced: Option<[Option<usize>; 3]>,
+}
+
+/// The elements by joint where [`RubbingGroup::reduced`] holds: circles in the hinges of a dyad RRR, or of a dyad RRP whose
+/// guide rubs by its normal force; the one joint of a link whose effort acts in that joint.
+fn reduced(step: &ForceStep, elements: &[FrictionElement], from: usize) -> Option<[Option<usize>; 3]> {
+    let joints: &[(usize, bool)] = match step {
+        ForceStep::Rrr { outer: [one, two], inner, .. } => {
+            &[(one.slot, false), (inner.slot, false), (two.slot, false)]
+        }
+        ForceStep::Rrp { outer, inner, way, .. } => {
+            &[(outer.slot, false), (inner.slot, false), (way.slot, true)]
+        }
+        ForceStep::Turn { hinge, effort: EffortLine::Torque { .. }, .. } => &[(hinge.slot, false)],
+        ForceStep::Shift { way, effort: EffortLine::Along(_), .. } => &[(way.slot, true)],
+        _ => return None,
+    };
+    let mut found = [None; 3];
+    for (index, element) in elements.iter().enumerate() {
+        let joint = joints.iter().position(|(slot, _)| *slot == element.slot)?;
+        let fits = match element.kind {
+            Rub::Circle { .. } => !joints[joint].1,
+            Rub::Guide { .. } => joints[joint].1,
+            Rub::BothEnds { .. } | Rub::Contact { .. } => false,
+        };
+        if !fits || element.pin.is_some() || found[joint].is_some() {
+            return None;
+        }
+        found[joint] = Some(from + index);
+    }
+    Some(found)
+}
+
+/// Turns the steps of groups with friction into steps that solve it.
+pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
+    let foreign = foreign_pins(mechanism, structure);
+    let mut first_slot = 0;
+    for (index, group) in structure.forces.iter().enumerate() {
+        let slots: Vec<usize> = (first_slot..first_slot + group.joints.len()).collect();
+        first_slot += group.joints.len();
+        let from = plan.friction.len();
+        for (joint, &slot) in group.joints.iter().zip(&slots) {
+            if foreign.contains(&structure.replaced.joint(joint.joint).pair) {
+                continue;
+            }
+            let element = element(mechanism, structure, joint, slot);
+            // a replaced contact has two joints and rubs once
+            let fresh = |e: &FrictionElement| {
+                !matches!(e.kind, Rub::Contact { .. }) || !plan.friction.iter().any(|o| o.pair == e.pair)
+            };
+            if let Some(element) = element.filter(fresh) {
+                plan.friction.push(element);
+            }
+        }
+        if plan.friction.len() == from || !foreign.is_empty() {
+            continue;
+        }
+        let plain = std::mem::replace(&mut plan.forces[index], ForceStep::Sequence(Vec::new()));
+        let rubbing = RubbingGroup {
+            reduced: reduced(&plain, &plan.friction[from..], from),
+            bodies: group.bodies.iter().map(|b| b.0).collect(),
+            bases: bases(group),
+            elements: (from..plan.friction.len()).collect(),
+            slots,
+        };
+        plan.forces[index] = ForceStep::Rubbing { plain: Box::new(plain), group: Box::new(rubbing) };
+    }
+    if !foreign.is_empty() {
+        foreign.iter().for_each(|pair| pin(mechanism, structure, plan, *pair));
+        together(plan);
+    }
+}
+
+/// Hinges of several links with friction where another link than the first carries some of the joints. What turns in
+/// the first link then presses with the reactions of several groups.
+fn foreign_pins(mechanism: &Mechanism, structure: &Structure) -> Vec<PairId> {
+    let mut found = Vec::new();
+    for joint in structure.forces.iter().flat_map(|g| &g.joints) {
+        let id = structure.replaced.joint(joint.joint).pair;
+        let pair = mechanism.pair(id);
+        let PairKind::Revolute(pins) = &pair.kind else { continue };
+        let rubs = pair.friction.is_some_and(|f| f.is_some());
+        if rubs && pins.len() > 2 && joint.base.0 != pins[0].link.index() && !found.contains(&id) {
+            found.push(id);
+        }
+    }
+    found
+}
+
+/// The elements of such a hinge: each link against the first, pressed by all that acts on it there.
+fn pin(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan, id: PairId) {
+    let pair = mechanism.pair(id);
+    let (PairKind::Revolute(pins), Some(Friction::Circle(radius))) = (&pair.kind, pair.friction) else {
+        return;
+    };
+    let joints = structure.forces.iter().flat_map(|g| &g.joints).enumerate();
+    let joints: Vec<_> = joints.filter(|(_, j)| structure.replaced.joint(j.joint).pair == id).collect();
+    for link in pins[1..].iter().map(|p| p.link.index()) {
+        let from = plan.pin_slots.len();
+        for (slot, joint) in &joints {
+            if joint.body.0 == link {
+                plan.pin_slots.push((*slot, 1.0));
+            } else if joint.base.0 == link {
+                plan.pin_slots.push((*slot, -1.0));
+            }
+        }
+        let Some((slot, _)) = plan.pin_slots.get(from) else { continue };
+        plan.friction.push(FrictionElement {
+            pair: id,
+            body: link,
+            base: pins[0].link.index(),
+            through: link,
+            slot: *slot,
+            kind: Rub::Circle { radius },
+            pin: Some((from, plan.pin_slots.len())),
+        });
+    }
+}
+
+/// All groups in one step, the last.
+fn together(plan: &mut Plan) {
+    let steps: Vec<ForceStep> =
+        plan.forces.iter_mut().map(|s| std::mem::replace(s, ForceStep::Sequence(Vec::new()))).collect();
+    let group = RubbingGroup {
+        bodies: (1..plan.bodies).collect(),
+        bases: vec![0],
+        elements: (0..plan.friction.len()).collect(),
+        slots: (0..plan.reactions.len()).collect(),
+        reduced: None,
+    };
+    if let Some(last) = plan.forces.last_mut() {
+        *last = ForceStep::Rubbing { plain: Box::new(ForceStep::Sequence(steps)), group: Box::new(group) };
+    }
+}
+
+fn bases(group: &Group) -> Vec<usize> {
+    let mut bases: Vec<usize> = Vec::new();
+    for joint in &group.joints {
+        if !group.bodies.contains(&joint.base) && !bases.contains(&joint.base.0) {
+            bases.push(joint.base.0);
+        }
+    }
+    if !bases.contains(&0) {
+        bases.push(0);
+    }
+    bases
+}
+
+fn element(
+    mechanism: &Mechanism,
+    structure: &Structure,
+    joint: &crate::structure::GroupJoint,
+    slot: usize,
+) -> Option<FrictionElement> {
+    let id = structure.replaced.joint(joint.joint).pair;
+    let pair = mechanism.pair(id);
+    let at = |body: BodyId, base: BodyId, kind| FrictionElement {
+        pair: id,
+        body: body.0,
+        base: base.0,
+        through: body.0,
+        slot,
+        kind,
+        pin: None,
+    };
+    match (&pair.kind, pair.friction?) {
+        (PairKind::Revolute(_), Friction::Circle(radius)) => {
+            (radius > 0.0).then(|| at(joint.body, joint.base, Rub::Circle { radius }))
+        }
+        (PairKind::Prismatic(guide), friction) => {
+            let way = super::forces::way(structure, *joint, slot);
+            let kind = match friction {
+                Friction::Coefficient(coefficient) => Rub::Guide { coefficient, way },
+                Friction::BothEnds(coefficient) => {
+                    Rub::BothEnds { coefficient, way, contacts: guide.contacts? }
+                }
+                Friction::Circle(_) => return None,
+            };
+            (friction.coefficient() > 0.0).then(|| at(joint.body, joint.base, kind))
+        }
+        (PairKind::Slot(guide), friction) => {
+            let prismatic = matches!(structure.replaced.joint(joint.joint).kind, JointKind::Prismatic { .. });
+            let kind = Rub::Contact {
+                coefficient: friction.coefficient(),
+                first: ProfileShape::Point(guide.point),
+                second: ProfileShape::Line(guide.through, guide.along),
+                internal: false,
+            };
+            let body = |l: crate::model::LinkId| BodyId(l.index());
+            let block = if joint.base == body(guide.guide) { joint.body } else { joint.base };
+            (prismatic && friction.coefficient() > 0.0).then(|| FrictionElement {
+                through: block.0,
+                ..at(body(guide.slider), body(guide.guide), kind)
+            })
+        }
+        (PairKind::Contact { first, second, internal }, friction) => {
+            let kind = Rub::Contact {
+                coefficient: friction.coefficient(),
+                first: first.shape,
+                second: second.shape,
+                internal: *internal,
+            };
+            let body = |l: crate::model::LinkId| BodyId(l.index());
+            (friction.coefficient() > 0.0).then(|| at(body(first.link), body(second.link), kind))
+        }
+        _ => None,
+    }
+}
+
+impl Rub {
+    /// The law with its radius or coefficient multiplied.
+    #[must_use]
+    pub const fn scaled(mut self, by: f64) -> Self {
+        match &mut self {
+            Self::Circle { radius: factor }
+            | Self::Guide { coefficient: factor, .. }
+            | Self::BothEnds { coefficient: factor, .. }
+            | Self::Contact { coefficient: factor, .. } => *factor *= by,
+        }
+        self
+    }
+}

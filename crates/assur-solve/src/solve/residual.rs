@@ -1,0 +1,229 @@
+//! How well a solved position satisfies equations that its closed forms did not use: every joint closes, every body is
+//! in equilibrium, the powers add up to nothing.
+
+use super::error::{SolveError, label};
+use super::positions::Wanted;
+use super::solution::{Residuals, Scene};
+use super::state::{State, Wrench};
+use super::words::place;
+use crate::math::Vec2;
+use crate::structure::{BodyId, EffortKind, JointKind};
+
+/// Residuals of a position. Forces are checked where the plan solves them and they exist, powers where it follows
+/// velocities.
+#[must_use]
+pub fn residuals(scene: &Scene<'_>, state: &State) -> Residuals {
+    // a locked mechanism has none
+    let forces = scene.plan.effects.forces && !scene.plan.forces.is_empty() && !state.locked;
+    let velocities = scene.plan.effects.level >= crate::plan::Level::Velocities;
+    Residuals {
+        closure: closure(scene, state),
+        equilibrium: forces.then(|| equilibrium(scene, state)),
+        power: (forces && velocities).then(|| power(scene, state)),
+    }
+}
+
+/// Pairs that miss each other by more than this share of the mechanism's size do not meet: even a dead position leaves
+/// the root of the unit roundoff.
+const MEETS: f64 = 1e-6;
+
+/// Numbers so far apart that the small ones are lost beside the great: the pairs do not meet, or a residual is no number.
+pub(super) fn out_of_scale(scene: &Scene<'_>, residuals: &Residuals, pose: &Wanted) -> Option<SolveError> {
+    let numbers = [residuals.equilibrium, residuals.power].into_iter().flatten().all(|x| !x.is_nan());
+    if residuals.closure <= MEETS && numbers {
+        return None;
+    }
+    let what = if residuals.closure <= MEETS { "the balance of forces" } else { "the position of the links" };
+    let labels = scene.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
+    Some(SolveError::NotFinite { pose: place(scene, pose), what: what.to_owned(), labels })
+}
+
+/// Greatest distance between what a joint joins, over the extent of the mechanism.
+fn closure(scene: &Scene<'_>, state: &State) -> f64 {
+    let (mut worst, mut size) = (0.0_f64, f64::MIN_POSITIVE);
+    for step in &scene.plan.cams {
+        worst = worst.max(state.cam_gap(step));
+    }
+    let of_cam = |pair| scene.mechanism.cam_contacts.iter().any(|c| c.pair == pair);
+    for joint in scene.structure.replaced.joints.iter().filter(|j| !of_cam(j.pair)) {
+        match &joint.kind {
+            JointKind::Revolute(members) => {
+                let Some(&(first, at)) = members.first() else { continue };
+                let p = state.bodies[first.0].position(at);
+                for &(body, at) in members {
+                    let b = &state.bodies[body.0];
+                    let q = b.position(at);
+                    worst = worst.max((q - p).norm());
+                    size = size.max(q.norm()).max(b.p.norm());
+                }
+            }
+            JointKind::Prismatic { slider, point, direction, guide, through, along, offset, .. } => {
+                let (s, g) = (&state.bodies[slider.0], &state.bodies[guide.0]);
+                let (d, n) = (along.turned(g.u), along.turned(g.u).perp());
+                let from_line = s.position(*point) - g.position(*through);
+                let extent = from_line.norm();
+                worst = worst.max((from_line.dot(n).abs() - offset).abs());
+                worst = worst.max((direction.turned(s.u) - d).norm() * extent);
+                size = size.max(extent).max(s.p.norm());
+            }
+            JointKind::Law(_) => {}
+        }
+    }
+    worst / size
+}
+
+/// Sums of all forces on every body, from the reactions as they are reported.
+fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
+    let mut total = state.applied.clone();
+    let (mut most_force, mut most_moment) = (f64::MIN_POSITIVE, f64::MIN_POSITIVE);
+    let mut add = |body: usize, p: Vec2, force: Vec2, couple: f64| {
+        let r = p - state.bodies[body].p;
+        let moment = r.cross(force) + couple;
+        total[body].force += force;
+        total[body].moment += moment;
+        most_force = most_force.max(force.norm());
+        most_moment = most_moment.max(r.norm() * force.norm()).max(couple.abs());
+    };
+    for (slot, joint) in scene.plan.reactions.iter().enumerate() {
+        let p = match &scene.structure.replaced.joint(joint.joint).kind {
+            JointKind::Revolute(members) => {
+                let at = members.iter().find(|m| m.0 == joint.body).map_or(Vec2::zero(), |m| m.1);
+                state.bodies[joint.body.0].position(at)
+            }
+            JointKind::Prismatic { slider, point, .. } => state.bodies[slider.0].position(*point),
+            JointKind::Law(_) => continue,
+        };
+        let reaction = state.reactions[slot];
+        add(joint.body.0, p, reaction.force, reaction.couple);
+        add(joint.base.0, p, -reaction.force, -reaction.couple);
+    }
+    for (slot, law) in scene.plan.laws.iter().enumerate() {
+        state.forces_of_law(law, slot, &mut add);
+    }
+    for (element, &value) in scene.plan.friction.iter().zip(&state.frictions) {
+        match state.rubbing_line(element) {
+            None => {
+                add(element.through, state.bodies[element.through].p, Vec2::zero(), value);
+                add(element.base, state.bodies[element.base].p, Vec2::zero(), -value);
+            }
+            Some((p, d)) => {
+                add(element.through, p, d * value, 0.0);
+                add(element.base, p, d * -value, 0.0);
+            }
+        }
+    }
+    for (slot, effort) in scene.structure.efforts.iter().enumerate() {
+        let value = state.efforts[slot];
+        match effort.kind {
+            EffortKind::Angle(b) => add(b.0, state.bodies[b.0].p, Vec2::zero(), value),
+            EffortKind::RelativeAngle { first, second, .. } => {
+                add(second.0, state.bodies[second.0].p, Vec2::zero(), value);
+                add(first.0, state.bodies[first.0].p, Vec2::zero(), -value);
+            }
+            EffortKind::Line(b) => add(b.0, state.lines[slot].0, state.lines[slot].1 * value, 0.0),
+            EffortKind::Coordinate(joint) => {
+                if let JointKind::Prismatic { slider, point, direction, guide, .. } =
+                    scene.structure.replaced.joint(joint).kind
+                {
+                    let s = &state.bodies[slider.0];
+                    let (p, force) = (s.position(point), direction.turned(s.u) * value);
+                    add(slider.0, p, force, 0.0);
+                    add(guide.0, p, -force, 0.0);
+                }
+            }
+            EffortKind::Point(_) => {}
+        }
+    }
+    for w in &state.applied {
+        most_force = most_force.max(w.force.norm());
+        most_moment = most_moment.max(w.moment.abs());
+    }
+    (total, most_force, most_moment)
+}
+
+fn equilibrium(scene: &Scene<'_>, state: &State) -> f64 {
+    let (total, most_force, most_moment) = totals(scene, state);
+    let mut worst = 0.0_f64;
+    for (body, w) in scene.structure.replaced.bodies.iter().zip(&total) {
+        if !body.known {
+            worst = worst.max(w.force.norm() / most_force).max(w.moment.abs() / most_moment);
+        }
+    }
+    worst
+}
+
+/// Virtual power: the loads and efforts on all moving bodies, with what known bodies put in through their joints.
+fn power(scene: &Scene<'_>, state: &State) -> f64 {
+    let mut sum = 0.0;
+    let mut add = |p: f64| sum += p;
+    let bodies = scene.structure.replaced.bodies.iter().zip(&state.bodies);
+    for ((_, body), w) in bodies.zip(&state.applied).filter(|((b, _), _)| !b.known) {
+        add(w.force.dot(body.v));
+        add(w.moment * body.omega);
+    }
+    for (slot, effort) in scene.structure.efforts.iter().enumerate() {
+        let value = state.efforts[slot];
+        add(match effort.kind {
+            EffortKind::Angle(b) => value * state.bodies[b.0].omega,
+            EffortKind::RelativeAngle { first, second, .. } => {
+                value * (state.bodies[second.0].omega - state.bodies[first.0].omega)
+            }
+            EffortKind::Line(b) => {
+                let (p, n) = state.lines[slot];
+                let body = &state.bodies[b.0];
+                value * (body.v + (p - body.p).perp() * body.omega).dot(n)
+            }
+            EffortKind::Coordinate(joint) => value * slider_speed(scene, state, joint),
+            EffortKind::Point(_) => 0.0,
+        });
+    }
+    for (slot, joint) in scene.plan.reactions.iter().enumerate() {
+        if scene.structure.replaced.bodies[joint.base.0].known
+            && let JointKind::Revolute(members) = &scene.structure.replaced.joint(joint.joint).kind
+        {
+            let at = members.iter().find(|m| m.0 == joint.base).map_or(Vec2::zero(), |m| m.1);
+            add(state.reactions[slot].force.dot(state.bodies[joint.base.0].velocity(at)));
+        }
+    }
+    for (element, &value) in scene.plan.friction.iter().zip(&state.frictions) {
+        add(value * state.rubbing_speed(element));
+    }
+    for (slot, law) in scene.plan.laws.iter().enumerate() {
+        add(state.law_power(law, slot));
+    }
+    sum.abs() / most_power(scene, state)
+}
+
+/// The greatest force times the greatest velocity of a joint: at dead positions every single power is nothing.
+fn most_power(scene: &Scene<'_>, state: &State) -> f64 {
+    let forces = state.applied.iter().map(|w| w.force.norm());
+    let force = forces.chain(state.reactions.iter().map(|r| r.force.norm())).fold(0.0, f64::max);
+    let (mut speed, mut turn) = (0.0_f64, 0.0_f64);
+    let mut look = |body: BodyId, at: Vec2| {
+        speed = speed.max(state.bodies[body.0].velocity(at).norm());
+        turn = turn.max(state.bodies[body.0].omega.abs());
+    };
+    for joint in &scene.structure.replaced.joints {
+        match &joint.kind {
+            JointKind::Revolute(members) => members.iter().for_each(|(body, at)| look(*body, *at)),
+            JointKind::Prismatic { slider, point, guide, through, .. } => {
+                look(*slider, *point);
+                look(*guide, *through);
+            }
+            JointKind::Law(_) => {}
+        }
+    }
+    let moments = state.applied.iter().map(|w| w.moment.abs());
+    let moment = moments.chain(state.efforts.iter().map(|e| e.abs())).fold(0.0, f64::max);
+    (force * speed + moment * turn).max(f64::MIN_POSITIVE)
+}
+
+fn slider_speed(scene: &Scene<'_>, state: &State, joint: crate::structure::JointId) -> f64 {
+    let JointKind::Prismatic { slider, point, guide, along, .. } = scene.structure.replaced.joint(joint).kind
+    else {
+        return 0.0;
+    };
+    let (s, g) = (&state.bodies[slider.0], &state.bodies[guide.0]);
+    let p = s.position(point);
+    (s.velocity(point) - g.v - (p - g.p).perp() * g.omega).dot(along.turned(g.u))
+}

@@ -1,0 +1,77 @@
+//! Text → [`Document`].
+//!
+//! Parsing cannot fail: what cannot be read is reported, left out, and kept as `Bad`.
+
+mod comma;
+mod error;
+mod foreign;
+mod line;
+mod lower;
+mod prepare;
+mod recover;
+mod skeleton;
+mod trivia;
+mod whole;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
+pub mod document;
+
+pub use comma::{between_digits, readings};
+pub use error::SyntaxError;
+pub use skeleton::skeleton;
+pub use words::CAM_MEMBERS;
+
+use assur_text::{diagnostic, source, units};
+use diagnostic::Problems;
+use document::{Document, Variants};
+use grammar::{Grammar, Rule};
+use pest::Parser;
+use source::{Source, Span};
+
+/// What pest makes of the grammar.
+#[allow(missing_docs)]
+mod grammar {
+    #[derive(pest_derive::Parser)]
+    #[grammar = "../../../grammar/mech.pest"]
+    pub struct Grammar;
+}
+
+/// Reads a text. Every mistake is reported, and the document holds all that could be read.
+#[must_use]
+pub fn parse(source: &Source) -> (Document, Problems) {
+    let mut problems = Problems::new();
+    let read = prepare::prepare(&source.text, &mut problems);
+    let mut document = Document { trivia: trivia::scan(&source.text), ..Document::default() };
+    match Grammar::parse(Rule::file, &read) {
+        Ok(pairs) => {
+            let (statements, found) = lower::file(&source.text, &read, pairs);
+            problems.append(found);
+            document.notes = trivia::notes(&source.text, &statements, &document.trivia);
+            document.statements = statements;
+        }
+        Err(_) => problems.push(recover::unreadable(Span::new(0, source.text.len()))),
+    }
+    whole::check(&document, &mut problems);
+    (document, problems)
+}
+
+/// Reads a table of variants by itself, as in a CSV file: names with units in the header, plain numbers below.
+#[must_use]
+pub fn parse_table(source: &Source) -> (Variants, Problems) {
+    let mut problems = Problems::new();
+    let read = prepare::prepare(&source.text, &mut problems);
+    match Grammar::parse(Rule::table, &read) {
+        Ok(pairs) => {
+            let (variants, found) = lower::table(&source.text, &read, pairs);
+            problems.append(found);
+            (variants, problems)
+        }
+        Err(_) => {
+            problems.push(recover::unreadable(Span::new(0, source.text.len())));
+            (Variants::default(), problems)
+        }
+    }
+}

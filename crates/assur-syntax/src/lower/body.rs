@@ -1,0 +1,191 @@
+//! Links and what stands in their braces.
+
+use super::Lower;
+use super::walk::{P, Parts, span, text};
+use crate::Rule;
+use crate::document::{
+    About, At, Bar, Body, CircleMember, Expr, ExprKind, Ground, LineDirection, LineMember, Link, Member,
+    Name, PointFrom, PointMember, ProfileMember, Shaft, Side, Slider, Statement, WheelMember, WheelSize,
+};
+use crate::error::SyntaxError;
+use crate::line::mended;
+use crate::recover::What;
+use crate::source::{Span, Spanned};
+
+impl Lower<'_> {
+    /// `ground`, `link`, `shaft` and `slider`.
+    pub(super) fn link(&mut self, pair: P<'_>) -> Option<Statement> {
+        let rule = pair.as_rule();
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let number = parts.take(Rule::count).map(|p| text(&p));
+        if rule == Rule::ground {
+            return Some(Statement::Ground(Ground { number, body: self.body(&mut parts) }));
+        }
+        let name = parts.name()?;
+        Some(match rule {
+            Rule::link => {
+                let bar = match parts.take(Rule::bar) {
+                    Some(pair) => Some(self.bar(pair)?),
+                    None => None,
+                };
+                Statement::Link(Link { number, name, bar, body: self.body(&mut parts) })
+            }
+            Rule::shaft => {
+                let on = parts.name_behind(Rule::w_on);
+                Statement::Shaft(Shaft { name, on, body: self.body(&mut parts) })
+            }
+            _ => Statement::Slider(Slider { name, body: self.body(&mut parts) }),
+        })
+    }
+
+    fn bar(&mut self, pair: P<'_>) -> Option<Bar> {
+        let mut parts = Parts::of(pair);
+        Some(Bar { from: parts.name()?, to: parts.name()?, length: self.expr(parts.any()?)? })
+    }
+
+    fn body(&mut self, parts: &mut Parts<'_>) -> Body {
+        let Some(pair) = parts.take(Rule::body) else { return Body::new() };
+        let mut members = Body::new();
+        let mut inner = Parts::of(pair);
+        while let Some(member) = inner.any() {
+            let at = span(&member);
+            let node = if member.as_rule() == Rule::bad_member {
+                Member::Bad(self.bad(&member, What::Member))
+            } else {
+                let before = self.problems.len();
+                self.member(member).unwrap_or_else(|| {
+                    self.unreadable(at, before);
+                    Member::Bad(self.names(at))
+                })
+            };
+            members.push(Spanned::new(node, at));
+        }
+        members
+    }
+
+    fn member(&mut self, pair: P<'_>) -> Option<Member> {
+        let rule = pair.as_rule();
+        let mut parts = Parts::of(pair);
+        let word = parts.any()?;
+        Some(match rule {
+            Rule::m_point => self.point(word, parts)?,
+            Rule::m_line => {
+                let name = parts.name()?;
+                parts.word(Rule::w_through);
+                Member::Line(LineMember {
+                    name,
+                    through: parts.name()?,
+                    direction: self.direction(parts.any()?)?,
+                })
+            }
+            Rule::m_circle => {
+                let name = parts.name()?;
+                let centre = parts.name_behind(Rule::w_centre)?;
+                parts.word(Rule::w_radius);
+                Member::Circle(CircleMember { name, centre, radius: self.expr(parts.any()?)? })
+            }
+            Rule::m_profile => Member::Profile(ProfileMember {
+                name: parts.name()?,
+                of: parts.name_behind(Rule::w_of)?,
+                centre: parts.name_behind(Rule::w_centre)?,
+            }),
+            Rule::m_mass | Rule::m_weight => {
+                let value = self.expr(parts.any()?)?;
+                let at = parts.name_behind(Rule::w_at);
+                let name = Spanned::new(word.as_str().to_owned(), span(&word));
+                match (&value.kind, &at) {
+                    (ExprKind::Vector(..), None) => Member::Point(PointMember { name, at: value }),
+                    _ if rule == Rule::m_mass => Member::Mass(At { value, at }),
+                    _ => Member::Weight(At { value, at }),
+                }
+            }
+            Rule::m_inertia => {
+                let value = self.expr(parts.any()?)?;
+                Member::Inertia(About { value, about: parts.name_behind(Rule::w_about) })
+            }
+            Rule::m_wheel => self.wheel(parts)?,
+            _ => return None,
+        })
+    }
+
+    fn point(&mut self, name: P<'_>, mut parts: Parts<'_>) -> Option<Member> {
+        let name: Name = super::walk::name(&name);
+        let at = self.expr(parts.any()?)?;
+        if !parts.word(Rule::w_from) {
+            if let Some(point) = self.word_before_point(&name, &at) {
+                return Some(Member::Point(point));
+            }
+            self.check_point(&name, &at);
+            return Some(Member::Point(PointMember { name, at }));
+        }
+        let first = parts.name()?;
+        let second_distance = self.expr(parts.any()?)?;
+        let second = parts.name_behind(Rule::w_from)?;
+        let side = side(parts.any()?)?;
+        let from = PointFrom { name, first_distance: at, first, second_distance, second, side };
+        Some(Member::PointFrom(Box::new(from)))
+    }
+
+    /// `point A (0, 0)` reads as a point with a call: the word is reported, and the point is what follows.
+    fn word_before_point(&mut self, word: &Name, at: &Expr) -> Option<PointMember> {
+        let ExprKind::Call { function, args } = &at.kind else { return None };
+        let [x, y] = args.as_slice() else { return None };
+        if !matches!(word.node.as_str(), "point" | "points" | "pt" | "node") {
+            return None;
+        }
+        let gap = Span::new(word.span.start, function.span.start);
+        let help = format!("write: {}", mended(self.text, gap, ""));
+        self.problems.push(SyntaxError::NeedlessSign { found: word.node.clone(), at: word.span, help });
+        let span = Span::new(function.span.end, at.span.end);
+        let kind = ExprKind::Vector(Box::new(x.value.clone()), Box::new(y.value.clone()));
+        Some(PointMember { name: function.clone(), at: Expr { kind, span } })
+    }
+
+    /// A point behind whose name a number stands is no point: `wieght 21 N`.
+    fn check_point(&mut self, name: &Name, at: &Expr) {
+        if matches!(&at.kind, ExprKind::Number(n) if n.value != 0.0) {
+            let problem = crate::recover::point_without_coordinates(self.text, name, at.span);
+            self.problems.push(problem);
+        }
+    }
+
+    fn direction(&mut self, pair: P<'_>) -> Option<LineDirection> {
+        let along = pair.as_rule() == Rule::m_along;
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        if along {
+            return Some(LineDirection::Along(self.expr(parts.any()?)?));
+        }
+        Some(LineDirection::To(parts.name()?))
+    }
+
+    fn wheel(&mut self, mut parts: Parts<'_>) -> Option<Member> {
+        let name = parts.name()?;
+        let size = match parts.peek() {
+            Some(rule @ (Rule::w_radius | Rule::w_diameter | Rule::w_teeth)) => {
+                parts.any()?;
+                let value = self.expr(parts.any()?)?;
+                Some(match rule {
+                    Rule::w_radius => WheelSize::Radius(value),
+                    Rule::w_diameter => WheelSize::Diameter(value),
+                    _ => WheelSize::Teeth(value),
+                })
+            }
+            _ => None,
+        };
+        let module = if parts.word(Rule::w_module) { Some(self.expr(parts.any()?)?) } else { None };
+        let at = parts.name_behind(Rule::w_at);
+        Some(Member::Wheel(WheelMember { name, size, module, at }))
+    }
+}
+
+/// `left` or `right`
+pub(super) fn side(pair: P<'_>) -> Option<Spanned<Side>> {
+    let at = span(&pair);
+    let side = match Parts::of(pair).any()?.as_rule() {
+        Rule::w_left => Side::Left,
+        _ => Side::Right,
+    };
+    Some(Spanned::new(side, at))
+}

@@ -1,0 +1,154 @@
+//! Find, expect, variants, simulation.
+
+use super::Lower;
+use super::expr::pose_name;
+use super::walk::{P, Parts, single_blanks, span, text};
+use crate::Rule;
+use crate::document::{
+    Column, Expect, ExpectAt, Expr, Find, FindItem, Number, Row, Simulate, Until, Variants,
+};
+use crate::error::SyntaxError;
+use crate::line::mended;
+use crate::recover::What;
+use crate::source::{Span, Spanned};
+use pest::iterators::Pair;
+
+impl Lower<'_> {
+    pub(super) fn find(&mut self, pair: P<'_>) -> Option<Find> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let mut items = Vec::new();
+        while let Some(item) = parts.any() {
+            items.push(self.find_item(item)?);
+        }
+        Some(Find { items })
+    }
+
+    fn find_item(&mut self, pair: P<'_>) -> Option<FindItem> {
+        let at = span(&pair);
+        let mut parts = Parts::of(pair);
+        let name = parts.name();
+        let value = self.expr(parts.any()?)?;
+        let steps = if parts.word(Rule::w_in) { Some(self.expr(parts.any()?)?) } else { None };
+        parts.word(Rule::w_steps);
+        let unit = if parts.word(Rule::w_as) { parts.any().map(|p| text(&p)) } else { None };
+        let text = self.written(&value);
+        Some(FindItem { name, value, text, steps, unit, span: at })
+    }
+
+    /// An expression as written, with single blanks.
+    fn written(&self, value: &Expr) -> String {
+        single_blanks(self.read.get(value.span.start..value.span.end).unwrap_or_default())
+    }
+
+    pub(super) fn expect(&mut self, pair: P<'_>) -> Option<Expect> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let what = self.expr(parts.any()?)?;
+        let text = self.written(&what);
+        let values = match parts.take(Rule::list) {
+            Some(list) => {
+                if self.plus_minus(span(&list)) {
+                    return None;
+                }
+                self.list(list)?
+            }
+            None => Vec::new(),
+        };
+        let within = self.within(&mut parts)?;
+        parts.word(Rule::w_at);
+        let at = match parts.any() {
+            None => None,
+            Some(pair) if pair.as_rule() == Rule::expect_pose => {
+                let mut inner = Parts::of(pair);
+                inner.any()?;
+                Some(ExpectAt::Pose(pose_name(&inner.any()?)))
+            }
+            Some(pair) => Some(ExpectAt::Settings(self.settings(&mut Parts::of(pair))?)),
+        };
+        Some(Expect { what, text, values, within, at })
+    }
+
+    /// `5 mm +- 1 %` reads as a sum: a tolerance is meant.
+    fn plus_minus(&mut self, values: Span) -> bool {
+        let written = self.read.get(values.start..values.end).unwrap_or_default();
+        let Some(start) = written.find("+-").map(|at| values.start + at) else { return false };
+        let at = Span::new(start, start + 2);
+        let help = format!("write: {}", mended(self.text, at, "within"));
+        let (found, wanted) = ("+-".to_owned(), "within".to_owned());
+        self.problems.push(SyntaxError::OtherWord { found, wanted, at, help });
+        true
+    }
+
+    fn within(&mut self, parts: &mut Parts<'_>) -> Option<Option<Expr>> {
+        let Some(pair) = parts.take(Rule::within) else { return Some(None) };
+        let mut inner = Parts::of(pair);
+        inner.any()?;
+        Some(Some(self.expr(inner.any()?)?))
+    }
+
+    pub(super) fn simulate(&mut self, pair: P<'_>) -> Option<Simulate> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let from = self.expr(parts.any()?)?;
+        let to = self.expr(parts.any()?)?;
+        Some(Simulate { from, to, within: self.within(&mut parts)? })
+    }
+
+    pub(super) fn until(&mut self, pair: P<'_>) -> Option<Until> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        Some(Until { what: self.expr(parts.any()?)?, value: self.expr(parts.any()?)? })
+    }
+
+    /// The header and the rows of `variants`, or of a table by itself.
+    pub(super) fn rows<'i>(&mut self, pairs: impl Iterator<Item = Pair<'i, Rule>>) -> Variants {
+        let mut variants = Variants::default();
+        for pair in pairs {
+            let at = span(&pair);
+            match pair.as_rule() {
+                Rule::header => variants.columns = pair.into_inner().filter_map(column).collect(),
+                Rule::row => {
+                    let cells = pair.into_inner().filter(|p| p.as_rule() == Rule::cell);
+                    let cells = cells.filter_map(|p| self.cell(p)).collect();
+                    variants.rows.push(Row { cells, span: at });
+                }
+                Rule::bad_header => {
+                    self.bad(&pair, What::Header);
+                }
+                Rule::bad_row => {
+                    self.bad(&pair, What::Row);
+                }
+                _ => {}
+            }
+        }
+        variants
+    }
+
+    fn cell(&mut self, pair: P<'_>) -> Option<Spanned<Number>> {
+        let at = span(&pair);
+        let mut parts = Parts::of(pair);
+        let negative = parts.take(Rule::sign).is_some_and(|s| s.as_str() != "+");
+        let mut quantity = Parts::of(parts.any()?);
+        let mut number = self.number(&quantity.any()?);
+        if let Some(unit) = quantity.any() {
+            let unit = span(&unit);
+            let help =
+                format!("the header names the unit, the row is: {}", mended(self.text, unit, "").trim());
+            self.problems.push(SyntaxError::UnitInRow { at: unit, help });
+        }
+        if negative {
+            number.value = -number.value;
+            number.text.insert(0, '-');
+        }
+        Some(Spanned::new(number, at))
+    }
+}
+
+fn column(pair: P<'_>) -> Option<Column> {
+    if pair.as_rule() != Rule::column {
+        return None;
+    }
+    let mut parts = Parts::of(pair);
+    Some(Column { name: parts.name()?, unit: parts.any().map(|p| text(&p)) })
+}

@@ -1,0 +1,69 @@
+//! Brackets that do not match.
+
+use super::case::Case;
+use crate::error::SyntaxError;
+use crate::words::is_name_char;
+
+pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+    third_coordinate(case).or_else(|| unmatched(case)).or_else(|| unclosed(case))
+}
+
+/// `(1 m, 2 m, 3 m)`
+fn third_coordinate(case: &Case<'_>) -> Option<SyntaxError> {
+    let before = case.slice.get(..case.fail)?;
+    let open = open_brackets(before).pop()?;
+    let called = before.get(..open)?.ends_with(is_name_char);
+    let comma = case.token(case.fail) == "," && before.get(open..)?.starts_with('(') && !called;
+    comma.then(|| SyntaxError::ThirdCoordinate { at: case.span(case.fail, 1) })
+}
+
+/// A closing bracket too many.
+fn unmatched(case: &Case<'_>) -> Option<SyntaxError> {
+    let token = case.token(case.fail);
+    let found = token.chars().next().filter(|c| matches!(c, ')' | '}' | ']'))?;
+    if !open_brackets(case.slice.get(..case.fail)?).is_empty() {
+        return None;
+    }
+    let without = case.with(case.fail, case.fail + 1, "");
+    let mends = case.reads(without.trim());
+    let help = mends.then(|| case.help(case.fail, case.fail + 1, ""));
+    Some(SyntaxError::UnmatchedBracket { found, at: case.span(case.fail, 1), help })
+}
+
+/// An opening bracket that nothing closes.
+fn unclosed(case: &Case<'_>) -> Option<SyntaxError> {
+    let open = open_brackets(case.slice).pop()?;
+    if !case.slice.get(open..)?.starts_with('(') {
+        return None;
+    }
+    let before = case.slice.get(..case.fail)?.trim_end().len();
+    let places = [case.slice.len(), before];
+    let place = places.into_iter().find(|at| case.reads(&case.with(*at, *at, ")")));
+    Some(SyntaxError::UnclosedBracket {
+        open: case.span(open, 1),
+        help: place.map(|at| case.help(at, at, ")")),
+    })
+}
+
+/// The brackets still open at the end of a text, outermost first.
+fn open_brackets(text: &str) -> Vec<usize> {
+    let mut open = Vec::new();
+    let mut quoted = false;
+    let mut comment = false;
+    let mut before = ' ';
+    for (at, c) in text.char_indices() {
+        match c {
+            '\n' => (quoted, comment) = (false, false),
+            _ if comment => {}
+            '"' => quoted = !quoted,
+            '/' if before == '/' && !quoted => comment = true,
+            '(' | '[' | '{' if !quoted => open.push(at),
+            ')' | ']' | '}' if !quoted => {
+                open.pop();
+            }
+            _ => {}
+        }
+        before = c;
+    }
+    open
+}

@@ -1,0 +1,129 @@
+//! A piece of text that no rule read.
+
+use super::What;
+use crate::grammar::Grammar;
+use crate::line::mended;
+use crate::prepare::whole_end;
+use crate::source::Span;
+use crate::words::is_name_char;
+use crate::{Rule, words};
+use pest::Parser;
+use pest::error::{ErrorVariant, InputLocation};
+
+/// A piece of text, and where and why reading it alone fails.
+pub(super) struct Case<'a> {
+    /// The author's text.
+    pub(super) text: &'a str,
+    /// The piece.
+    pub(super) slice: &'a str,
+    /// Where the piece begins in the text.
+    pub(super) offset: usize,
+    /// What it should be.
+    pub(super) what: What,
+    /// Where in the piece reading stopped: the first byte that fits nothing.
+    pub(super) fail: usize,
+    /// What would have fitted there.
+    pub(super) expected: Vec<Rule>,
+}
+
+impl<'a> Case<'a> {
+    pub(super) fn new(text: &'a str, slice: &'a str, offset: usize, what: What) -> Self {
+        let mut case = Self { text, slice, offset, what, fail: slice.len(), expected: Vec::new() };
+        if let Err(error) = Grammar::parse(what.rule(), slice) {
+            case.fail = place(&error).min(slice.len());
+            if let ErrorVariant::ParsingError { positives, .. } = error.variant {
+                case.expected = positives;
+            }
+        }
+        case
+    }
+
+    /// Whether a text reads as what this should be. What begins with the word of a member stays one: it is not corrected
+    /// to a point of that name.
+    pub(super) fn reads(&self, text: &str) -> bool {
+        let Ok(mut pairs) = Grammar::parse(self.what.rule(), text) else { return false };
+        let word = self.token(0);
+        let begins = self.what == What::Member && words::MEMBERS.contains(&word) && text.starts_with(word);
+        let mut point = || pairs.next().and_then(|whole| whole.into_inner().next());
+        !begins || point().is_none_or(|member| member.as_rule() != Rule::m_point)
+    }
+
+    /// Where reading a text as what this should be stops.
+    pub(super) fn fail_of(&self, text: &str) -> usize {
+        Grammar::parse(self.what.rule(), text).err().map_or(text.len(), |error| place(&error))
+    }
+
+    /// The piece with a part replaced.
+    pub(super) fn with(&self, start: usize, end: usize, new: &str) -> String {
+        let part = |range: Option<&'a str>| range.unwrap_or_default();
+        format!("{}{new}{}", part(self.slice.get(..start)), part(self.slice.get(end..)))
+    }
+
+    /// The author's lines with a part of the piece replaced, as a help.
+    pub(super) fn help(&self, start: usize, end: usize, new: &str) -> String {
+        format!("write: {}", self.line(start, end, new))
+    }
+
+    /// The author's lines with a part of the piece replaced.
+    pub(super) fn line(&self, start: usize, end: usize, new: &str) -> String {
+        mended(self.text, self.span(start, end - start), new)
+    }
+
+    /// The place of some bytes of the piece.
+    pub(super) fn span(&self, start: usize, length: usize) -> Span {
+        Span::new(self.offset + start, self.offset + whole_end(self.slice, start + length))
+    }
+
+    /// The word or the sign at a byte; empty at the end.
+    pub(super) fn token(&self, at: usize) -> &'a str {
+        let rest = self.slice.get(at..).unwrap_or_default();
+        let name = rest.find(|c| !is_name_char(c)).unwrap_or(rest.len());
+        let sign = rest.chars().next().map_or(0, char::len_utf8);
+        if rest.starts_with(char::is_whitespace) { "" } else { &rest[..name.max(sign)] }
+    }
+
+    /// Every word with its first byte, outside texts and comments.
+    pub(super) fn words(&self) -> Vec<(usize, &'a str)> {
+        let mut found = Vec::new();
+        let mut start = 0;
+        for line in self.slice.split_inclusive('\n') {
+            let code = line.split_once("//").map_or(line, |(code, _)| code);
+            let mut from = None;
+            let ends = code.char_indices().chain(std::iter::once((code.len(), ' ')));
+            let mut quoted = false;
+            for (at, c) in ends {
+                quoted ^= c == '"';
+                match (from, is_name_char(c) && !quoted) {
+                    (None, true) => from = Some(at),
+                    (Some(first), false) => {
+                        found.push((start + first, &code[first..at]));
+                        from = None;
+                    }
+                    _ => {}
+                }
+            }
+            start += line.len();
+        }
+        found
+    }
+
+    /// The words and signs that would have fitted where reading stopped.
+    pub(super) fn literals(&self) -> Vec<String> {
+        let mut found = Vec::new();
+        for expected in self.expected.iter().flat_map(|rule| words::expected(*rule)) {
+            if let words::Expected::Literal(word) = expected {
+                found.push(word);
+            }
+        }
+        found.sort();
+        found.dedup();
+        found
+    }
+}
+
+/// The first byte that fits nothing.
+fn place(error: &pest::error::Error<Rule>) -> usize {
+    match error.location {
+        InputLocation::Pos(at) | InputLocation::Span((at, _)) => at,
+    }
+}

@@ -1,0 +1,235 @@
+//! Pieces that begin with a wrong word.
+
+use super::What;
+use super::case::Case;
+use crate::diagnostic::did_you_mean;
+use crate::error::SyntaxError;
+use crate::grammar::{Grammar, Rule};
+use crate::line::{Line, mended};
+use crate::source::Span;
+use crate::words::{self, is_name_char};
+use pest::Parser;
+
+pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+    let word = case.token(0);
+    if let Some(sign) = ["%", "--", "'"].into_iter().find(|s| case.slice.starts_with(s)) {
+        let at = case.span(0, sign.len());
+        return Some(SyntaxError::CommentSign {
+            at,
+            found: sign.to_owned(),
+            help: case.help(0, sign.len(), "//"),
+        });
+    }
+    let known = match case.what {
+        What::Statement => words::STATEMENTS,
+        What::Member => words::MEMBERS,
+        What::CamMember => words::CAM_MEMBERS,
+        What::Property | What::Header | What::Row => return None,
+    };
+    if known.contains(&word) && case.what == What::Statement {
+        // `slider D: piston.C - ground.guide`
+        return synonym(case, word);
+    }
+    if known.contains(&word) || !word.starts_with(is_name_char) {
+        return None;
+    }
+    if case.what != What::Statement {
+        return misspelt(case, word, known);
+    }
+    let member = words::MEMBERS.contains(&word) || words::CAM_MEMBERS.contains(&word);
+    let exactly = if member { displaced(case, word) } else { None };
+    exactly
+        .or_else(|| synonym(case, word))
+        .or_else(|| misspelt(case, word, known))
+        .or_else(|| displaced(case, word))
+        .or_else(|| Some(unknown(case, word)))
+}
+
+/// A word that is near one that could stand there.
+fn misspelt(case: &Case<'_>, word: &str, known: &[&str]) -> Option<SyntaxError> {
+    if DRAWINGS.contains(&word) {
+        return None;
+    }
+    let near = did_you_mean(word, known.iter().copied());
+    let fits = near.iter().find(|w| case.reads(&case.with(0, word.len(), w)));
+    let defines = case.slice[word.len()..].trim_start().starts_with('=');
+    let wanted = match (fits, near.first()) {
+        (Some(fits), _) => fits,
+        (None, Some(first)) if case.what == What::Statement && !defines => first,
+        _ => return None,
+    };
+    Some(SyntaxError::MisspeltWord {
+        found: word.to_owned(),
+        at: case.span(0, word.len()),
+        wanted: (*wanted).to_owned(),
+        help: fits.map(|w| case.help(0, word.len(), w)),
+    })
+}
+
+/// A member outside its braces.
+fn displaced(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
+    if case.slice[word.len()..].trim_start().starts_with('=') {
+        return None;
+    }
+    let member = Grammar::parse(Rule::one_member, case.slice).is_ok();
+    let point = member && case.slice[word.len()..].trim_start().starts_with('(');
+    let (place, owner) = match word {
+        "wheel" => ("this goes inside the braces of a shaft or a link", "shaft"),
+        _ if words::CAM_MEMBERS.contains(&word) => ("this goes inside the braces of a cam", "cam"),
+        _ if point || words::MEMBERS.contains(&word) => ("this goes inside the braces of a link", "link"),
+        _ => return None,
+    };
+    let help = of_link(case, word)
+        .or_else(|| link_with_point(case))
+        .unwrap_or_else(|| format!("put it there: {owner} NAME {{ {} }}", case.slice.trim()));
+    let found = word.to_owned();
+    Some(SyntaxError::MisplacedMember { found, at: case.span(0, word.len()), place, help })
+}
+
+/// `mass of coupler = 3 kg`: the line of that link with the member in its braces.
+fn of_link(case: &Case<'_>, word: &str) -> Option<String> {
+    let rest = case.slice.get(word.len()..)?.trim_start().strip_prefix("of ")?;
+    let (name, value) = rest.split_once('=')?;
+    let is_link = |line: &&str| {
+        let mut words = line.split_whitespace();
+        words.next() == Some("link") && words.any(|w| w == name.trim())
+    };
+    let line = case.text.lines().map(str::trim).find(is_link)?;
+    let at = if word == "inertia" { "" } else { " at POINT" };
+    let member = format!("{word} {}{at}", value.trim());
+    Some(match line.strip_suffix('}') {
+        None if line.contains('{') => format!("put it there: {member}"),
+        _ => with_member(line, &member),
+    })
+}
+
+/// The line of a link with one more member in its braces.
+fn with_member(line: &str, member: &str) -> String {
+    match line.strip_suffix('}').map(str::trim_end) {
+        Some(open) if open.ends_with('{') => format!("put it there: {open} {member} }}"),
+        Some(open) => format!("put it there: {open}; {member} }}"),
+        None => format!("put it there: {line} {{ {member} }}"),
+    }
+}
+
+/// `circle rim centre R radius 20 mm`: the line of the link that has the point `R`; of several the nearest above.
+fn link_with_point(case: &Case<'_>) -> Option<String> {
+    let words = case.words();
+    let named = words.windows(2).filter(|pair| matches!(pair[0].1, "centre" | "at" | "through" | "about"));
+    let point = named.map(|pair| pair[1].1).next()?;
+    let code = |line: &'_ str| line.split_once("//").map_or(line, |(code, _)| code).trim().to_owned();
+    let with_it =
+        |text: &str| text.lines().map(code).filter(|line| has_point(line, point)).collect::<Vec<_>>();
+    let above = with_it(case.text.get(..case.offset)?);
+    let all = with_it(case.text);
+    let line = above.last().or(if all.len() == 1 { all.first() } else { None })?;
+    (!line.contains('{') || line.ends_with('}')).then(|| with_member(line, case.slice.trim()))
+}
+
+/// Whether a line is that of a link with a point of that name, at an end of its bar or in its braces.
+fn has_point(line: &str, point: &str) -> bool {
+    let (head, body) = line.split_once('{').unwrap_or((line, ""));
+    let mut words = head.split_whitespace();
+    let link = matches!(words.next(), Some("link" | "ground" | "slider" | "shaft"));
+    let ends = |word: &str| word.split_once('-').is_some_and(|(from, to)| from == point || to == point);
+    let members = || body.split([';', '}']).filter_map(|member| member.split_once('('));
+    link && (words.any(ends) || members().any(|(name, _)| name.trim() == point))
+}
+
+/// What other programs and languages call the statements.
+const SYNONYMS: &[(&[&str], &[&str])] = &[
+    (&["hinge", "pin", "pivot", "joint", "rotary", "rotational", "turning_pair"], &["revolute"]),
+    (
+        &["slider", "sliding", "slide", "guide", "translational", "translation", "linear"],
+        &["prismatic", "slot"],
+    ),
+    (&["gear", "gears", "gearing", "teeth"], &["mesh"]),
+    (&["piston", "hydraulic", "actuator"], &["cylinder"]),
+    (&["body", "bar", "rod", "member", "element", "part", "beam", "crank", "lever"], &["link"]),
+    (&["frame", "base", "fixed", "earth", "fixed_link"], &["ground"]),
+    (&["input", "motor", "driver", "sweep"], &["drive"]),
+    (&["load", "apply"], &["force", "torque"]),
+    (&["moment", "couple"], &["torque"]),
+    (&["print", "output", "calculate", "compute", "solve", "show", "determine", "report", "get"], &["find"]),
+    (&["title", "name", "model", "problem"], &["mechanism"]),
+    (&["var", "const", "param", "parameter", "set", "def", "input"], &["given", "let"]),
+    (&["assert", "verify", "answer", "result"], &["expect"]),
+    (&["table", "data", "rows"], &["variants"]),
+    (&["position", "configuration", "assembly"], &["assemble"]),
+];
+
+/// A word for a statement that another program has, where the rest reads as that statement.
+fn synonym(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
+    let lower = word.to_lowercase();
+    let found = SYNONYMS.iter().filter(|(words, _)| words.contains(&lower.as_str()));
+    let mut wanted = found.flat_map(|(_, wanted)| wanted.iter());
+    let wanted = wanted.find(|w| case.reads(&case.with(0, word.len(), w)))?;
+    Some(SyntaxError::MisspeltWord {
+        found: word.to_owned(),
+        at: case.span(0, word.len()),
+        wanted: (*wanted).to_owned(),
+        help: Some(case.help(0, word.len(), wanted)),
+    })
+}
+
+/// Words that ask for a drawing.
+const DRAWINGS: &[&str] = &["plot", "draw", "graph", "chart", "animate", "figure"];
+
+fn unknown(case: &Case<'_>, word: &str) -> SyntaxError {
+    let help = if DRAWINGS.contains(&word) {
+        let asked = case.slice.get(word.len()..).unwrap_or_default().trim();
+        let find = format!("find {asked}");
+        let find = if case.reads(&find) { format!("`{find}`") } else { "`find …`".to_owned() };
+        format!(
+            "nothing is drawn from a file: write {find} and plot the values that `assur solve --format csv` prints"
+        )
+    } else {
+        lines_meant(case).unwrap_or_else(|| {
+            "begin with the word of a statement: `given`, `ground`, `link`, `revolute`, `drive`, `force`, `find`, …; \
+             the command `assur explain mech::syntax::unknown_statement` lists all"
+                .to_owned()
+        })
+    };
+    SyntaxError::UnknownStatement { found: word.to_owned(), at: case.span(0, word.len()), help }
+}
+
+/// The line that reads with a statement's word before it.
+fn lines_meant(case: &Case<'_>) -> Option<String> {
+    if let Some(line) = list_goes_on(case) {
+        return Some(format!("write: {line}"));
+    }
+    if case.slice.contains(":=") {
+        let line = format!("given {}", case.slice.replace(":=", "="));
+        return case.reads(&line).then(|| format!("write: {}", case.line(0, case.slice.len(), &line)));
+    }
+    let asked = case.slice.contains('(') || case.slice.contains(" as ");
+    let bar = case.slice.contains('-') && !case.slice.contains([':', '=']);
+    let tried = [
+        ("revolute", true),
+        ("given", true),
+        ("let", true),
+        ("expect", true),
+        ("link", bar),
+        ("find", asked),
+    ];
+    let reads = |(before, may): &(&str, bool)| *may && case.reads(&format!("{before} {}", case.slice));
+    if let Some((before, _)) = tried.into_iter().find(reads) {
+        return Some(case.help(0, 0, &format!("{before} ")));
+    }
+    // a word of another language
+    let length = case.token(0).len();
+    let instead = |wanted: &&str| case.reads(&case.with(0, length, wanted));
+    let wanted = ["given", "link", "ground", "drive", "assemble"].into_iter().find(instead)?;
+    Some(case.help(0, length, wanted))
+}
+
+/// `find a; b`: the list of the statement before goes on behind a semicolon.
+fn list_goes_on(case: &Case<'_>) -> Option<String> {
+    let line = Line::around(case.text, case.offset);
+    let before = case.text.get(line.start..case.offset)?.trim_end().strip_suffix(';')?;
+    let statement = before.rsplit([';', '{', '}']).next()?;
+    let new = format!("{}, {}", statement.trim(), case.slice);
+    let list = statement.trim_start().starts_with("find ") && case.reads(&new);
+    let start = line.start + before.trim_end().len();
+    list.then(|| mended(case.text, Span::new(start, case.offset), ", "))
+}

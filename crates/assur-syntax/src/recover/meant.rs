@@ -1,0 +1,324 @@
+//! What is said in other words: directions, places, and parts left out, where only one line can be meant.
+
+use super::What;
+use super::case::Case;
+use crate::error::SyntaxError;
+use crate::units::lookup;
+use crate::words::is_name_char;
+
+pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+    square_brackets(case)
+        .or_else(|| unit_in_parentheses(case))
+        .or_else(|| raised(case))
+        .or_else(|| in_parentheses(case))
+        .or_else(|| comment(case))
+        .or_else(|| repeated(case))
+        .or_else(|| filler(case))
+        .or_else(|| inches(case))
+        .or_else(|| direction(case))
+        .or_else(|| point_of_link(case))
+        .or_else(|| point_of(case))
+        .or_else(|| relative(case))
+        .or_else(|| drive_left_out(case))
+        .or_else(|| second_place(case))
+        .or_else(|| fillers(case))
+}
+
+/// The repair of a part, if the piece reads with it.
+fn repair(case: &Case<'_>, start: usize, end: usize, wanted: &str, new: &str) -> Option<SyntaxError> {
+    case.reads(&case.with(start, end, new)).then(|| SyntaxError::OtherWord {
+        found: case.slice.get(start..end).unwrap_or_default().trim().to_owned(),
+        wanted: wanted.to_owned(),
+        at: case.span(start, end - start),
+        help: case.help(start, end, new),
+    })
+}
+
+/// `[x, y]`, `100 [mm]`
+fn square_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+    let open = case.slice.find('[')?;
+    let with = |open: &str, close: &str| case.slice.replace('[', open).replace(']', close);
+    let tried = [("(", with("(", ")")), ("as", with("as ", "")), ("no bracket", with("", ""))];
+    let (wanted, fits) = tried.into_iter().find(|(_, new)| case.reads(new))?;
+    Some(SyntaxError::OtherWord {
+        found: "[".to_owned(),
+        wanted: wanted.to_owned(),
+        at: case.span(open, 1),
+        help: case.help(0, case.slice.len(), &fits),
+    })
+}
+
+/// `r (mm), n (rpm)` in the header of a table
+fn unit_in_parentheses(case: &Case<'_>) -> Option<SyntaxError> {
+    let open = case.slice.find('(').filter(|_| case.what == What::Header)?;
+    let new = case.slice.replace('(', "[").replace(')', "]");
+    case.reads(&new).then(|| SyntaxError::OtherWord {
+        found: "(".to_owned(),
+        wanted: "[".to_owned(),
+        at: case.span(open, 1),
+        help: case.help(0, case.slice.len(), &new),
+    })
+}
+
+/// `r²`
+fn raised(case: &Case<'_>) -> Option<SyntaxError> {
+    let (sign, power) =
+        [('²', "^2"), ('³', "^3")].into_iter().find(|(sign, _)| case.slice.contains(*sign))?;
+    let at = case.slice.find(sign)?;
+    let all = case.slice.replace('²', "^2").replace('³', "^3");
+    case.reads(&all).then(|| SyntaxError::OtherWord {
+        found: sign.to_string(),
+        wanted: power.to_owned(),
+        at: case.span(at, sign.len_utf8()),
+        help: case.help(0, case.slice.len(), &all),
+    })
+}
+
+/// `190mm mm`, `leg - plate -`: a word twice, or a sign that joins nothing.
+fn repeated(case: &Case<'_>) -> Option<SyntaxError> {
+    let token = case.token(case.fail);
+    let before = case.slice.get(..case.fail)?.trim_end();
+    let (start, end) = if token.is_empty() {
+        let sign = before.chars().next_back().filter(|c| "-,+*/=.".contains(*c))?;
+        // `r.p.m.` is another matter
+        if sign == '.' && before.rsplit(' ').next()?.matches('.').count() > 1 {
+            return None;
+        }
+        (before.len() - sign.len_utf8(), before.len())
+    } else if token.starts_with(char::is_alphabetic) && before.ends_with(token) {
+        (case.fail, case.fail + token.len())
+    } else {
+        return None;
+    };
+    let left = case.slice.get(..start)?.trim_end().len();
+    case.reads(case.with(left, end, "").trim_end()).then(|| SyntaxError::NeedlessSign {
+        found: case.slice.get(start..end).unwrap_or_default().to_owned(),
+        at: case.span(start, end - start),
+        help: case.help(left, end, ""),
+    })
+}
+
+/// Words that say nothing where they are.
+const FILLERS: &[&str] = &[
+    "is", "are", "joint", "pair", "hinge", "length", "size", "constant", "const", "the", "a", "an", "point",
+    "link", "equal", "uniform", "value",
+];
+
+/// `revolute joint A: …`, `link rod B-C length 350 mm`
+fn filler(case: &Case<'_>) -> Option<SyntaxError> {
+    if case.what != What::Statement {
+        return None;
+    }
+    let words = case.words();
+    let mut near = words.iter().filter(|(at, word)| *at > 0 && *at <= case.fail && FILLERS.contains(word));
+    let (at, word) = near.next_back()?;
+    let left = case.slice.get(..*at)?.trim_end().len();
+    let end = at + word.len();
+    case.reads(&case.with(left, end, "")).then(|| SyntaxError::NeedlessSign {
+        found: (*word).to_owned(),
+        at: case.span(*at, word.len()),
+        help: case.help(left, end, ""),
+    })
+}
+
+/// `C to the left of B-D`, `at a speed of 30 rpm`: words around the place where reading stopped.
+fn fillers(case: &Case<'_>) -> Option<SyntaxError> {
+    /// The most words that are left out.
+    const MOST: usize = 4;
+    const MORE: &[&str] = &["to", "on", "at", "of", "by", "from", "speed", "velocity", "angle"];
+    if case.what != What::Statement {
+        return None;
+    }
+    let says_nothing = |word: &str| FILLERS.contains(&word) || MORE.contains(&word);
+    let words = case.words();
+    let here = words.iter().position(|(at, _)| *at >= case.fail)?;
+    let before = words.get(..here)?.iter().rev().take_while(|(_, word)| says_nothing(word)).take(MOST);
+    let starts = std::iter::once(case.fail).chain(before.map(|(at, _)| *at)).collect::<Vec<_>>();
+    let run = words.get(here..)?.iter().take_while(|(_, word)| says_nothing(word)).take(MOST);
+    let last = words.get(here.checked_sub(1)?).filter(|_| starts.len() > 1);
+    // what has an argument is a function
+    let alone = |end: &usize| !case.slice.get(*end..).unwrap_or_default().trim_start().starts_with('(');
+    let ends =
+        last.into_iter().chain(run).map(|(at, word)| at + word.len()).filter(alone).collect::<Vec<_>>();
+    let all = starts.iter().flat_map(|start| ends.iter().map(move |end| (*start, *end)));
+    let left = |start: usize| case.slice.get(..start).unwrap_or_default().trim_end().len();
+    let (start, end) = all
+        .into_iter()
+        .filter(|(start, end)| start < end)
+        .find(|(start, end)| case.reads(&case.with(left(*start), *end, "")))?;
+    Some(SyntaxError::NeedlessSign {
+        found: case.slice.get(start..end)?.to_owned(),
+        at: case.span(start, end - start),
+        help: case.help(left(start), end, ""),
+    })
+}
+
+/// `A 0, 0`, `A (0 0)`, `(120, 10) mm`, `1 rad/s (5 %)`
+fn in_parentheses(case: &Case<'_>) -> Option<SyntaxError> {
+    let (from, new, wanted) =
+        coordinates_alone(case).or_else(|| blank_between(case)).or_else(|| unit_behind(case))?;
+    case.reads(&new).then(|| SyntaxError::OtherWord {
+        found: case.slice.get(from..).unwrap_or_default().trim().to_owned(),
+        wanted,
+        at: case.span(from, case.slice.len() - from),
+        help: case.help(0, case.slice.len(), &new),
+    })
+}
+
+/// What is wrong from a byte on, the piece with it corrected, and what is wanted there.
+type Corrected = (usize, String, String);
+
+/// `A 0, 0`
+fn coordinates_alone(case: &Case<'_>) -> Option<Corrected> {
+    let (name, rest) = case.slice.split_once(' ')?;
+    let numbers =
+        rest.trim_start().starts_with(|c: char| c.is_ascii_digit() || c == '-') && rest.contains(',');
+    let wanted = format!("({})", rest.trim());
+    let point = case.what == What::Member && numbers && name.chars().all(is_name_char);
+    point.then(|| (name.len() + 1, format!("{name} {wanted}"), wanted))
+}
+
+/// `(0 0)`
+fn blank_between(case: &Case<'_>) -> Option<Corrected> {
+    let before = case.slice.get(..case.fail)?.trim_end();
+    let open =
+        before.rfind('(').filter(|open| !before.get(*open..).unwrap_or_default().contains([')', ',']))?;
+    let number = case.token(case.fail).starts_with(|c: char| c.is_ascii_digit() || c == '-');
+    let new = case.with(before.len(), case.fail, ", ");
+    let wanted = new.get(open..)?.to_owned();
+    number.then_some((open, new, wanted))
+}
+
+/// `(120, 10) mm`; `(5 %)` behind an expected value
+fn unit_behind(case: &Case<'_>) -> Option<Corrected> {
+    let before = case.slice.get(..case.fail)?.trim_end();
+    if case.token(0) == "expect" && case.token(case.fail) == "(" {
+        let (inside, rest) = case.slice.get(case.fail + 1..)?.split_once(')')?;
+        let wanted = format!("within {}{rest}", inside.trim());
+        return Some((case.fail, format!("{before} {wanted}"), wanted));
+    }
+    let open = before.strip_suffix(')')?.rfind('(')?;
+    let (x, y) = before.get(open + 1..before.len() - 1)?.split_once(',')?;
+    let rest = case.slice.get(case.fail..)?;
+    let end = rest.find([' ', ';', '}', '\n']).unwrap_or(rest.len());
+    let (unit, behind) = rest.split_at(end);
+    lookup(unit).ok()?;
+    let wanted = format!("({} {unit}, {} {unit})", x.trim(), y.trim());
+    Some((open, format!("{}{wanted}{behind}", case.slice.get(..open)?), wanted))
+}
+
+/// `… % a comment`
+fn comment(case: &Case<'_>) -> Option<SyntaxError> {
+    let rest = case.slice.get(case.fail..)?;
+    let sign = ["%", "--", "!", "'"].into_iter().find(|sign| rest.starts_with(sign))?;
+    let words = rest.get(sign.len()..).is_some_and(|text| text.starts_with(' '));
+    let complete = words && case.reads(case.slice.get(..case.fail)?.trim_end());
+    complete.then(|| SyntaxError::CommentSign {
+        at: case.span(case.fail, sign.len()),
+        found: sign.to_owned(),
+        help: case.help(case.fail, case.fail + sign.len(), "//"),
+    })
+}
+
+/// `5 in`: `in` is a word of the language, the unit is `inch`.
+fn inches(case: &Case<'_>) -> Option<SyntaxError> {
+    let is_unit = |(at, word): &(usize, &str)| {
+        let before = case.slice.get(..*at).unwrap_or_default().trim_end();
+        let behind_number = before.ends_with(|c: char| c.is_ascii_digit() || "*/·".contains(c));
+        *word == "in" && (behind_number || before.ends_with(" as"))
+    };
+    let found = case.words().into_iter().filter(is_unit).map(|(at, _)| at).collect::<Vec<_>>();
+    let first = *found.first()?;
+    let mut all = case.slice.to_owned();
+    for at in found.iter().rev() {
+        all.replace_range(*at..at + 2, "inch");
+    }
+    case.reads(&all).then(|| SyntaxError::OtherWord {
+        found: "in".to_owned(),
+        wanted: "inch".to_owned(),
+        at: case.span(first, 2),
+        help: case.help(0, case.slice.len(), &all),
+    })
+}
+
+/// Directions in words.
+const DIRECTIONS: &[(&[&str], &str)] = &[
+    (&["right", "rightward", "rightwards"], "@ 0 deg"),
+    (&["up", "upward", "upwards"], "@ 90 deg"),
+    (&["left", "leftward", "leftwards"], "@ 180 deg"),
+    (&["down", "downward", "downwards"], "@ 270 deg"),
+];
+
+/// `3 kN left`, `100 N to the left`
+fn direction(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let (at, word) = *words.iter().find(|(at, _)| *at >= case.fail)?;
+    let skipped = case.slice.get(case.fail..at)?.trim();
+    let (end, word) = match (skipped, word) {
+        ("", "to" | "in") => words.iter().rev().find(|(i, _)| *i > at).map(|(i, w)| (i + w.len(), *w))?,
+        ("", word) => (at + word.len(), word),
+        _ => return None,
+    };
+    let (_, angle) = DIRECTIONS.iter().find(|(words, _)| words.contains(&word))?;
+    repair(case, case.fail, end, angle, angle)
+}
+
+/// `force F on crank.B`
+fn point_of_link(case: &Case<'_>) -> Option<SyntaxError> {
+    let dot = case.token(case.fail) == ".";
+    if dot { repair(case, case.fail, case.fail + 1, "at", " at ") } else { None }
+}
+
+/// `force F on S of coupler`
+fn point_of(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let of = words.iter().position(|(at, word)| *at >= case.fail && *word == "of")?;
+    let [(on_at, "on"), (_, point), (_, "of"), (link_at, link)] = words.get(of.checked_sub(2)?..of + 2)?
+    else {
+        return None;
+    };
+    let new = format!("on {link} at {point}");
+    repair(case, *on_at, link_at + link.len(), &new, &new)
+}
+
+/// `position(C) relative to D`
+fn relative(case: &Case<'_>) -> Option<SyntaxError> {
+    let rest = case.slice.get(case.fail..)?;
+    let of = ["relative to ", "with respect to ", "minus "].into_iter().find_map(|w| rest.strip_prefix(w))?;
+    let before = case.slice.get(..case.fail)?.trim_end();
+    let open = before.strip_suffix(')')?.rfind('(')?;
+    let name = before.get(..open)?.rsplit(|c| !is_name_char(c)).next()?;
+    let of = of.trim_start();
+    let reference = of.find(|c| !is_name_char(c) && c != '.').map_or(of, |end| &of[..end]);
+    let end = case.slice.len() - of.len() + reference.len();
+    let wanted = format!("- {name}({reference})");
+    repair(case, case.fail, end, &wanted, &wanted)
+}
+
+/// `expect Mb = 80 deg at 60 deg`: at which position of the drive?
+fn drive_left_out(case: &Case<'_>) -> Option<SyntaxError> {
+    let word = case.token(0);
+    if case.what != What::Statement || !matches!(word, "expect" | "pose") {
+        return None;
+    }
+    let drives = case.text.lines().filter_map(|line| line.trim_start().strip_prefix("drive "));
+    let name = drives.filter_map(|rest| rest.trim_start().split([' ', '=']).next()).next()?;
+    let missing = format!("{name} =");
+    let new = format!("{missing} ");
+    case.reads(&case.with(case.fail, case.fail, &new)).then(|| SyntaxError::MissingWord {
+        missing,
+        at: case.span(case.fail, case.token(case.fail).len()),
+        help: case.help(case.fail, case.fail, &new),
+    })
+}
+
+/// `balance force F in c1, c2`
+fn second_place(case: &Case<'_>) -> Option<SyntaxError> {
+    let before = case.slice.get(..case.fail)?.trim_end();
+    let more = case.token(case.fail) == "," && case.token(0) == "balance" && case.reads(before);
+    more.then(|| SyntaxError::NeedlessSign {
+        found: case.slice.get(case.fail..).unwrap_or_default().to_owned(),
+        at: case.span(case.fail, case.slice.len() - case.fail),
+        help: case.help(before.len(), case.slice.len(), ""),
+    })
+}

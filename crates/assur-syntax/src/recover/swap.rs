@@ -1,0 +1,268 @@
+//! Pieces that read with one sign or word exchanged, left out, or put into brackets.
+
+use super::What;
+use super::case::Case;
+use crate::Rule;
+use crate::error::SyntaxError;
+use crate::words::{self, Expected, is_name_char, is_reserved};
+
+pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
+    comma_between(case)
+        .or_else(|| without_brackets(case))
+        .or_else(|| foreign_operator(case))
+        .or_else(|| needless_sign(case))
+        .or_else(|| split_word(case))
+        .or_else(|| digit_first(case))
+        .or_else(|| other_word(case))
+        .or_else(|| other_word_before(case))
+}
+
+/// `A (0, 0), B (1 m, 0)`, `given r = 1 m, l = 2 m`
+fn comma_between(case: &Case<'_>) -> Option<SyntaxError> {
+    let complete = case.token(case.fail) == "," && case.expected.contains(&Rule::EOI);
+    let (first, second) = (case.slice.get(..case.fail)?, case.slice.get(case.fail + 1..)?);
+    if !complete || !case.reads(first) {
+        return None;
+    }
+    let again = matches!(case.token(0), "given" | "let") && second.contains('=');
+    let line_ends = second.trim_start_matches(' ').starts_with(['\n', '\r']);
+    let before = if again { format!("{} ", case.token(0)) } else { String::new() };
+    // what follows must be one of its kind too, as far as the next comma
+    let ends = second.match_indices(',').map(|(at, _)| at).chain([second.len()]);
+    let fits = |end: usize| case.reads(&format!("{before}{}", second.get(..end).unwrap_or_default().trim()));
+    if !line_ends && !ends.into_iter().any(fits) {
+        return None;
+    }
+    let new = match case.token(0) {
+        _ if line_ends => String::new(),
+        word if again => format!("; {word}"),
+        _ => ";".to_owned(),
+    };
+    Some(SyntaxError::CommaBetween {
+        at: case.span(case.fail, 1),
+        help: case.help(case.fail, case.fail + 1, &new),
+    })
+}
+
+/// `free length 77 mm`
+fn split_word(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let (second_at, second) = *words.iter().rev().find(|(at, _)| *at < case.fail)?;
+    let (first_at, first) = *words.iter().rev().find(|(at, _)| *at < second_at)?;
+    let (start, end) = (first_at, second_at + second.len());
+    let joined = format!("{first}_{second}");
+    let named = matches!(case.what, What::Property | What::CamMember) && start == 0;
+    (named && case.reads(&case.with(start, end, &joined))).then(|| SyntaxError::OtherWord {
+        found: format!("{first} {second}"),
+        wanted: joined.clone(),
+        at: case.span(start, end - start),
+        help: case.help(start, end, &joined),
+    })
+}
+
+/// What other languages write, and what this one does.
+const OPERATORS: &[(&str, &str)] = &[
+    ("**", "^"),
+    ("&&", "and"),
+    ("||", "or"),
+    ("&", "and"),
+    ("|", "or"),
+    ("!", "not "),
+    ("±", "within"),
+    ("+/-", "within"),
+    ("~", "="),
+    ("≈", "="),
+    ("...", ".."),
+    ("=>", ">="),
+    ("<->", "-"),
+    ("-->", "-"),
+    ("->", "-"),
+    ("→", "-"),
+    ("--", "-"),
+    ("at an angle of", "@"),
+    ("at an angle", "@"),
+    ("at angle", "@"),
+];
+
+fn foreign_operator(case: &Case<'_>) -> Option<SyntaxError> {
+    let fits = |start: usize, (found, wanted): &(&'static str, &'static str)| {
+        let here = case.slice.get(start..)?.starts_with(found);
+        let end = start + found.len();
+        (here && case.reads(&case.with(start, end, wanted))).then_some((start, *found, *wanted))
+    };
+    let starts = [Some(case.fail), case.fail.checked_sub(1), case.fail.checked_sub(2)];
+    let (start, found, wanted) = starts
+        .into_iter()
+        .flatten()
+        .find_map(|start| OPERATORS.iter().find_map(|operator| fits(start, operator)))?;
+    Some(SyntaxError::OtherWord {
+        found: found.to_owned(),
+        wanted: wanted.trim().to_owned(),
+        at: case.span(start, found.len()),
+        help: case.help(start, start + found.len(), wanted),
+    })
+}
+
+/// `friction = 0.1` in braces
+fn needless_sign(case: &Case<'_>) -> Option<SyntaxError> {
+    let found = case.token(case.fail);
+    let end = case.fail + found.len();
+    let listed = found == "," && case.what == What::Member;
+    let needless =
+        !listed && matches!(found, "=" | ":" | "," | "-") && case.reads(&case.with(case.fail, end, " "));
+    let before = case.slice.get(..case.fail)?.trim_end().len();
+    let behind = end + case.slice.get(end..)?.len() - case.slice.get(end..)?.trim_start().len();
+    needless.then(|| SyntaxError::NeedlessSign {
+        found: found.to_owned(),
+        at: case.span(case.fail, found.len()),
+        help: case.help(before, behind, " "),
+    })
+}
+
+/// `position of C`: the function is no word that says nothing.
+pub(super) fn of_without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+    (case.token(case.fail) == "of").then(|| without_brackets(case))?
+}
+
+/// `sin 30 deg`, `position of C`
+fn without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let (name_at, name) = *words.iter().rev().find(|(at, _)| *at < case.fail)?;
+    let name_end = name_at + name.len();
+    let here = case.token(case.fail);
+    if !words::FUNCTIONS.contains(&name)
+        || !(here == "of" || here.starts_with(is_name_char) && !is_reserved(here))
+    {
+        return None;
+    }
+    let open = if here == "of" { case.fail + here.len() } else { case.fail };
+    // The argument ends with one of the next words, or where reading it stops.
+    for (at, word) in words.iter().filter(|(at, _)| *at >= open).take(3) {
+        let end = at + word.len();
+        let argument = case.slice.get(open..end)?.trim();
+        let call = format!("({argument})");
+        if case.reads(&case.with(name_end, end, &call)) {
+            return Some(SyntaxError::WithoutBrackets {
+                function: name.to_owned(),
+                at: case.span(open, end - open),
+                help: case.help(name_end, end, &call),
+            });
+        }
+    }
+    None
+}
+
+/// `given 2r = 5 mm`
+fn digit_first(case: &Case<'_>) -> Option<SyntaxError> {
+    let found = case.token(case.fail);
+    let letters = found.trim_start_matches(|c: char| c.is_ascii_digit());
+    let digits = &found[..found.len() - letters.len()];
+    let named = case.expected.iter().any(|r| words::expected(*r).contains(&Expected::Name));
+    if digits.is_empty() || letters.is_empty() || !named {
+        return None;
+    }
+    let end = case.fail + found.len();
+    // `1A` where points are named `A`
+    let alone = case.text.split(|c| !is_name_char(c)).any(|word| word == letters);
+    let wanted = if alone { letters.to_owned() } else { format!("{letters}{digits}") };
+    case.reads(&case.with(case.fail, end, &wanted)).then(|| SyntaxError::DigitFirst {
+        found: found.to_owned(),
+        at: case.span(case.fail, found.len()),
+        help: case.help(case.fail, end, &wanted),
+    })
+}
+
+/// What people write for words of the language.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("clockwise", "cw"),
+    ("counterclockwise", "ccw"),
+    ("anticlockwise", "ccw"),
+    ("along", "@"),
+    ("by", "in"),
+    ("with", "at"),
+    ("at", "@"),
+    ("∠", "@"),
+    ("and", ","),
+    ("is", "="),
+    ("equals", "="),
+    ("tolerance", "within"),
+    ("speed", "at"),
+    ("velocity", "at"),
+    ("acceleration", "accelerating"),
+    ("if", "when"),
+    ("while", "when"),
+    ("where", "when"),
+    ("opposite", "against"),
+    ("opposing", "against"),
+    ("opposed", "against"),
+    ("via", "through"),
+    ("angle", "along"),
+    ("angle", "@"),
+    ("direction", "@"),
+];
+
+/// Whether a word or sign may have been meant: a sign for a word, and what fits nearly everywhere, says nothing.
+fn meant(found: &str, wanted: &str) -> bool {
+    let is_word = |text: &str| text.starts_with(is_name_char);
+    let anywhere = ["@", "within", "when", "along", "near", "on"].contains(&wanted);
+    !anywhere && (is_word(found) || !is_word(wanted)) && !matches!((found, wanted), (",", ":" | "="))
+}
+
+/// A sign or word where another one stands, if there is just one that fits.
+fn other_word(case: &Case<'_>) -> Option<SyntaxError> {
+    let found = case.token(case.fail);
+    let end = case.fail + found.len();
+    // `speed of 30 rpm`, `opposite to motion`
+    let known = SYNONYMS.iter().any(|(word, _)| *word == found);
+    let rest = case.slice.get(end..).filter(|_| known).unwrap_or_default();
+    let more = [" of", " to the", " to"]
+        .into_iter()
+        .find(|more| rest.strip_prefix(more).is_some_and(|r| r.starts_with(' ')));
+    let end = end + more.map_or(0, str::len);
+    let fits = |wanted: &str| case.reads(&case.with(case.fail, end, &format!(" {wanted} ")));
+    let synonym = SYNONYMS.iter().find(|(word, wanted)| *word == found && fits(wanted));
+    let mut fitting = match synonym {
+        Some((_, wanted)) => vec![(*wanted).to_owned()],
+        None if is_reserved(found) || !found.starts_with(is_name_char) => case.literals(),
+        None => return None,
+    };
+    let operator = case.expected.iter().any(|r| words::expected(*r).contains(&Expected::Operator));
+    if operator && synonym.is_none() {
+        fitting.push("@".to_owned());
+    }
+    fitting.retain(|w| w != "(" && w != "{" && case.reads(&case.with(case.fail, end, &format!(" {w} "))));
+    fitting.dedup();
+    let wanted = match fitting.as_slice() {
+        [wanted] if synonym.is_some() || meant(found, wanted) => wanted,
+        _ => return None,
+    };
+    let before = case.slice.get(..case.fail)?;
+    let close = matches!(wanted.as_str(), "," | ":") || before.ends_with(' ');
+    let blank = if close { "" } else { " " };
+    (!found.is_empty()).then(|| SyntaxError::OtherWord {
+        found: found.to_owned(),
+        wanted: wanted.clone(),
+        at: case.span(case.fail, found.len()),
+        help: case.help(case.fail, end, &format!("{blank}{wanted}")),
+    })
+}
+
+/// A connecting word further back that led astray: `find v in m/s`.
+fn other_word_before(case: &Case<'_>) -> Option<SyntaxError> {
+    let words = case.words();
+    let (at, found) = *words.iter().rev().find(|(at, w)| *at < case.fail && is_reserved(w))?;
+    let end = at + found.len();
+    let mut fitting = words::CONNECTING.to_vec();
+    fitting
+        .retain(|w| !matches!(*w, "and" | "or" | "not") && *w != found && case.reads(&case.with(at, end, w)));
+    let wanted = match fitting.as_slice() {
+        [wanted] if meant(found, wanted) => wanted,
+        _ => return None,
+    };
+    Some(SyntaxError::OtherWord {
+        found: found.to_owned(),
+        wanted: (*wanted).to_owned(),
+        at: case.span(at, found.len()),
+        help: case.help(at, end, wanted),
+    })
+}
