@@ -100,7 +100,7 @@ fn compiled(text: &str) -> Compiled {
 }
 
 fn solved(text: &str) -> Solved {
-    assur::solve(compiled(text)).0.unwrap_or_else(|_| panic!("it is solved:\n{text}"))
+    assur::pipeline::solve(compiled(text)).0.unwrap_or_else(|_| panic!("it is solved:\n{text}"))
 }
 
 fn states(solved: &Solved) -> impl Iterator<Item = &State> {

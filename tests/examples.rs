@@ -75,8 +75,9 @@ fn list(problems: &Problems, source: &Source) -> String {
 /// Every row of a table of variants is solved, and meets its expectations.
 fn rows_hold(source: &Source) -> Result<(), Failed> {
     let (document, _) = assur::syntax::parse(source);
+    let document = std::sync::Arc::new(document);
     let overrides = Overrides::none();
-    let rows = match assur::exercise::OwnRows::of(source, &document, &overrides) {
+    let rows = match assur::pipeline::FileVariants::of(&document, &overrides) {
         None => return Ok(()),
         Some(rows) => rows.map_err(|_| "the table of variants has an error")?,
     };

@@ -2,7 +2,7 @@
 //! values set from outside.
 
 use assur::check::{self, Overrides, Row, RowCell, RowColumn};
-use assur::exercise::Family;
+use assur::pipeline::VariantSolver;
 use assur::report::{self, Precision, csv, rows::AnswerColumns, rows::FULL};
 use assur::source::Source;
 use assur::syntax::document::Variants;
@@ -76,11 +76,12 @@ fn a_row_is_the_file_with_these_values() {
     for file in FILES {
         let source = example(file);
         let (document, _) = assur::syntax::parse(&source);
+        let document = Arc::new(document);
         let givens = givens(&source);
         assert!(!givens.is_empty(), "{file}");
         let columns: Arc<[RowColumn]> = columns_of(&source, &givens);
         let none = Overrides::none();
-        let mut family = Family::new(&source, &document, &none);
+        let mut family = VariantSolver::new(&document, &none);
         for _ in 0..ROWS {
             let values: Vec<f64> = givens.iter().map(|g| g.2 * (0.3 + 2.5 * random(&mut state))).collect();
             let cell = |(column, value): (&RowColumn, &f64)| RowCell {
@@ -115,6 +116,7 @@ fn columns_of(source: &Source, givens: &[(String, String, f64)]) -> Arc<[RowColu
     let table = assur::exercise::table::Table::open("t.csv", text.as_bytes()).expect("read");
     let table: Variants = table.map_err(|_| "a header").expect("a header").columns;
     let (document, _) = assur::syntax::parse(source);
+    let document = Arc::new(document);
     let (columns, problems) = check::columns(&document, &Overrides::none(), &table);
     assert!(problems.is_empty());
     columns.expect("columns that fit").into()

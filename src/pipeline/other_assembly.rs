@@ -1,11 +1,11 @@
 //! Whether the answer key belongs to another assembly of the mechanism.
 
-use super::error::ExpectError;
+use super::solved::{Solved, solve_source};
 use crate::check::Overrides;
+use crate::exercise::ExpectError;
 use crate::solve;
 use crate::source::{Source, Span};
-use crate::syntax::{self, document::Statement};
-use crate::{Solved, solve_source};
+use crate::syntax::document::{Document, Statement};
 
 /// Most assemblies that are tried.
 const TRIES: usize = 8;
@@ -16,21 +16,25 @@ const POSES: usize = 1000;
 #[must_use]
 pub fn in_other_assembly(
     solved: &Solved,
-    source: &Source,
+    text: (&Source, &Document),
     overrides: &Overrides,
     failed: Vec<ExpectError>,
 ) -> Vec<ExpectError> {
     if failed.is_empty() || solved.solution.poses.len() > POSES {
         return failed;
     }
-    let Some(line) = fitting(solved, source, overrides) else { return failed };
+    let Some(line) = fitting(solved, text, overrides) else { return failed };
     let more = failed.len() - 1;
     failed.into_iter().take(1).map(|error| error.of_assembly(more, &line)).collect()
 }
 
 /// The `assemble` statement with which all expectations are met.
-fn fitting(solved: &Solved, source: &Source, overrides: &Overrides) -> Option<String> {
-    let places = places(source);
+fn fitting(
+    solved: &Solved,
+    (source, document): (&Source, &Document),
+    overrides: &Overrides,
+) -> Option<String> {
+    let places = places(document);
     if places.is_empty() {
         return None;
     }
@@ -42,8 +46,7 @@ fn fitting(solved: &Solved, source: &Source, overrides: &Overrides) -> Option<St
 }
 
 /// The places of all `assemble` statements.
-fn places(source: &Source) -> Vec<Span> {
-    let (document, _) = syntax::parse(source);
+fn places(document: &Document) -> Vec<Span> {
     let is_assemble = |s: &&crate::source::Spanned<Statement>| matches!(s.node, Statement::Assemble(_));
     document.statements.iter().filter(is_assemble).map(|s| s.span).collect()
 }

@@ -1,8 +1,9 @@
 //! A motion followed position by position: each is handed out, and only those stay that are few or that an expectation
 //! names.
 
-use super::{criticals, scales};
-use crate::Origin;
+use super::compile::Origin;
+use super::critical::criticals;
+use super::open_sizes::open_sizes;
 use crate::diagnostic::Problems;
 use crate::model::{At, Mechanism, Positions, Relation};
 use crate::solve::{Following, Pose, PoseOrigin, Scene, Solution};
@@ -71,7 +72,7 @@ pub fn is_long(scene: &Scene<'_>) -> bool {
 /// # Errors
 /// What makes all positions meaningless.
 pub fn followed(scene: &Scene<'_>, origin: Option<&Origin>, each: Option<Each<'_>>) -> Followed {
-    let critical = origin.map(|o| criticals(scene, &o.source, &o.overrides)).unwrap_or_default();
+    let critical = origin.map(|o| criticals(scene, o)).unwrap_or_default();
     let Some(mut following) = Following::new(scene, critical).map_err(Problems::of)? else {
         return Ok(Some((Solution::default(), Problems::new())));
     };
@@ -83,7 +84,7 @@ pub fn followed(scene: &Scene<'_>, origin: Option<&Origin>, each: Option<Each<'_
     }
     let mut head = Solution { statics: following.statics().clone(), ..Solution::default() };
     if let Some(origin) = origin {
-        head.open = scales(scene, origin).map_err(Problems::of)?;
+        head.open = open_sizes(scene, origin).map_err(Problems::of)?;
     }
     let (mut poses, mut problems) = (Vec::new(), Problems::new());
     let mut each = each;

@@ -3,10 +3,11 @@
 //! The file is checked and solved again with another size of each such wheel. What comes out the same does not hang on
 //! it; what does not is an error where it is asked, and is left out where it is not.
 
+use super::compile::Origin;
 use crate::model::{Expr, FindKind, Mechanism, Relation, Scale, Value};
 use crate::solve::{self, Following, OpenSizes, Pose, Scene, Statics};
 use crate::source::Span;
-use crate::{Origin, check, plan, structure, syntax};
+use crate::{check, plan, structure};
 use miette::Diagnostic;
 use thiserror::Error;
 
@@ -42,15 +43,14 @@ pub enum ScaleError {
 ///
 /// # Errors
 /// What is asked and depends on them.
-pub fn scales(scene: &Scene<'_>, origin: &Origin) -> Result<OpenSizes, Vec<ScaleError>> {
+pub fn open_sizes(scene: &Scene<'_>, origin: &Origin) -> Result<OpenSizes, Vec<ScaleError>> {
     let mut open = OpenSizes::default();
     if scene.mechanism.scales.is_empty() {
         return Ok(open);
     }
-    let (document, _) = syntax::parse(&origin.source);
     let mut errors: Vec<ScaleError> = Vec::new();
     for scale in &scene.mechanism.scales {
-        let (mechanism, _) = check::check_stretched(&document, &origin.overrides, &scale.wheel);
+        let (mechanism, _) = check::check_stretched(&origin.document, &origin.overrides, &scale.wheel);
         let Some(mechanism) = mechanism else { continue };
         let Ok((structure, _)) = structure::structure(&mechanism) else { continue };
         let plan = plan::plan(&mechanism, &structure);

@@ -5,12 +5,13 @@
 //! ends where the file has an error or no pose, and where the ideal power changes its sign: there the balance no longer
 //! drives where it drove, or resists where it resisted, which is another question.
 
+use super::compile::Origin;
 use crate::check::{self, Overrides};
 use crate::model::{Display, Expr, Find, FindKind, Mechanism, Positions, Query, Value};
 use crate::solve::{self, Scene};
-use crate::source::{Source, Span};
+use crate::source::Span;
 use crate::syntax::document::Document;
-use crate::{plan, structure, syntax};
+use crate::{plan, structure};
 
 /// First step, relative to the value.
 const FIRST: f64 = 1e-2;
@@ -27,13 +28,10 @@ const TO_THE_END: usize = 40;
 
 /// The values of all givens whose critical value is asked for, SI; NaN where locking neither begins nor ends.
 #[must_use]
-pub fn criticals(scene: &Scene<'_>, source: &Source, overrides: &Overrides) -> Vec<f64> {
-    let (document, _) = syntax::parse(source);
+pub fn criticals(scene: &Scene<'_>, origin: &Origin) -> Vec<f64> {
+    let (document, overrides) = (&*origin.document, &origin.overrides);
     let names = &scene.mechanism.criticals;
-    names
-        .iter()
-        .map(|name| Search { document: &document, overrides, name }.critical(scene.mechanism))
-        .collect()
+    names.iter().map(|name| Search { document, overrides, name }.critical(scene.mechanism)).collect()
 }
 
 /// What a value of the given makes of the first pose.

@@ -1,17 +1,17 @@
 //! The rows of a file's own table of variants.
 
-use super::{Family, InRow, mismatches};
-use crate::Solved;
+use super::solved::Solved;
+use super::variant_solver::VariantSolver;
 use crate::check::{self, FileRow, Overrides, RowColumn};
 use crate::diagnostic::Problems;
+use crate::exercise::{ForRow, mismatches};
 use crate::solve::refusals;
-use crate::source::Source;
 use crate::syntax::document::Document;
 use std::sync::Arc;
 
 /// A file with a table of variants.
-pub struct OwnRows<'a> {
-    family: Family<'a>,
+pub struct FileVariants<'a> {
+    solver: VariantSolver<'a>,
     rows: Vec<FileRow>,
     columns: Arc<[RowColumn]>,
 }
@@ -28,14 +28,10 @@ pub struct SolvedRow {
     pub problems: Problems,
 }
 
-impl<'a> OwnRows<'a> {
+impl<'a> FileVariants<'a> {
     /// Reads the table of a document; `None` where it has none. What is wrong with the table stands in its place.
     #[must_use]
-    pub fn of(
-        source: &'a Source,
-        document: &'a Document,
-        overrides: &'a Overrides,
-    ) -> Option<Result<Self, Problems>> {
+    pub fn of(document: &'a Arc<Document>, overrides: &'a Overrides) -> Option<Result<Self, Problems>> {
         let table = check::table(document)?;
         let (columns, problems) = check::columns(document, overrides, table);
         let Some(columns) = columns else {
@@ -45,17 +41,17 @@ impl<'a> OwnRows<'a> {
         };
         let columns: Arc<[RowColumn]> = columns.into();
         let rows = check::file_rows(table, &columns);
-        let mut family = Family::new(source, document, overrides);
-        if let Some(problems) = of_every_row(&mut family, &rows) {
+        let mut solver = VariantSolver::new(document, overrides);
+        if let Some(problems) = of_every_row(&mut solver, &rows) {
             return Some(Err(problems));
         }
-        Some(Ok(Self { family, rows, columns }))
+        Some(Ok(Self { solver, rows, columns }))
     }
 
     /// With settings that keep an accuracy, row by row.
     #[must_use]
     pub fn within(self, within: Option<f64>) -> Self {
-        Self { family: self.family.within(within), ..self }
+        Self { solver: self.solver.within(within), ..self }
     }
 
     /// Its columns.
@@ -67,21 +63,21 @@ impl<'a> OwnRows<'a> {
     /// Solves all rows in order. Where they are tested, an expectation that is not met is a problem.
     pub fn solve(mut self, test: bool) -> impl Iterator<Item = SolvedRow> + use<'a> {
         self.rows.into_iter().enumerate().map(move |(i, row)| {
-            let (solved, mut problems) = self.family.solve(&row.row);
+            let (solved, mut problems) = self.solver.solve(&row.row);
             if test {
                 problems.extend(solved.iter().flat_map(|s| mismatches(&s.outcomes)));
             }
-            let problems = InRow::all(problems, &file_row_words(&row, i + 1), Some(row.span));
+            let problems = ForRow::all(problems, &file_row_words(&row, i + 1), Some(row.span));
             SolvedRow { row, number: i + 1, solved, problems }
         })
     }
 }
 
 /// What is wrong with the file whatever the row: the first and the last row have the same errors.
-fn of_every_row(family: &mut Family<'_>, rows: &[FileRow]) -> Option<Problems> {
+fn of_every_row(solver: &mut VariantSolver<'_>, rows: &[FileRow]) -> Option<Problems> {
     let [first, .., last] = rows else { return None };
     let mut refused = |row: &FileRow| {
-        let (compiled, mut problems) = family.compile(&row.row);
+        let (compiled, mut problems) = solver.compile(&row.row);
         if let Some(compiled) = compiled.filter(|_| !problems.has_errors()) {
             problems.extend(refusals(&compiled.scene()));
         }

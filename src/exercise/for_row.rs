@@ -7,13 +7,13 @@ use std::fmt::{self, Display};
 
 /// A diagnostic of a file, with the row of variants for which it holds.
 #[derive(Debug)]
-pub struct InRow {
+pub struct ForRow {
     inner: AnyDiagnostic,
     row: String,
     span: Option<Span>,
 }
 
-impl InRow {
+impl ForRow {
     /// All problems of a row: `row` is it in words, `span` its place in the file's own table.
     #[must_use]
     pub fn all(problems: Problems, row: &str, span: Option<Span>) -> Problems {
@@ -23,15 +23,15 @@ impl InRow {
     }
 }
 
-impl Display for InRow {
+impl Display for ForRow {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.row, self.inner)
     }
 }
 
-impl std::error::Error for InRow {}
+impl std::error::Error for ForRow {}
 
-impl Diagnostic for InRow {
+impl Diagnostic for ForRow {
     fn code<'b>(&'b self) -> Option<Box<dyn Display + 'b>> {
         self.inner.code()
     }

@@ -1,16 +1,16 @@
 //! A file that is solved with one row of variants after another: what hangs on no value is done once.
 
+use super::compile::{Compiled, Origin, plan_mechanism};
+use super::solved::{Solved, solve_within};
 use crate::check::{self, Overrides, Resident, Row};
 use crate::diagnostic::Problems;
-use crate::source::Source;
 use crate::structure::Structure;
 use crate::syntax::document::Document;
-use crate::{Compiled, Origin, Solved};
+use std::sync::Arc;
 
 /// A document that many rows of variants are solved for. Every row comes out as the file with these values would.
-pub struct Family<'a> {
-    source: &'a Source,
-    document: &'a Document,
+pub struct VariantSolver<'a> {
+    document: &'a Arc<Document>,
     overrides: &'a Overrides,
     resident: Option<Resident<'a>>,
     /// The structure of the last row, where nothing was to be said of it.
@@ -19,12 +19,12 @@ pub struct Family<'a> {
     within: Option<f64>,
 }
 
-impl<'a> Family<'a> {
+impl<'a> VariantSolver<'a> {
     /// A document that could be read, with values that replace those of all rows.
     #[must_use]
-    pub fn new(source: &'a Source, document: &'a Document, overrides: &'a Overrides) -> Self {
+    pub fn new(document: &'a Arc<Document>, overrides: &'a Overrides) -> Self {
         let resident = Resident::new(document, overrides);
-        Self { source, document, overrides, resident, structure: None, within: None }
+        Self { document, overrides, resident, structure: None, within: None }
     }
 
     /// With settings that keep an accuracy, row by row.
@@ -43,9 +43,9 @@ impl<'a> Family<'a> {
         let Some(mechanism) = mechanism else { return (None, problems) };
         let alike = self.structure.as_ref().and_then(|s| s.with_numbers_of(&mechanism));
         let origin =
-            mechanism.asks_again().then(|| Origin { source: self.source.clone(), overrides: origin });
+            mechanism.asks_again().then(|| Origin { document: Arc::clone(self.document), overrides: origin });
         let known = alike.is_some();
-        let (compiled, problems) = crate::plan_mechanism(mechanism, alike, problems, origin);
+        let (compiled, problems) = plan_mechanism(mechanism, alike, problems, origin);
         if let Some(compiled) = &compiled
             && !known
         {
@@ -58,7 +58,7 @@ impl<'a> Family<'a> {
     pub fn solve(&mut self, row: &Row) -> (Option<Solved>, Problems) {
         let (compiled, mut problems) = self.compile(row);
         let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
-        let (solved, found) = crate::solve_within(compiled, self.within);
+        let (solved, found) = solve_within(compiled, self.within);
         problems.append(found);
         (solved.ok(), problems)
     }
