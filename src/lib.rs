@@ -3,6 +3,7 @@
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod exercise;
+mod front;
 pub mod pipeline;
 pub mod report;
 
@@ -13,7 +14,13 @@ pub use assur_solve::{accuracy, plan, solve};
 pub use assur_syntax as syntax;
 pub use assur_text::{diagnostic, source, units};
 
+pub use front::{Answer, Diagnostics, Expectation, Options, Pose, Problem, Quantity, Solution, solve};
 pub use pipeline::{
-    Compiled, Origin, Solved, check_source, compile, diagnose, solve, solve_each, solve_source, solve_within,
+    Compiled, Origin, Solved, check_source, compile, diagnose, solve_each, solve_source, solve_within,
     test_source,
 };
+
+// the examples of the page run as tests
+#[cfg(doctest)]
+#[doc = include_str!("../docs/library.md")]
+struct LibraryPage;

@@ -32,7 +32,7 @@ fn holds(path: &Path, name: &str) -> Result<(), Failed> {
     let (compiled, mut problems) = assur::compile(&source, &Overrides::none());
     let mut stages = compiled.as_ref().map(|c| structure(&source, c)).unwrap_or_default();
     let (solved, found) = match compiled.filter(|_| !problems.has_errors()) {
-        Some(compiled) => assur::solve(compiled),
+        Some(compiled) => assur::pipeline::solve(compiled),
         None => return stands(path, &shown(FAILED, &stages, &problems, &source)),
     };
     problems.append(found);

@@ -22,7 +22,7 @@ fn every_example_comes_out_the_same() {
     for path in folder::files(&root, "mech") {
         let source = Source::new(path.display().to_string(), std::fs::read_to_string(&path).unwrap());
         let (Some(first), Some(second)) = (compiled(&source), compiled(&source)) else { continue };
-        let (Ok(all), _) = assur::solve(first) else { continue };
+        let (Ok(all), _) = assur::pipeline::solve(first) else { continue };
         let answers = all.answers(Precision::READABLE);
         let mut rows = CsvLines::of(&second.scene());
         let (mut text, mut objects) = (rows.header(), Vec::new());
