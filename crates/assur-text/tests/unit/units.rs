@@ -1,5 +1,7 @@
-use super::table::SYMBOLS;
-use super::{Dimension, Kind, Unit, UnitError, lookup};
+//! Units as words, and their table.
+
+use assur_text::units::table::SYMBOLS;
+use assur_text::units::{Dimension, Kind, Unit, UnitError, lookup};
 use proptest::prelude::*;
 
 fn unit(word: &str) -> Unit {

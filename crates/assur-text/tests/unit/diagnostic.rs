@@ -1,5 +1,7 @@
-use super::{Problems, Style, did_you_mean, place, render};
-use crate::source::{Source, Span};
+//! The collection of problems and how they are shown.
+
+use assur_text::diagnostic::{Problems, Style, did_you_mean, place, render};
+use assur_text::source::{Source, Span};
 use miette::Diagnostic;
 use thiserror::Error;
 
