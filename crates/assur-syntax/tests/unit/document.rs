@@ -1,6 +1,8 @@
-use super::document::{Document, Expr, ExprKind, Statement};
-use super::{parse, parse_table, skeleton};
-use crate::source::Source;
+//! What texts are read as.
+
+use assur_syntax::document::{Document, Expr, ExprKind, Statement};
+use assur_syntax::{parse, parse_table, skeleton};
+use assur_text::source::Source;
 
 fn read(text: &str) -> Document {
     let source = Source::new("text.mech", text);
