@@ -1,6 +1,9 @@
-use super::*;
-use crate::group::testing::{Body, Random, close, rate, rate_of_direction, second_rate};
-use crate::group::{rpr, rrp, rrr};
+//! Newton's method on any group.
+
+use super::testing::{Body, Random, close, rate, rate_of_direction, second_rate};
+use assur_math::group::general::*;
+use assur_math::group::{rpr, rrp, rrr};
+use assur_math::math::Vec2;
 
 fn point(body: usize, x: f64, y: f64) -> Point {
     Point { body, r: Vec2::new(x, y) }

@@ -1,6 +1,6 @@
 //! What the tests of the groups share: random geometry, differences in time, brute-force linear solves.
 
-use crate::math::{Vec2, acceleration_at, velocity_at};
+use assur_math::math::{Vec2, acceleration_at, velocity_at};
 
 /// A small deterministic generator (SplitMix64).
 pub struct Random(u64);

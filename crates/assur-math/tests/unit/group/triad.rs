@@ -1,7 +1,9 @@
-use super::*;
-use crate::group::general::{Constraint, General, Line, Point, Pose, assemblies};
-use crate::group::testing::{Body, Random, close, equilibrium, rate, rate_of_direction, second_rate};
-use crate::math::Vec2;
+//! A link on three legs.
+
+use super::testing::{Body, Random, close, equilibrium, rate, rate_of_direction, second_rate};
+use assur_math::group::general::{Constraint, General, Line, Point, Pose, assemblies};
+use assur_math::group::triad::*;
+use assur_math::math::Vec2;
 
 /// A leg on a body in motion: on its origin, or on a line through it in a direction of its frame.
 struct Leg {
@@ -68,7 +70,7 @@ impl Scene {
         for (i, leg) in self.legs.iter().enumerate() {
             let pin = Point { body: 0, r: self.plate.arms[i] };
             poses.push(Pose { p: leg.body.origin(0.0), u: leg.body.direction(0.0) });
-            let law = |value| crate::group::general::Law { value, ..Default::default() };
+            let law = |value| assur_math::group::general::Law { value, ..Default::default() };
             constraints.push(match leg.kind {
                 Ok(length) => Constraint::Distance {
                     a: pin,
