@@ -4,7 +4,6 @@
 
 mod cams;
 mod friction;
-mod friction_all;
 mod gears;
 mod hard;
 mod lanes_avx2;

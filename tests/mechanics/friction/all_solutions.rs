@@ -2,71 +2,18 @@
 //! Euler of all links, every pattern of signs of the normal forces, hinge forces from many directions. What the program
 //! calls locked must have no solution; what it solves must be one of them, and the one reached from no friction.
 
+use super::pair_friction::{Kind, PairFriction, loaded, pair_frictions};
 use crate::support::draft::Draft;
-use crate::support::equilibrium::{Forces, Outside, equilibrium};
+use crate::support::equilibrium::{Forces, equilibrium};
 use crate::support::generate;
 use crate::support::random::Random;
 use crate::support::reference::Reference;
 use crate::support::run::Run;
-use assur::math::Vec2;
-use assur::model::{Expr, Friction, LinkId, Load, LoadKind, Mechanism, PairId, PairKind, Place, Value};
-use assur::source::Span;
+use assur::model::{Friction, Mechanism, PairKind};
 use nalgebra::{DMatrix, DVector};
 
-/// Velocities below the first are none; positions with one up to the second are left out.
-const STILL: [f64; 2] = [1e-12, 1e-6];
-
-/// Friction between two links of a pair.
-struct Rub {
-    pair: PairId,
-    on: LinkId,
-    from: LinkId,
-    kind: Kind,
-    factor: f64,
-    speed: f64,
-}
-
-#[derive(Clone, Copy)]
-enum Kind {
-    /// Torque about a hinge, by the magnitude of its force.
-    Hinge,
-    /// Force along a direction, by the force across it.
-    Along(Vec2),
-    /// The same by the forces at two ends.
-    Ends(Vec2, [f64; 2]),
-    /// Force along the tangent of a contact at a place.
-    Contact(Vec2, Vec2),
-}
-
-impl Rub {
-    /// −s ρ.
-    fn weight(&self) -> f64 {
-        if self.speed.abs() < STILL[0] { 0.0 } else { -self.speed.signum() * self.factor }
-    }
-
-    /// Numbers of which its law adds the magnitudes; of a hinge the two of a vector.
-    fn measures(&self, forces: &Forces) -> [f64; 2] {
-        let on = forces.reactions.iter().find(|r| r.pair == self.pair && r.link == self.on);
-        let (force, couple) = on.map_or((Vec2::zero(), f64::NAN), |r| (r.force, r.couple));
-        match self.kind {
-            Kind::Hinge => [force.x, force.y],
-            Kind::Along(d) | Kind::Contact(_, d) => [d.cross(force), 0.0],
-            Kind::Ends(d, [a, b]) => {
-                let normal = d.cross(force);
-                [(couple - normal * b) / (a - b), (normal * a - couple) / (a - b)]
-            }
-        }
-    }
-
-    fn determined(&self, forces: &Forces) -> bool {
-        let on = forces.reactions.iter().find(|r| r.pair == self.pair && r.link == self.on);
-        on.is_some_and(|r| r.determined.0 && (r.determined.1 || !matches!(self.kind, Kind::Ends(..))))
-    }
-
-    fn turns(&self) -> bool {
-        matches!(self.kind, Kind::Hinge)
-    }
-}
+/// Positions with a slower sliding velocity, other than none, are left out.
+const SLOWEST: f64 = 1e-6;
 
 /// Gives some pairs friction, of all kinds; few enough for all patterns to be tried.
 fn roughen(draft: &Draft, random: &mut Random, most: usize) -> Mechanism {
@@ -98,83 +45,15 @@ fn roughen(draft: &Draft, random: &mut Random, most: usize) -> Mechanism {
     m
 }
 
-/// Every pair that can rub, with the relative velocity from the reference.
-fn rubs(mechanism: &Mechanism, reference: &Reference) -> Vec<Rub> {
-    let mut all = Vec::new();
-    let omega = |l: LinkId| reference.rates[l.index()].omega;
-    let velocity = |link: LinkId, p: Vec2| {
-        let body = reference.bodies[link.index()].p;
-        body.rate() + (p - body.value()).perp() * omega(link)
-    };
-    let outside = Outside::new(mechanism, &reference.bodies, &reference.rates);
-    for (i, pair) in mechanism.pairs.iter().enumerate() {
-        let (id, Some(friction)) = (PairId::at(i), pair.friction) else { continue };
-        match (&pair.kind, friction) {
-            (PairKind::Revolute(pins), Friction::Circle(factor)) => {
-                let from = pins[0].link;
-                all.extend(pins[1..].iter().map(|pin| {
-                    let speed = omega(pin.link) - omega(from);
-                    Rub { pair: id, on: pin.link, from, kind: Kind::Hinge, factor, speed }
-                }));
-            }
-            (PairKind::Prismatic(g) | PairKind::Slot(g), friction) => {
-                let (slider, guide) =
-                    (&reference.bodies[g.slider.index()], &reference.bodies[g.guide.index()]);
-                let (p, d) = (slider.point(g.point).value(), guide.axis(g.along).value());
-                let speed = (velocity(g.slider, p) - velocity(g.guide, p)).dot(d);
-                let (kind, factor) = match (friction, g.contacts) {
-                    (Friction::BothEnds(f), Some(ends)) => (Kind::Ends(d, ends), f),
-                    (other, _) => (Kind::Along(d), other.coefficient()),
-                };
-                all.push(Rub { pair: id, on: g.slider, from: g.guide, kind, factor, speed });
-            }
-            (PairKind::Contact { first, second, .. }, Friction::Coefficient(factor)) => {
-                let Some((p, n)) = outside.touching[i] else { continue };
-                let (on, from, d) = (first.link, second.link, n.perp());
-                let speed = (velocity(on, p) - velocity(from, p)).dot(d);
-                all.push(Rub { pair: id, on, from, kind: Kind::Contact(p, d), factor, speed });
-            }
-            _ => {}
-        }
-    }
-    all
-}
-
-/// The mechanism with its friction as loads of these values.
-fn loaded(mechanism: &Mechanism, rubs: &[Rub], efforts: &[f64]) -> Mechanism {
-    let mut out = mechanism.clone();
-    let mut load = |kind| out.loads.push(Load { name: None, span: Span::default(), kind, when: None });
-    for (rub, &x) in rubs.iter().zip(efforts) {
-        match rub.kind {
-            Kind::Hinge => {
-                for (on, value) in [(rub.on, x), (rub.from, -x)] {
-                    load(LoadKind::Torque { on, value: Expr::number(value), against_motion: false });
-                }
-            }
-            Kind::Along(_) | Kind::Ends(..) => {
-                load(LoadKind::InPair { pair: rub.pair, value: Expr::number(x) })
-            }
-            Kind::Contact(p, tangent) => {
-                for (on, force) in [(rub.on, tangent * x), (rub.from, tangent * -x)] {
-                    let constant = |v| Expr::Constant(Value::Vector(v));
-                    let (at, value) = (Place::Ground(constant(p)), constant(force));
-                    load(LoadKind::Force { on, at, value, frame: None });
-                }
-            }
-        }
-    }
-    out
-}
-
 /// The laws x_i = w_i m_i(x), with the measures affine in x.
 struct Laws<'a> {
-    rubs: &'a [Rub],
+    rubs: &'a [PairFriction],
     /// Measures of each element from the loads, then from a unit of each.
     measures: Vec<Vec<[f64; 2]>>,
 }
 
 impl<'a> Laws<'a> {
-    fn new(mechanism: &Mechanism, reference: &Reference, rubs: &'a [Rub]) -> Option<Self> {
+    fn new(mechanism: &Mechanism, reference: &Reference, rubs: &'a [PairFriction]) -> Option<Self> {
         let n = rubs.len();
         let at = |x: &[f64]| -> Option<Vec<[f64; 2]>> {
             let forces = equilibrium(&loaded(mechanism, rubs, x), &reference.bodies, &reference.rates)?;
@@ -363,11 +242,10 @@ struct Tally {
 
 fn compare(seed: u64, draft: &Draft, mechanism: &Mechanism, tally: &mut Tally) -> Result<(), String> {
     let Some(reference) = Reference::new(mechanism, &draft.frames) else { return Ok(()) };
-    let rubs = rubs(mechanism, &reference);
+    let rubs = pair_frictions(mechanism, &reference);
     let fine = |f: &&Forces| !f.doubtful && f.condition > 1e-3;
     let Some(forces) = reference.forces.as_ref().filter(fine) else { return Ok(()) };
-    let doubtful = |r: &Rub| (STILL[0]..STILL[1]).contains(&r.speed.abs());
-    if rubs.is_empty() || rubs.iter().any(|r| doubtful(r) || !r.determined(forces)) {
+    if rubs.is_empty() || rubs.iter().any(|r| r.is_slower(SLOWEST) || !r.determined(forces)) {
         return Ok(());
     }
     let Some(laws) = Laws::new(mechanism, &reference, &rubs) else { return Ok(()) };
@@ -386,10 +264,10 @@ fn compare(seed: u64, draft: &Draft, mechanism: &Mechanism, tally: &mut Tally) -
     let found = view.rubbing();
     let mut x = vec![0.0; rubs.len()];
     for (x, rub) in x.iter_mut().zip(&rubs) {
-        let same = |r: &&assur::solve::Rubbing| {
-            r.pair == rub.pair && [r.on, r.from].contains(&rub.on) && [r.on, r.from].contains(&rub.from)
-        };
-        let r = found.iter().find(same).ok_or_else(|| format!("no friction in pair {}", rub.pair.index()))?;
+        let r = found
+            .iter()
+            .find(|r| rub.is_of(r))
+            .ok_or_else(|| format!("no friction in pair {}", rub.pair.index()))?;
         *x = r.effort * r.speed.signum() * rub.speed.signum();
     }
     let residual = laws.residual(&x);

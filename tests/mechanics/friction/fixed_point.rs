@@ -1,119 +1,24 @@
 //! Friction against independent paths: random mechanisms by a damped fixed point on the equations of Newton and Euler of
 //! all links, the crank-slider by its closed form.
 
+use super::pair_friction::{Kind, PairFriction, loaded, pair_frictions};
 use crate::support::draft::Draft;
-use crate::support::equilibrium::{Forces, Outside, equilibrium};
+use crate::support::equilibrium::{Forces, equilibrium};
 use crate::support::generate;
 use crate::support::reference::Reference;
 use crate::support::run::Run;
 use assur::check::Overrides;
 use assur::math::Vec2;
-use assur::model::{Expr, Friction, LinkId, Load, LoadKind, Mechanism, PairId, PairKind, Place, Value};
+use assur::model::{Friction, Mechanism, PairKind};
 use assur::plan::ForceStep;
 use assur::solve::Scene;
-use assur::source::{Source, Span};
+use assur::source::Source;
 
-/// Velocities below the first are none; positions with one up to the second are left out.
-const STILL: [f64; 2] = [1e-12, 1e-7];
+/// Positions with a slower sliding velocity, other than none, are left out.
+const SLOWEST: f64 = 1e-7;
 
-/// Friction between two links of a pair.
-#[derive(Debug)]
-struct Rub {
-    pair: PairId,
-    on: LinkId,
-    from: LinkId,
-    turns: bool,
-    factor: f64,
-    speed: f64,
-    /// Where the profiles of a contact touch, and the tangent along which it slides.
-    touch: Option<(Vec2, Vec2)>,
-}
-
-impl Rub {
-    /// Sense of the relative motion: ±1, or 0 where there is none.
-    fn sense(&self) -> f64 {
-        if self.speed.abs() < STILL[0] { 0.0 } else { self.speed.signum() }
-    }
-}
-
-/// Every pair that can rub, with the relative velocity from the reference.
-fn rubs(mechanism: &Mechanism, reference: &Reference) -> Vec<Rub> {
-    let mut all = Vec::new();
-    let omega = |l: LinkId| reference.rates[l.index()].omega;
-    let velocity = |link: LinkId, p: Vec2| {
-        let body = reference.bodies[link.index()].p;
-        body.rate() + (p - body.value()).perp() * omega(link)
-    };
-    let outside = Outside::new(mechanism, &reference.bodies, &reference.rates);
-    for (i, pair) in mechanism.pairs.iter().enumerate() {
-        let pair_id = PairId::at(i);
-        match (&pair.kind, pair.friction) {
-            (PairKind::Revolute(pins), Some(Friction::Circle(factor))) => {
-                let from = pins[0].link;
-                all.extend(pins[1..].iter().map(|pin| {
-                    let speed = omega(pin.link) - omega(from);
-                    Rub { pair: pair_id, on: pin.link, from, turns: true, factor, speed, touch: None }
-                }));
-            }
-            (PairKind::Prismatic(g) | PairKind::Slot(g), Some(Friction::Coefficient(factor))) => {
-                let (slider, guide) =
-                    (&reference.bodies[g.slider.index()], &reference.bodies[g.guide.index()]);
-                let p = slider.point(g.point).value();
-                let along = guide.axis(g.along).value();
-                let speed = (velocity(g.slider, p) - velocity(g.guide, p)).dot(along);
-                all.push(Rub {
-                    pair: pair_id,
-                    on: g.slider,
-                    from: g.guide,
-                    turns: false,
-                    factor,
-                    speed,
-                    touch: None,
-                });
-            }
-            (PairKind::Contact { first, second, .. }, Some(Friction::Coefficient(factor))) => {
-                let Some((p, n)) = outside.touching[i] else { continue };
-                let (on, from, touch) = (first.link, second.link, Some((p, n.perp())));
-                let speed = (velocity(on, p) - velocity(from, p)).dot(n.perp());
-                all.push(Rub { pair: pair_id, on, from, turns: false, factor, speed, touch });
-            }
-            _ => {}
-        }
-    }
-    all
-}
-
-fn load(kind: LoadKind) -> Load {
-    Load { name: None, span: Span::default(), kind, when: None }
-}
-
-/// The mechanism with its friction as loads of these values.
-fn loaded(mechanism: &Mechanism, rubs: &[Rub], efforts: &[f64]) -> Mechanism {
-    let mut out = mechanism.clone();
-    for (rub, &x) in rubs.iter().zip(efforts) {
-        if let Some((p, tangent)) = rub.touch {
-            for (on, force) in [(rub.on, tangent * x), (rub.from, tangent * -x)] {
-                let constant = |v| Expr::Constant(Value::Vector(v));
-                let (at, value) = (Place::Ground(constant(p)), constant(force));
-                out.loads.push(load(LoadKind::Force { on, at, value, frame: None }));
-            }
-        } else if rub.turns {
-            for (on, value) in [(rub.on, x), (rub.from, -x)] {
-                out.loads.push(load(LoadKind::Torque {
-                    on,
-                    value: Expr::number(value),
-                    against_motion: false,
-                }));
-            }
-        } else {
-            out.loads.push(load(LoadKind::InPair { pair: rub.pair, value: Expr::number(x) }));
-        }
-    }
-    out
-}
-
-fn laws(rubs: &[Rub], forces: &Forces) -> Vec<f64> {
-    let force = |rub: &Rub| {
+fn laws(rubs: &[PairFriction], forces: &Forces) -> Vec<f64> {
+    let force = |rub: &PairFriction| {
         let on = forces.reactions.iter().find(|r| r.pair == rub.pair && r.link == rub.on);
         on.map_or(f64::NAN, |r| r.force.norm())
     };
@@ -121,7 +26,11 @@ fn laws(rubs: &[Rub], forces: &Forces) -> Vec<f64> {
 }
 
 /// Friction and forces by a damped fixed point from none; `None` where it does not settle.
-fn fixed_point(mechanism: &Mechanism, reference: &Reference, rubs: &[Rub]) -> Option<(Vec<f64>, Forces)> {
+fn fixed_point(
+    mechanism: &Mechanism,
+    reference: &Reference,
+    rubs: &[PairFriction],
+) -> Option<(Vec<f64>, Forces)> {
     let mut x = vec![0.0; rubs.len()];
     for _ in 0..400 {
         let forces = equilibrium(&loaded(mechanism, rubs, &x), &reference.bodies, &reference.rates)?;
@@ -165,13 +74,12 @@ fn random_mechanisms_agree_with_a_fixed_point_on_all_equations() {
         let mechanism = rubbing(&draft, |i| 0.01 + 0.01 * (i % 5) as f64);
         let Some(reference) = Reference::new(&mechanism, &draft.frames) else { continue };
         let fine = |f: &Forces| !f.doubtful && f.condition > 1e-3;
-        let rubs = rubs(&mechanism, &reference);
+        let rubs = pair_frictions(&mechanism, &reference);
         let Some(forces) = reference.forces.as_ref().filter(|f| fine(f)) else { continue };
         let determined = rubs.iter().all(|rub| {
             forces.reactions.iter().any(|r| r.pair == rub.pair && r.link == rub.on && r.determined.0)
         });
-        let doubtful = |r: &Rub| (STILL[0]..STILL[1]).contains(&r.speed.abs());
-        if !determined || rubs.iter().any(doubtful) {
+        if !determined || rubs.iter().any(|r| r.is_slower(SLOWEST)) {
             continue;
         }
         let Some((x, forces)) = fixed_point(&mechanism, &reference, &rubs) else { continue };
@@ -184,15 +92,12 @@ fn random_mechanisms_agree_with_a_fixed_point_on_all_equations() {
         };
         let Ok(view) = run.view(0) else { continue };
         compared += 1;
-        contacts += rubs.iter().filter(|r| r.touch.is_some()).count();
+        contacts += rubs.iter().filter(|r| matches!(r.kind, Kind::Contact(..))).count();
         slots += rubs.iter().filter(|r| matches!(mechanism.pair(r.pair).kind, PairKind::Slot(_))).count();
         let found = view.rubbing();
         let scale = forces.most.0;
         for (rub, x) in rubs.iter().zip(&x) {
-            let same = |r: &&assur::solve::Rubbing| {
-                r.pair == rub.pair && [r.on, r.from].contains(&rub.on) && [r.on, r.from].contains(&rub.from)
-            };
-            let Some(r) = found.iter().find(same) else {
+            let Some(r) = found.iter().find(|r| rub.is_of(r)) else {
                 let links = mechanism.pair(rub.pair).kind.links();
                 let there: Vec<_> =
                     found.iter().filter(|r| r.pair == rub.pair).map(|r| (r.from, r.on)).collect();
