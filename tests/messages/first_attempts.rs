@@ -1,8 +1,8 @@
 //! What people wrote at the first attempt and that is read as they meant it, or answered with one message.
 
+use crate::case::text;
 use assur::check::Overrides;
 use assur::source::Source;
-use std::path::Path;
 
 /// A file below `tests/cases`, the one code reported, and words of its help.
 const CASES: &[(&str, Option<&str>, &[&str])] = &[
@@ -39,9 +39,7 @@ const CASES: &[(&str, Option<&str>, &[&str])] = &[
 #[test]
 fn one_message_or_none() {
     for (case, code, words) in CASES {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases").join(format!("{case}.mech"));
-        let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{case}: {e}"));
-        let source = Source::new("case.mech", text);
+        let source = Source::new("case.mech", text(case));
         let found = assur::test_source(&source, &Overrides::none()).1.views(&source);
         let codes: Vec<&str> = found.iter().filter_map(|d| d.code.as_deref()).collect();
         assert_eq!(codes, code.iter().copied().collect::<Vec<_>>(), "{case}: {found:#?}");

@@ -1,5 +1,6 @@
 //! What a help offers to paste does what it says.
 
+use crate::paste::{pasted, read};
 use assur::check::Overrides;
 use assur::diagnostic::DiagnosticView;
 use assur::source::Source;
@@ -131,4 +132,32 @@ fn a_listed_assembly() {
             assert!(chosen.iter().enumerate().all(|(k, c)| *c == (k == i)), "{line}: {chosen:?}");
         }
     }
+}
+
+/// The wrong files of a stage's codes.
+fn wrong_files(stage: &str) -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors").join(stage);
+    let folders = std::fs::read_dir(root).expect("a folder").flatten();
+    let files = folders.flat_map(|f| std::fs::read_dir(f.path()).into_iter().flatten().flatten());
+    files.map(|f| f.path()).filter(|p| p.extension().is_some_and(|e| e == "mech")).collect()
+}
+
+/// In the files of all codes of reading, a fix removes its own message and adds no other.
+#[test]
+fn every_fix_of_reading_fixes() {
+    let mut count = 0;
+    for path in wrong_files("syntax") {
+        let text = std::fs::read_to_string(&path).expect("a text");
+        let found = read(&text);
+        for problem in &found {
+            for new in pasted(&text, problem) {
+                let left = read(&new);
+                let same = |d: &DiagnosticView| d.spans == problem.spans && d.help == problem.help;
+                assert!(!left.iter().any(same), "{}: {:?}", path.display(), problem.help);
+                assert!(left.len() <= found.len(), "{}: {new}\n{left:#?}", path.display());
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 50, "{count}");
 }

@@ -1,4 +1,4 @@
-//! Programs that somebody has spoilt: whatever a file says, it is read, checked, split, planned, solved and reported
+//! Mutated programs: whatever a file says, it is read, checked, split, planned, solved and reported
 //! without a panic, and in bounded time.
 
 use assur::check::Overrides;
@@ -15,7 +15,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 const NUMBERS: [&str; 12] =
     ["0", "-1", "1e308", "1e-308", "1e999", "-1e308", "NaN", "inf", "1e15", "0.0000001", "3..", "−0"];
 
-/// Texts to be spoilt: the examples and the programs of the language's page, and among the wrong files those of the late
+/// Texts to be mutated: the examples and the programs of the language's page, and among the wrong files those of the late
 /// stages, which are one step from right.
 static TEXTS: LazyLock<Vec<String>> = LazyLock::new(|| {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -70,7 +70,7 @@ fn through(text: &str) {
     }
 }
 
-/// One way to spoil a text; places are given as parts of its length.
+/// A mutation of a text; places are given as parts of its length.
 #[derive(Clone, Debug)]
 enum Slip {
     Cut { at: f64, length: usize },
@@ -100,7 +100,7 @@ fn index(part: f64, length: usize) -> usize {
     ((part * length as f64) as usize).min(length.saturating_sub(1))
 }
 
-fn spoil(text: &str, slip: &Slip) -> String {
+fn mutate(text: &str, slip: &Slip) -> String {
     let place = |part: f64| text.floor_char_boundary(index(part, text.len() + 1));
     match *slip {
         Slip::Cut { at, length } => {
@@ -167,11 +167,11 @@ proptest! {
     #![proptest_config(ProptestConfig { max_shrink_iters: 0, ..ProptestConfig::with_cases(cases()) })]
 
     #[test]
-    fn spoilt_programs(which in 0.0..1.0_f64, slips in prop::collection::vec(slip(), 1..4)) {
+    fn mutated_programs(which in 0.0..1.0_f64, slips in prop::collection::vec(slip(), 1..4)) {
         let mut text = TEXTS[index(which, TEXTS.len())].clone();
         for slip in &slips {
             if !text.is_empty() {
-                text = spoil(&text, slip);
+                text = mutate(&text, slip);
             }
         }
         through(&text);
