@@ -1,6 +1,6 @@
-//! Every folder uses only those that ARCHITECTURE.md lets it use.
+//! Every folder uses only those that ARCHITECTURE.md lets it use, and every test is named there.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A row of the table.
 #[derive(Debug)]
@@ -13,8 +13,12 @@ struct Row {
     uses: Vec<String>,
 }
 
+fn page() -> String {
+    std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md")
+}
+
 fn table() -> Vec<Row> {
-    let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
+    let text = page();
     let mut rows: Vec<Row> = Vec::new();
     for line in text.lines().filter(|l| l.starts_with("| `") && l.contains("src")) {
         let cells: Vec<&str> = line.split('|').map(str::trim).collect();
@@ -57,4 +61,38 @@ fn every_folder_uses_only_those_before_it() {
     }
     wrong.dedup();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The paths in the first column of the table of tests.
+fn tests_named() -> Vec<String> {
+    let text = page();
+    let (_, tests) = text.split_once("\n## Tests\n").expect("a heading");
+    let first = |line: &str| line.strip_prefix("| `")?.split(" | ").next().map(str::to_owned);
+    let cells = tests.lines().filter_map(first).collect::<Vec<_>>();
+    cells.iter().flat_map(|cell| cell.split(", ")).map(|path| path.trim_matches('`').to_owned()).collect()
+}
+
+/// `tests/mechanics/friction` of `tests/mechanics/friction/fixed_point.rs`, `tests/mechanics` of its `main.rs`.
+fn module_of(file: &Path) -> String {
+    let path = file.strip_prefix(root()).expect("below the root").with_extension("");
+    let parts = path.iter().map(|part| part.to_string_lossy()).take(3);
+    parts.filter(|part| part != "main" && part != "mod").collect::<Vec<_>>().join("/")
+}
+
+#[test]
+fn every_test_is_named() {
+    let named = tests_named();
+    assert!(named.len() > 40, "the table is read: {named:?}");
+    let files = crate::folder::files(&root().join("tests"), "rs");
+    let mut wrong =
+        files.iter().map(|file| module_of(file)).filter(|m| !named.contains(m)).collect::<Vec<_>>();
+    wrong.dedup();
+    assert!(wrong.is_empty(), "not in the table: {wrong:?}");
+    let is_there = |path: &String| root().join(path).exists() || root().join(format!("{path}.rs")).exists();
+    let gone = named.iter().filter(|path| !is_there(path)).collect::<Vec<_>>();
+    assert!(gone.is_empty(), "in the table alone: {gone:?}");
+    for krate in std::fs::read_dir(root().join("crates")).expect("crates").flatten() {
+        let unit = format!("crates/{}/tests/unit", krate.file_name().to_string_lossy());
+        assert!(named.contains(&unit) || !root().join(&unit).exists(), "not in the table: {unit}");
+    }
 }
