@@ -239,7 +239,23 @@ fn explanations() {
     assert_eq!(assur(&folder, &["explain"]).status, 2);
 }
 
-/// Times are not held to anything: they are left out, and with them the widths of their columns.
+/// The lines with single blanks; in a row with an error and its digits the time before them is left out.
+fn plain_rows(tables: &str) -> String {
+    let line = |line: &str| {
+        let mut words: Vec<&str> = line.split_whitespace().collect();
+        words.iter_mut().filter(|w| w.starts_with('─')).for_each(|w| *w = "─");
+        if let [.., time, error, digits] = &mut words[..]
+            && error.contains("e-")
+            && [&**time, error, digits].iter().all(|word| word.parse::<f64>().is_ok())
+        {
+            *time = "µs";
+        }
+        format!("{}{}\n", if line.starts_with(' ') { " " } else { "" }, words.join(" "))
+    };
+    tables.lines().map(line).collect()
+}
+
+/// Times decide nothing: they are left out, and with them the widths of their columns.
 #[test]
 fn accuracy_is_measured() {
     let folder = Folder::new("accuracy").with("a.mech", GOOD);
@@ -250,10 +266,7 @@ fn accuracy_is_measured() {
     let sets = ["no AVX2", "Neon", "AVX2", "AVX-512"];
     let tables =
         sets.iter().fold(tables.to_owned(), |text, set| text.replace(&format!(" with {set}."), " with …."));
-    insta::with_settings!({ filters => vec![
-        (r"[\d.]+( +~? ?\d+e-?\d+ +[\d.]+)\n", "µs$1\n"), (r" +", " "), (r"─+", "─"),
-    ] }, {
-        insta::assert_snapshot!(tables, @r"
+    insta::assert_snapshot!(plain_rows(&tables), @r"
         Crank-slider (a.mech)
 
         Measured
@@ -275,7 +288,6 @@ fn accuracy_is_measured() {
          - triads: none in this problem
          - samples: nothing is taken over the cycle
         ");
-    });
     let svg = folder.read("a.svg");
     assert!(svg.starts_with("<svg") && svg.contains("time, µs") && svg.contains(">double-double<"), "{svg}");
     let out = assur(&folder, &["accuracy", "a.mech", "--format", "json", "--set", "r=120mm"]);
