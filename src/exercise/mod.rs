@@ -1,6 +1,7 @@
 //! The answer key: what a file expects of its own answers.
 
-mod compare;
+#[doc(hidden)]
+pub mod compare;
 mod error;
 mod expect;
 mod for_row;
