@@ -4,7 +4,7 @@ use super::choices::{ambiguous, not_met, point_of};
 use super::error::SolveError;
 use super::gap::gap_text;
 use super::general::{STARTS, Workspace, is_never_regular};
-use super::solution::Scene;
+use super::scene::Scene;
 use super::state::{BodyState, Branch, State};
 use super::view::View;
 use super::words::{labels, links};

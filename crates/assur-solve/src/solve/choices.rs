@@ -2,7 +2,7 @@
 
 use super::assemble::{SAME, bare_view};
 use super::error::{SolveError, label};
-use super::solution::Scene;
+use super::scene::Scene;
 use super::state::State;
 use super::words::{labels, length, short};
 use crate::math::Vec2;

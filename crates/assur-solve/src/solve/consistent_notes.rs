@@ -4,7 +4,7 @@ use super::consistent::{Consistent, Searched};
 use super::consistent_error::ConsistentError;
 use super::error::{SolveError, label};
 use super::positions::Wanted;
-use super::solution::Scene;
+use super::scene::Scene;
 use super::words::place;
 use crate::model::PairId;
 use miette::LabeledSpan;

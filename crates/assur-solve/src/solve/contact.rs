@@ -1,28 +1,11 @@
 //! Where two profiles touch, and along which normal.
 
 use super::state::{BodyState, State};
-use super::view::View;
 use crate::math::Vec2;
-use crate::model::{PairId, PairKind, ProfileShape};
+use crate::model::ProfileShape;
 
 /// A profile on the body of this slot.
 type Side = (usize, ProfileShape);
-
-/// Place of the contact and the unit common normal into the first link. For a slot the normal is the line's left one.
-pub(super) fn normal(view: &View<'_>, pair: PairId) -> Option<(Vec2, Vec2)> {
-    match &view.mechanism.pair(pair).kind {
-        PairKind::Slot(g) => {
-            let p = view.body(g.slider).position(g.point);
-            Some((p, view.along(g).perp()))
-        }
-        PairKind::Contact { first, second, internal } => view.state.touch(
-            (first.link.index(), first.shape),
-            (second.link.index(), second.shape),
-            *internal,
-        ),
-        _ => None,
-    }
-}
 
 /// A profile in ground axes: a round one by centre and radius, a straight one by a point and direction.
 enum Seen {

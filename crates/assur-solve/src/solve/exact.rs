@@ -2,7 +2,8 @@
 
 use super::precise::precise;
 use super::reference::reference;
-use super::solution::{Scene, Solution, Solved};
+use super::scene::Scene;
+use super::solution::{Solution, Solved};
 use super::state::{BodyState, Reaction, State};
 use crate::math::{Double, V2};
 use crate::model::{LoadId, Value};

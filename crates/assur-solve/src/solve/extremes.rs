@@ -2,7 +2,7 @@
 
 use super::cycle::{CycleAnswer, FlywheelAnswer};
 use super::error::{SolveError, label};
-use super::solution::Scene;
+use super::scene::Scene;
 use super::turn::{Failure, Turn};
 use super::words::four;
 use crate::model::{Expr, Mechanism, PairId, Positions, Query};

@@ -2,7 +2,7 @@
 
 use super::error::{SolveError, label};
 use super::extremes::every_query;
-use super::solution::Scene;
+use super::scene::Scene;
 use crate::model::{LinkId, PairId, PairKind, PointRef, Query};
 
 /// Angles, rates and points of rollers that hang on a rotation which is set aside.

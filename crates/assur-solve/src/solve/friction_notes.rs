@@ -93,8 +93,7 @@ fn and_more(count: usize) -> String {
 }
 
 fn locked(view: &View<'_>, place: &str) -> FrictionError {
-    let scene =
-        super::solution::Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
+    let scene = super::scene::Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
     let mechanism = view.mechanism;
     let ideal = view.without_friction().power_of_efforts();
     let position = Locked { scene: &scene, state: view.state, ideal };

@@ -1,6 +1,6 @@
 //! By how much a group does not close, in words.
 
-use super::solution::Scene;
+use super::scene::Scene;
 use super::state::State;
 use super::words::{body, hinge, length};
 use crate::group::triad::{Miss, gap};

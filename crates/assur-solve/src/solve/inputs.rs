@@ -2,7 +2,8 @@
 
 use super::extremes::Statics;
 use super::positions::constant;
-use super::solution::{DriveValue, Scene};
+use super::scene::Scene;
+use super::solution::DriveValue;
 use super::state::DriveInput;
 use crate::math::Vec2;
 use crate::model::{Drive, Value};

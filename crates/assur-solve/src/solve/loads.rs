@@ -1,11 +1,10 @@
 //! Adds up the loads on the bodies before forces are solved.
 
-use super::solution::Scene;
+use super::scene::Scene;
 use super::state::{BodyState, State, Wrench};
-use super::view::View;
 use crate::force::spring::spring;
 use crate::math::{Scalar, V2, Vec2};
-use crate::model::{LoadId, LoadKind, Query, Value};
+use crate::model::{LoadId, LoadKind, Value};
 use crate::plan::step::unit;
 use crate::plan::{Arm, LoadStep, Plan};
 use crate::structure::JointKind;
@@ -88,7 +87,7 @@ impl<S: Scalar> State<S> {
 
 impl State {
     /// Sums all loads in `wrenches`: those that are numbers, then the values of those that are evaluated at every position,
-    /// as [`View::evaluated_loads`] lists them. Allocates nothing.
+    /// in the order of the plan. Allocates nothing.
     pub fn run_loads(&mut self, scene: &Scene<'_>, evaluated: &[(LoadId, Value)]) {
         self.known_loads(scene.plan);
         for (load, value) in evaluated {
@@ -176,17 +175,5 @@ fn constant_vector(expr: &crate::model::Expr) -> Vec2 {
     match expr {
         crate::model::Expr::Constant(Value::Vector(v)) => *v,
         _ => Vec2::new(f64::NAN, f64::NAN),
-    }
-}
-
-impl View<'_> {
-    /// Values of the loads that are evaluated at every position, in the order of the plan.
-    pub fn evaluated_loads(&self, out: &mut Vec<(LoadId, Value)>) {
-        out.clear();
-        for step in &self.plan.loads {
-            if let LoadStep::Evaluated(id) = step {
-                out.push((*id, self.query(&Query::Load(*id))));
-            }
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Where friction would let go: the part of it at which a locked position begins to move.
 
-use super::solution::Scene;
+use super::scene::Scene;
 use super::state::State;
 use super::view::View;
 use crate::model::PairId;

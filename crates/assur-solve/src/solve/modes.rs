@@ -7,7 +7,7 @@ use super::extremes::statics;
 use super::inputs::Rates;
 use super::positions::Sweep;
 use super::refused;
-use super::solution::Scene;
+use super::scene::Scene;
 use super::state::State;
 use super::words::place;
 use crate::structure::GroupKind;

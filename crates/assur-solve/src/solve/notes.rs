@@ -3,7 +3,8 @@
 use super::consistent_notes::ConsistentNotes;
 use super::error::{SolveError, label};
 use super::positions::{Wanted, turns};
-use super::solution::{DriveValue, Scene};
+use super::scene::Scene;
+use super::solution::DriveValue;
 use super::state::State;
 use super::sweep::Closing;
 use super::track::Switch;

@@ -5,7 +5,7 @@ use miette::LabeledSpan;
 
 use super::error::{SolveError, label};
 use super::extremes::every_query;
-use super::solution::Scene;
+use super::scene::Scene;
 use super::train_error::TrainError;
 use crate::model::{
     Bearing, Drive, FindKind, Friction, LinkId, LoadKind, PairId, PairKind, PointRef, Positions, Query,

@@ -4,9 +4,12 @@ use super::error::SolveError;
 use super::exact::exact;
 use super::extremes::Statics;
 use super::notes;
+use super::out_of_scale::out_of_scale;
 use super::positions::Wanted;
-use super::residual::{out_of_scale, residuals};
-use super::solution::{Residuals, Scene, Solved};
+use super::residual::{Residuals, residuals};
+use super::scene::Scene;
+
+use super::solution::Solved;
 use super::state::State;
 use super::sweep::Run;
 use super::track::Tracker;

@@ -1,7 +1,8 @@
 //! Which positions are asked for: sweeps, named poses, and those an `expect … at` adds.
 
 use super::extremes::Statics;
-use super::solution::{DriveValue, PoseOrigin, Scene};
+use super::scene::Scene;
+use super::solution::{DriveValue, PoseOrigin};
 use super::state::State;
 use super::view::View;
 use crate::model::{At, Drive, DriveId, DriveTarget, Expr, Positions, Value};

@@ -1,13 +1,21 @@
 //! How well a solved position satisfies equations that its closed forms did not use: every joint closes, every body is
 //! in equilibrium, the powers add up to nothing.
 
-use super::error::{SolveError, label};
-use super::positions::Wanted;
-use super::solution::{Residuals, Scene};
+use super::scene::Scene;
 use super::state::{State, Wrench};
-use super::words::place;
 use crate::math::Vec2;
 use crate::structure::{BodyId, EffortKind, JointKind};
+
+/// How well independent equations hold, relative to the quantities in play.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Residuals {
+    /// Worst mismatch of a pair's points and directions over the mechanism's size.
+    pub closure: f64,
+    /// Worst equilibrium of a body over the greatest force (or moment) in play; `None` without forces.
+    pub equilibrium: Option<f64>,
+    /// Sum of the powers over the greatest force times the greatest velocity; `None` without forces or velocities.
+    pub power: Option<f64>,
+}
 
 /// Residuals of a position. Forces are checked where the plan solves them and they exist, powers where it follows
 /// velocities.
@@ -21,21 +29,6 @@ pub fn residuals(scene: &Scene<'_>, state: &State) -> Residuals {
         equilibrium: forces.then(|| equilibrium(scene, state)),
         power: (forces && velocities).then(|| power(scene, state)),
     }
-}
-
-/// Pairs that miss each other by more than this share of the mechanism's size do not meet: even a dead position leaves
-/// the root of the unit roundoff.
-const MEETS: f64 = 1e-6;
-
-/// Numbers so far apart that the small ones are lost beside the great: the pairs do not meet, or a residual is no number.
-pub(super) fn out_of_scale(scene: &Scene<'_>, residuals: &Residuals, pose: &Wanted) -> Option<SolveError> {
-    let numbers = [residuals.equilibrium, residuals.power].into_iter().flatten().all(|x| !x.is_nan());
-    if residuals.closure <= MEETS && numbers {
-        return None;
-    }
-    let what = if residuals.closure <= MEETS { "the balance of forces" } else { "the position of the links" };
-    let labels = scene.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
-    Some(SolveError::NotFinite { pose: place(scene, pose), what: what.to_owned(), labels })
 }
 
 /// Greatest distance between what a joint joins, over the extent of the mechanism.

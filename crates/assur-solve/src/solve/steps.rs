@@ -1,7 +1,8 @@
 //! The way between drive values, divided into steps that a motion can be followed by.
 
 use super::positions::turns;
-use super::solution::{DriveValue, Scene};
+use super::scene::Scene;
+use super::solution::DriveValue;
 use crate::math::Vec2;
 use crate::model::Drive;
 use crate::structure::JointKind;

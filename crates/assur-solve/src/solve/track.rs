@@ -7,7 +7,8 @@
 //! of the root stays.
 
 use super::inputs::Rates;
-use super::solution::{DriveValue, Scene};
+use super::scene::Scene;
+use super::solution::DriveValue;
 use super::state::State;
 use super::steps::{MOST_STEPS, between, extent, length, steps, ways};
 use crate::math::Vec2;

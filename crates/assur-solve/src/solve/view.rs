@@ -1,7 +1,7 @@
 //! Answers questions about one position: from the state of the bodies to the results of the language.
 
 use super::extremes::Statics;
-use super::solution::Scene;
+use super::scene::Scene;
 use super::state::State;
 use crate::math::Vec2;
 use crate::model::{LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
@@ -269,7 +269,7 @@ impl View<'_> {
     /// Place of a contact and the common normal into the first link.
     #[must_use]
     pub fn contact_normal(&self, pair: PairId) -> Option<(Vec2, Vec2)> {
-        super::contact::normal(self, pair)
+        super::contact_normal::normal(self, pair)
     }
 
     /// Forces at the two contact points of a prismatic pair along the left normal, on the sliding link.

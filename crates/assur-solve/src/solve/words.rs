@@ -3,7 +3,8 @@
 use miette::LabeledSpan;
 
 use super::positions::{Wanted, turns};
-use super::solution::{DriveValue, PoseOrigin, Scene};
+use super::scene::Scene;
+use super::solution::{DriveValue, PoseOrigin};
 use crate::model::{LinkId, PairKind};
 use crate::structure::{BodyId, BodyOrigin, Dyad, Group, GroupKind, Joint, JointKind};
 use crate::units::Dimension;

@@ -1,6 +1,6 @@
 //! Plans between the empty one and the whole.
 
-use super::super::solution::Scene;
+use super::super::scene::Scene;
 use crate::plan::{ForceStep, Level, LoadStep, Plan};
 
 /// A plan to be timed, and what is done beside it.

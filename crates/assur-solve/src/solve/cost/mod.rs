@@ -12,7 +12,7 @@ use super::extremes::{Statics, statics};
 use super::inputs::Rates;
 use super::pose::balanced;
 use super::residual::residuals;
-use super::solution::Scene;
+use super::scene::Scene;
 use super::state::State;
 use super::sweep::can_be_solved;
 use super::view::View;

@@ -5,7 +5,8 @@ use super::super::error::SolveError;
 use super::super::extremes::Statics;
 use super::super::inputs::Rates;
 use super::super::positions::{Sweep, turns};
-use super::super::solution::{DriveValue, Scene};
+use super::super::scene::Scene;
+use super::super::solution::DriveValue;
 use super::super::state::State;
 use super::super::track::Tracker;
 

@@ -1,6 +1,6 @@
 //! What is found over the sweep.
 
-use super::super::solution::Scene;
+use super::super::scene::Scene;
 use super::super::words::{four, short};
 use super::way::Way;
 use crate::math::chebyshev::Series;

@@ -10,7 +10,7 @@
 use super::super::error::{SolveError, label};
 use super::super::extremes::Statics;
 use super::super::positions::{constant, turns};
-use super::super::solution::Scene;
+use super::super::scene::Scene;
 use super::super::state::BodyState;
 use super::super::words::{four, short, with_unit};
 use super::answer::{FlywheelAnswer, Undefined};

@@ -19,7 +19,7 @@ pub(super) use sampler::loads_name_quantities;
 use super::error::SolveError;
 use super::extremes::Statics;
 use super::positions::Sweep;
-use super::solution::Scene;
+use super::scene::Scene;
 use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
 use crate::plan::needs_forces;
 use answer::Undefined;

@@ -3,7 +3,7 @@
 //! function.
 
 use super::super::extremes::Statics;
-use super::super::solution::Scene;
+use super::super::scene::Scene;
 use super::answer::Undefined;
 use super::sampler::Sampler;
 use crate::math::{Vec2, root_within};

@@ -3,7 +3,8 @@
 use super::super::error::{SolveError, label};
 use super::super::extremes::Statics;
 use super::super::positions::{Sweep, turns};
-use super::super::solution::{DriveValue, Scene};
+use super::super::scene::Scene;
+use super::super::solution::DriveValue;
 use super::super::steps::{between, extent, ways};
 use crate::model::Positions;
 use std::f64::consts::TAU;

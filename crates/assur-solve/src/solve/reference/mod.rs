@@ -20,7 +20,8 @@ mod loads;
 mod motion;
 mod unknowns;
 
-use super::solution::{Scene, Solution, Solved};
+use super::scene::Scene;
+use super::solution::{Solution, Solved};
 use super::state::{BodyState, Reaction, State, Wrench};
 use crate::math::Double;
 use crate::model::{LoadId, Value};

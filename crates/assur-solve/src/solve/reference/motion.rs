@@ -4,7 +4,7 @@ use super::constraint::{Constraint, constraints};
 use super::jet::Jet;
 use crate::math::{Double, Factors, Scalar, V2, Vec2};
 use crate::plan::Level;
-use crate::solve::solution::Scene;
+use crate::solve::scene::Scene;
 use crate::solve::state::{BodyState, State};
 use crate::structure::JointKind;
 
