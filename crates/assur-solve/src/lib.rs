@@ -2,6 +2,7 @@
 
 pub mod accuracy;
 pub mod plan;
+pub mod position;
 pub mod solve;
 
 use assur_math::{element, force, group, math};

@@ -5,13 +5,12 @@ use super::extremes::Statics;
 use super::inputs::Rates;
 use super::pose::balanced;
 use super::reference::{Reference, reference};
-use super::scene::Scene;
 use super::solution::{Pose, PoseOrigin, Solution, Solved};
-use super::state::{BodyState, Branch, DriveInput, State};
 use super::steps::step_before;
 use super::track::Tracker;
 use crate::model::{LoadId, Value};
 use crate::plan::{Level, LoadStep, Plan};
+use crate::position::{BodyState, Branch, DriveInput, Scene, State};
 
 /// Where a position is come from, and what it is asked for.
 #[derive(Clone, Debug)]

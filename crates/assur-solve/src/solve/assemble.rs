@@ -3,14 +3,12 @@
 use super::choices::{ambiguous, not_met, point_of};
 use super::error::SolveError;
 use super::gap::gap_text;
-use super::general::{STARTS, Workspace, is_never_regular};
-use super::scene::Scene;
-use super::state::{BodyState, Branch, State};
 use super::view::View;
 use super::words::{labels, links};
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
+use crate::position::{BodyState, Branch, STARTS, Scene, State, Workspace, is_never_regular};
 
 /// More assemblies than this are not followed: without a word on the first groups their number doubles with each.
 const MOST: usize = 256;
@@ -125,12 +123,12 @@ fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize)
     let step = &scene.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
         let group = &scene.plan.general[*problem];
-        let mut found = super::general::assemblies(state, index, *problem, group, starts);
+        let mut found = crate::position::general_assemblies(state, index, *problem, group, starts);
         found.retain(|state| cylinders_are_positive(scene, state, index));
         return found.iter().map(|state| Way::of(scene, state, index)).collect();
     }
     if let MotionStep::Triad { triad, .. } = step {
-        let found = super::triad::assemblies(state, index, triad);
+        let found = crate::position::triad_assemblies(state, index, triad);
         return found.iter().map(|state| Way::of(scene, state, index)).collect();
     }
     let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };

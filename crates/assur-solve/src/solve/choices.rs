@@ -2,11 +2,10 @@
 
 use super::assemble::{SAME, bare_view};
 use super::error::{SolveError, label};
-use super::scene::Scene;
-use super::state::State;
 use super::words::{labels, length, short};
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, PairKind};
+use crate::position::{Scene, State};
 use crate::structure::{BodyOrigin, Dyad, Group, GroupKind, JointKind};
 
 /// More lines than this are no help.

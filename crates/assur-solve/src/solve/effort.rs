@@ -1,9 +1,9 @@
 //! Loads and efforts as they act at a position, and their powers.
 
-use super::friction::STILL;
 use super::view::View;
 use crate::math::Vec2;
 use crate::model::{BalanceKind, LinkId, LoadKind, Place, Value};
+use crate::position::STILL;
 use crate::structure::EffortSource;
 
 impl View<'_> {
@@ -95,7 +95,7 @@ impl View<'_> {
     /// the mechanism: where all links only shift, their angular velocities are rounding.
     fn fastest(&self) -> (f64, f64) {
         let most =
-            |of: fn(&super::state::BodyState) -> f64| self.state.bodies.iter().map(of).fold(0.0, f64::max);
+            |of: fn(&crate::position::BodyState) -> f64| self.state.bodies.iter().map(of).fold(0.0, f64::max);
         let (v, omega, size) = (most(|b| b.v.norm()), most(|b| b.omega.abs()), most(|b| b.p.norm()));
         if size > 0.0 { (v.max(omega * size), omega.max(v / size)) } else { (v, omega) }
     }

@@ -1,12 +1,10 @@
 //! A position with twice the digits: by the quickest way there is, and put, rounded, into a state.
 
-use super::precise::precise;
 use super::reference::reference;
-use super::scene::Scene;
 use super::solution::{Solution, Solved};
-use super::state::{BodyState, Reaction, State};
 use crate::math::{Double, V2};
 use crate::model::{LoadId, Value};
+use crate::position::{BodyState, Reaction, Scene, State, precise};
 use crate::structure::JointKind;
 
 /// One position with twice the digits; without forces the lists of forces are empty.

@@ -2,10 +2,10 @@
 
 use super::cycle::{CycleAnswer, FlywheelAnswer};
 use super::error::{SolveError, label};
-use super::scene::Scene;
 use super::turn::{Failure, Turn};
 use super::words::four;
 use crate::model::{Expr, Mechanism, PairId, Positions, Query};
+use crate::position::Scene;
 use crate::source::Span;
 use std::f64::consts::TAU;
 

@@ -2,8 +2,8 @@
 
 use super::error::{SolveError, label};
 use super::extremes::every_query;
-use super::scene::Scene;
 use crate::model::{LinkId, PairId, PairKind, PointRef, Query};
+use crate::position::Scene;
 
 /// Angles, rates and points of rollers that hang on a rotation which is set aside.
 pub(super) fn free_rollers(scene: &Scene<'_>) -> Option<SolveError> {

@@ -93,7 +93,8 @@ fn and_more(count: usize) -> String {
 }
 
 fn locked(view: &View<'_>, place: &str) -> FrictionError {
-    let scene = super::scene::Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
+    let scene =
+        crate::position::Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
     let mechanism = view.mechanism;
     let ideal = view.without_friction().power_of_efforts();
     let position = Locked { scene: &scene, state: view.state, ideal };

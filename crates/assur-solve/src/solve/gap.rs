@@ -1,13 +1,12 @@
 //! By how much a group does not close, in words.
 
-use super::scene::Scene;
-use super::state::State;
 use super::words::{body, hinge, length};
 use crate::group::triad::{Miss, gap};
 use crate::group::{Gap, rpr, rrp, rrr};
 use crate::math::Vec2;
 use crate::model::PairKind;
 use crate::plan::{Anchor, DrivenJoint, DrivenLeg, MotionStep};
+use crate::position::{Scene, State};
 use crate::structure::GroupJoint;
 
 /// The gap with its numbers and points, and what would close it.

@@ -2,11 +2,10 @@
 
 use super::extremes::Statics;
 use super::positions::constant;
-use super::scene::Scene;
 use super::solution::DriveValue;
-use super::state::DriveInput;
 use crate::math::Vec2;
 use crate::model::{Drive, Value};
+use crate::position::{DriveInput, Scene};
 
 /// Rates of the drives: the same at every position.
 #[derive(Clone, Debug)]

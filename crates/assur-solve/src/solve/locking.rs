@@ -1,10 +1,9 @@
 //! Where friction would let go: the part of it at which a locked position begins to move.
 
-use super::scene::Scene;
-use super::state::State;
 use super::view::View;
 use crate::model::PairId;
 use crate::plan::Plan;
+use crate::position::{Scene, State};
 
 /// Parts of friction at which is looked whether it moves: it may stop, and move again with more.
 const PARTS: u32 = 32;

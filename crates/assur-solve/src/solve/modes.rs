@@ -7,9 +7,8 @@ use super::extremes::statics;
 use super::inputs::Rates;
 use super::positions::Sweep;
 use super::refused;
-use super::scene::Scene;
-use super::state::State;
 use super::words::place;
+use crate::position::{Scene, State};
 use crate::structure::GroupKind;
 
 /// The assemblies at the first position.

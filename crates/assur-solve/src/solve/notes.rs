@@ -3,14 +3,13 @@
 use super::consistent_notes::ConsistentNotes;
 use super::error::{SolveError, label};
 use super::positions::{Wanted, turns};
-use super::scene::Scene;
 use super::solution::DriveValue;
-use super::state::State;
 use super::sweep::Closing;
 use super::track::Switch;
 use super::train_error::TrainError;
 use super::words::{drive_text, four, labels, links, place, short, stands, with_unit};
 use crate::model::{Expr, PairId, Positions, Value};
+use crate::position::{Scene, State};
 use crate::structure::{EffortKind, EffortSource, Group};
 use crate::units::Dimension;
 

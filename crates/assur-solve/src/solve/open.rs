@@ -5,13 +5,13 @@ use miette::LabeledSpan;
 
 use super::error::{SolveError, label};
 use super::extremes::every_query;
-use super::scene::Scene;
 use super::train_error::TrainError;
 use crate::model::{
     Bearing, Drive, FindKind, Friction, LinkId, LoadKind, PairId, PairKind, PointRef, Positions, Query,
     TransmissionKind,
 };
 use crate::plan::LawSite;
+use crate::position::Scene;
 use crate::source::Span;
 use crate::structure::{EffortSource, GroupKind};
 

@@ -2,9 +2,8 @@
 
 use super::error::{SolveError, label};
 use super::positions::Wanted;
-use super::residual::Residuals;
-use super::scene::Scene;
 use super::words::place;
+use crate::position::{Residuals, Scene};
 
 /// Pairs that miss each other by more than this share of the mechanism's size do not meet: even a dead position leaves
 /// the root of the unit roundoff.

@@ -6,11 +6,9 @@ use super::extremes::Statics;
 use super::notes;
 use super::out_of_scale::out_of_scale;
 use super::positions::Wanted;
-use super::residual::{Residuals, residuals};
-use super::scene::Scene;
+use crate::position::{Residuals, Scene, State, residuals};
 
 use super::solution::Solved;
-use super::state::State;
 use super::sweep::Run;
 use super::track::Tracker;
 use super::view::View;

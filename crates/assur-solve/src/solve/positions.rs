@@ -1,11 +1,10 @@
 //! Which positions are asked for: sweeps, named poses, and those an `expect … at` adds.
 
 use super::extremes::Statics;
-use super::scene::Scene;
 use super::solution::{DriveValue, PoseOrigin};
-use super::state::State;
 use super::view::View;
 use crate::model::{At, Drive, DriveId, DriveTarget, Expr, Positions, Value};
+use crate::position::{Scene, State};
 
 /// A position to be solved.
 #[derive(Clone, Debug)]

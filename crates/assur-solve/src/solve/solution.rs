@@ -3,12 +3,10 @@
 use super::error::SolveError;
 use super::extremes::Statics;
 use super::friction_error::FrictionError;
-use super::residual::Residuals;
-use super::scene::Scene;
-use super::state::State;
 use super::view::View;
 use crate::math::Vec2;
 use crate::model::Value;
+use crate::position::{Residuals, Scene, State};
 
 /// All positions of a file.
 #[derive(Debug, Default)]

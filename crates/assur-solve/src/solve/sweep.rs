@@ -6,18 +6,16 @@ use super::error::{SolveError, label};
 use super::extremes::{Statics, statics};
 use super::free_roller::free_rollers;
 use super::friction_notes::FrictionNotes;
-use super::general::STARTS;
 use super::inputs::Rates;
 use super::notes::Notes;
 use super::open;
 use super::positions::{Sweep, Wanted, beside};
 use super::refused;
-use super::scene::Scene;
 use super::solution::{DriveValue, Pose, Solution, Solved};
-use super::state::State;
 use super::track::{Switch, Tracker};
 use super::words::place;
 use crate::model::{LoadId, Value};
+use crate::position::{STARTS, Scene, State};
 use std::collections::VecDeque;
 
 /// Positions in a row at which all starts of a search are tried in vain.

@@ -7,12 +7,11 @@
 //! of the root stays.
 
 use super::inputs::Rates;
-use super::scene::Scene;
 use super::solution::DriveValue;
-use super::state::State;
 use super::steps::{MOST_STEPS, between, extent, length, steps, ways};
 use crate::math::Vec2;
 use crate::plan::MotionStep;
+use crate::position::{Scene, State};
 use crate::structure::BodyId;
 use std::rc::Rc;
 

@@ -4,12 +4,11 @@ use super::assemble::assemble;
 use super::error::SolveError;
 use super::extremes::{Extremes, Statics};
 use super::inputs::Rates;
-use super::scene::Scene;
 use super::solution::DriveValue;
-use super::state::{BodyState, Branch, State};
 use super::track::Tracker;
 use super::view::View;
 use crate::model::PairId;
+use crate::position::{BodyState, Branch, Scene, State};
 use std::f64::consts::TAU;
 
 /// Why there is no turn.

@@ -1,11 +1,10 @@
 //! Answers questions about one position: from the state of the bodies to the results of the language.
 
 use super::extremes::Statics;
-use super::scene::Scene;
-use super::state::State;
 use crate::math::Vec2;
 use crate::model::{LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
 use crate::plan::Plan;
+use crate::position::{Scene, State};
 use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
 
 /// One position, seen from the language. Angles of bodies are those followed over the sweep, by body slot.
@@ -128,7 +127,7 @@ impl View<'_> {
 
     /// State of a link.
     #[must_use]
-    pub fn body(&self, link: LinkId) -> &super::state::BodyState {
+    pub fn body(&self, link: LinkId) -> &crate::position::BodyState {
         &self.state.bodies[link.index()]
     }
 

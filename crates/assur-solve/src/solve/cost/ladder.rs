@@ -1,7 +1,7 @@
 //! Plans between the empty one and the whole.
 
-use super::super::scene::Scene;
 use crate::plan::{ForceStep, Level, LoadStep, Plan};
+use crate::position::Scene;
 
 /// A plan to be timed, and what is done beside it.
 pub(super) struct Trial {

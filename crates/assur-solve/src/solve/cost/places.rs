@@ -5,10 +5,9 @@ use super::super::error::SolveError;
 use super::super::extremes::Statics;
 use super::super::inputs::Rates;
 use super::super::positions::{Sweep, turns};
-use super::super::scene::Scene;
 use super::super::solution::DriveValue;
-use super::super::state::State;
 use super::super::track::Tracker;
+use crate::position::{Scene, State};
 
 /// So many places are enough; more would leave the nearest memory.
 const ENOUGH: usize = 64;

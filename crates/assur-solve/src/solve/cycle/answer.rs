@@ -1,9 +1,9 @@
 //! What is found over the sweep.
 
-use super::super::scene::Scene;
 use super::super::words::{four, short};
 use super::way::Way;
 use crate::math::chebyshev::Series;
+use crate::position::Scene;
 
 /// A function over the sweep with what it took.
 #[derive(Clone, Debug, Default)]

@@ -10,8 +10,6 @@
 use super::super::error::{SolveError, label};
 use super::super::extremes::Statics;
 use super::super::positions::{constant, turns};
-use super::super::scene::Scene;
-use super::super::state::BodyState;
 use super::super::words::{four, short, with_unit};
 use super::answer::{FlywheelAnswer, Undefined};
 use super::panels::{Piecewise, piecewise};
@@ -21,6 +19,7 @@ use crate::math::chebyshev::Series;
 use crate::model::{
     BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, LinkId, Mechanism, Query, Value,
 };
+use crate::position::{BodyState, Scene};
 use crate::structure::EffortSource;
 use crate::units::Dimension;
 

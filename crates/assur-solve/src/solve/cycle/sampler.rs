@@ -5,9 +5,7 @@ use super::super::error::SolveError;
 use super::super::extremes::{Statics, every_query};
 use super::super::inputs::Rates;
 use super::super::pose::{DEAD, balanced};
-use super::super::scene::Scene;
 use super::super::solution::DriveValue;
-use super::super::state::{BodyState, Branch, State};
 use super::super::steps::{extent, steps};
 use super::super::track::{Tracker, continued};
 use super::super::view::View;
@@ -16,6 +14,7 @@ use super::hangs_on_forces;
 use super::way::Way;
 use crate::model::{Expr, LoadId, LoadKind, Mechanism, PairKind, Query, Value};
 use crate::plan::{Level, Settings};
+use crate::position::{BodyState, Branch, Scene, State};
 use std::collections::HashMap;
 
 /// The fewest intervals between places where the mechanism is known beforehand.

@@ -3,7 +3,6 @@
 //! function.
 
 use super::super::extremes::Statics;
-use super::super::scene::Scene;
 use super::answer::Undefined;
 use super::sampler::Sampler;
 use crate::math::{Vec2, root_within};
@@ -12,6 +11,7 @@ use crate::model::{
     QuantityId, Query, Value,
 };
 use crate::plan::needs_forces;
+use crate::position::Scene;
 
 /// Roots nearer than this to the sweep's ends, or to one another, are one with them.
 const APART: f64 = 1e-13;

@@ -3,10 +3,10 @@
 use super::super::error::{SolveError, label};
 use super::super::extremes::Statics;
 use super::super::positions::{Sweep, turns};
-use super::super::scene::Scene;
 use super::super::solution::DriveValue;
 use super::super::steps::{between, extent, ways};
 use crate::model::Positions;
+use crate::position::Scene;
 use std::f64::consts::TAU;
 
 /// The longest way, in largest steps: each is a place that is kept.

@@ -15,7 +15,7 @@ use super::jet::{Jet, Moving, unit};
 use crate::element::cam::{Follower, Shape};
 use crate::math::{Angular, Double, Scalar, V2, Vec2};
 use crate::plan::CamStep;
-use crate::solve::state::BodyState;
+use crate::position::BodyState;
 
 type D = Double;
 

@@ -5,8 +5,7 @@
 use super::cam::CamLaw;
 use super::jet::{Jet, Moving, unit};
 use crate::math::{Double, Scalar, V2, Vec2};
-use crate::solve::scene::Scene;
-use crate::solve::state::{BodyState, DriveInput, State};
+use crate::position::{BodyState, DriveInput, Scene, State};
 use crate::structure::{BodyRate, EffortKind, EffortSource, JointId, JointKind};
 
 /// A scalar equation.

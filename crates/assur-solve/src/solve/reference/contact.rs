@@ -6,7 +6,7 @@ use super::motion::Motion;
 use crate::math::{Double, Scalar, V2};
 use crate::model::ProfileShape;
 use crate::plan::{FrictionElement, Rub};
-use crate::solve::state::{BodyState, State};
+use crate::position::{BodyState, State};
 
 type D = Double;
 

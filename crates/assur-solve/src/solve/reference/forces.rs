@@ -7,8 +7,7 @@ use super::unknowns::{Kind, Unknown, unknowns};
 use crate::math::{Double, Factors, Scalar, V2};
 use crate::model::{LoadId, Value};
 use crate::plan::{FrictionElement, Rub};
-use crate::solve::scene::Scene;
-use crate::solve::state::{Reaction, State, Wrench};
+use crate::position::{Reaction, Scene, State, Wrench};
 
 type D = Double;
 

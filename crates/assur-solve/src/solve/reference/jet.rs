@@ -1,7 +1,7 @@
 //! Numbers and vectors with their first two derivatives by time.
 
 use crate::math::{Double, Scalar, V2, Vec2};
-use crate::solve::state::BodyState;
+use crate::position::BodyState;
 
 /// A number and its derivatives.
 #[derive(Clone, Copy, Debug)]

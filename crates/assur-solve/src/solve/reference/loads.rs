@@ -4,8 +4,7 @@ use super::jet::unit;
 use crate::math::{Double, Scalar, V2, Vec2};
 use crate::model::{Expr, LoadId, LoadKind, PairId, PairKind, Place, Value};
 use crate::plan::{Anchor, LoadStep};
-use crate::solve::scene::Scene;
-use crate::solve::state::{BodyState, Wrench};
+use crate::position::{BodyState, Scene, Wrench};
 use crate::structure::JointKind;
 
 type D = Double;

@@ -20,11 +20,10 @@ mod loads;
 mod motion;
 mod unknowns;
 
-use super::scene::Scene;
 use super::solution::{Solution, Solved};
-use super::state::{BodyState, Reaction, State, Wrench};
 use crate::math::Double;
 use crate::model::{LoadId, Value};
+use crate::position::{BodyState, Reaction, Scene, State, Wrench};
 
 /// A position with about 30 digits. Slots are those of the [`State`] it belongs to; without forces their lists are empty.
 #[derive(Clone, Debug)]

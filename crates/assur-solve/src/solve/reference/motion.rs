@@ -4,8 +4,7 @@ use super::constraint::{Constraint, constraints};
 use super::jet::Jet;
 use crate::math::{Double, Factors, Scalar, V2, Vec2};
 use crate::plan::Level;
-use crate::solve::scene::Scene;
-use crate::solve::state::{BodyState, State};
+use crate::position::{BodyState, Scene, State};
 use crate::structure::JointKind;
 
 /// Steps of Newton's method: from the digits of `f64` three suffice.

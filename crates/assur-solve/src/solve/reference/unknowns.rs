@@ -5,8 +5,7 @@ use super::jet::unit;
 use super::motion::Motion;
 use crate::math::{Double, Scalar, V2, Vec2};
 use crate::plan::{LawSite, PlannedLaw, Way};
-use crate::solve::scene::Scene;
-use crate::solve::state::{BodyState, State};
+use crate::position::{BodyState, Scene, State};
 use crate::structure::{BodyOrigin, EffortKind, JointKind};
 
 type D = Double;

@@ -20,7 +20,7 @@ use crate::plan::{ForceStep, FrictionElement, Plan, Rub, RubbingGroup};
 /// Newton's steps are at most this many; with a solution four suffice.
 pub(super) const STEPS: u32 = 25;
 /// Velocities below this part of the greatest are none.
-pub(super) const STILL: f64 = 1e-11;
+pub(crate) const STILL: f64 = 1e-11;
 
 /// Memory of a group with friction.
 #[derive(Clone, Debug)]
@@ -61,7 +61,7 @@ impl RubbingWork {
 
 impl State {
     /// Line along which an element's force acts, and a point of it; `None` for a torque.
-    pub(super) fn rubbing_line(&self, element: &FrictionElement) -> Option<(Vec2, Vec2)> {
+    pub(crate) fn rubbing_line(&self, element: &FrictionElement) -> Option<(Vec2, Vec2)> {
         match &element.kind {
             Rub::Circle { .. } => None,
             Rub::Guide { way, .. } | Rub::BothEnds { way, .. } => {
@@ -75,7 +75,7 @@ impl State {
     }
 
     /// Velocity of the element's body against its base, rad/s or m/s, in the sense in which its effort counts.
-    pub(super) fn rubbing_speed(&self, element: &FrictionElement) -> f64 {
+    pub(crate) fn rubbing_speed(&self, element: &FrictionElement) -> f64 {
         let (body, base) = (&self.bodies[element.body], &self.bodies[element.base]);
         match self.rubbing_line(element) {
             None => body.omega - base.omega,
@@ -116,7 +116,7 @@ impl State {
     }
 
     /// Marks all reactions and efforts as not existing: the mechanism is locked.
-    pub(super) fn forget_forces(&mut self) {
+    pub(crate) fn forget_forces(&mut self) {
         let none = Reaction { force: Vec2::new(f64::NAN, f64::NAN), couple: f64::NAN };
         self.reactions.fill(none);
         self.efforts.fill(f64::NAN);
@@ -152,7 +152,7 @@ impl State {
     /// What an element's law measures of the reaction as it stands: the force in a hinge or contact; the normal force of a
     /// guide; the forces at its two ends.
     #[inline(always)]
-    pub(super) fn measured(&self, plan: &Plan, element: &FrictionElement) -> Vec2 {
+    pub(crate) fn measured(&self, plan: &Plan, element: &FrictionElement) -> Vec2 {
         if let Some((from, to)) = element.pin {
             let slots = &plan.pin_slots[from..to];
             return slots

@@ -102,7 +102,7 @@ impl State {
     }
 
     /// The generalized force of a law at one of its sites.
-    pub(super) fn law_force(&self, law: &PlannedLaw, slot: usize, term: usize) -> f64 {
+    pub(crate) fn law_force(&self, law: &PlannedLaw, slot: usize, term: usize) -> f64 {
         let force = &self.law_forces[slot];
         let side = |i: usize| force.multiplier * force.sides[i] * law.terms[i].1;
         match (law.efficiency, term) {
@@ -139,7 +139,7 @@ impl State {
     }
 
     /// The pitch point and the force on the first wheel.
-    pub(super) fn meeting_force(
+    pub(crate) fn meeting_force(
         &self,
         law: &PlannedLaw,
         slot: usize,

@@ -255,7 +255,7 @@ impl State {
     }
 
     /// A copy without that memory.
-    pub(super) fn answer(&self) -> Self {
+    pub(crate) fn answer(&self) -> Self {
         Self {
             bodies: self.bodies.clone(),
             inputs: self.inputs.clone(),
@@ -281,7 +281,7 @@ impl State {
     }
 
     /// Puts all forces to nothing.
-    pub(super) fn without_forces(&mut self) {
+    pub(crate) fn without_forces(&mut self) {
         self.applied.fill(Wrench::default());
         self.wrenches.fill(Wrench::default());
         self.reactions.fill(Reaction::default());
@@ -295,7 +295,7 @@ impl State {
     }
 
     /// Takes over what motion starts from, of a state of the same plan: where the bodies are and how they are assembled.
-    pub(super) fn start_from(&mut self, other: &Self) {
+    pub(crate) fn start_from(&mut self, other: &Self) {
         self.bodies.clone_from(&other.bodies);
         self.branches.clone_from(&other.branches);
         self.sines.clone_from(&other.sines);

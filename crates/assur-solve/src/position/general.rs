@@ -8,7 +8,7 @@ use crate::math::Vec2;
 use crate::plan::{BalanceSystem, GeneralMotion, Settings, UnknownForce, Way};
 
 /// Starts of the search for assemblies: many for few bodies, as `group::general::assemblies` advises.
-pub(super) const STARTS: usize = 400;
+pub(crate) const STARTS: usize = 400;
 
 /// Memory of a general system.
 #[derive(Clone, Debug)]
@@ -228,7 +228,7 @@ fn on_body(way: &Way, on_slider: f64) -> f64 {
 }
 
 /// Whether a general group can be moved within its pairs wherever it stands.
-pub(super) fn is_never_regular(state: &State, problem: usize, group: &GeneralMotion) -> bool {
+pub(crate) fn is_never_regular(state: &State, problem: usize, group: &GeneralMotion) -> bool {
     let Some(mut work) = state.motion_work.get(problem).cloned().flatten() else { return false };
     state.set_drives(&mut work.equations, group);
     state.read_poses(&group.bodies, &mut work.poses);
@@ -236,7 +236,7 @@ pub(super) fn is_never_regular(state: &State, problem: usize, group: &GeneralMot
 }
 
 /// All states in which a general group can be, from a given number of starts.
-pub(super) fn assemblies(
+pub(crate) fn assemblies(
     before: &State,
     branch: usize,
     problem: usize,

@@ -21,7 +21,7 @@ impl State {
     }
 
     /// Puts the link into the assembly of the same sign that is nearest, over a gap. Whether there is one.
-    pub(super) fn triad_over_gap(&mut self, branch: usize, triad: &TriadMotion) -> bool {
+    pub(crate) fn triad_over_gap(&mut self, branch: usize, triad: &TriadMotion) -> bool {
         let (now, pose) = (self.triad_ends(triad), self.triad_pose(triad));
         let mut found = modes(&triad.plate, &now);
         found.retain(|m| triad.plate.group(&now, &m.pose).sine * self.sines[branch] > 0.0);
@@ -32,7 +32,7 @@ impl State {
     }
 
     /// What the legs hang on where the bases are now.
-    pub(super) fn triad_ends(&self, triad: &TriadMotion) -> [End; 3] {
+    pub(crate) fn triad_ends(&self, triad: &TriadMotion) -> [End; 3] {
         [0, 1, 2].map(|i| match &triad.legs[i] {
             TriadLeg::Link(leg) => {
                 End::Hinge { p: point::<f64, 0>(&self.bodies, &leg.base).p, length: leg.length }
@@ -191,7 +191,7 @@ struct LegForce {
 }
 
 /// All states in which a triad can stand.
-pub(super) fn assemblies(before: &State, branch: usize, triad: &TriadMotion) -> Vec<State> {
+pub(crate) fn assemblies(before: &State, branch: usize, triad: &TriadMotion) -> Vec<State> {
     let ends = before.triad_ends(triad);
     let each = modes(&triad.plate, &ends).into_iter().map(|mode| {
         let mut state = before.clone();
