@@ -1,8 +1,9 @@
 //! Plans, positions, motion and forces; what accuracy costs.
 
-pub mod accuracy;
+pub mod measure;
 pub mod plan;
 pub mod position;
+pub mod reference;
 pub mod solve;
 
 use assur_math::{element, force, group, math};

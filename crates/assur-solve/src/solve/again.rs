@@ -4,13 +4,13 @@ use super::cycle::loads_name_quantities;
 use super::extremes::Statics;
 use super::inputs::Rates;
 use super::pose::balanced;
-use super::reference::{Reference, reference};
 use super::solution::{Pose, PoseOrigin, Solution, Solved};
 use super::steps::step_before;
 use super::track::Tracker;
 use crate::model::{LoadId, Value};
 use crate::plan::{Level, LoadStep, Plan};
 use crate::position::{BodyState, Branch, DriveInput, Scene, State};
+use crate::reference::{Reference, reference};
 
 /// Where a position is come from, and what it is asked for.
 #[derive(Clone, Debug)]

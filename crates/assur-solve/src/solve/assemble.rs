@@ -35,7 +35,7 @@ pub(super) struct Way {
 }
 
 impl Way {
-    pub(super) fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
+    pub(crate) fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
         let work = match &scene.plan.motion[index] {
             MotionStep::General { problem, .. } => {
                 state.motion_work.get(*problem).cloned().flatten().map(|work| (*problem, work))
@@ -68,7 +68,7 @@ impl Way {
 }
 
 /// Assembles the mechanism for the inputs set in `start`.
-pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveError> {
+pub(crate) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveError> {
     assemble_from(scene, start, STARTS)
 }
 

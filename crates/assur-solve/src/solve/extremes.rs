@@ -85,7 +85,7 @@ impl Statics {
 }
 
 /// Finds the extremes of every pair whose `dead`, `stroke`, `travel` or `time_ratio` the file names.
-pub(super) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
+pub(crate) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
     let wanted = wanted(scene.mechanism);
     let Some(first) = wanted.first() else { return Ok(Statics::EMPTY) };
     let drive = match scene.mechanism.drives.as_slice() {

@@ -1,12 +1,12 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
 use super::error::SolveError;
-use super::exact::exact;
 use super::extremes::Statics;
 use super::notes;
 use super::out_of_scale::out_of_scale;
 use super::positions::Wanted;
 use crate::position::{Residuals, Scene, State, residuals};
+use crate::reference::exact;
 
 use super::solution::Solved;
 use super::sweep::Run;
@@ -200,7 +200,7 @@ impl Run<'_, '_> {
 }
 
 /// Loads and forces of a state whose motion is known; `quantities` where loads may name quantities of the file.
-pub(super) fn balanced(
+pub(crate) fn balanced(
     scene: &Scene<'_>,
     statics: &Statics,
     state: &mut State,

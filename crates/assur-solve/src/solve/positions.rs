@@ -8,7 +8,7 @@ use crate::position::{Scene, State};
 
 /// A position to be solved.
 #[derive(Clone, Debug)]
-pub(super) struct Wanted {
+pub(crate) struct Wanted {
     pub name: String,
     pub origin: PoseOrigin,
     pub drives: Vec<DriveValue>,
@@ -81,7 +81,7 @@ impl Values {
 }
 
 /// Whether a drive's value is an angle.
-pub(super) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
+pub(crate) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
     match drive.target {
         DriveTarget::Link(_) => true,
         DriveTarget::Pair(pair) => {
@@ -93,7 +93,7 @@ pub(super) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
 
 /// The positions of the sweep, of which none is kept.
 #[derive(Clone, Debug)]
-pub(super) struct Sweep {
+pub(crate) struct Sweep {
     drives: Vec<Values>,
     len: usize,
 }

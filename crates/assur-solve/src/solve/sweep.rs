@@ -224,7 +224,7 @@ pub fn refusals(scene: &Scene<'_>) -> Vec<SolveError> {
 }
 
 /// Everything that can be refused before any position is looked at.
-pub(super) fn can_be_solved(scene: &Scene<'_>) -> Result<(), Vec<SolveError>> {
+pub(crate) fn can_be_solved(scene: &Scene<'_>) -> Result<(), Vec<SolveError>> {
     let mut errors = refused::not_supported(scene.mechanism);
     errors.extend(refused::cams(scene));
     errors.extend(refused::missing_speeds(scene));

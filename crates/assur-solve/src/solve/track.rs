@@ -41,7 +41,7 @@ struct Place {
 
 /// A change to the other assembly.
 #[derive(Clone, Debug)]
-pub(super) struct Switch {
+pub(crate) struct Switch {
     /// The group.
     pub group: usize,
     /// Drive values just behind it.
@@ -50,7 +50,7 @@ pub(super) struct Switch {
 
 /// A state that is moved from position to position, with the angles of its bodies followed.
 #[derive(Clone, Debug)]
-pub(super) struct Tracker {
+pub(crate) struct Tracker {
     /// The state at the last position that closed.
     pub state: State,
     /// Memory for the next one; after a step the one before.
@@ -65,7 +65,7 @@ pub(super) struct Tracker {
 
 impl Tracker {
     /// Starts at an assembled state.
-    pub(super) fn new(scene: &Scene<'_>, state: State, values: &[DriveValue]) -> Self {
+    pub(crate) fn new(scene: &Scene<'_>, state: State, values: &[DriveValue]) -> Self {
         let mut angles: Vec<f64> = state.bodies.iter().map(|b| b.u.angle()).collect();
         for effort in &scene.structure.drives {
             if let (crate::structure::EffortKind::Angle(body), crate::structure::EffortSource::Drive(id)) =
@@ -92,7 +92,7 @@ impl Tracker {
 
     /// Moves to other drive values. Returns the groups whose assembly changed on the way, with the values where; on failure
     /// the group that does not close, with the state left at the last place that closed.
-    pub(super) fn go(
+    pub(crate) fn go(
         &mut self,
         scene: &Scene<'_>,
         rates: &Rates,
@@ -330,7 +330,7 @@ impl Tracker {
     }
 
     /// Puts the tracker at other values without following the way: after a gap in a sweep. The assembly stays.
-    pub(super) fn jump(
+    pub(crate) fn jump(
         &mut self,
         scene: &Scene<'_>,
         rates: &Rates,

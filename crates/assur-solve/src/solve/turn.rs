@@ -41,7 +41,7 @@ const SAMPLES: usize = 180;
 
 impl Turn {
     /// Follows the drive over a turn and looks at the coordinates of these pairs.
-    pub(super) fn new(scene: &Scene<'_>, pairs: &[PairId]) -> Result<Self, Failure> {
+    pub(crate) fn new(scene: &Scene<'_>, pairs: &[PairId]) -> Result<Self, Failure> {
         let rates = Rates::unit(scene);
         let mut start = State::new(scene.plan);
         let values = [DriveValue::Scalar(0.0)];

@@ -35,7 +35,7 @@ const FEWEST_SAMPLES: usize = 16;
 const COARSE: f64 = 1e-9;
 
 /// Finds the functions over the sweep and the flywheels of a file.
-pub(super) fn cycles(
+pub(crate) fn cycles(
     scene: &Scene<'_>,
     statics: &mut Statics,
     sweep: &Sweep,

@@ -86,7 +86,7 @@ pub(super) struct Sampler<'a> {
 
 impl<'a> Sampler<'a> {
     /// Follows the sweep once, in small steps.
-    pub(super) fn new(scene: &Scene<'a>, statics: &Statics, way: &'a Way) -> Result<Self, SolveError> {
+    pub(crate) fn new(scene: &Scene<'a>, statics: &Statics, way: &'a Way) -> Result<Self, SolveError> {
         let rates = Rates::of(scene, statics);
         let mut state = State::new(scene.plan);
         rates.at(&way.from, &mut state.inputs);

@@ -27,7 +27,7 @@ pub(super) struct Way {
 
 impl Way {
     /// The sweep of a file.
-    pub(super) fn of(scene: &Scene<'_>, statics: &Statics, sweep: &Sweep) -> Result<Self, SolveError> {
+    pub(crate) fn of(scene: &Scene<'_>, statics: &Statics, sweep: &Sweep) -> Result<Self, SolveError> {
         let drives = &scene.mechanism.drives;
         let Some(last) = sweep.len().checked_sub(1) else { return Err(none(scene)) };
         let (from, mut to) = (sweep.values(0), sweep.values(last));

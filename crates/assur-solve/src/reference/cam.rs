@@ -36,7 +36,7 @@ pub(super) struct Touch {
 }
 
 impl<'a> CamLaw<'a> {
-    pub(super) fn new(step: &'a CamStep) -> Self {
+    pub(crate) fn new(step: &'a CamStep) -> Self {
         let sense = D::of(if step.cam.ccw { -1.0 } else { 1.0 });
         Self { step, sense, start: start(step) }
     }

@@ -1,13 +1,7 @@
 //! Places to run a plan at: assembled and followed once, before anything is measured.
 
-use super::super::assemble::assemble;
-use super::super::error::SolveError;
-use super::super::extremes::Statics;
-use super::super::inputs::Rates;
-use super::super::positions::{Sweep, turns};
-use super::super::solution::DriveValue;
-use super::super::track::Tracker;
 use crate::position::{Scene, State};
+use crate::solve::{DriveValue, Rates, SolveError, Statics, Sweep, Tracker, assemble, turns};
 
 /// So many places are enough; more would leave the nearest memory.
 const ENOUGH: usize = 64;

@@ -1,7 +1,6 @@
 //! A position with twice the digits: by the quickest way there is, and put, rounded, into a state.
 
-use super::reference::reference;
-use super::solution::{Solution, Solved};
+use super::reference;
 use crate::math::{Double, V2};
 use crate::model::{LoadId, Value};
 use crate::position::{BodyState, Reaction, Scene, State, precise};
@@ -44,19 +43,9 @@ pub fn exact(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]) ->
     })
 }
 
-impl Solution {
-    /// One of its positions with twice the digits, see [`exact`].
-    #[must_use]
-    pub fn exact(&self, scene: &Scene<'_>, solved: &Solved) -> Option<Exact> {
-        let mut evaluated = Vec::new();
-        self.view(scene, solved).evaluated_loads(&mut evaluated);
-        exact(scene, &solved.state, &evaluated)
-    }
-}
-
 impl Exact {
     /// Puts the motion into a state.
-    pub(super) fn round_motion(&self, state: &mut State) {
+    pub(crate) fn round_motion(&self, state: &mut State) {
         for (out, b) in state.bodies.iter_mut().zip(&self.bodies) {
             *out = BodyState {
                 p: rounded(b.p),
@@ -71,7 +60,7 @@ impl Exact {
     }
 
     /// Puts reactions and efforts into a state.
-    pub(super) fn round_forces(&self, scene: &Scene<'_>, state: &mut State) {
+    pub(crate) fn round_forces(&self, scene: &Scene<'_>, state: &mut State) {
         for (i, (out, r)) in state.reactions.iter_mut().zip(&self.reactions).enumerate() {
             out.force = rounded(r.force);
             if knows_couple(scene, i) {

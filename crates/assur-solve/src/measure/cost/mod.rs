@@ -7,15 +7,10 @@
 mod ladder;
 mod places;
 
-use super::error::SolveError;
-use super::extremes::{Statics, statics};
-use super::inputs::Rates;
-use super::pose::balanced;
-use super::sweep::can_be_solved;
-use super::view::View;
 use crate::model::{LoadId, Value};
 use crate::plan::Level;
 use crate::position::{Scene, State, residuals};
+use crate::solve::{Rates, SolveError, Statics, Sweep, View, balanced, can_be_solved, cycles, statics};
 use ladder::Trial;
 pub use places::Over;
 use places::Place;
@@ -55,15 +50,15 @@ pub struct Costs {
 /// has no mechanism.
 ///
 /// # Errors
-/// As [`super::solve`]: no assembly or several at the first position, constructs not supported yet.
+/// As [`crate::solve::solve`]: no assembly or several at the first position, constructs not supported yet.
 pub fn costs(scene: &Scene<'_>) -> Result<Option<Costs>, Vec<SolveError>> {
     can_be_solved(scene)?;
     if scene.mechanism.links.len() < 2 {
         return Ok(None);
     }
     let mut statics = statics(scene).map_err(|e| vec![e])?;
-    let sweep = super::positions::Sweep::of(scene, &statics);
-    super::cycle::cycles(scene, &mut statics, &sweep).map_err(|e| vec![e])?;
+    let sweep = Sweep::of(scene, &statics);
+    cycles(scene, &mut statics, &sweep).map_err(|e| vec![e])?;
     let rates = Rates::of(scene, &statics);
     let (over, places) = places::places(scene, &statics, &rates).map_err(|e| vec![e])?;
     let steps = ladder::steps(scene.plan);

@@ -10,17 +10,20 @@
 //! directions, of unit length again. Loads that are expressions have the values that they have in `f64`. Taken over from
 //! the state are its choices: the assembly, on which side of a line a profile lies, the senses of sliding, the sense of
 //! the power in transmissions with losses.
+#![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
 mod cam;
 mod constraint;
 mod contact;
+mod exact;
 mod forces;
 mod jet;
 mod loads;
 mod motion;
 mod unknowns;
 
-use super::solution::{Solution, Solved};
+pub use exact::{Exact, exact, knows_couple};
+
 use crate::math::Double;
 use crate::model::{LoadId, Value};
 use crate::position::{BodyState, Reaction, Scene, State, Wrench};
@@ -47,7 +50,7 @@ pub struct Reference {
 }
 
 /// The reference of a state, with the values of its loads that are expressions (see
-/// [`super::View::evaluated_loads`]). `None` where the position is so near to a singular one that there is none near the
+/// `View::evaluated_loads`). `None` where the position is so near to a singular one that there is none near the
 /// state's, or where the equations are not as many as the unknowns. A locked state has no forces.
 #[must_use]
 pub fn reference(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]) -> Option<Reference> {
@@ -65,14 +68,4 @@ pub fn reference(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]
         multipliers: forces.multipliers,
         equilibrium: forces.equilibrium,
     })
-}
-
-impl Solution {
-    /// The reference of one of its positions.
-    #[must_use]
-    pub fn reference(&self, scene: &Scene<'_>, solved: &Solved) -> Option<Reference> {
-        let mut evaluated = Vec::new();
-        self.view(scene, solved).evaluated_loads(&mut evaluated);
-        reference(scene, &solved.state, &evaluated)
-    }
 }
