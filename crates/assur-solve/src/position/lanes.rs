@@ -9,7 +9,7 @@ use super::closed::Closed;
 use super::columns::DriveColumns;
 use super::state::{BodyState, DriveInput, Reaction, State};
 use crate::math::{Lanes, V2, Vec2};
-use crate::plan::{Level, Plan};
+use crate::plan::Plan;
 use std::ops::Range;
 
 /// Positions that go side by side: one vector of AVX-512 or two of AVX2.
@@ -178,16 +178,7 @@ impl pulp::NullaryFnOnce for Closed<'_, f64> {
 /// One position by itself, of any plan.
 #[inline(never)]
 fn alone(plan: &Plan, state: &mut State) {
-    match plan.effects.level {
-        Level::Positions => state.run_motion::<0>(plan),
-        Level::Velocities => state.run_motion::<1>(plan),
-        Level::Accelerations => state.run_motion::<2>(plan),
-    }
-    if plan.effects.forces {
-        state.known_loads(plan);
-        state.set_lines(plan);
-        state.run_forces(plan);
-    }
+    state.run(plan);
 }
 
 /// How many numbers the machine takes in one instruction.

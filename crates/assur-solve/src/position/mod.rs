@@ -18,6 +18,7 @@ mod motion;
 mod precise;
 mod residual;
 mod rubbing;
+mod run;
 mod scene;
 mod state;
 mod train;

@@ -8,7 +8,7 @@ use super::solution::{Pose, PoseOrigin, Solution, Solved};
 use super::steps::step_before;
 use super::track::Tracker;
 use crate::model::{LoadId, Value};
-use crate::plan::{Level, LoadStep, Plan};
+use crate::plan::Plan;
 use crate::position::{BodyState, Branch, DriveInput, Scene, State};
 use crate::reference::{Reference, reference};
 
@@ -29,8 +29,6 @@ pub struct Again<'a> {
     starts: Vec<Start>,
     state: State,
     evaluated: Vec<(LoadId, Value)>,
-    /// A load hangs on the motion.
-    evaluates: bool,
     quantities: bool,
 }
 
@@ -46,14 +44,12 @@ impl<'a> Again<'a> {
         let rates = Rates::of(scene, &solution.statics);
         let starts = (0..count).map(|i| all[i * all.len() / count]);
         let starts = starts.map(|(pose, solved)| start(scene, &rates, pose, solved, iterates)).collect();
-        let evaluates = scene.plan.loads.iter().any(|l| matches!(l, LoadStep::Evaluated(_)));
         Self {
             scene: *scene,
             statics: &solution.statics,
             starts,
             state: State::new(scene.plan),
             evaluated: Vec::new(),
-            evaluates,
             quantities: loads_name_quantities(scene.mechanism),
         }
     }
@@ -95,24 +91,10 @@ impl<'a> Again<'a> {
         state.branches.clone_from_slice(&start.branches);
         state.inputs.copy_from_slice(&start.inputs);
         state.locked = false;
-        match plan.effects.level {
-            Level::Positions => state.run_motion::<0>(plan),
-            Level::Velocities => state.run_motion::<1>(plan),
-            Level::Accelerations => state.run_motion::<2>(plan),
-        }
-        if !plan.effects.forces || state.open.is_some() {
-            return state;
-        }
-        let scene = Scene { plan, ..self.scene };
-        if self.evaluates {
+        state.run_planned_motion(plan);
+        if plan.effects.forces && state.open.is_none() {
+            let scene = Scene { plan, ..self.scene };
             balanced(&scene, self.statics, state, &start.angles, &mut self.evaluated, self.quantities);
-        } else {
-            state.run_loads(&scene, &[]);
-            state.set_lines(plan);
-            if plan.effects.friction {
-                state.set_senses(plan);
-            }
-            state.run_forces(plan);
         }
         state
     }

@@ -31,11 +31,7 @@ impl Run<'_, '_> {
         state.start_from(&tracker.state);
         state.without_forces();
         self.rates.at(&pose.drives, &mut state.inputs);
-        match scene.plan.effects.level {
-            Level::Positions => state.run_motion::<0>(scene.plan),
-            Level::Velocities => state.run_motion::<1>(scene.plan),
-            Level::Accelerations => state.run_motion::<2>(scene.plan),
-        }
+        state.run_planned_motion(scene.plan);
         let mut condition = self.motion_condition(&state, pose)?;
         if scene.plan.effects.forces {
             condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
@@ -45,10 +41,7 @@ impl Run<'_, '_> {
         }
         let frictionless = scene.plan.effects.loses().then(|| {
             let mut state = state.clone();
-            state.wrenches.clone_from(&state.applied);
-            state.frictions.fill(0.0);
-            state.locked = false;
-            state.run_forces_without_friction(scene.plan);
+            state.run_again_without_friction(scene.plan);
             let values = View::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
             Box::new((state.answer(), values))
         });
@@ -214,12 +207,5 @@ pub(crate) fn balanced(
         let motion = if quantities { view.all_quantities() } else { Vec::new() };
         View { quantities: &motion, ..view }.evaluated_loads(evaluated);
     }
-    state.run_loads(scene, evaluated);
-    state.applied.clone_from(&state.wrenches);
-    state.set_lines(scene.plan);
-    state.locked = false;
-    if scene.plan.effects.friction {
-        state.set_senses(scene.plan);
-    }
-    state.run_forces(scene.plan);
+    state.run_loads_and_forces(scene, evaluated);
 }

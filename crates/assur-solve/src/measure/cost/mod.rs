@@ -8,7 +8,6 @@ mod ladder;
 mod places;
 
 use crate::model::{LoadId, Value};
-use crate::plan::Level;
 use crate::position::{Scene, State, residuals};
 use crate::solve::{Rates, SolveError, Statics, Sweep, View, balanced, can_be_solved, cycles, statics};
 use ladder::Trial;
@@ -148,11 +147,7 @@ impl<'a> Bench<'a> {
             if self.goes_on {
                 state.bodies.copy_from_slice(&place.state.bodies);
             }
-            match trial.plan.effects.level {
-                Level::Positions => state.run_motion::<0>(&trial.plan),
-                Level::Velocities => state.run_motion::<1>(&trial.plan),
-                Level::Accelerations => state.run_motion::<2>(&trial.plan),
-            }
+            state.run_planned_motion(&trial.plan);
             if trial.plan.effects.forces {
                 balanced(&scene, self.statics, state, &place.angles, &mut self.evaluated, true);
             }

@@ -242,11 +242,7 @@ impl<'a> Sampler<'a> {
         self.samples += 1;
         let scene = self.scene;
         self.start(s);
-        match scene.plan.effects.level {
-            Level::Positions => self.state.run_motion::<0>(scene.plan),
-            Level::Velocities => self.state.run_motion::<1>(scene.plan),
-            Level::Accelerations => self.state.run_motion::<2>(scene.plan),
-        }
+        self.state.run_planned_motion(scene.plan);
         if self.state.open.is_some() {
             return Err(Undefined::Open(s));
         }
@@ -279,9 +275,7 @@ impl<'a> Sampler<'a> {
 
     fn without_friction(&self, statics: &Statics) -> (State, Vec<Value>) {
         let mut state = self.state.clone();
-        state.wrenches.clone_from(&state.applied);
-        state.frictions.fill(0.0);
-        state.run_forces_without_friction(self.scene.plan);
+        state.run_again_without_friction(self.scene.plan);
         let values = View::new(&self.scene, &state, &self.angles, statics).all_quantities();
         (state, values)
     }
