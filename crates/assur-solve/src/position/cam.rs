@@ -14,8 +14,8 @@ impl State {
     #[inline(never)]
     pub(super) fn cam<const LEVEL: u8>(&mut self, branch: usize, step: &CamStep) {
         let (cam, contact) = (&step.cam, &step.contact);
-        let frame = self.bodies[contact.frame.index()];
-        let disk = self.bodies[contact.disk.index()];
+        let frame = self.motion.bodies[contact.frame.index()];
+        let disk = self.motion.bodies[contact.disk.index()];
         let sense = if cam.ccw { -1.0 } else { 1.0 };
         let e = contact.towards.turned(frame.u);
         let phi = sense * e.turned_back(disk.u).angle();
@@ -34,43 +34,46 @@ impl State {
         match cam.follower {
             Follower::Translating { .. } => {
                 let p = centre + e * (cam.start() + s) + e.perp() * contact.beside;
-                let base = under::<_, LEVEL>(&self.bodies, contact.frame.index(), p);
+                let base = under::<_, LEVEL>(&self.motion.bodies, contact.frame.index(), p);
                 let moved = Point {
                     p,
                     v: base.v + e * rate,
                     a: base.a + e * second + e.perp() * (2.0 * frame.omega * rate),
                 };
                 let u = e.turned_back(contact.direction);
-                place::<_, LEVEL>(&mut self.bodies[slot], &pin, moved, u, frame.omega, frame.alpha);
+                place::<_, LEVEL>(&mut self.motion.bodies[slot], &pin, moved, u, frame.omega, frame.alpha);
             }
             Follower::Oscillating { pivot_distance, with_cam, .. } => {
                 let side = if with_cam { sense } else { -sense };
                 let (sin, cos) = libm::sincos(cam.start() + s);
                 let u = Vec2::new(-cos, side * sin).turned(e).turned_back(contact.direction);
-                let pivot =
-                    under::<_, LEVEL>(&self.bodies, contact.frame.index(), centre + e * pivot_distance);
+                let pivot = under::<_, LEVEL>(
+                    &self.motion.bodies,
+                    contact.frame.index(),
+                    centre + e * pivot_distance,
+                );
                 let (omega, alpha) = (frame.omega - side * rate, frame.alpha - side * second);
-                place::<_, LEVEL>(&mut self.bodies[slot], &pin, pivot, u, omega, alpha);
+                place::<_, LEVEL>(&mut self.motion.bodies[slot], &pin, pivot, u, omega, alpha);
             }
         }
         let (place, normal) = (centre + at.contact.turned(e), at.normal.turned(e));
-        self.touches[step.index] = (place, normal);
-        self.sines[branch] = libm::cos(at.pressure_angle);
+        self.motion.touches[step.index] = (place, normal);
+        self.motion.conditions[branch] = libm::cos(at.pressure_angle);
         self.cam_block(step);
     }
 
     /// The block: on the tip it moves with the follower, under a face with the cam's profile.
     fn cam_block(&mut self, step: &CamStep) {
         let contact = &step.contact;
-        let (place, normal) = self.touches[step.index];
-        let follower = self.bodies[contact.follower.index()];
+        let (place, normal) = self.motion.touches[step.index];
+        let follower = self.motion.bodies[contact.follower.index()];
         let carrier = if contact.face.is_some() { contact.disk } else { contact.follower };
         let (p, u) = match contact.face {
             Some((_, along)) => (place, along.turned(follower.u)),
             None => (follower.position(contact.tip), -normal.perp()),
         };
-        let moved = under::<_, 2>(&self.bodies, carrier.index(), p);
-        let block = &mut self.bodies[step.block];
+        let moved = under::<_, 2>(&self.motion.bodies, carrier.index(), p);
+        let block = &mut self.motion.bodies[step.block];
         (block.p, block.u, block.v, block.a) = (p, u, moved.v, moved.a);
         (block.omega, block.alpha) = (follower.omega, follower.alpha);
     }
@@ -78,10 +81,10 @@ impl State {
     /// How far the follower of a designed cam is from the cam's profile, m: seen from both sides.
     pub(super) fn cam_gap(&self, step: &CamStep) -> f64 {
         let (cam, contact) = (&step.cam, &step.contact);
-        let disk = &self.bodies[contact.disk.index()];
-        let follower = &self.bodies[contact.follower.index()];
-        let (place, normal) = self.touches[step.index];
-        let frame = &self.bodies[contact.frame.index()];
+        let disk = &self.motion.bodies[contact.disk.index()];
+        let follower = &self.motion.bodies[contact.follower.index()];
+        let (place, normal) = self.motion.touches[step.index];
+        let frame = &self.motion.bodies[contact.frame.index()];
         let sense = if cam.ccw { -1.0 } else { 1.0 };
         let phi = sense * contact.towards.turned(frame.u).turned_back(disk.u).angle();
         let rim = disk.position(contact.centre + cam.in_cam(cam.at(phi).contact, phi));

@@ -49,7 +49,7 @@ impl<S: Scalar> Closed<'_, S> {
         }
         for (index, step) in self.plan.forces.iter().enumerate() {
             for block in &mut *self.blocks {
-                block.force_sines[index] = block.closed_force(step);
+                block.forces.conditions[index] = block.closed_force(step);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! What the drives say at many positions, quantity by quantity: several positions are read off in a row.
 
-use super::state::DriveInput;
+use super::kinematics::DriveInput;
 use crate::math::{Lanes, V2};
 
 /// Inputs of drives at any number of positions.

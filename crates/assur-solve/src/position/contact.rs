@@ -1,6 +1,7 @@
 //! Where two profiles touch, and along which normal.
 
-use super::state::{BodyState, State};
+use super::body::BodyState;
+use super::state::State;
 use crate::math::Vec2;
 use crate::model::ProfileShape;
 
@@ -27,11 +28,11 @@ impl State {
     /// Place where two profiles touch and the unit common normal into the first; `None` where it is not determined.
     #[must_use]
     pub fn touch(&self, first: Side, second: Side, internal: bool) -> Option<(Vec2, Vec2)> {
-        let of = |side: Side| seen(&self.bodies[side.0], side.1);
+        let of = |side: Side| seen(&self.motion.bodies[side.0], side.1);
         match (of(first), of(second)) {
             (Seen::Cam(_), Seen::Cam(_)) => None,
-            (Seen::Cam(contact), _) => self.touches.get(contact).map(|(p, n)| (*p, -*n)),
-            (_, Seen::Cam(contact)) => self.touches.get(contact).copied(),
+            (Seen::Cam(contact), _) => self.motion.touches.get(contact).map(|(p, n)| (*p, -*n)),
+            (_, Seen::Cam(contact)) => self.motion.touches.get(contact).copied(),
             (Seen::Round(c_1, r_1), Seen::Round(c_2, r_2)) => {
                 let between = (c_1 - c_2).unit()?;
                 if !internal {
@@ -59,7 +60,7 @@ impl State {
         if (height.abs() < 0.5 * radius || radius == 0.0)
             && let ProfileShape::Point(p) | ProfileShape::Circle(p, _) = round.1
         {
-            let body = &self.bodies[round.0];
+            let body = &self.motion.bodies[round.0];
             height = n.dot(body.p - body.position(p));
         }
         if height < 0.0 { -n } else { n }

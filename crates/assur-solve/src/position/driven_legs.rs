@@ -41,7 +41,7 @@ impl<S: Scalar> State<S> {
         match &leg.joint {
             None => Arm { w: leg.arm.of(), rate: V2::zero(), second: V2::zero() },
             Some(DrivenJoint::Shift { slide, drive }) => {
-                let input = self.inputs[*drive];
+                let input = self.motion.inputs[*drive];
                 let along = unit::<S>(slide.along) * S::of(slide.sense);
                 Arm {
                     w: leg.arm.of::<S>() + along * input.value,
@@ -50,7 +50,7 @@ impl<S: Scalar> State<S> {
                 }
             }
             Some(DrivenJoint::Turn { arm, drive, sign, .. }) => {
-                let input = self.inputs[*drive];
+                let input = self.motion.inputs[*drive];
                 let sign = S::of(*sign);
                 let r = arm.of::<S>().turned(V2::new(input.place.x, sign * input.place.y));
                 Arm {
@@ -82,7 +82,7 @@ impl<S: Scalar> State<S> {
 
     #[inline(never)]
     pub(super) fn driven_rrr<const LEVEL: u8>(&mut self, branch: usize, legs: &[DrivenLeg; 2]) {
-        let ends = [0, 1].map(|i| point::<S, LEVEL>(&self.bodies, &legs[i].base));
+        let ends = [0, 1].map(|i| point::<S, LEVEL>(&self.motion.bodies, &legs[i].base));
         let arms = [self.arm(&legs[0]), self.arm(&legs[1])];
         let lengths = [arms[0].w.norm(), arms[1].w.norm()];
         let at =
@@ -101,11 +101,25 @@ impl<S: Scalar> State<S> {
                 alpha = group.acceleration(omega.0, omega.1, a_1, a_2);
             }
         }
-        place::<S, LEVEL>(&mut self.bodies[legs[0].body], &legs[0].pin, ends[0], u[0], omega.0, alpha.0);
-        place::<S, LEVEL>(&mut self.bodies[legs[1].body], &legs[1].pin, ends[1], u[1], omega.1, alpha.1);
+        place::<S, LEVEL>(
+            &mut self.motion.bodies[legs[0].body],
+            &legs[0].pin,
+            ends[0],
+            u[0],
+            omega.0,
+            alpha.0,
+        );
+        place::<S, LEVEL>(
+            &mut self.motion.bodies[legs[1].body],
+            &legs[1].pin,
+            ends[1],
+            u[1],
+            omega.1,
+            alpha.1,
+        );
         self.follow::<LEVEL>(&legs[0]);
         self.follow::<LEVEL>(&legs[1]);
-        self.sines[branch] = at.sine;
+        self.motion.conditions[branch] = at.sine;
     }
 
     #[inline(never)]
@@ -118,8 +132,8 @@ impl<S: Scalar> State<S> {
         from_point: Formed,
     ) {
         let Branch2 { root, .. } = self.branch(branch, 0);
-        let a = point::<S, LEVEL>(&self.bodies, &leg.base);
-        let guide = line(&self.bodies, slide);
+        let a = point::<S, LEVEL>(&self.motion.bodies, &leg.base);
+        let guide = line(&self.motion.bodies, slide);
         let arm = self.arm(leg);
         let length = arm.w.norm();
         let at = rrp::position(a.p, length, guide.origin, guide.along, from_point.of::<S>().y, S::of(root));
@@ -127,18 +141,19 @@ impl<S: Scalar> State<S> {
         let u = at.r_1.turned_back(arm.w) / (length * length);
         let (mut omega, mut alpha, mut s_dot, mut s_ddot) = (S::zero(), S::zero(), S::zero(), S::zero());
         if LEVEL > 0 {
-            let g = under::<S, LEVEL>(&self.bodies, slide.base, at.p_C);
+            let g = under::<S, LEVEL>(&self.motion.bodies, slide.base, at.p_C);
             let group = rrp::Rrp::new(at.r_1, guide.along);
             (omega, s_dot) = group.velocity(drifted::<S, LEVEL>(a, &arm, u, S::zero()).v, g.v);
             if LEVEL > 1 {
                 let a_A = drifted::<S, LEVEL>(a, &arm, u, omega).a;
-                (alpha, s_ddot) = group.acceleration(omega, s_dot, a_A, g.a, self.bodies[slide.base].omega);
+                (alpha, s_ddot) =
+                    group.acceleration(omega, s_dot, a_A, g.a, self.motion.bodies[slide.base].omega);
             }
         }
-        place::<S, LEVEL>(&mut self.bodies[leg.body], &leg.pin, a, u, omega, alpha);
+        place::<S, LEVEL>(&mut self.motion.bodies[leg.body], &leg.pin, a, u, omega, alpha);
         self.place_slider::<LEVEL>(slide, guide.along, pin, at.p_C, s_dot, s_ddot);
         self.follow::<LEVEL>(leg);
-        self.sines[branch] = at.sine;
+        self.motion.conditions[branch] = at.sine;
     }
 
     /// Loads on a link of one or two bodies about a place.
@@ -161,13 +176,13 @@ impl<S: Scalar> State<S> {
         ends: [usize; 2],
         driven: &[Option<DrivenPart>; 2],
     ) -> S {
-        let p_A = self.bodies[first.body].pin(&first.pin).0;
-        let p_C = self.bodies[ends[0]].position(inner.pin);
+        let p_A = self.motion.bodies[first.body].pin(&first.pin).0;
+        let p_C = self.motion.bodies[ends[0]].position(inner.pin);
         let r_1 = p_C - p_A;
         let (F_1, M_1) = self.link_load(first.body, ends[0], p_A);
         let (f_C, sine) = match second {
             OuterJoint::Hinge(hinge) => {
-                let p_B = self.bodies[hinge.body].pin(&hinge.pin).0;
+                let p_B = self.motion.bodies[hinge.body].pin(&hinge.pin).0;
                 let r_2 = p_C - p_B;
                 let (F_2, M_2) = self.link_load(hinge.body, ends[1], p_B);
                 let got = rrr::Rrr::new(r_1, r_2).reactions(F_1, M_1, F_2, M_2);
@@ -184,7 +199,7 @@ impl<S: Scalar> State<S> {
                 (got.f_C, r_1.dot(d) / r_1.norm())
             }
         };
-        self.reactions[inner.slot].force = f_C * S::of(inner.sign);
+        self.forces.reactions[inner.slot].force = f_C * S::of(inner.sign);
         self.load(ends[0], p_C, -f_C);
         self.load(ends[1], p_C, f_C);
         for part in driven.iter().flatten() {

@@ -1,7 +1,9 @@
 //! Runs the steps of forces: reactions group by group, each passed on to the bodies that carry it.
 
 use super::consistent::Consistent;
-use super::state::{Reaction, Shared, State};
+use super::kinematics::Shared;
+use super::state::State;
+use super::wrench::Reaction;
 use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
 use crate::math::{Scalar, V2};
 use crate::plan::step::unit;
@@ -10,12 +12,12 @@ use crate::plan::{Arm, EffortLine, ForceStep, Hinge, Inner, Plan, Way};
 impl State {
     /// Runs all steps of forces from the loads in `wrenches`, to which it adds the reactions. Allocates nothing.
     pub fn run_forces(&mut self, plan: &Plan) {
-        (self.locked, self.consistent) = (false, Consistent::One);
+        (self.forces.locked, self.forces.consistent) = (false, Consistent::One);
         if !plan.friction.is_empty() {
-            self.loads_before.clone_from(&self.wrenches);
+            self.scratch.loads_before.clone_from(&self.forces.wrenches);
         }
         for (index, step) in plan.forces.iter().enumerate() {
-            self.force_sines[index] = match step {
+            self.forces.conditions[index] = match step {
                 ForceStep::Rubbing { plain, group } => self.force_rubbing(plan, index, plain, group),
                 ForceStep::General { .. }
                 | ForceStep::Triad(_)
@@ -24,7 +26,7 @@ impl State {
                 closed => self.closed_force(closed),
             };
         }
-        if self.locked {
+        if self.forces.locked {
             self.search_friction(plan);
         }
     }
@@ -32,7 +34,7 @@ impl State {
     /// The same without friction.
     pub fn run_forces_without_friction(&mut self, plan: &Plan) {
         for (index, step) in plan.forces.iter().enumerate() {
-            self.force_sines[index] = match step {
+            self.forces.conditions[index] = match step {
                 ForceStep::Rubbing { plain, .. } => self.force_step(plan, plain),
                 ForceStep::Train { train } => self.force_train(plan, *train, false),
                 plain => self.force_step(plan, plain),
@@ -57,7 +59,7 @@ impl State {
         let mut last = 1.0;
         for (index, step) in steps.iter().enumerate() {
             last = self.force_step(plan, step);
-            self.force_sines[index] = last;
+            self.forces.conditions[index] = last;
         }
         last
     }
@@ -90,15 +92,15 @@ impl<S: Scalar> State<S> {
     /// Force on a body so far, and its moment about a place.
     #[inline(always)]
     pub(super) fn load_about(&self, body: usize, p: V2<S>) -> (V2<S>, S) {
-        let w = &self.wrenches[body];
-        (w.force, w.moment - (p - self.bodies[body].p).cross(w.force))
+        let w = &self.forces.wrenches[body];
+        (w.force, w.moment - (p - self.motion.bodies[body].p).cross(w.force))
     }
 
     /// The place of a pin, with the force on its body so far and its moment about it.
     #[inline(always)]
     pub(super) fn load_at(&self, body: usize, pin: &Arm) -> (V2<S>, V2<S>, S) {
-        let w = &self.wrenches[body];
-        let (p, r) = self.bodies[body].pin(pin);
+        let w = &self.forces.wrenches[body];
+        let (p, r) = self.motion.bodies[body].pin(pin);
         (p, w.force, r.map_or(w.moment, |r| w.moment - r.cross(w.force)))
     }
 
@@ -121,24 +123,24 @@ impl<S: Scalar> State<S> {
         if base == 0 {
             return;
         }
-        let r = p - self.bodies[base].p;
-        let w = &mut self.wrenches[base];
+        let r = p - self.motion.bodies[base].p;
+        let w = &mut self.forces.wrenches[base];
         w.force -= force;
         w.moment = w.moment - all(r.cross(force));
     }
 
     #[inline(always)]
     pub(super) fn hinge_reaction(&mut self, hinge: &Hinge, p: V2<S>, force: V2<S>) {
-        self.reactions[hinge.slot] = Reaction { force, couple: S::zero() };
+        self.forces.reactions[hinge.slot] = Reaction { force, couple: S::zero() };
         self.carry(hinge.base, p, force);
     }
 
     /// Keeps the reaction of a guide, given at `p`, about the pair's reference point.
     #[inline(always)]
     pub(super) fn way_reaction(&mut self, way: &Way, p: V2<S>, force: V2<S>, couple: S) -> (V2<S>, S) {
-        let reference = self.bodies[way.slider].position(way.point);
+        let reference = self.motion.bodies[way.slider].position(way.point);
         let couple = couple + (p - reference).cross(force);
-        self.reactions[way.slot] = Reaction { force, couple };
+        self.forces.reactions[way.slot] = Reaction { force, couple };
         (reference, couple)
     }
 
@@ -150,7 +152,7 @@ impl<S: Scalar> State<S> {
 
     #[inline(always)]
     pub(super) fn direction(&self, way: &Way) -> V2<S> {
-        unit(way.direction).turned(self.bodies[way.slider].u)
+        unit(way.direction).turned(self.motion.bodies[way.slider].u)
     }
 
     /// One body on a revolute: the effort is found from the moment about it.
@@ -159,19 +161,19 @@ impl<S: Scalar> State<S> {
         let (p, force, moment) = self.load_at(hinge.body, &hinge.pin);
         match effort {
             EffortLine::Torque { base, .. } => {
-                self.efforts[slot] = -moment * S::of(sign);
+                self.forces.efforts[slot] = -moment * S::of(sign);
                 if *base != 0 {
-                    let w = &mut self.wrenches[*base];
+                    let w = &mut self.forces.wrenches[*base];
                     w.moment = w.moment + moment;
                 }
                 self.hinge_reaction(hinge, p, -force);
                 S::one()
             }
             EffortLine::Force { line, .. } => {
-                let (q, n) = self.lines[*line];
+                let (q, n) = self.forces.lines[*line];
                 let arm = (q - p).cross(n);
                 let value = -moment / arm;
-                self.efforts[slot] = value * S::of(sign);
+                self.forces.efforts[slot] = value * S::of(sign);
                 self.hinge_reaction(hinge, p, -force - n * value);
                 arm / (q - p).norm()
             }
@@ -183,21 +185,21 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub(super) fn force_shift(&mut self, way: &Way, effort: &EffortLine, (slot, sign): (usize, f64)) -> S {
         let d = self.direction(way);
-        let p = self.bodies[way.slider].position(way.point);
+        let p = self.motion.bodies[way.slider].position(way.point);
         let (mut force, mut moment) = self.load_about(way.body, p);
         let sine = match effort {
             EffortLine::Along(_) => {
                 let along = -force.dot(d);
-                self.efforts[slot] = along * S::of(sign);
+                self.forces.efforts[slot] = along * S::of(sign);
                 force += d * along;
                 self.carry(way.base, p, d * along);
                 S::one()
             }
             EffortLine::Force { line, .. } => {
-                let (q, n) = self.lines[*line];
+                let (q, n) = self.forces.lines[*line];
                 let sine = n.dot(d);
                 let value = -force.dot(d) / sine;
-                self.efforts[slot] = value * S::of(sign);
+                self.forces.efforts[slot] = value * S::of(sign);
                 force += n * value;
                 moment = moment + (q - p).cross(n) * value;
                 sine
@@ -218,10 +220,10 @@ impl<S: Scalar> State<S> {
         motion: Option<usize>,
     ) -> (rrr::Rrr<S>, S) {
         if let Some(step) = motion {
-            let Shared { r_1, second, inverse } = self.shared[step];
-            return (rrr::Rrr { r_1, r_2: second, inverse }, self.sines[step]);
+            let Shared { r_1, second, inverse } = self.motion.shared[step];
+            return (rrr::Rrr { r_1, r_2: second, inverse }, self.motion.conditions[step]);
         }
-        let [r_1, r_2] = [0, 1].map(|i| inner.arms[i].of::<S>().turned(self.bodies[outer[i].body].u));
+        let [r_1, r_2] = [0, 1].map(|i| inner.arms[i].of::<S>().turned(self.motion.bodies[outer[i].body].u));
         (rrr::Rrr::new(r_1, r_2), r_1.cross(r_2) / (r_1.norm() * r_2.norm()))
     }
 
@@ -235,10 +237,11 @@ impl<S: Scalar> State<S> {
         motion: Option<usize>,
     ) -> (rrp::Rrp<S>, S) {
         if let Some(step) = motion {
-            let Shared { r_1, second, inverse } = self.shared[step];
-            return (rrp::Rrp { r_1, d: second, inverse }, self.sines[step]);
+            let Shared { r_1, second, inverse } = self.motion.shared[step];
+            return (rrp::Rrp { r_1, d: second, inverse }, self.motion.conditions[step]);
         }
-        let (r_1, d) = (inner.arms[0].of::<S>().turned(self.bodies[outer.body].u), self.direction(way));
+        let (r_1, d) =
+            (inner.arms[0].of::<S>().turned(self.motion.bodies[outer.body].u), self.direction(way));
         (rrp::Rrp::new(r_1, d), r_1.dot(d) / r_1.norm())
     }
 
@@ -251,7 +254,8 @@ impl<S: Scalar> State<S> {
         let got = group.reactions(F_1, M_1, F_2, M_2);
         self.hinge_reaction(one, p_A, got.f_A);
         self.hinge_reaction(two, p_B, got.f_B);
-        self.reactions[inner.slot] = Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
+        self.forces.reactions[inner.slot] =
+            Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
         sine
     }
 
@@ -262,7 +266,8 @@ impl<S: Scalar> State<S> {
         let (p_C, F_2, M_2) = self.load_at(way.body, &inner.second_pin);
         let got = group.reactions(F_1, M_1, F_2, M_2);
         self.hinge_reaction(outer, p_A, got.f_A);
-        self.reactions[inner.slot] = Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
+        self.forces.reactions[inner.slot] =
+            Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
         self.carried_way(way, p_C, group.d.perp() * got.normal, got.couple);
         sine
     }
@@ -285,12 +290,13 @@ impl<S: Scalar> State<S> {
 
     #[inline(always)]
     fn force_prp(&mut self, ways: &[Way; 2], inner: &Inner) -> S {
-        let p_C = self.bodies[ways[0].body].position(inner.pin);
+        let p_C = self.motion.bodies[ways[0].body].position(inner.pin);
         let d = [self.direction(&ways[0]), self.direction(&ways[1])];
         let (F_1, M_1) = self.load_about(ways[0].body, p_C);
         let (F_2, M_2) = self.load_about(ways[1].body, p_C);
         let got = prp::Prp::new(d[0], d[1]).reactions(F_1, M_1, F_2, M_2);
-        self.reactions[inner.slot] = Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
+        self.forces.reactions[inner.slot] =
+            Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
         self.carried_way(&ways[0], p_C, d[0].perp() * got.normal_1, got.couple_1);
         self.carried_way(&ways[1], p_C, d[1].perp() * got.normal_2, got.couple_2);
         d[0].cross(d[1])
@@ -299,7 +305,7 @@ impl<S: Scalar> State<S> {
     #[inline(never)]
     fn force_rpp(&mut self, outer: &Hinge, inner: &Way, way: &Way) -> S {
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
-        let p_R = self.bodies[way.slider].position(way.point);
+        let p_R = self.motion.bodies[way.slider].position(way.point);
         let (d_1, d_2) = (self.direction(inner), self.direction(way));
         let (F_2, M_2) = self.load_about(way.body, p_R);
         let s_1 = (p_A - p_R).dot(d_1);
@@ -315,7 +321,7 @@ impl<S: Scalar> State<S> {
     /// The couple is put on the first guide: how it is shared is not determined, and is not reported.
     #[inline(never)]
     fn force_translation(&mut self, ways: &[Way; 2]) -> S {
-        let p_R = self.bodies[ways[0].slider].position(ways[0].point);
+        let p_R = self.motion.bodies[ways[0].slider].position(ways[0].point);
         let d = [self.direction(&ways[0]), self.direction(&ways[1])];
         let (F, M) = self.load_about(ways[0].body, p_R);
         let got = pp::Pp::new(d[0], d[1]).reactions(F, M);

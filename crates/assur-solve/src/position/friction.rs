@@ -13,7 +13,9 @@
 //! where the determinant of ∂g/∂φ is 1, and accepts a solution where it is positive. Magnitudes have kinks where a force
 //! changes its sense: where Newton does not settle, all laws of the mechanism are searched (`friction_search`).
 
-use super::state::{Reaction, State, Wrench};
+use super::friction_work::RubbingWork;
+use super::state::State;
+use super::wrench::{Reaction, Wrench};
 use crate::math::Vec2;
 use crate::plan::{ForceStep, FrictionElement, Plan, Rub, RubbingGroup};
 
@@ -22,50 +24,13 @@ pub(super) const STEPS: u32 = 25;
 /// Velocities below this part of the greatest are none.
 pub(crate) const STILL: f64 = 1e-11;
 
-/// Memory of a group with friction.
-#[derive(Clone, Debug)]
-pub struct RubbingWork {
-    /// Wrenches of the group's bodies and bases as the group finds them.
-    saved: Vec<Wrench>,
-    /// What the law of each element measures, two numbers each: a row per element, from the loads and from each unit.
-    measured: Vec<Vec2>,
-    senses: Vec<f64>,
-    jacobian: Vec<f64>,
-    values: Vec<f64>,
-    right: Vec<f64>,
-    steps: u32,
-}
-
-impl RubbingWork {
-    /// Newton's steps at the last position, all attempts counted; zero where a closed form needs none.
-    #[must_use]
-    pub const fn steps(&self) -> u32 {
-        self.steps
-    }
-
-    /// Memory for a group.
-    #[must_use]
-    pub fn new(group: &RubbingGroup) -> Self {
-        let count = group.elements.len();
-        Self {
-            saved: vec![Wrench::default(); group.bodies.len() + group.bases.len()],
-            measured: vec![Vec2::zero(); count * (count + 1)],
-            senses: vec![0.0; count],
-            jacobian: vec![0.0; count * count],
-            values: vec![0.0; count],
-            right: vec![0.0; count],
-            steps: 0,
-        }
-    }
-}
-
 impl State {
     /// Line along which an element's force acts, and a point of it; `None` for a torque.
     pub(crate) fn rubbing_line(&self, element: &FrictionElement) -> Option<(Vec2, Vec2)> {
         match &element.kind {
             Rub::Circle { .. } => None,
             Rub::Guide { way, .. } | Rub::BothEnds { way, .. } => {
-                Some((self.bodies[way.slider].position(way.point), self.direction(way)))
+                Some((self.motion.bodies[way.slider].position(way.point), self.direction(way)))
             }
             Rub::Contact { first, second, internal, .. } => {
                 let (p, n) = self.touch((element.body, *first), (element.base, *second), *internal)?;
@@ -76,11 +41,11 @@ impl State {
 
     /// Velocity of the element's body against its base, rad/s or m/s, in the sense in which its effort counts.
     pub(crate) fn rubbing_speed(&self, element: &FrictionElement) -> f64 {
-        let (body, base) = (&self.bodies[element.body], &self.bodies[element.base]);
+        let (body, base) = (&self.motion.bodies[element.body], &self.motion.bodies[element.base]);
         match self.rubbing_line(element) {
             None => body.omega - base.omega,
             Some((p, d)) => {
-                let at = |b: &super::state::BodyState| b.v + (p - b.p).perp() * b.omega;
+                let at = |b: &super::body::BodyState| b.v + (p - b.p).perp() * b.omega;
                 (at(body) - at(base)).dot(d)
             }
         }
@@ -89,25 +54,25 @@ impl State {
     /// Senses of all elements: the sign of the relative velocity, zero where it is nothing but rounding.
     pub fn set_senses(&mut self, plan: &Plan) {
         let (mut turn, mut square, mut extent) = (0.0, 0.0, 0.0);
-        for b in &self.bodies {
+        for b in &self.motion.bodies {
             turn = f64::max(turn, b.omega * b.omega);
             square = f64::max(square, b.v.dot(b.v));
-            extent = f64::max(extent, (b.p - self.bodies[0].p).dot(b.p - self.bodies[0].p));
+            extent = f64::max(extent, (b.p - self.motion.bodies[0].p).dot(b.p - self.motion.bodies[0].p));
         }
         for (i, element) in plan.friction.iter().enumerate() {
-            self.senses[i] = match self.rubbing_line(element) {
-                None => self.bodies[element.body].omega - self.bodies[element.base].omega,
+            self.forces.senses[i] = match self.rubbing_line(element) {
+                None => self.motion.bodies[element.body].omega - self.motion.bodies[element.base].omega,
                 Some((p, d)) => {
-                    let at = |b: &super::state::BodyState| b.v + (p - b.p).perp() * b.omega;
-                    let v = at(&self.bodies[element.body]);
+                    let at = |b: &super::body::BodyState| b.v + (p - b.p).perp() * b.omega;
+                    let v = at(&self.motion.bodies[element.body]);
                     square = f64::max(square, v.dot(v));
-                    (v - at(&self.bodies[element.base])).dot(d)
+                    (v - at(&self.motion.bodies[element.base])).dot(d)
                 }
             };
         }
         // where nothing turns, what is left of an angular velocity is a rounded velocity over a length
         let (unit, turn) = if extent > 0.0 { (extent, f64::max(turn * extent, square)) } else { (1.0, turn) };
-        for (sense, element) in self.senses.iter_mut().zip(&plan.friction) {
+        for (sense, element) in self.forces.senses.iter_mut().zip(&plan.friction) {
             let turns = matches!(element.kind, Rub::Circle { .. });
             let (unit, most) = if turns { (unit, turn) } else { (1.0, square) };
             let still = *sense * *sense * unit <= STILL * STILL * most;
@@ -118,17 +83,17 @@ impl State {
     /// Marks all reactions and efforts as not existing: the mechanism is locked.
     pub(crate) fn forget_forces(&mut self) {
         let none = Reaction { force: Vec2::new(f64::NAN, f64::NAN), couple: f64::NAN };
-        self.reactions.fill(none);
-        self.efforts.fill(f64::NAN);
-        self.frictions.fill(f64::NAN);
+        self.forces.reactions.fill(none);
+        self.forces.efforts.fill(f64::NAN);
+        self.forces.frictions.fill(f64::NAN);
     }
 
     /// Adds an element's effort to the loads of its bodies.
     pub(super) fn apply_rub(&mut self, element: &FrictionElement, effort: f64) {
         match self.rubbing_line(element) {
             None => {
-                self.wrenches[element.through].moment += effort;
-                self.wrenches[element.base].moment -= effort;
+                self.forces.wrenches[element.through].moment += effort;
+                self.forces.wrenches[element.base].moment -= effort;
             }
             Some((p, d)) => {
                 self.carry(element.through, p, d * -effort);
@@ -139,13 +104,13 @@ impl State {
 
     fn save(&self, group: &RubbingGroup, saved: &mut [Wrench]) {
         for (slot, keep) in group.bodies.iter().chain(&group.bases).zip(saved) {
-            *keep = self.wrenches[*slot];
+            *keep = self.forces.wrenches[*slot];
         }
     }
 
     fn restore(&mut self, group: &RubbingGroup, saved: &[Wrench]) {
         for (slot, keep) in group.bodies.iter().chain(&group.bases).zip(saved) {
-            self.wrenches[*slot] = *keep;
+            self.forces.wrenches[*slot] = *keep;
         }
     }
 
@@ -157,9 +122,9 @@ impl State {
             let slots = &plan.pin_slots[from..to];
             return slots
                 .iter()
-                .fold(Vec2::zero(), |sum, (slot, sign)| sum + self.reactions[*slot].force * *sign);
+                .fold(Vec2::zero(), |sum, (slot, sign)| sum + self.forces.reactions[*slot].force * *sign);
         }
-        let Reaction { force, couple } = self.reactions[element.slot];
+        let Reaction { force, couple } = self.forces.reactions[element.slot];
         match &element.kind {
             Rub::Circle { .. } | Rub::Contact { .. } => force,
             Rub::Guide { way, .. } => Vec2::new(self.direction(way).cross(force), 0.0),
@@ -181,20 +146,22 @@ impl State {
         if let Some(elements) = &group.reduced {
             let mut steps = 0;
             let sine = self.force_reduced(plan, plain, elements, &mut steps);
-            if let Some(Some(work)) = self.rubbing_work.get_mut(index) {
+            if let Some(Some(work)) = self.scratch.rubbing_work.get_mut(index) {
                 work.steps = steps;
             }
             return sine.unwrap_or_else(|| {
-                self.locked = true;
+                self.forces.locked = true;
                 self.force_step(plan, plain)
             });
         }
-        let Some(mut work) = self.rubbing_work.get_mut(index).and_then(Option::take) else { return 0.0 };
+        let Some(mut work) = self.scratch.rubbing_work.get_mut(index).and_then(Option::take) else {
+            return 0.0;
+        };
         work.steps = 0;
         self.save(group, &mut work.saved);
         let sine = self.respond(plan, plain, group, &mut work, None);
         for unit in 0..group.elements.len() {
-            let sense = self.senses[group.elements[unit]];
+            let sense = self.forces.senses[group.elements[unit]];
             work.senses[unit] = sense;
             if sense != 0.0 {
                 self.respond(plan, plain, group, &mut work, Some(unit));
@@ -204,14 +171,14 @@ impl State {
         self.restore(group, &work.saved);
         if settled {
             for (&element, &x) in group.elements.iter().zip(&work.values) {
-                self.frictions[element] = x;
+                self.forces.frictions[element] = x;
                 self.apply_rub(&plan.friction[element], x);
             }
         } else {
-            self.locked = true;
+            self.forces.locked = true;
         }
         self.force_step(plan, plain);
-        self.rubbing_work[index] = Some(work);
+        self.scratch.rubbing_work[index] = Some(work);
         sine
     }
 
@@ -226,7 +193,7 @@ impl State {
     ) -> f64 {
         if let Some(unit) = unit {
             for &body in group.bodies.iter().chain(&group.bases) {
-                self.wrenches[body] = Wrench::default();
+                self.forces.wrenches[body] = Wrench::default();
             }
             self.apply_rub(&plan.friction[group.elements[unit]], 1.0);
         }

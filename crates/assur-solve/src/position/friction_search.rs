@@ -3,7 +3,8 @@
 //! hinge forces are searched. The mechanism is locked only where none is consistent.
 
 use super::consistent::Consistent;
-use super::state::{State, Wrench};
+use super::state::State;
+use super::wrench::Wrench;
 use crate::math::{Magnitudes, Part, Vec2};
 use crate::plan::{Plan, Rub};
 
@@ -12,23 +13,23 @@ impl State {
     #[cold]
     #[inline(never)]
     pub(super) fn search_friction(&mut self, plan: &Plan) {
-        let loads = std::mem::take(&mut self.loads_before);
-        let moving: Vec<usize> = (0..plan.friction.len()).filter(|e| self.senses[*e] != 0.0).collect();
+        let loads = std::mem::take(&mut self.scratch.loads_before);
+        let moving: Vec<usize> = (0..plan.friction.len()).filter(|e| self.forces.senses[*e] != 0.0).collect();
         let laws = self.friction_laws(plan, &moving, &loads);
         let (taken, consistent) = match Magnitudes::follow(|part| Some(laws.scaled(part))) {
             Some(efforts) => (Some(efforts), Consistent::One),
             None => self.least_loss(plan, &moving, &laws),
         };
-        self.consistent = consistent;
-        self.locked = taken.is_none();
-        self.frictions.fill(0.0);
-        self.wrenches.copy_from_slice(&loads);
+        self.forces.consistent = consistent;
+        self.forces.locked = taken.is_none();
+        self.forces.frictions.fill(0.0);
+        self.forces.wrenches.copy_from_slice(&loads);
         for (&element, effort) in moving.iter().zip(taken.into_iter().flatten()) {
-            self.frictions[element] = effort;
+            self.forces.frictions[element] = effort;
             self.apply_rub(&plan.friction[element], effort);
         }
         self.run_forces_without_friction(plan);
-        self.loads_before = loads;
+        self.scratch.loads_before = loads;
     }
 
     /// Of all solutions the one that loses the least power.
@@ -38,8 +39,8 @@ impl State {
         moving: &[usize],
         laws: &Magnitudes,
     ) -> (Option<Vec<f64>>, Consistent) {
-        let all = laws.solutions(self.searched.left());
-        self.searched.add(all.work);
+        let all = laws.solutions(self.scratch.searched.left());
+        self.scratch.searched.add(all.work);
         let consistent = match all.found.len() {
             0 if all.complete => Consistent::None,
             0 => Consistent::Undecided,
@@ -59,9 +60,9 @@ impl State {
         let mut measured = vec![vec![Vec2::zero(); moving.len() + 1]; moving.len()];
         for column in 0..=moving.len() {
             if column == 0 {
-                self.wrenches.copy_from_slice(loads);
+                self.forces.wrenches.copy_from_slice(loads);
             } else {
-                self.wrenches.fill(Wrench::default());
+                self.forces.wrenches.fill(Wrench::default());
                 self.apply_rub(&plan.friction[moving[column - 1]], 1.0);
             }
             self.run_forces_without_friction(plan);
@@ -72,7 +73,7 @@ impl State {
         let mut laws = Magnitudes { orientation: 1.0, weights: Vec::new(), parts: Vec::new() };
         for (row, (&index, measured)) in moving.iter().zip(&measured).enumerate() {
             let element = &plan.friction[index];
-            laws.weights.push(self.senses[index] * element.kind.factor());
+            laws.weights.push(self.forces.senses[index] * element.kind.factor());
             let mut part = |plane: bool, of: &dyn Fn(Vec2) -> Vec2| {
                 let slopes = measured[1..].iter().map(|v| of(*v)).collect();
                 laws.parts.push(Part { row, plane, constant: of(measured[0]), slopes });

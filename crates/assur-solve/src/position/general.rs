@@ -1,6 +1,8 @@
 //! Runs general groups: Newton's method from the state as it stands, forces from the same Jacobian transposed.
 
-use super::state::{Branch, Reaction, State};
+use super::general_work::Workspace;
+use super::state::{Branch, State};
+use super::wrench::Reaction;
 use crate::group::general::{
     self, Acceleration, Constraint, General, Law, Line, Load, Point, Pose, Velocity,
 };
@@ -10,33 +12,6 @@ use crate::plan::{BalanceSystem, GeneralMotion, Settings, UnknownForce, Way};
 /// Starts of the search for assemblies: many for few bodies, as `group::general::assemblies` advises.
 pub(crate) const STARTS: usize = 400;
 
-/// Memory of a general system.
-#[derive(Clone, Debug)]
-pub struct Workspace {
-    equations: General,
-    poses: Vec<Pose>,
-    velocities: Vec<Velocity>,
-    accelerations: Vec<Acceleration>,
-    loads: Vec<Load>,
-    lambda: Vec<f64>,
-}
-
-impl Workspace {
-    /// Memory for a system, laid out once.
-    #[must_use]
-    pub fn new(equations: &General, bodies: usize, moving: usize) -> Self {
-        let rest = Pose { p: Vec2::zero(), u: Vec2::new(1.0, 0.0) };
-        Self {
-            equations: equations.clone(),
-            poses: vec![rest; bodies],
-            velocities: vec![Velocity::default(); bodies],
-            accelerations: vec![Acceleration::default(); bodies],
-            loads: vec![Load::default(); moving],
-            lambda: vec![0.0; 3 * moving],
-        }
-    }
-}
-
 impl State {
     pub(super) fn general<const LEVEL: u8>(
         &mut self,
@@ -45,8 +20,8 @@ impl State {
         group: &GeneralMotion,
         small: f64,
     ) {
-        let Some(mut work) = self.motion_work.get_mut(problem).and_then(Option::take) else {
-            self.open.get_or_insert(branch);
+        let Some(mut work) = self.scratch.motion_work.get_mut(problem).and_then(Option::take) else {
+            self.motion.open.get_or_insert(branch);
             return;
         };
         self.set_drives(&mut work.equations, group);
@@ -54,33 +29,34 @@ impl State {
         self.read_poses(&group.bodies, &mut work.poses);
         match work.equations.position(&mut work.poses, small) {
             Ok(condition) => {
-                self.sines[branch] = condition * work.equations.branch();
-                self.certificates[branch] = work.equations.certificate();
+                self.motion.conditions[branch] = condition * work.equations.branch();
+                self.motion.certificates[branch] = work.equations.certificate();
                 self.write_poses(&group.bodies[..group.moving], &work.poses);
                 if LEVEL > 0 {
                     self.general_rates::<LEVEL>(group, &mut work);
                 }
             }
             Err(_) => {
-                self.open.get_or_insert(branch);
+                self.motion.open.get_or_insert(branch);
             }
         }
-        self.motion_work[problem] = Some(work);
+        self.scratch.motion_work[problem] = Some(work);
     }
 
     fn general_rates<const LEVEL: u8>(&mut self, group: &GeneralMotion, work: &mut Workspace) {
         for (&slot, velocity) in group.bodies.iter().zip(&mut work.velocities) {
-            *velocity = Velocity { v: self.bodies[slot].v, omega: self.bodies[slot].omega };
+            *velocity = Velocity { v: self.motion.bodies[slot].v, omega: self.motion.bodies[slot].omega };
         }
         work.equations.velocity(&mut work.velocities);
         if LEVEL > 1 {
             for (&slot, acceleration) in group.bodies.iter().zip(&mut work.accelerations) {
-                *acceleration = Acceleration { a: self.bodies[slot].a, alpha: self.bodies[slot].alpha };
+                *acceleration =
+                    Acceleration { a: self.motion.bodies[slot].a, alpha: self.motion.bodies[slot].alpha };
             }
             work.equations.acceleration(&work.poses, &work.velocities, &mut work.accelerations);
         }
         for (i, &slot) in group.bodies[..group.moving].iter().enumerate() {
-            let body = &mut self.bodies[slot];
+            let body = &mut self.motion.bodies[slot];
             body.v = work.velocities[i].v;
             body.omega = work.velocities[i].omega;
             if LEVEL > 1 {
@@ -92,7 +68,7 @@ impl State {
 
     fn set_drives(&self, equations: &mut General, group: &GeneralMotion) {
         for &(index, drive) in &group.driven {
-            let input = self.inputs[drive];
+            let input = self.motion.inputs[drive];
             equations.change(index, |constraint| match constraint {
                 Constraint::Angle { angle, rate, second, .. } => {
                     *angle = input.place;
@@ -120,23 +96,25 @@ impl State {
 
     fn read_poses(&self, slots: &[usize], poses: &mut [Pose]) {
         for (&slot, pose) in slots.iter().zip(poses) {
-            *pose = Pose { p: self.bodies[slot].p, u: self.bodies[slot].u };
+            *pose = Pose { p: self.motion.bodies[slot].p, u: self.motion.bodies[slot].u };
         }
     }
 
     fn write_poses(&mut self, slots: &[usize], poses: &[Pose]) {
         for (&slot, pose) in slots.iter().zip(poses) {
-            self.bodies[slot].p = pose.p;
-            self.bodies[slot].u = pose.u;
+            self.motion.bodies[slot].p = pose.p;
+            self.motion.bodies[slot].u = pose.u;
         }
     }
 
     pub(super) fn force_general(&mut self, index: usize, system: &BalanceSystem) -> f64 {
-        let Some(mut work) = self.force_work.get_mut(index).and_then(Option::take) else { return 0.0 };
+        let Some(mut work) = self.scratch.force_work.get_mut(index).and_then(Option::take) else {
+            return 0.0;
+        };
         self.read_poses(&system.bodies, &mut work.poses);
         for &(constraint, effort) in &system.lines {
-            let (p, n) = self.lines[effort];
-            let bodies = &self.bodies;
+            let (p, n) = self.forces.lines[effort];
+            let bodies = &self.motion.bodies;
             work.equations.change(constraint, |c| {
                 if let Constraint::Coordinate { point, line, .. } = c {
                     let body = &bodies[system.bodies[point.body]];
@@ -154,14 +132,14 @@ impl State {
             });
         }
         for (&slot, load) in system.bodies.iter().zip(&mut work.loads) {
-            *load = Load { F: self.wrenches[slot].force, M: self.wrenches[slot].moment };
+            *load = Load { F: self.forces.wrenches[slot].force, M: self.forces.wrenches[slot].moment };
         }
         let condition = work.equations.factor(&work.poses).unwrap_or(0.0);
         if condition > 0.0 {
             work.equations.reactions(&work.loads, &mut work.lambda);
             self.keep_general(system, &work.lambda);
         }
-        self.force_work[index] = Some(work);
+        self.scratch.force_work[index] = Some(work);
         condition
     }
 
@@ -175,46 +153,46 @@ impl State {
                 UnknownForce::Hinge { slot, hinge } => {
                     let force = Vec2::new(x, lambda[at + 1]);
                     at += 1;
-                    self.reactions[*slot] = Reaction { force, couple: 0.0 };
+                    self.forces.reactions[*slot] = Reaction { force, couple: 0.0 };
                     if !inside(hinge.base) {
-                        let p = self.bodies[hinge.body].pin(&hinge.pin).0;
+                        let p = self.motion.bodies[hinge.body].pin(&hinge.pin).0;
                         self.carry(hinge.base, p, force);
                     }
                 }
                 UnknownForce::Couple(way) => {
                     let couple = on_body(way, x);
-                    self.reactions[way.slot] = Reaction { force: Vec2::zero(), couple };
+                    self.forces.reactions[way.slot] = Reaction { force: Vec2::zero(), couple };
                     if !inside(way.base) {
-                        self.wrenches[way.base].moment -= couple;
+                        self.forces.wrenches[way.base].moment -= couple;
                     }
                 }
                 UnknownForce::Normal(way) => {
                     let force = self.direction(way).perp() * on_body(way, x);
                     // a couple kept stands before its normal force; without one there is none
-                    let couple = self.reactions[way.slot].couple;
-                    self.reactions[way.slot] = Reaction { force, couple };
+                    let couple = self.forces.reactions[way.slot].couple;
+                    self.forces.reactions[way.slot] = Reaction { force, couple };
                     if !inside(way.base) {
-                        let p = self.bodies[way.slider].position(way.point);
+                        let p = self.motion.bodies[way.slider].position(way.point);
                         self.carry(way.base, p, force);
                     }
                 }
                 UnknownForce::Torque { effort, body, base } => {
-                    self.efforts[*effort] = x;
+                    self.forces.efforts[*effort] = x;
                     for (other, moment) in [(*base, -x), (*body, x)] {
                         if !inside(other) {
-                            self.wrenches[other].moment += moment;
+                            self.forces.wrenches[other].moment += moment;
                         }
                     }
                 }
                 UnknownForce::Along { effort, way } => {
-                    self.efforts[*effort] = x;
+                    self.forces.efforts[*effort] = x;
                     let force = self.direction(way) * on_body(way, x);
                     if !inside(way.base) {
-                        let p = self.bodies[way.slider].position(way.point);
+                        let p = self.motion.bodies[way.slider].position(way.point);
                         self.carry(way.base, p, force);
                     }
                 }
-                UnknownForce::Line(effort) => self.efforts[*effort] = x,
+                UnknownForce::Line(effort) => self.forces.efforts[*effort] = x,
                 UnknownForce::Passive => {}
             }
             at += 1;
@@ -229,7 +207,7 @@ fn on_body(way: &Way, on_slider: f64) -> f64 {
 
 /// Whether a general group can be moved within its pairs wherever it stands.
 pub(crate) fn is_never_regular(state: &State, problem: usize, group: &GeneralMotion) -> bool {
-    let Some(mut work) = state.motion_work.get(problem).cloned().flatten() else { return false };
+    let Some(mut work) = state.scratch.motion_work.get(problem).cloned().flatten() else { return false };
     state.set_drives(&mut work.equations, group);
     state.read_poses(&group.bodies, &mut work.poses);
     general::is_never_regular(&mut work.equations, &work.poses)
@@ -243,7 +221,9 @@ pub(crate) fn assemblies(
     group: &GeneralMotion,
     starts: usize,
 ) -> Vec<State> {
-    let Some(work) = before.motion_work.get(problem).and_then(Option::as_ref) else { return Vec::new() };
+    let Some(work) = before.scratch.motion_work.get(problem).and_then(Option::as_ref) else {
+        return Vec::new();
+    };
     let mut out = Vec::new();
     for sides in 0..(1_u32 << group.round.len().min(8)) {
         let mut state = before.clone();
@@ -254,11 +234,11 @@ pub(crate) fn assemblies(
         state.read_poses(&group.bodies, &mut work.poses);
         for poses in general::assemblies(&mut work.equations, &work.poses, starts) {
             let mut found = state.clone();
-            found.open = None;
+            found.motion.open = None;
             found.write_poses(&group.bodies[..group.moving], &poses);
             // Newton's method from the answer itself: sets the condition figure
             found.general::<0>(branch, problem, group, Settings::FULL.newton);
-            if found.open.is_none() {
+            if found.motion.open.is_none() {
                 out.push(found);
             }
         }

@@ -5,9 +5,12 @@
 //! lanes, or where a group does not close in one of them, go in one lane; plans that are not [laned](Plan::laned) go
 //! position by position.
 
+use super::body::BodyState;
 use super::closed::Closed;
 use super::columns::DriveColumns;
-use super::state::{BodyState, DriveInput, Reaction, State};
+use super::kinematics::DriveInput;
+use super::state::State;
+use super::wrench::Reaction;
 use crate::math::{Lanes, V2, Vec2};
 use crate::plan::Plan;
 use std::ops::Range;
@@ -76,8 +79,8 @@ impl<'a> SideBySide<'a> {
     /// out.
     pub fn run(&mut self, inputs: &DriveColumns, mut each: impl FnMut(usize, Place<'_>)) {
         // quantities that no column holds are not read again
-        self.lanes.iter_mut().for_each(|block| block.inputs.fill(DriveInput::default()));
-        self.scalars.iter_mut().for_each(|state| state.inputs.fill(DriveInput::default()));
+        self.lanes.iter_mut().for_each(|block| block.motion.inputs.fill(DriveInput::default()));
+        self.scalars.iter_mut().for_each(|state| state.motion.inputs.fill(DriveInput::default()));
         let mut first = 0;
         while first < inputs.len() {
             let left = inputs.len() - first;
@@ -104,7 +107,7 @@ impl<'a> SideBySide<'a> {
         run_lanes(self.arch, Laned { closed, inputs, first });
         for i in 0..full {
             let (block, first) = (&self.lanes[i], first + i * WIDTH);
-            if block.open.is_none() {
+            if block.motion.open.is_none() {
                 (0..WIDTH).for_each(|lane| each(first + lane, Place::Lane(block, lane)));
             } else {
                 self.one_by_one(inputs, first..first + WIDTH, each);
@@ -123,7 +126,7 @@ impl<'a> SideBySide<'a> {
             let count = places.len().min(self.scalars.len());
             let states = &mut self.scalars[..count];
             for (state, i) in states.iter_mut().zip(places.clone()) {
-                inputs.read(i, &mut state.inputs);
+                inputs.read(i, &mut state.motion.inputs);
             }
             match &mut *states {
                 [state] => alone(self.plan, state),
@@ -210,7 +213,7 @@ impl pulp::WithSimd for Laned<'_> {
         }
         for (i, block) in self.closed.blocks.iter_mut().enumerate() {
             // read here: a vector stored in halves is slow to load as a whole
-            self.inputs.read_lanes(self.first + i * WIDTH, &mut block.inputs);
+            self.inputs.read_lanes(self.first + i * WIDTH, &mut block.motion.inputs);
         }
         self.closed.run();
     }
@@ -222,9 +225,9 @@ impl Place<'_> {
     #[must_use]
     pub fn body(&self, slot: usize) -> BodyState {
         match self {
-            Self::Alone(state) => state.bodies[slot],
+            Self::Alone(state) => state.motion.bodies[slot],
             Self::Lane(state, i) => {
-                let b = &state.bodies[slot];
+                let b = &state.motion.bodies[slot];
                 BodyState {
                     p: vector(b.p, *i),
                     u: vector(b.u, *i),
@@ -243,9 +246,9 @@ impl Place<'_> {
     #[must_use]
     pub fn reaction(&self, slot: usize) -> Reaction {
         match self {
-            Self::Alone(state) => state.reactions[slot],
+            Self::Alone(state) => state.forces.reactions[slot],
             Self::Lane(state, i) => {
-                let r = &state.reactions[slot];
+                let r = &state.forces.reactions[slot];
                 Reaction { force: vector(r.force, *i), couple: r.couple.0[*i] }
             }
         }
@@ -256,8 +259,8 @@ impl Place<'_> {
     #[must_use]
     pub fn effort(&self, slot: usize) -> f64 {
         match self {
-            Self::Alone(state) => state.efforts[slot],
-            Self::Lane(state, i) => state.efforts[slot].0[*i],
+            Self::Alone(state) => state.forces.efforts[slot],
+            Self::Lane(state, i) => state.forces.efforts[slot].0[*i],
         }
     }
 
@@ -266,8 +269,8 @@ impl Place<'_> {
     #[must_use]
     pub fn sine(&self, group: usize) -> f64 {
         match self {
-            Self::Alone(state) => state.sines[group],
-            Self::Lane(state, i) => state.sines[group].0[*i],
+            Self::Alone(state) => state.motion.conditions[group],
+            Self::Lane(state, i) => state.motion.conditions[group].0[*i],
         }
     }
 
@@ -276,8 +279,8 @@ impl Place<'_> {
     #[must_use]
     pub fn force_sine(&self, group: usize) -> f64 {
         match self {
-            Self::Alone(state) => state.force_sines[group],
-            Self::Lane(state, i) => state.force_sines[group].0[*i],
+            Self::Alone(state) => state.forces.conditions[group],
+            Self::Lane(state, i) => state.forces.conditions[group].0[*i],
         }
     }
 
@@ -286,7 +289,7 @@ impl Place<'_> {
     #[must_use]
     pub fn open(&self) -> Option<usize> {
         match self {
-            Self::Alone(state) => state.open,
+            Self::Alone(state) => state.motion.open,
             Self::Lane(..) => None,
         }
     }

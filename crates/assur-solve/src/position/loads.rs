@@ -1,7 +1,9 @@
 //! Adds up the loads on the bodies before forces are solved.
 
+use super::body::BodyState;
 use super::scene::Scene;
-use super::state::{BodyState, State, Wrench};
+use super::state::State;
+use super::wrench::Wrench;
 use crate::force::spring::spring;
 use crate::math::{Scalar, V2, Vec2};
 use crate::model::{LoadId, LoadKind, Value};
@@ -13,8 +15,8 @@ impl<S: Scalar> State<S> {
     /// Adds a force at a place in ground axes.
     #[inline(always)]
     fn apply(&mut self, body: usize, p: V2<S>, force: V2<S>) {
-        let r = p - self.bodies[body].p;
-        let w = &mut self.wrenches[body];
+        let r = p - self.motion.bodies[body].p;
+        let w = &mut self.forces.wrenches[body];
         w.force += force;
         w.moment = w.moment + r.cross(force);
     }
@@ -32,7 +34,7 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub(super) fn unload(&mut self, plan: &Plan) {
         for &body in &plan.massless {
-            self.wrenches[body] = Wrench { force: V2::zero(), moment: S::zero() };
+            self.forces.wrenches[body] = Wrench { force: V2::zero(), moment: S::zero() };
         }
     }
 
@@ -41,26 +43,26 @@ impl<S: Scalar> State<S> {
     pub(super) fn known_load(&mut self, step: &LoadStep) {
         match step {
             LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, gravity, inertia } => {
-                let b = &self.bodies[*body];
+                let b = &self.motion.bodies[*body];
                 let mass = S::of(*mass);
                 let heavy = Heavy {
                     mass,
                     moment_of_inertia: S::of(*moment_of_inertia),
                     weight: if S::WIDE { V2::of(*gravity) * mass } else { V2::of(*weight) },
                 };
-                self.wrenches[*body] =
+                self.forces.wrenches[*body] =
                     if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };
             }
             LoadStep::Force { body, at, force, frame, .. } => {
-                let force = frame.map_or(V2::of(*force), |f| V2::of(*force).turned(self.bodies[f].u));
-                let p = self.bodies[*body].position(*at);
+                let force = frame.map_or(V2::of(*force), |f| V2::of(*force).turned(self.motion.bodies[f].u));
+                let p = self.motion.bodies[*body].position(*at);
                 self.apply(*body, p, force);
             }
             LoadStep::Torque { body, torque, .. } => {
-                self.wrenches[*body].moment = self.wrenches[*body].moment + S::of(*torque)
+                self.forces.wrenches[*body].moment = self.forces.wrenches[*body].moment + S::of(*torque)
             }
             LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
-                let (b_1, b_2) = (&self.bodies[one.body], &self.bodies[two.body]);
+                let (b_1, b_2) = (&self.motion.bodies[one.body], &self.motion.bodies[two.body]);
                 let (p_1, p_2) = (b_1.position(one.at), b_2.position(two.at));
                 let (v, damping) = damping.map_or((V2::zero(), S::zero()), |damping| {
                     (b_2.velocity(two.at) - b_1.velocity(one.at), S::of(damping))
@@ -77,10 +79,10 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub fn set_lines(&mut self, plan: &Plan) {
         for line in &plan.lines {
-            let p = self.bodies[line.body].position(line.at);
+            let p = self.motion.bodies[line.body].position(line.at);
             let along = unit(line.along);
-            let n = line.frame.map_or(along, |f| along.turned(self.bodies[f].u));
-            self.lines[line.effort] = (p, n);
+            let n = line.frame.map_or(along, |f| along.turned(self.motion.bodies[f].u));
+            self.forces.lines[line.effort] = (p, n);
         }
     }
 }
@@ -102,13 +104,13 @@ impl State {
                 Value::Vector(force),
             ) => {
                 let p = match at {
-                    crate::model::Place::Local(at) => self.bodies[on.index()].position(*at),
+                    crate::model::Place::Local(at) => self.motion.bodies[on.index()].position(*at),
                     crate::model::Place::Ground(expr) => constant_vector(expr),
                 };
                 self.apply(on.index(), p, force);
             }
             (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => {
-                self.wrenches[on.index()].moment += torque;
+                self.forces.wrenches[on.index()].moment += torque;
             }
             (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => {
                 self.apply_in_pair(scene, *pair, effort);
@@ -122,7 +124,7 @@ impl State {
         for joint in scene.structure.replaced.joints_of(pair) {
             match &scene.structure.replaced.joint(joint).kind {
                 JointKind::Prismatic { slider, point, direction, guide, .. } => {
-                    let b = &self.bodies[slider.0];
+                    let b = &self.motion.bodies[slider.0];
                     let (p, force) = (b.position(*point), direction.turned(b.u) * effort);
                     self.apply(slider.0, p, force);
                     self.apply(guide.0, p, -force);
@@ -132,8 +134,8 @@ impl State {
                     if matches!(scene.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_)) =>
                 {
                     if let [first, second] = members.as_slice() {
-                        self.wrenches[second.0.0].moment += effort;
-                        self.wrenches[first.0.0].moment -= effort;
+                        self.forces.wrenches[second.0.0].moment += effort;
+                        self.forces.wrenches[first.0.0].moment -= effort;
                     }
                     return;
                 }

@@ -2,7 +2,8 @@
 //!
 //! `LEVEL` is 0 for positions, 1 with velocities, 2 with accelerations: what is not followed is not compiled in.
 
-use super::state::{BodyState, State};
+use super::body::BodyState;
+use super::state::State;
 use crate::math::{Scalar, Truths, V2, Vec2};
 use crate::plan::step::unit;
 use crate::plan::{Anchor, Arm, MotionStep, Plan, Slide};
@@ -124,12 +125,12 @@ impl<S: Scalar> State<S> {
     /// Puts the bodies that are driven at a point where the drives say.
     #[inline(always)]
     pub fn start(&mut self, plan: &Plan) {
-        self.open = None;
+        self.motion.open = None;
         for &(body, at, drive) in &plan.outer {
-            let input = &self.inputs[drive];
+            let input = &self.motion.inputs[drive];
             let point = Point { p: input.place, v: input.velocity, a: input.point_acceleration };
             let along = V2::new(S::one(), S::zero());
-            place::<S, 2>(&mut self.bodies[body], &Some(at), point, along, S::zero(), S::zero());
+            place::<S, 2>(&mut self.motion.bodies[body], &Some(at), point, along, S::zero(), S::zero());
         }
     }
 
@@ -161,7 +162,7 @@ impl<S: Scalar> State<S> {
             | MotionStep::Train { branch, .. }
             | MotionStep::Triad { branch, .. }
             | MotionStep::General { branch, .. } => {
-                self.open.get_or_insert(*branch);
+                self.motion.open.get_or_insert(*branch);
             }
         }
     }
@@ -170,7 +171,7 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub(super) fn closes(&mut self, branch: usize, closure: S, scale: S) {
         if !(S::of(-CLOSURE * S::ROUNDING) * scale).lt(closure).all() {
-            self.open.get_or_insert(branch);
+            self.motion.open.get_or_insert(branch);
         }
     }
 
@@ -183,12 +184,12 @@ impl<S: Scalar> State<S> {
         drive: usize,
         relative: Option<f64>,
     ) {
-        let input = &self.inputs[drive];
-        let hinge = point::<S, LEVEL>(&self.bodies, base);
+        let input = &self.motion.inputs[drive];
+        let hinge = point::<S, LEVEL>(&self.motion.bodies, base);
         let (u, omega, alpha, way) = match relative {
             None => (input.place, input.rate, input.acceleration, input.value),
             Some(sign) => {
-                let carrier = &self.bodies[base.body];
+                let carrier = &self.motion.bodies[base.body];
                 let sign = S::of(sign);
                 let direction = V2::new(input.place.x, sign * input.place.y);
                 (
@@ -199,15 +200,15 @@ impl<S: Scalar> State<S> {
                 )
             }
         };
-        let body = &mut self.bodies[body];
+        let body = &mut self.motion.bodies[body];
         body.way = way;
         place::<S, LEVEL>(body, pin, hinge, u, omega, alpha);
     }
 
     #[inline(always)]
     pub(super) fn shift<const LEVEL: u8>(&mut self, slide: &Slide, drive: usize) {
-        let input = self.inputs[drive];
-        let guide = line(&self.bodies, slide);
+        let input = self.motion.inputs[drive];
+        let guide = line(&self.motion.bodies, slide);
         let p = guide.origin + guide.along * (S::of(slide.sense) * input.value);
         self.place_slider::<LEVEL>(
             slide,
@@ -232,13 +233,21 @@ impl<S: Scalar> State<S> {
     ) {
         if slide.base == 0 {
             let moved = Point { p, v: d * s_dot, a: d * s_ddot };
-            place::<S, LEVEL>(&mut self.bodies[slide.body], pin, moved, slide.turn(), S::zero(), S::zero());
+            place::<S, LEVEL>(
+                &mut self.motion.bodies[slide.body],
+                pin,
+                moved,
+                slide.turn(),
+                S::zero(),
+                S::zero(),
+            );
             return;
         }
-        let base = self.bodies[slide.base];
-        let moved = slid::<S, LEVEL>(&base, under::<S, LEVEL>(&self.bodies, slide.base, p), d, s_dot, s_ddot);
+        let base = self.motion.bodies[slide.base];
+        let moved =
+            slid::<S, LEVEL>(&base, under::<S, LEVEL>(&self.motion.bodies, slide.base, p), d, s_dot, s_ddot);
         let u = slide.turn().turned(base.u);
-        place::<S, LEVEL>(&mut self.bodies[slide.body], pin, moved, u, base.omega, base.alpha);
+        place::<S, LEVEL>(&mut self.motion.bodies[slide.body], pin, moved, u, base.omega, base.alpha);
     }
 
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! One position in another scalar: with twice the digits, the reference for what `f64` loses; with half of them.
 
-use super::state::{DriveInput, State};
+use super::kinematics::DriveInput;
+use super::state::State;
 use crate::math::{Double, Scalar, V2, Vec2};
 use crate::plan::{ForceStep, Level, MotionStep, Plan};
 
@@ -57,7 +58,7 @@ pub fn in_scalar<S: Edge>(plan: &Plan, reference: &State) -> Option<State<S>> {
     }
     let mut state = State::closed(plan);
     state.branches.clone_from(&reference.branches);
-    state.set_inputs(&reference.inputs);
+    state.set_inputs(&reference.motion.inputs);
     state.run_closed(plan);
     Some(state)
 }
@@ -65,7 +66,7 @@ pub fn in_scalar<S: Edge>(plan: &Plan, reference: &State) -> Option<State<S>> {
 impl<S: Edge> State<S> {
     /// What the drives say, in another scalar.
     pub fn set_inputs(&mut self, inputs: &[DriveInput]) {
-        for (out, input) in self.inputs.iter_mut().zip(inputs) {
+        for (out, input) in self.motion.inputs.iter_mut().zip(inputs) {
             *out = input.in_scalar();
         }
     }
@@ -82,7 +83,7 @@ impl<S: Edge> State<S> {
             self.known_loads(plan);
             self.set_lines(plan);
             for (index, step) in plan.forces.iter().enumerate() {
-                self.force_sines[index] = self.closed_forces(step);
+                self.forces.conditions[index] = self.closed_forces(step);
             }
         }
     }

@@ -2,7 +2,8 @@
 //! in equilibrium, the powers add up to nothing.
 
 use super::scene::Scene;
-use super::state::{State, Wrench};
+use super::state::State;
+use super::wrench::Wrench;
 use crate::math::Vec2;
 use crate::structure::{BodyId, EffortKind, JointKind};
 
@@ -22,7 +23,7 @@ pub struct Residuals {
 #[must_use]
 pub fn residuals(scene: &Scene<'_>, state: &State) -> Residuals {
     // a locked mechanism has none
-    let forces = scene.plan.effects.forces && !scene.plan.forces.is_empty() && !state.locked;
+    let forces = scene.plan.effects.forces && !scene.plan.forces.is_empty() && !state.forces.locked;
     let velocities = scene.plan.effects.level >= crate::plan::Level::Velocities;
     Residuals {
         closure: closure(scene, state),
@@ -42,16 +43,16 @@ fn closure(scene: &Scene<'_>, state: &State) -> f64 {
         match &joint.kind {
             JointKind::Revolute(members) => {
                 let Some(&(first, at)) = members.first() else { continue };
-                let p = state.bodies[first.0].position(at);
+                let p = state.motion.bodies[first.0].position(at);
                 for &(body, at) in members {
-                    let b = &state.bodies[body.0];
+                    let b = &state.motion.bodies[body.0];
                     let q = b.position(at);
                     worst = worst.max((q - p).norm());
                     size = size.max(q.norm()).max(b.p.norm());
                 }
             }
             JointKind::Prismatic { slider, point, direction, guide, through, along, offset, .. } => {
-                let (s, g) = (&state.bodies[slider.0], &state.bodies[guide.0]);
+                let (s, g) = (&state.motion.bodies[slider.0], &state.motion.bodies[guide.0]);
                 let (d, n) = (along.turned(g.u), along.turned(g.u).perp());
                 let from_line = s.position(*point) - g.position(*through);
                 let extent = from_line.norm();
@@ -67,10 +68,10 @@ fn closure(scene: &Scene<'_>, state: &State) -> f64 {
 
 /// Sums of all forces on every body, from the reactions as they are reported.
 fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
-    let mut total = state.applied.clone();
+    let mut total = state.forces.applied.clone();
     let (mut most_force, mut most_moment) = (f64::MIN_POSITIVE, f64::MIN_POSITIVE);
     let mut add = |body: usize, p: Vec2, force: Vec2, couple: f64| {
-        let r = p - state.bodies[body].p;
+        let r = p - state.motion.bodies[body].p;
         let moment = r.cross(force) + couple;
         total[body].force += force;
         total[body].moment += moment;
@@ -81,23 +82,23 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
         let p = match &scene.structure.replaced.joint(joint.joint).kind {
             JointKind::Revolute(members) => {
                 let at = members.iter().find(|m| m.0 == joint.body).map_or(Vec2::zero(), |m| m.1);
-                state.bodies[joint.body.0].position(at)
+                state.motion.bodies[joint.body.0].position(at)
             }
-            JointKind::Prismatic { slider, point, .. } => state.bodies[slider.0].position(*point),
+            JointKind::Prismatic { slider, point, .. } => state.motion.bodies[slider.0].position(*point),
             JointKind::Law(_) => continue,
         };
-        let reaction = state.reactions[slot];
+        let reaction = state.forces.reactions[slot];
         add(joint.body.0, p, reaction.force, reaction.couple);
         add(joint.base.0, p, -reaction.force, -reaction.couple);
     }
     for (slot, law) in scene.plan.laws.iter().enumerate() {
         state.forces_of_law(law, slot, &mut add);
     }
-    for (element, &value) in scene.plan.friction.iter().zip(&state.frictions) {
+    for (element, &value) in scene.plan.friction.iter().zip(&state.forces.frictions) {
         match state.rubbing_line(element) {
             None => {
-                add(element.through, state.bodies[element.through].p, Vec2::zero(), value);
-                add(element.base, state.bodies[element.base].p, Vec2::zero(), -value);
+                add(element.through, state.motion.bodies[element.through].p, Vec2::zero(), value);
+                add(element.base, state.motion.bodies[element.base].p, Vec2::zero(), -value);
             }
             Some((p, d)) => {
                 add(element.through, p, d * value, 0.0);
@@ -106,19 +107,21 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
         }
     }
     for (slot, effort) in scene.structure.efforts.iter().enumerate() {
-        let value = state.efforts[slot];
+        let value = state.forces.efforts[slot];
         match effort.kind {
-            EffortKind::Angle(b) => add(b.0, state.bodies[b.0].p, Vec2::zero(), value),
+            EffortKind::Angle(b) => add(b.0, state.motion.bodies[b.0].p, Vec2::zero(), value),
             EffortKind::RelativeAngle { first, second, .. } => {
-                add(second.0, state.bodies[second.0].p, Vec2::zero(), value);
-                add(first.0, state.bodies[first.0].p, Vec2::zero(), -value);
+                add(second.0, state.motion.bodies[second.0].p, Vec2::zero(), value);
+                add(first.0, state.motion.bodies[first.0].p, Vec2::zero(), -value);
             }
-            EffortKind::Line(b) => add(b.0, state.lines[slot].0, state.lines[slot].1 * value, 0.0),
+            EffortKind::Line(b) => {
+                add(b.0, state.forces.lines[slot].0, state.forces.lines[slot].1 * value, 0.0)
+            }
             EffortKind::Coordinate(joint) => {
                 if let JointKind::Prismatic { slider, point, direction, guide, .. } =
                     scene.structure.replaced.joint(joint).kind
                 {
-                    let s = &state.bodies[slider.0];
+                    let s = &state.motion.bodies[slider.0];
                     let (p, force) = (s.position(point), direction.turned(s.u) * value);
                     add(slider.0, p, force, 0.0);
                     add(guide.0, p, -force, 0.0);
@@ -127,7 +130,7 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
             EffortKind::Point(_) => {}
         }
     }
-    for w in &state.applied {
+    for w in &state.forces.applied {
         most_force = most_force.max(w.force.norm());
         most_moment = most_moment.max(w.moment.abs());
     }
@@ -149,21 +152,21 @@ fn equilibrium(scene: &Scene<'_>, state: &State) -> f64 {
 fn power(scene: &Scene<'_>, state: &State) -> f64 {
     let mut sum = 0.0;
     let mut add = |p: f64| sum += p;
-    let bodies = scene.structure.replaced.bodies.iter().zip(&state.bodies);
-    for ((_, body), w) in bodies.zip(&state.applied).filter(|((b, _), _)| !b.known) {
+    let bodies = scene.structure.replaced.bodies.iter().zip(&state.motion.bodies);
+    for ((_, body), w) in bodies.zip(&state.forces.applied).filter(|((b, _), _)| !b.known) {
         add(w.force.dot(body.v));
         add(w.moment * body.omega);
     }
     for (slot, effort) in scene.structure.efforts.iter().enumerate() {
-        let value = state.efforts[slot];
+        let value = state.forces.efforts[slot];
         add(match effort.kind {
-            EffortKind::Angle(b) => value * state.bodies[b.0].omega,
+            EffortKind::Angle(b) => value * state.motion.bodies[b.0].omega,
             EffortKind::RelativeAngle { first, second, .. } => {
-                value * (state.bodies[second.0].omega - state.bodies[first.0].omega)
+                value * (state.motion.bodies[second.0].omega - state.motion.bodies[first.0].omega)
             }
             EffortKind::Line(b) => {
-                let (p, n) = state.lines[slot];
-                let body = &state.bodies[b.0];
+                let (p, n) = state.forces.lines[slot];
+                let body = &state.motion.bodies[b.0];
                 value * (body.v + (p - body.p).perp() * body.omega).dot(n)
             }
             EffortKind::Coordinate(joint) => value * slider_speed(scene, state, joint),
@@ -175,10 +178,10 @@ fn power(scene: &Scene<'_>, state: &State) -> f64 {
             && let JointKind::Revolute(members) = &scene.structure.replaced.joint(joint.joint).kind
         {
             let at = members.iter().find(|m| m.0 == joint.base).map_or(Vec2::zero(), |m| m.1);
-            add(state.reactions[slot].force.dot(state.bodies[joint.base.0].velocity(at)));
+            add(state.forces.reactions[slot].force.dot(state.motion.bodies[joint.base.0].velocity(at)));
         }
     }
-    for (element, &value) in scene.plan.friction.iter().zip(&state.frictions) {
+    for (element, &value) in scene.plan.friction.iter().zip(&state.forces.frictions) {
         add(value * state.rubbing_speed(element));
     }
     for (slot, law) in scene.plan.laws.iter().enumerate() {
@@ -189,12 +192,12 @@ fn power(scene: &Scene<'_>, state: &State) -> f64 {
 
 /// The greatest force times the greatest velocity of a joint: at dead positions every single power is nothing.
 fn most_power(scene: &Scene<'_>, state: &State) -> f64 {
-    let forces = state.applied.iter().map(|w| w.force.norm());
-    let force = forces.chain(state.reactions.iter().map(|r| r.force.norm())).fold(0.0, f64::max);
+    let forces = state.forces.applied.iter().map(|w| w.force.norm());
+    let force = forces.chain(state.forces.reactions.iter().map(|r| r.force.norm())).fold(0.0, f64::max);
     let (mut speed, mut turn) = (0.0_f64, 0.0_f64);
     let mut look = |body: BodyId, at: Vec2| {
-        speed = speed.max(state.bodies[body.0].velocity(at).norm());
-        turn = turn.max(state.bodies[body.0].omega.abs());
+        speed = speed.max(state.motion.bodies[body.0].velocity(at).norm());
+        turn = turn.max(state.motion.bodies[body.0].omega.abs());
     };
     for joint in &scene.structure.replaced.joints {
         match &joint.kind {
@@ -206,8 +209,8 @@ fn most_power(scene: &Scene<'_>, state: &State) -> f64 {
             JointKind::Law(_) => {}
         }
     }
-    let moments = state.applied.iter().map(|w| w.moment.abs());
-    let moment = moments.chain(state.efforts.iter().map(|e| e.abs())).fold(0.0, f64::max);
+    let moments = state.forces.applied.iter().map(|w| w.moment.abs());
+    let moment = moments.chain(state.forces.efforts.iter().map(|e| e.abs())).fold(0.0, f64::max);
     (force * speed + moment * turn).max(f64::MIN_POSITIVE)
 }
 
@@ -216,7 +219,7 @@ fn slider_speed(scene: &Scene<'_>, state: &State, joint: crate::structure::Joint
     else {
         return 0.0;
     };
-    let (s, g) = (&state.bodies[slider.0], &state.bodies[guide.0]);
+    let (s, g) = (&state.motion.bodies[slider.0], &state.motion.bodies[guide.0]);
     let p = s.position(point);
     (s.velocity(point) - g.v - (p - g.p).perp() * g.omega).dot(along.turned(g.u))
 }

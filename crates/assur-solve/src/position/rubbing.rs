@@ -21,7 +21,8 @@
 //! The hinge of a driven link, or the guide of a driven slider, presses with what the loads give, whatever its friction.
 
 use super::friction::STEPS;
-use super::state::{Reaction, State};
+use super::state::State;
+use super::wrench::Reaction;
 use crate::group::{rrp, rrr};
 use crate::math::Vec2;
 use crate::plan::{EffortLine, ForceStep, Hinge, Inner, Plan, Way};
@@ -201,20 +202,20 @@ impl State {
                 let (p, force, moment) = self.load_at(hinge.body, &hinge.pin);
                 let friction = -self.weight(plan, elements[0]) * force.norm();
                 let all = moment + friction;
-                self.efforts[value.0] = -all * value.1;
-                self.wrenches[*base].moment += all;
+                self.forces.efforts[value.0] = -all * value.1;
+                self.forces.wrenches[*base].moment += all;
                 self.rubbing_hinge(hinge, p, -force, friction);
                 self.keep_friction(elements[0], friction);
                 Some(1.0)
             }
             ForceStep::Shift { way, effort: EffortLine::Along(_), value } => {
                 let d = self.direction(way);
-                let p = self.bodies[way.slider].position(way.point);
+                let p = self.motion.bodies[way.slider].position(way.point);
                 let (force, moment) = self.load_about(way.body, p);
                 let normal = -force.dot(d.perp());
                 let friction = -self.weight(plan, elements[0]) * normal.abs();
-                self.efforts[value.0] = (-force.dot(d) - friction) * value.1;
-                self.reactions[way.slot] = Reaction { force: d.perp() * normal, couple: -moment };
+                self.forces.efforts[value.0] = (-force.dot(d) - friction) * value.1;
+                self.forces.reactions[way.slot] = Reaction { force: d.perp() * normal, couple: -moment };
                 self.carry_wrench(way.base, p, -force, -moment);
                 self.keep_friction(elements[0], friction);
                 Some(1.0)
@@ -226,20 +227,20 @@ impl State {
     /// Sense times radius or coefficient; nothing where there is no friction.
     #[inline(always)]
     fn weight(&self, plan: &Plan, element: Option<usize>) -> f64 {
-        element.map_or(0.0, |e| self.senses[e] * plan.friction[e].kind.factor())
+        element.map_or(0.0, |e| self.forces.senses[e] * plan.friction[e].kind.factor())
     }
 
     #[inline(always)]
     fn keep_friction(&mut self, element: Option<usize>, effort: f64) {
         if let Some(element) = element {
-            self.frictions[element] = effort;
+            self.forces.frictions[element] = effort;
         }
     }
 
     /// The reaction of a hinge with its friction torque, passed on.
     #[inline(always)]
     fn rubbing_hinge(&mut self, hinge: &Hinge, p: Vec2, force: Vec2, friction: f64) {
-        self.reactions[hinge.slot] = Reaction { force, couple: 0.0 };
+        self.forces.reactions[hinge.slot] = Reaction { force, couple: 0.0 };
         self.carry_wrench(hinge.base, p, force, friction);
     }
 
@@ -273,7 +274,7 @@ impl State {
         elements.iter().zip(frictions).for_each(|(e, x)| self.keep_friction(*e, x));
         self.rubbing_hinge(one, p_A, f_A, frictions[0]);
         self.rubbing_hinge(two, p_B, f_B, frictions[2]);
-        self.reactions[inner.slot] = Reaction { force: f * inner.sign, couple: 0.0 };
+        self.forces.reactions[inner.slot] = Reaction { force: f * inner.sign, couple: 0.0 };
         Some(sine)
     }
 
@@ -288,7 +289,7 @@ impl State {
     ) -> Option<f64> {
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
         let p_C = p_A + group.r_1;
-        let (d, p) = (group.d, self.bodies[way.slider].position(way.point));
+        let (d, p) = (group.d, self.motion.bodies[way.slider].position(way.point));
         let n = d.perp();
         let (F_2, M_2) = self.load_about(way.body, p);
         let [w_A, w_C, w_B] = elements.map(|e| self.weight(plan, e));
@@ -310,10 +311,10 @@ impl State {
         let frictions = [-w_A * f_A.norm(), -w_C * f.norm(), -w_B * normal.abs()];
         elements.iter().zip(frictions).for_each(|(e, x)| self.keep_friction(*e, x));
         self.rubbing_hinge(outer, p_A, f_A, frictions[0]);
-        self.reactions[inner.slot] = Reaction { force: f * inner.sign, couple: 0.0 };
+        self.forces.reactions[inner.slot] = Reaction { force: f * inner.sign, couple: 0.0 };
         // about the guide's reference point, through which its friction passes
         let couple = -M_2 - (p_C - p).cross(f) - frictions[1] * inner.sign;
-        self.reactions[way.slot] = Reaction { force: n * normal, couple };
+        self.forces.reactions[way.slot] = Reaction { force: n * normal, couple };
         self.carry_wrench(way.base, p, n * normal + d * frictions[2], couple);
         Some(sine)
     }

@@ -34,7 +34,7 @@ impl State {
 
     /// Forces from the loads in `wrenches`, which are kept for the residuals.
     fn run_balance(&mut self, plan: &Plan) {
-        self.applied.clone_from(&self.wrenches);
+        self.forces.applied.clone_from(&self.forces.wrenches);
         self.set_lines(plan);
         if plan.effects.friction {
             self.set_senses(plan);
@@ -44,9 +44,9 @@ impl State {
 
     /// The forces again from the same loads, without friction and losses.
     pub(crate) fn run_again_without_friction(&mut self, plan: &Plan) {
-        self.wrenches.clone_from(&self.applied);
-        self.frictions.fill(0.0);
-        self.locked = false;
+        self.forces.wrenches.clone_from(&self.forces.applied);
+        self.forces.frictions.fill(0.0);
+        self.forces.locked = false;
         self.run_forces_without_friction(plan);
     }
 }

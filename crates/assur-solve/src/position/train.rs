@@ -1,18 +1,10 @@
 //! Runs trains: rates and angles of their members, multipliers of their laws.
 
+use super::body::BodyState;
 use super::motion::{Point, line, place, point, under};
-use super::state::{BodyState, State};
+use super::state::State;
 use crate::math::Vec2;
 use crate::plan::{LawSite, PlannedLaw, Slide, TrainMember, TrainMotion, TrainSource};
-
-/// What a law does at one position.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct LawForce {
-    /// The multiplier of its coefficients.
-    pub multiplier: f64,
-    /// What is left of the forces on its two sides: 1 and 1 without losses.
-    pub sides: [f64; 2],
-}
 
 /// Position, rate and second derivative of a coordinate.
 #[derive(Clone, Copy, Default)]
@@ -25,10 +17,10 @@ struct Coordinate {
 impl State {
     /// Moves the members of a train.
     pub(super) fn train<const LEVEL: u8>(&mut self, branch: usize, train: &TrainMotion) {
-        self.sines[branch] = if train.regular { 1.0 } else { 0.0 };
+        self.motion.conditions[branch] = if train.regular { 1.0 } else { 0.0 };
         for source in &train.sources {
             if let TrainSource::Turn { body, followed: true } = source {
-                let body = &mut self.bodies[*body];
+                let body = &mut self.motion.bodies[*body];
                 let turns = ((body.way - body.u.angle()) / std::f64::consts::TAU).round();
                 body.way = body.u.angle() + std::f64::consts::TAU * turns;
             }
@@ -44,13 +36,13 @@ impl State {
             }
             match member {
                 TrainMember::Turn { body, base, pin } => {
-                    let hinge = point::<f64, LEVEL>(&self.bodies, base);
+                    let hinge = point::<f64, LEVEL>(&self.motion.bodies, base);
                     let u = Vec2::direction(sum.value);
-                    place::<f64, LEVEL>(&mut self.bodies[*body], pin, hinge, u, sum.rate, sum.second);
-                    self.bodies[*body].way = sum.value;
+                    place::<f64, LEVEL>(&mut self.motion.bodies[*body], pin, hinge, u, sum.rate, sum.second);
+                    self.motion.bodies[*body].way = sum.value;
                 }
                 TrainMember::Shift(slide) => {
-                    let guide = line(&self.bodies, slide);
+                    let guide = line(&self.motion.bodies, slide);
                     let p = guide.origin + guide.along * (slide.sense * sum.value);
                     let (rate, second) = (slide.sense * sum.rate, slide.sense * sum.second);
                     self.place_slider::<LEVEL>(slide, guide.along, &Some(slide.point), p, rate, second);
@@ -62,11 +54,11 @@ impl State {
     fn coordinate(&self, source: &TrainSource) -> Coordinate {
         match source {
             TrainSource::Turn { body, .. } => {
-                let body = &self.bodies[*body];
+                let body = &self.motion.bodies[*body];
                 Coordinate { value: body.way, rate: body.omega, second: body.alpha }
             }
             TrainSource::Drive(drive) => {
-                let input = &self.inputs[*drive];
+                let input = &self.motion.inputs[*drive];
                 Coordinate { value: input.value, rate: input.rate, second: input.acceleration }
             }
             TrainSource::Slide(slide) => self.slide_coordinate(slide),
@@ -74,10 +66,10 @@ impl State {
     }
 
     fn slide_coordinate(&self, slide: &Slide) -> Coordinate {
-        let body = &self.bodies[slide.body];
-        let guide = line(&self.bodies, slide);
+        let body = &self.motion.bodies[slide.body];
+        let guide = line(&self.motion.bodies, slide);
         let p = body.position(slide.point);
-        let beneath: Point<f64> = under::<f64, 2>(&self.bodies, slide.base, p);
+        let beneath: Point<f64> = under::<f64, 2>(&self.motion.bodies, slide.base, p);
         let along = |v: Vec2| v.dot(guide.along) * slide.sense;
         Coordinate {
             value: along(p - guide.origin),
@@ -89,13 +81,13 @@ impl State {
     /// The rate that a law speaks of at one of its sites.
     pub(super) fn site_rate(&self, site: &LawSite) -> f64 {
         match site {
-            LawSite::Turn(body) => self.bodies[*body].omega,
+            LawSite::Turn(body) => self.motion.bodies[*body].omega,
             LawSite::Slide(way) => {
                 let (slider, guide) =
                     if way.slider == way.body { (way.body, way.base) } else { (way.base, way.body) };
-                let body: &BodyState = &self.bodies[slider];
+                let body: &BodyState = &self.motion.bodies[slider];
                 let p = body.position(way.point);
-                let beneath: Point<f64> = under::<f64, 1>(&self.bodies, guide, p);
+                let beneath: Point<f64> = under::<f64, 1>(&self.motion.bodies, guide, p);
                 (body.velocity(way.point) - beneath.v).dot(self.direction(way))
             }
         }
@@ -103,7 +95,7 @@ impl State {
 
     /// The generalized force of a law at one of its sites.
     pub(crate) fn law_force(&self, law: &PlannedLaw, slot: usize, term: usize) -> f64 {
-        let force = &self.law_forces[slot];
+        let force = &self.forces.law_forces[slot];
         let side = |i: usize| force.multiplier * force.sides[i] * law.terms[i].1;
         match (law.efficiency, term) {
             (Some(_), 2) => -(side(0) + side(1)),
@@ -126,9 +118,9 @@ impl State {
         for (term, (site, _)) in law.terms.iter().enumerate() {
             let value = self.law_force(law, slot, term);
             match site {
-                LawSite::Turn(body) => act(*body, self.bodies[*body].p, Vec2::zero(), value),
+                LawSite::Turn(body) => act(*body, self.motion.bodies[*body].p, Vec2::zero(), value),
                 LawSite::Slide(way) => {
-                    let p = self.bodies[way.slider].position(way.point);
+                    let p = self.motion.bodies[way.slider].position(way.point);
                     let force = self.direction(way) * value;
                     let other = if way.slider == way.body { way.base } else { way.body };
                     act(way.slider, p, force, 0.0);
@@ -145,15 +137,15 @@ impl State {
         slot: usize,
         meeting: &crate::model::Meeting,
     ) -> (Vec2, Vec2) {
-        let centre = |i: usize| self.bodies[meeting.links[i].index()].position(meeting.centres[i]);
+        let centre = |i: usize| self.motion.bodies[meeting.links[i].index()].position(meeting.centres[i]);
         let between = centre(1) - centre(0);
         let apart = between * (1.0 / between.norm());
         let [r_1, r_2] = meeting.radii;
         let towards = if meeting.internal && r_1 < r_2 { -apart } else { apart };
         // what is lost is lost in the bearings of the side that drives: the teeth carry what the other side gets
-        let sides = self.law_forces[slot].sides;
+        let sides = self.forces.law_forces[slot].sides;
         let through = sides[0].abs().min(sides[1].abs());
-        let tangential = self.law_forces[slot].multiplier * through * law.force;
+        let tangential = self.forces.law_forces[slot].multiplier * through * law.force;
         // the first wheel is pressed inwards by an outer one, outwards as a ring
         let inwards = if meeting.internal && r_1 > r_2 { 1.0 } else { -1.0 };
         let radial = towards * (inwards * tangential.abs() * meeting.tangent);
@@ -171,7 +163,7 @@ impl State {
         let slots = meeting.links.map(|l| l.index());
         let mut rest = [0.0; 2];
         for (i, sign) in [(0, 1.0), (1, -1.0)] {
-            let centre = self.bodies[slots[i]].position(meeting.centres[i]);
+            let centre = self.motion.bodies[slots[i]].position(meeting.centres[i]);
             rest[i] = -(p - centre).cross(force * sign);
         }
         for (term, (site, _)) in law.terms.iter().enumerate() {

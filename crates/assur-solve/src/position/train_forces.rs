@@ -2,36 +2,9 @@
 
 use super::consistent::Consistent;
 use super::state::State;
+use super::train_work::TrainWork;
 use crate::math::Vec2;
 use crate::plan::{Plan, TrainEffort, TrainForces, TrainSupport};
-
-/// Memory of a train group of forces.
-#[derive(Clone, Debug, Default)]
-pub struct TrainWork {
-    /// The system with its right side.
-    rows: Vec<f64>,
-    /// Loads on the members' coordinates.
-    pub(super) loads: Vec<f64>,
-    /// Forces that members get from those that stand on them.
-    carried: Vec<(Vec2, f64)>,
-    /// The unknowns.
-    pub(super) found: Vec<f64>,
-    /// Unknowns with directions of the power that are tried.
-    pub(super) trial: Vec<f64>,
-}
-
-impl TrainWork {
-    pub(super) fn new(train: &TrainForces) -> Self {
-        let (n, unknowns) = (train.members.len(), train.laws.len() + train.efforts.len());
-        Self {
-            rows: vec![0.0; n * (unknowns + 1)],
-            loads: vec![0.0; n],
-            carried: vec![(Vec2::zero(), 0.0); n],
-            found: vec![0.0; unknowns],
-            trial: vec![0.0; unknowns],
-        }
-    }
-}
 
 impl State {
     /// Finds the multipliers and efforts of a train from the loads on its members, and the reactions of their pairs.
@@ -40,7 +13,7 @@ impl State {
         if train.inverse.is_empty() {
             return 0.0;
         }
-        let Some(mut work) = self.train_work.get_mut(index).map(std::mem::take) else { return 0.0 };
+        let Some(mut work) = self.scratch.train_work.get_mut(index).map(std::mem::take) else { return 0.0 };
         self.train_loads(train, &mut work);
         let n = train.members.len();
         for i in 0..n {
@@ -48,16 +21,16 @@ impl State {
             work.found[i] = -row.iter().zip(&work.loads).map(|(a, q)| a * q).sum::<f64>();
         }
         for &law in &train.laws {
-            self.law_forces[law].sides = [1.0, 1.0];
+            self.forces.law_forces[law].sides = [1.0, 1.0];
         }
         let consistent = if losses { self.with_losses(plan, train, &mut work) } else { Consistent::One };
         for (unknown, &law) in work.found.iter().zip(&train.laws) {
-            self.law_forces[law].multiplier = *unknown;
+            self.forces.law_forces[law].multiplier = *unknown;
         }
         self.train_reactions(plan, train, &work);
-        self.train_work[index] = work;
+        self.scratch.train_work[index] = work;
         if consistent != Consistent::One {
-            self.consistent = consistent;
+            self.forces.consistent = consistent;
         }
         if matches!(consistent, Consistent::None | Consistent::Undecided) { 0.0 } else { 1.0 }
     }
@@ -69,7 +42,7 @@ impl State {
             let (more, moment) = work.carried[i];
             match member {
                 TrainSupport::Turn(hinge, carrier) => {
-                    let body = &self.bodies[hinge.body];
+                    let body = &self.motion.bodies[hinge.body];
                     let (p, force, about) = self.load_at(hinge.body, &hinge.pin);
                     let lever = (body.p - p).cross(more);
                     work.loads[i] = about + moment + lever;
@@ -77,13 +50,13 @@ impl State {
                         && let Some(TrainSupport::Turn(base, _)) = train.members.get(*carrier)
                     {
                         // reduced to the origin of the carrier
-                        let r = p - self.bodies[base.body].p;
+                        let r = p - self.motion.bodies[base.body].p;
                         work.carried[*carrier].0 += force + more;
                         work.carried[*carrier].1 += r.cross(force + more);
                     }
                 }
                 TrainSupport::Shift(way, sign) => {
-                    let force = self.wrenches[way.body].force + more;
+                    let force = self.forces.wrenches[way.body].force + more;
                     work.loads[i] = sign * force.dot(self.direction(way));
                 }
             }
@@ -103,7 +76,7 @@ impl State {
             if law.efficiency.is_none() {
                 continue;
             }
-            let sides = self.law_forces[slot].sides;
+            let sides = self.forces.law_forces[slot].sides;
             for (i, member) in train.members.iter().enumerate() {
                 if let Some(value) = member.coefficient(law, sides) {
                     work.rows[i * width + column] = value;
@@ -120,25 +93,25 @@ impl State {
     fn train_reactions(&mut self, plan: &Plan, train: &TrainForces, work: &TrainWork) {
         for &slot in &train.laws {
             let law = &plan.laws[slot];
-            let mut wrenches = std::mem::take(&mut self.wrenches);
+            let mut wrenches = std::mem::take(&mut self.forces.wrenches);
             self.forces_of_law(law, slot, &mut |body, p, force, couple| {
-                let r = p - self.bodies[body].p;
+                let r = p - self.motion.bodies[body].p;
                 wrenches[body].force += force;
                 wrenches[body].moment += r.cross(force) + couple;
             });
-            self.wrenches = wrenches;
+            self.forces.wrenches = wrenches;
         }
         for (effort, value) in train.efforts.iter().zip(&work.found[train.laws.len()..]) {
             match effort {
                 TrainEffort::Torque(slot, body, base) => {
-                    self.efforts[*slot] = *value;
-                    self.wrenches[*body].moment += value;
-                    self.wrenches[*base].moment -= value;
+                    self.forces.efforts[*slot] = *value;
+                    self.forces.wrenches[*body].moment += value;
+                    self.forces.wrenches[*base].moment -= value;
                 }
                 TrainEffort::Along(slot, way) => {
-                    self.efforts[*slot] = *value;
+                    self.forces.efforts[*slot] = *value;
                     let (p, force) =
-                        (self.bodies[way.slider].position(way.point), self.direction(way) * *value);
+                        (self.motion.bodies[way.slider].position(way.point), self.direction(way) * *value);
                     let other = if way.slider == way.body { way.base } else { way.body };
                     self.carry(other, p, force);
                     self.carry(way.slider, p, -force);
@@ -152,7 +125,7 @@ impl State {
                     self.hinge_reaction(hinge, p, -force);
                 }
                 TrainSupport::Shift(way, _) => {
-                    let p = self.bodies[way.slider].position(way.point);
+                    let p = self.motion.bodies[way.slider].position(way.point);
                     let d = self.direction(way);
                     let (force, moment) = self.load_about(way.body, p);
                     self.carried_way(way, p, d.perp() * -force.dot(d.perp()), -moment);

@@ -7,7 +7,7 @@
 
 use super::consistent::Consistent;
 use super::state::State;
-use super::train_forces::TrainWork;
+use super::train_work::TrainWork;
 use crate::math::Magnitudes;
 use crate::plan::{Plan, PlannedLaw, TrainForces, loss_system};
 
@@ -62,9 +62,9 @@ impl State {
             return self.try_directions(plan, train, work);
         };
         let followed = Magnitudes::follow(|part| self.loss_laws(plan, train, &work.loads, part));
-        let left = self.searched.left();
+        let left = self.scratch.searched.left();
         let all = laws.solutions(if followed.is_some() { left.min(WORK_FOR_OTHERS) } else { left });
-        self.searched.add(all.work);
+        self.scratch.searched.add(all.work);
         let consistent = match (all.found.len(), &followed) {
             (0 | 1, Some(_)) => Consistent::One,
             (1, None) if all.complete => Consistent::One,
@@ -98,7 +98,7 @@ impl State {
         let mut all: Vec<Vec<f64>> = Vec::new();
         for directions in 0..1_usize << lossy.len() {
             for (bit, &slot) in lossy.iter().enumerate() {
-                self.law_forces[slot].sides = sides(&plan.laws[slot], directions >> bit & 1 == 1, 1.0);
+                self.forces.law_forces[slot].sides = sides(&plan.laws[slot], directions >> bit & 1 == 1, 1.0);
             }
             if self.unknowns(plan, train, work) && self.flows(plan, train, &work.trial) {
                 let near = |x: &Vec<f64>| {
@@ -167,7 +167,7 @@ impl State {
             let law = &plan.laws[slot];
             if self.loses(law) {
                 let backwards = multiplier * self.power_sense(law) < 0.0;
-                self.law_forces[slot].sides = sides(law, backwards, 1.0);
+                self.forces.law_forces[slot].sides = sides(law, backwards, 1.0);
             }
         }
     }
@@ -184,7 +184,7 @@ impl State {
         };
         let greatest = powers().map(|p| p.1.abs()).fold(0.0, f64::max);
         powers().all(|(slot, power)| {
-            let there = self.law_forces[*slot].sides == sides(&plan.laws[*slot], false, 1.0);
+            let there = self.forces.law_forces[*slot].sides == sides(&plan.laws[*slot], false, 1.0);
             power.abs() <= NOTHING * greatest || (power > 0.0) == there
         })
     }

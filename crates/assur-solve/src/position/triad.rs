@@ -1,7 +1,8 @@
 //! Runs triads: a link on three legs.
 
 use super::motion::{Point, line, place, point, under};
-use super::state::{Reaction, State};
+use super::state::State;
+use super::wrench::Reaction;
 use crate::group::general::Pose;
 use crate::group::triad::{End, Followed, Triad, modes};
 use crate::math::Vec2;
@@ -15,7 +16,7 @@ impl State {
         match triad.plate.follow(&before, &now, &self.triad_pose(triad), small) {
             Some(found) => self.place_triad::<LEVEL>(branch, triad, &now, &found),
             None => {
-                self.open.get_or_insert(branch);
+                self.motion.open.get_or_insert(branch);
             }
         }
     }
@@ -24,7 +25,7 @@ impl State {
     pub(crate) fn triad_over_gap(&mut self, branch: usize, triad: &TriadMotion) -> bool {
         let (now, pose) = (self.triad_ends(triad), self.triad_pose(triad));
         let mut found = modes(&triad.plate, &now);
-        found.retain(|m| triad.plate.group(&now, &m.pose).sine * self.sines[branch] > 0.0);
+        found.retain(|m| triad.plate.group(&now, &m.pose).sine * self.motion.conditions[branch] > 0.0);
         let away = |m: &Followed| triad.plate.apart(&m.pose, &pose);
         let Some(nearest) = found.iter().min_by(|a, b| away(a).total_cmp(&away(b))) else { return false };
         self.place_triad::<0>(branch, triad, &now, nearest);
@@ -35,10 +36,10 @@ impl State {
     pub(crate) fn triad_ends(&self, triad: &TriadMotion) -> [End; 3] {
         [0, 1, 2].map(|i| match &triad.legs[i] {
             TriadLeg::Link(leg) => {
-                End::Hinge { p: point::<f64, 0>(&self.bodies, &leg.base).p, length: leg.length }
+                End::Hinge { p: point::<f64, 0>(&self.motion.bodies, &leg.base).p, length: leg.length }
             }
             TriadLeg::Slider { slide, offset, .. } => {
-                let guide = line(&self.bodies, slide);
+                let guide = line(&self.motion.bodies, slide);
                 let n = guide.along.perp();
                 End::Guide { p: guide.origin + n * *offset, n }
             }
@@ -49,17 +50,17 @@ impl State {
     fn triad_stands(&self, triad: &TriadMotion) -> [End; 3] {
         [0, 1, 2].map(|i| match &triad.legs[i] {
             TriadLeg::Link(leg) => {
-                End::Hinge { p: self.bodies[leg.body].pin(&leg.pin).0, length: leg.length }
+                End::Hinge { p: self.motion.bodies[leg.body].pin(&leg.pin).0, length: leg.length }
             }
             TriadLeg::Slider { slide, pin, .. } => {
-                let slider = &self.bodies[slide.body];
+                let slider = &self.motion.bodies[slide.body];
                 End::Guide { p: slider.pin(pin).0, n: slide.direction.turned(slider.u).perp() }
             }
         })
     }
 
     fn triad_pose(&self, triad: &TriadMotion) -> Pose {
-        let body = &self.bodies[triad.body];
+        let body = &self.motion.bodies[triad.body];
         Pose { p: body.position(triad.mean), u: body.u }
     }
 
@@ -73,12 +74,12 @@ impl State {
     ) {
         let Pose { p, u } = found.pose;
         let group = triad.plate.group(ends, &found.pose);
-        self.sines[branch] = group.sine;
-        self.certificates[branch] = found.h;
+        self.motion.conditions[branch] = group.sine;
+        self.motion.certificates[branch] = found.h;
         let pins = group.arms.map(|arm| p + arm);
         let bases = [0, 1, 2].map(|i| match &triad.legs[i] {
-            TriadLeg::Link(leg) => point::<f64, LEVEL>(&self.bodies, &leg.base),
-            TriadLeg::Slider { slide, .. } => under::<f64, LEVEL>(&self.bodies, slide.base, pins[i]),
+            TriadLeg::Link(leg) => point::<f64, LEVEL>(&self.motion.bodies, &leg.base),
+            TriadLeg::Slider { slide, .. } => under::<f64, LEVEL>(&self.motion.bodies, slide.base, pins[i]),
         });
         let zero = Vec2::new(0.0, 0.0);
         let mut mean = Point { p, v: zero, a: zero };
@@ -92,14 +93,14 @@ impl State {
                 let extra = match &triad.legs[i] {
                     TriadLeg::Link(leg) => -speeds[i].dot(speeds[i]) / leg.length,
                     TriadLeg::Slider { slide, .. } => {
-                        -2.0 * self.bodies[slide.base].omega * group.d[i].cross(speeds[i])
+                        -2.0 * self.motion.bodies[slide.base].omega * group.d[i].cross(speeds[i])
                     }
                 };
                 group.d[i].dot(bases[i].a) + extra
             });
             (mean.a, alpha) = group.acceleration(omega, along);
         }
-        place::<f64, LEVEL>(&mut self.bodies[triad.body], &Some(triad.mean), mean, u, omega, alpha);
+        place::<f64, LEVEL>(&mut self.motion.bodies[triad.body], &Some(triad.mean), mean, u, omega, alpha);
         for i in 0..3 {
             let (d, arm) = (group.d[i], group.arms[i]);
             let second = mean.a + arm.perp() * alpha - arm * (omega * omega) - bases[i].a;
@@ -108,7 +109,7 @@ impl State {
                     let turn = d.cross(speeds[i]) / leg.length;
                     let turned = d.cross(second) / leg.length;
                     let direction = d.turned_back(leg.direction);
-                    let body = &mut self.bodies[leg.body];
+                    let body = &mut self.motion.bodies[leg.body];
                     place::<f64, LEVEL>(body, &leg.pin, bases[i], direction, turn, turned);
                 }
                 TriadLeg::Slider { slide, pin, .. } => {
@@ -134,7 +135,7 @@ impl State {
             let LegForce { place, load: (force, moment), couple, .. } = legs[i];
             match &leg.inner {
                 TriadHold::Pin { slot, sign, .. } => {
-                    self.reactions[*slot] = Reaction { force: got[i] * *sign, couple: 0.0 };
+                    self.forces.reactions[*slot] = Reaction { force: got[i] * *sign, couple: 0.0 };
                 }
                 TriadHold::Guide(way) => {
                     let sign = if way.body == triad.body { 1.0 } else { -1.0 };
@@ -157,8 +158,8 @@ impl State {
         match (&leg.outer, &leg.inner) {
             (OuterJoint::Hinge(hinge), TriadHold::Pin { link: at, direction, inverse, .. }) => {
                 let (place, force, moment) = self.load_at(leg.body, &hinge.pin);
-                let d = direction.turned(self.bodies[leg.body].u);
-                let (at, known) = (self.bodies[link].position(*at), d.perp() * (moment * inverse));
+                let d = direction.turned(self.motion.bodies[leg.body].u);
+                let (at, known) = (self.motion.bodies[link].position(*at), d.perp() * (moment * inverse));
                 LegForce { d, at, known, ..balanced(place, (force, moment)) }
             }
             (OuterJoint::Hinge(hinge), TriadHold::Guide(way)) => {
@@ -169,7 +170,7 @@ impl State {
             (OuterJoint::Way(way), TriadHold::Pin { leg: pin, link: at, .. }) => {
                 let along = self.direction(way);
                 let (place, force, moment) = self.load_at(leg.body, pin);
-                let (at, known) = (self.bodies[link].position(*at), along * along.dot(force));
+                let (at, known) = (self.motion.bodies[link].position(*at), along * along.dot(force));
                 LegForce { d: along.perp(), at, known, ..balanced(place, (force, moment)) }
             }
             // the plan makes no leg of two guides
@@ -195,7 +196,7 @@ pub(crate) fn assemblies(before: &State, branch: usize, triad: &TriadMotion) -> 
     let ends = before.triad_ends(triad);
     let each = modes(&triad.plate, &ends).into_iter().map(|mode| {
         let mut state = before.clone();
-        state.open = None;
+        state.motion.open = None;
         state.place_triad::<0>(branch, triad, &ends, &mode);
         state
     });

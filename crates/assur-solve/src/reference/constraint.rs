@@ -141,7 +141,7 @@ pub(super) fn constraints<'a>(scene: &Scene<'a>, state: &State) -> Option<Vec<Co
     }
     for drive in &scene.structure.drives {
         let EffortSource::Drive(id) = drive.source else { continue };
-        let input = &state.inputs[id.index()];
+        let input = &state.motion.inputs[id.index()];
         match drive.kind {
             EffortKind::Angle(body) => all.push(driven((0, x_axis), (body.0, x_axis), input)),
             EffortKind::RelativeAngle { first, second, .. } => {
@@ -173,7 +173,7 @@ fn prismatic(kind: &JointKind, state: &State, all: &mut Vec<Constraint<'_>>) {
     else {
         return;
     };
-    let (s, g) = (&state.bodies[slider.0], &state.bodies[guide.0]);
+    let (s, g) = (&state.motion.bodies[slider.0], &state.motion.bodies[guide.0]);
     if !angle_redundant {
         let by = Moving::turning(V2::new(Double::one(), Double::zero()), Double::zero(), Double::zero());
         let (a, b) = ((guide.0, unit(*along)), (slider.0, unit(*direction)));
@@ -200,7 +200,7 @@ fn coordinate(scene: &Scene<'_>, state: &State, rate: BodyRate) -> Option<Coordi
     Some(match rate {
         BodyRate::Slide(joint) => Coordinate::Slide(way(scene, joint)?),
         BodyRate::Turn(body) => {
-            let angle = state.bodies[body.0].way;
+            let angle = state.motion.bodies[body.0].way;
             Coordinate::Turn { body: body.0, angle, near: Double::direction(angle) }
         }
     })

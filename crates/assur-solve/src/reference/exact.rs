@@ -27,12 +27,12 @@ pub struct Exact {
 pub fn exact(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]) -> Option<Exact> {
     if let Some(found) = precise(scene.plan, state) {
         let closed = Exact {
-            bodies: found.bodies,
-            reactions: found.reactions,
-            efforts: found.efforts,
+            bodies: found.motion.bodies,
+            reactions: found.forces.reactions,
+            efforts: found.forces.efforts,
             frictions: Vec::new(),
         };
-        return found.open.is_none().then_some(closed);
+        return found.motion.open.is_none().then_some(closed);
     }
     let found = reference(scene, state, evaluated)?;
     Some(Exact {
@@ -46,7 +46,7 @@ pub fn exact(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]) ->
 impl Exact {
     /// Puts the motion into a state.
     pub(crate) fn round_motion(&self, state: &mut State) {
-        for (out, b) in state.bodies.iter_mut().zip(&self.bodies) {
+        for (out, b) in state.motion.bodies.iter_mut().zip(&self.bodies) {
             *out = BodyState {
                 p: rounded(b.p),
                 u: rounded(b.u),
@@ -61,16 +61,16 @@ impl Exact {
 
     /// Puts reactions and efforts into a state.
     pub(crate) fn round_forces(&self, scene: &Scene<'_>, state: &mut State) {
-        for (i, (out, r)) in state.reactions.iter_mut().zip(&self.reactions).enumerate() {
+        for (i, (out, r)) in state.forces.reactions.iter_mut().zip(&self.reactions).enumerate() {
             out.force = rounded(r.force);
             if knows_couple(scene, i) {
                 out.couple = r.couple.rounded();
             }
         }
-        for (out, e) in state.efforts.iter_mut().zip(&self.efforts) {
+        for (out, e) in state.forces.efforts.iter_mut().zip(&self.efforts) {
             *out = e.rounded();
         }
-        for (out, e) in state.frictions.iter_mut().zip(&self.frictions) {
+        for (out, e) in state.forces.frictions.iter_mut().zip(&self.frictions) {
             *out = e.rounded();
         }
     }

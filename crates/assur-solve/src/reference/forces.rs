@@ -59,7 +59,12 @@ pub(super) fn forces(
     let system = System {
         unknowns: unknowns(scene, state, motion)?,
         elements: &plan.friction,
-        weights: plan.friction.iter().zip(&state.senses).map(|(e, sense)| sense * e.kind.factor()).collect(),
+        weights: plan
+            .friction
+            .iter()
+            .zip(&state.forces.senses)
+            .map(|(e, sense)| sense * e.kind.factor())
+            .collect(),
         pin_slots: &plan.pin_slots,
         rows: rows.collect(),
         count,
@@ -72,7 +77,7 @@ pub(super) fn forces(
     let mut forces = system.kept(scene, &values);
     forces.equilibrium = system.equilibrium(&applied, &values);
     let turned =
-        forces.multipliers.iter().zip(&state.law_forces).zip(&plan.laws).any(|((x, law), planned)| {
+        forces.multipliers.iter().zip(&state.forces.law_forces).zip(&plan.laws).any(|((x, law), planned)| {
             planned.meeting.is_some_and(|m| m.tangent != 0.0) && x.high * law.multiplier < 0.0
         });
     forces.applied = applied;
@@ -83,11 +88,11 @@ impl System<'_> {
     /// The forces of the state.
     fn start(&self, state: &State) -> Vec<D> {
         let of = |unknown: &Unknown| match unknown.kind {
-            Kind::Force(slot, along) => along.dot(V2::of(state.reactions[slot].force)),
-            Kind::Couple(slot) => D::of(state.reactions[slot].couple) / self.size,
-            Kind::Effort(slot) => D::of(state.efforts[slot]),
-            Kind::Multiplier(slot) => D::of(state.law_forces[slot].multiplier),
-            Kind::Friction(index) => D::of(state.frictions[index]),
+            Kind::Force(slot, along) => along.dot(V2::of(state.forces.reactions[slot].force)),
+            Kind::Couple(slot) => D::of(state.forces.reactions[slot].couple) / self.size,
+            Kind::Effort(slot) => D::of(state.forces.efforts[slot]),
+            Kind::Multiplier(slot) => D::of(state.forces.law_forces[slot].multiplier),
+            Kind::Friction(index) => D::of(state.forces.frictions[index]),
             Kind::Passive => D::zero(),
         };
         self.unknowns.iter().map(of).collect()

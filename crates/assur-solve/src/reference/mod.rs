@@ -55,7 +55,7 @@ pub struct Reference {
 #[must_use]
 pub fn reference(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]) -> Option<Reference> {
     let motion = motion::motion(scene, state)?;
-    let balanced = scene.plan.effects.forces && !scene.plan.forces.is_empty() && !state.locked;
+    let balanced = scene.plan.effects.forces && !scene.plan.forces.is_empty() && !state.forces.locked;
     let forces =
         if balanced { forces::forces(scene, state, &motion, evaluated)? } else { forces::Forces::default() };
     Some(Reference {

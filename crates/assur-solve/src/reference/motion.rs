@@ -37,7 +37,7 @@ pub(super) struct Motion<'a> {
 /// Motion as far as the plan follows it; `None` where Newton's method does not settle on a position near that of the state.
 pub(super) fn motion<'a>(scene: &Scene<'a>, state: &State) -> Option<Motion<'a>> {
     let mut motion = Motion {
-        bodies: state.bodies.iter().map(at_rest).collect(),
+        bodies: state.motion.bodies.iter().map(at_rest).collect(),
         constraints: constraints(scene, state)?,
         size: size(scene, state),
         closure: 0.0,
@@ -45,7 +45,7 @@ pub(super) fn motion<'a>(scene: &Scene<'a>, state: &State) -> Option<Motion<'a>>
         count: 0,
     };
     for &(body, at, drive) in &scene.plan.outer {
-        let input = &state.inputs[drive];
+        let input = &state.motion.inputs[drive];
         let body = &mut motion.bodies[body];
         body.u = V2::new(Double::one(), Double::zero());
         body.p = V2::of(input.place) - V2::of(at);
@@ -79,7 +79,7 @@ fn size(scene: &Scene<'_>, state: &State) -> f64 {
     let mut size = 0.0_f64;
     for joint in &scene.structure.replaced.joints {
         let mut reach = |body: usize, at: Vec2| {
-            let body = &state.bodies[body];
+            let body = &state.motion.bodies[body];
             size = size.max(body.p.norm()).max(body.position(at).norm());
         };
         match &joint.kind {
@@ -162,7 +162,7 @@ impl Motion<'_> {
         }
         let factors = Factors::new(self.matrix())?;
         for &(body, _, drive) in &scene.plan.outer {
-            self.bodies[body].v = V2::of(state.inputs[drive].velocity);
+            self.bodies[body].v = V2::of(state.motion.inputs[drive].velocity);
         }
         for _ in 0..CORRECTIONS {
             let rates: Vec<Double> = self.jets().iter().map(|jet| jet.rate).collect();
@@ -170,7 +170,7 @@ impl Motion<'_> {
         }
         if level == Level::Accelerations {
             for &(body, _, drive) in &scene.plan.outer {
-                self.bodies[body].a = V2::of(state.inputs[drive].point_acceleration);
+                self.bodies[body].a = V2::of(state.motion.inputs[drive].point_acceleration);
             }
             for _ in 0..CORRECTIONS {
                 let seconds: Vec<Double> = self.jets().iter().map(|jet| jet.second).collect();

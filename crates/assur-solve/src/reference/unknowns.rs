@@ -157,7 +157,7 @@ fn along(bodies: &[BodyState<D>], way: &Way) -> V2<D> {
 /// What a unit multiplier of a law does, with the losses and in the sense that the state has.
 fn of_law<'a>(bodies: &'a [BodyState<D>], state: &State, law: &PlannedLaw, slot: usize) -> Unit<'a> {
     let mut unit = Unit::new(bodies);
-    let sides = state.law_forces[slot].sides.map(D::of);
+    let sides = state.forces.law_forces[slot].sides.map(D::of);
     let coefficient = |term: usize| D::of(law.terms[term].1);
     let effort = |term: usize| match (law.efficiency, term) {
         (Some(_), 2) => -(sides[0] * coefficient(0) + sides[1] * coefficient(1)),
@@ -184,7 +184,7 @@ fn of_law<'a>(bodies: &'a [BodyState<D>], state: &State, law: &PlannedLaw, slot:
     let towards = if meeting.internal && r_1 < r_2 { -apart } else { apart };
     let through = sides[0].abs().min(sides[1].abs());
     let tangential = through * D::of(law.force);
-    let sign = if state.law_forces[slot].multiplier < 0.0 { -1.0 } else { 1.0 };
+    let sign = if state.forces.law_forces[slot].multiplier < 0.0 { -1.0 } else { 1.0 };
     let inwards = if meeting.internal && r_1 > r_2 { sign } else { -sign };
     let radial = towards * (D::of(inwards * meeting.tangent) * tangential.abs());
     let force = towards.perp() * tangential + radial;

@@ -36,7 +36,7 @@ impl<'a> Again<'a> {
     /// The positions of a solution that have an answer, `most` of them, evenly spread.
     #[must_use]
     pub fn new(scene: &Scene<'a>, solution: &'a Solution, most: usize) -> Self {
-        let solved = |p: &'a Pose| p.outcome.as_ref().ok().filter(|s| !s.state.locked).map(|s| (p, s));
+        let solved = |p: &'a Pose| p.outcome.as_ref().ok().filter(|s| !s.state.forces.locked).map(|s| (p, s));
         let asked = solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
         let all: Vec<(&Pose, &Solved)> = asked.filter_map(solved).collect();
         let count = all.len().min(most);
@@ -87,12 +87,12 @@ impl<'a> Again<'a> {
     /// Solves one position by a plan of the same mechanism.
     pub fn run(&mut self, plan: &Plan, index: usize) -> &State {
         let (start, state) = (&self.starts[index], &mut self.state);
-        state.bodies.copy_from_slice(&start.bodies);
+        state.motion.bodies.copy_from_slice(&start.bodies);
         state.branches.clone_from_slice(&start.branches);
-        state.inputs.copy_from_slice(&start.inputs);
-        state.locked = false;
+        state.motion.inputs.copy_from_slice(&start.inputs);
+        state.forces.locked = false;
         state.run_planned_motion(plan);
-        if plan.effects.forces && state.open.is_none() {
+        if plan.effects.forces && state.motion.open.is_none() {
             let scene = Scene { plan, ..self.scene };
             balanced(&scene, self.statics, state, &start.angles, &mut self.evaluated, self.quantities);
         }
@@ -109,9 +109,9 @@ fn start(scene: &Scene<'_>, rates: &Rates, pose: &Pose, solved: &Solved, iterate
         }
     }
     Start {
-        bodies: from.bodies,
+        bodies: from.motion.bodies,
         branches: solved.state.branches.clone(),
-        inputs: solved.state.inputs.clone(),
+        inputs: solved.state.motion.inputs.clone(),
         angles: solved.angles.clone(),
     }
 }

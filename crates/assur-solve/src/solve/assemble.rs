@@ -38,26 +38,26 @@ impl Way {
     pub(crate) fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
         let work = match &scene.plan.motion[index] {
             MotionStep::General { problem, .. } => {
-                state.motion_work.get(*problem).cloned().flatten().map(|work| (*problem, work))
+                state.scratch.motion_work.get(*problem).cloned().flatten().map(|work| (*problem, work))
             }
             _ => None,
         };
-        let bodies = scene.structure.motion[index].bodies.iter().map(|b| state.bodies[b.0]).collect();
-        let (sine, certificate) = (state.sines[index], state.certificates[index]);
+        let bodies = scene.structure.motion[index].bodies.iter().map(|b| state.motion.bodies[b.0]).collect();
+        let (sine, certificate) = (state.motion.conditions[index], state.motion.certificates[index]);
         Self { branch: state.branches[index], sine, certificate, bodies, work }
     }
 
     /// Puts the group of a state this way.
     pub(super) fn put(&self, scene: &Scene<'_>, state: &mut State, index: usize) {
         state.branches[index] = self.branch;
-        state.sines[index] = self.sine;
-        state.certificates[index] = self.certificate;
-        state.open = None;
+        state.motion.conditions[index] = self.sine;
+        state.motion.certificates[index] = self.certificate;
+        state.motion.open = None;
         for (body, stands) in scene.structure.motion[index].bodies.iter().zip(&self.bodies) {
-            state.bodies[body.0] = *stands;
+            state.motion.bodies[body.0] = *stands;
         }
         if let Some((problem, work)) = &self.work {
-            state.motion_work[*problem] = Some(work.clone());
+            state.scratch.motion_work[*problem] = Some(work.clone());
         }
     }
 
@@ -139,9 +139,9 @@ fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize)
         for &first in &sides(round[0]) {
             for &second in &sides(round[1]) {
                 state.branches[index] = Branch { root, sides: [first, second], general_sides: 0 };
-                state.open = None;
+                state.motion.open = None;
                 state.step::<0>(scene.plan, step);
-                if state.open.is_none() && cylinders_are_positive(scene, state, index) {
+                if state.motion.open.is_none() && cylinders_are_positive(scene, state, index) {
                     out.push(Way::of(scene, state, index));
                 }
             }
@@ -249,7 +249,7 @@ fn choose(
     for hint in hints {
         if let HintKind::Near { point, place } = &hint.kind {
             for c in &mut next {
-                let away = c.state.bodies[point.0.index()].position(point.1) - *place;
+                let away = c.state.motion.bodies[point.0.index()].position(point.1) - *place;
                 c.far += away.dot(away);
             }
         }
@@ -258,7 +258,7 @@ fn choose(
 }
 
 fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
-    let at = |p: &(LinkId, Vec2)| state.bodies[p.0.index()].position(p.1);
+    let at = |p: &(LinkId, Vec2)| state.motion.bodies[p.0.index()].position(p.1);
     match hint {
         HintKind::Side { point, from, to, left } => {
             let from = at(from);
@@ -275,7 +275,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             // angles are asked for by revolute pairs alone
             let revolute = matches!(scene.mechanism.pair(*pair).kind, PairKind::Revolute(_));
             let angles: Vec<f64> =
-                if revolute { state.bodies.iter().map(|b| b.u.angle()).collect() } else { Vec::new() };
+                if revolute { state.motion.bodies.iter().map(|b| b.u.angle()).collect() } else { Vec::new() };
             let view = View { angles: &angles, ..bare_view(scene, state) };
             let value = view.displacement(*pair);
             if *greater { value >= *bound } else { value <= *bound }

@@ -14,7 +14,7 @@ impl View<'_> {
     /// Value of an unknown effort.
     #[must_use]
     pub fn effort(&self, source: EffortSource) -> f64 {
-        self.effort_slot(source).map_or(f64::NAN, |slot| self.state.efforts[slot])
+        self.effort_slot(source).map_or(f64::NAN, |slot| self.state.forces.efforts[slot])
     }
 
     /// Power of an unknown effort, W.
@@ -22,18 +22,18 @@ impl View<'_> {
     pub fn effort_power(&self, source: EffortSource) -> f64 {
         use crate::structure::EffortKind;
         let Some(slot) = self.effort_slot(source) else { return f64::NAN };
-        let value = self.state.efforts[slot];
+        let value = self.state.forces.efforts[slot];
         match self.structure.efforts[slot].kind {
-            EffortKind::Angle(body) => value * self.state.bodies[body.0].omega,
+            EffortKind::Angle(body) => value * self.state.motion.bodies[body.0].omega,
             EffortKind::RelativeAngle { first, second, .. } => {
-                value * (self.state.bodies[second.0].omega - self.state.bodies[first.0].omega)
+                value * (self.state.motion.bodies[second.0].omega - self.state.motion.bodies[first.0].omega)
             }
             EffortKind::Coordinate(joint) => {
                 value * self.relative_velocity(self.structure.replaced.joint(joint).pair)
             }
             EffortKind::Line(body) => {
-                let (at, n) = self.state.lines[slot];
-                let b = &self.state.bodies[body.0];
+                let (at, n) = self.state.forces.lines[slot];
+                let b = &self.state.motion.bodies[body.0];
                 value * (b.v + (at - b.p).perp() * b.omega).dot(n)
             }
             EffortKind::Point(_) => f64::NAN,
@@ -94,8 +94,9 @@ impl View<'_> {
     /// The greatest velocity and the greatest angular velocity, each at least what the other makes of it over the size of
     /// the mechanism: where all links only shift, their angular velocities are rounding.
     fn fastest(&self) -> (f64, f64) {
-        let most =
-            |of: fn(&crate::position::BodyState) -> f64| self.state.bodies.iter().map(of).fold(0.0, f64::max);
+        let most = |of: fn(&crate::position::BodyState) -> f64| {
+            self.state.motion.bodies.iter().map(of).fold(0.0, f64::max)
+        };
         let (v, omega, size) = (most(|b| b.v.norm()), most(|b| b.omega.abs()), most(|b| b.p.norm()));
         if size > 0.0 { (v.max(omega * size), omega.max(v / size)) } else { (v, omega) }
     }

@@ -27,7 +27,7 @@ impl View<'_> {
             FlywheelPart::Torque => self.evened_power(wheel) / shaft(),
             FlywheelPart::LinksInertia => reduced_inertia(self.mechanism, |link| *self.body(link), shaft()),
             FlywheelPart::Work => {
-                let value = self.state.inputs.first().map_or(f64::NAN, |i| i.value);
+                let value = self.state.motion.inputs.first().map_or(f64::NAN, |i| i.value);
                 found.map_or(f64::NAN, |f| f.work(value))
             }
         }

@@ -36,8 +36,8 @@ impl View<'_> {
     #[must_use]
     pub fn rubbing(&self) -> Vec<Rubbing> {
         let one = |(i, element): (usize, &FrictionElement)| {
-            let (effort, speed) = (self.state.frictions[i], self.state.rubbing_speed(element));
-            let still = self.state.senses[i] == 0.0;
+            let (effort, speed) = (self.state.forces.frictions[i], self.state.rubbing_speed(element));
+            let still = self.state.forces.senses[i] == 0.0;
             let factor = element.kind.factor();
             let measured = self.state.measured(self.plan, element);
             Rubbing {
@@ -60,7 +60,7 @@ impl View<'_> {
 
     /// The elements of friction of a pair with their values: torque or force on the element's body.
     fn elements(&self, pair: PairId) -> impl Iterator<Item = (&FrictionElement, f64)> + '_ {
-        let all = self.plan.friction.iter().zip(&self.state.frictions);
+        let all = self.plan.friction.iter().zip(&self.state.forces.frictions);
         all.filter(move |(e, _)| e.pair == pair).map(|(e, x)| (e, *x))
     }
 
@@ -121,7 +121,7 @@ impl View<'_> {
         if self.frictionless.is_none() {
             return 1.0;
         }
-        if self.state.locked {
+        if self.state.forces.locked {
             return 0.0;
         }
         let (ideal, actual) = (self.without_friction().power_of_efforts(), self.power_of_efforts());
@@ -135,7 +135,7 @@ impl View<'_> {
     #[must_use]
     pub fn overcomes_friction_alone(&self) -> bool {
         let (ideal, actual) = (self.without_friction().power_of_efforts(), self.power_of_efforts());
-        !self.state.locked && actual > 0.0 && ideal.abs() <= NOTHING * actual
+        !self.state.forces.locked && actual > 0.0 && ideal.abs() <= NOTHING * actual
     }
 
     /// Power of all unknown efforts, W.
@@ -153,6 +153,6 @@ impl View<'_> {
     /// Whether an effort exists at this position.
     #[must_use]
     pub fn has_effort(&self, source: EffortSource) -> bool {
-        !self.state.locked && self.effort(source).is_finite()
+        !self.state.forces.locked && self.effort(source).is_finite()
     }
 }

@@ -24,7 +24,7 @@ impl Locked<'_> {
     pub fn limit(&self, of: Option<PairId>) -> Option<f64> {
         let mut plan = self.scene.plan.clone();
         let mut state = self.state.clone().ready(self.scene.plan);
-        state.searched = state.searched.nearly_spent();
+        state.scratch.searched = state.scratch.searched.nearly_spent();
         if !self.moves(&mut state, &mut plan, of, 0.0) {
             return None;
         }
@@ -49,7 +49,7 @@ impl Locked<'_> {
         let mut state = self.state.clone().ready(self.scene.plan);
         self.moves(&mut state, &mut plan, None, part * (1.0 - 1e-6));
         let mut losses: Vec<(PairId, f64)> = Vec::new();
-        for (element, effort) in plan.friction.iter().zip(&state.frictions) {
+        for (element, effort) in plan.friction.iter().zip(&state.forces.frictions) {
             let power = -effort * state.rubbing_speed(element);
             match losses.iter_mut().find(|(pair, _)| *pair == element.pair) {
                 Some((_, sum)) => *sum += power,
@@ -65,11 +65,11 @@ impl Locked<'_> {
             let by = if of.is_none_or(|pair| pair == full.pair) { part } else { 1.0 };
             element.kind = full.kind.scaled(by);
         }
-        state.wrenches.clone_from(&state.applied);
-        state.frictions.fill(0.0);
-        state.locked = false;
+        state.forces.wrenches.clone_from(&state.forces.applied);
+        state.forces.frictions.fill(0.0);
+        state.forces.locked = false;
         state.run_forces(plan);
         let actual = View::new(self.scene, state, &[], &super::extremes::Statics::EMPTY).power_of_efforts();
-        !state.locked && actual * self.ideal > 0.0
+        !state.forces.locked && actual * self.ideal > 0.0
     }
 }

@@ -62,7 +62,7 @@ pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
     let first = Sweep::of(scene, &statics).at(0);
     out.pose = place(scene, &first);
     let mut state = State::new(scene.plan);
-    Rates::of(scene, &statics).at(&first.drives, &mut state.inputs);
+    Rates::of(scene, &statics).at(&first.drives, &mut state.motion.inputs);
     let whole = match assemble(scene, state.clone()) {
         Ok(whole) => Some(whole),
         Err(SolveError::Ambiguous { .. }) => None,

@@ -29,8 +29,8 @@ impl Run<'_, '_> {
         let scene = self.scene;
         let mut state = self.memory.take().unwrap_or_else(|| State::new(scene.plan));
         state.start_from(&tracker.state);
-        state.without_forces();
-        self.rates.at(&pose.drives, &mut state.inputs);
+        state.forces.clear();
+        self.rates.at(&pose.drives, &mut state.motion.inputs);
         state.run_planned_motion(scene.plan);
         let mut condition = self.motion_condition(&state, pose)?;
         if scene.plan.effects.forces {
@@ -45,16 +45,16 @@ impl Run<'_, '_> {
             let values = View::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
             Box::new((state.answer(), values))
         });
-        if let (Some(free), false) = (&frictionless, state.locked) {
+        if let (Some(free), false) = (&frictionless, state.forces.locked) {
             condition = condition.min(self.near_locking(&state, &free.0, pose));
         }
-        if state.locked {
+        if state.forces.locked {
             state.forget_forces();
         } else if let Some(error) = notes::not_finite(scene, &state, pose) {
             return Err(error);
         }
         let mut residuals = residuals(scene, &state);
-        if state.locked {
+        if state.forces.locked {
             residuals = Residuals { equilibrium: None, power: None, ..residuals };
         }
         if let Some(error) = out_of_scale(scene, &residuals, pose) {
@@ -81,7 +81,7 @@ impl Run<'_, '_> {
         exact.round_motion(state);
         if scene.plan.effects.forces {
             state.run_loads(scene, &self.evaluated);
-            state.applied.clone_from(&state.wrenches);
+            state.forces.applied.clone_from(&state.forces.wrenches);
             state.set_lines(scene.plan);
             exact.round_forces(scene, state);
         }
@@ -90,8 +90,8 @@ impl Run<'_, '_> {
     /// 1 unless friction multiplies the forces a thousandfold: near self-locking they go as 1/(1 − f/f_locking), and what
     /// rounding makes of the coefficient goes with them.
     fn near_locking(&mut self, state: &State, free: &State, pose: &Wanted) -> f64 {
-        let reactions = |s: &State| s.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
-        let applied = state.applied.iter().map(|w| w.force.norm()).fold(0.0, f64::max);
+        let reactions = |s: &State| s.forces.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
+        let applied = state.forces.applied.iter().map(|w| w.force.norm()).fold(0.0, f64::max);
         let share = reactions(free).max(applied) / reactions(state);
         if share.is_nan() || share >= NEAR_LOCKING {
             return 1.0;
@@ -108,9 +108,9 @@ impl Run<'_, '_> {
         let scene = self.scene;
         let level = scene.plan.effects.level;
         let mut least = 1.0_f64;
-        let mut carried = vec![1.0_f64; state.bodies.len()];
-        let groups = scene.structure.motion.iter().zip(&state.certificates);
-        for ((group, &h), sine) in groups.zip(&state.sines) {
+        let mut carried = vec![1.0_f64; state.motion.bodies.len()];
+        let groups = scene.structure.motion.iter().zip(&state.motion.certificates);
+        for ((group, &h), sine) in groups.zip(&state.motion.conditions) {
             let condition = sine.abs();
             least = least.min(condition);
             let before = group.joints.iter().map(|j| carried[j.base.0]).fold(1.0, f64::min);
@@ -132,12 +132,12 @@ impl Run<'_, '_> {
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
         let scene = self.scene;
         let quantities = self.loads_name_quantities;
-        state.searched = self.notes.consistent.searched;
+        state.scratch.searched = self.notes.consistent.searched;
         balanced(scene, &self.statics, state, angles, &mut self.evaluated, quantities);
-        self.notes.consistent.searched = state.searched;
-        self.notes.consistent.look(scene, state.consistent, pose)?;
+        self.notes.consistent.searched = state.scratch.searched;
+        self.notes.consistent.look(scene, state.forces.consistent, pose)?;
         let mut least = 1.0_f64;
-        for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
+        for (group, sine) in scene.structure.forces.iter().zip(&state.forces.conditions) {
             let condition = sine.abs();
             least = least.min(condition);
             if condition <= DEAD {
@@ -150,14 +150,14 @@ impl Run<'_, '_> {
 
     /// Ropes that push, and trains that the load cannot drive.
     fn note_trains(&mut self, solved: &Solved, pose: &Wanted) {
-        if !self.scene.plan.effects.forces || solved.state.locked {
+        if !self.scene.plan.effects.forces || solved.state.forces.locked {
             return;
         }
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
         let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
         let view = View { frictionless: ideal, ..view };
         let mut ropes: Vec<(PairId, f64)> = Vec::new();
-        let greatest = solved.state.law_forces.iter().map(|f| f.multiplier.abs()).fold(0.0, f64::max);
+        let greatest = solved.state.forces.law_forces.iter().map(|f| f.multiplier.abs()).fold(0.0, f64::max);
         for law in &self.scene.plan.laws {
             let rope = matches!(&self.scene.mechanism.pair(law.pair).kind,
                 PairKind::Transmission(t) if t.kind == TransmissionKind::Rope);

@@ -274,7 +274,7 @@ pub(super) struct Run<'a, 's> {
 impl Run<'_, '_> {
     fn assembled(&mut self, pose: &Wanted) -> Result<Tracker, Box<Stuck>> {
         let mut state = State::new(self.scene.plan);
-        self.rates.at(&pose.drives, &mut state.inputs);
+        self.rates.at(&pose.drives, &mut state.motion.inputs);
         // what was not found at many positions is not looked for as long at the next
         let starts = if self.searched < MANY { STARTS } else { FEW_STARTS };
         match assemble_from(self.scene, state, starts) {
@@ -332,7 +332,7 @@ impl Run<'_, '_> {
             Ok(()) => Ok(Way::Blocked(before.limit(self.scene, &self.rates, &pose.drives))),
             Err(group) => {
                 let mut state = before.state.clone();
-                self.rates.at(&pose.drives, &mut state.inputs);
+                self.rates.at(&pose.drives, &mut state.motion.inputs);
                 state.start(self.scene.plan);
                 for step in &self.scene.plan.motion[..group] {
                     state.step::<0>(self.scene.plan, step);

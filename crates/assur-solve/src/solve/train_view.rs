@@ -20,7 +20,7 @@ impl View<'_> {
 
     /// Force of a law along the pitch circles or the rope, N; what the driven side gets.
     fn pull(&self, slot: usize, law: &PlannedLaw) -> f64 {
-        let force = &self.state.law_forces[slot];
+        let force = &self.state.forces.law_forces[slot];
         force.multiplier * law.force * force.sides[0].abs().min(force.sides[1].abs())
     }
 

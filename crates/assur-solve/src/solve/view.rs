@@ -128,7 +128,7 @@ impl View<'_> {
     /// State of a link.
     #[must_use]
     pub fn body(&self, link: LinkId) -> &crate::position::BodyState {
-        &self.state.bodies[link.index()]
+        &self.state.motion.bodies[link.index()]
     }
 
     /// A point and the place it has in the frame of the link whose motion is asked.
@@ -185,12 +185,12 @@ impl View<'_> {
                 return libm::atan2(r_1.cross(r_2).abs(), r_1.dot(r_2).abs());
             }
         }
-        libm::asin(self.state.sines[index].abs().min(1.0))
+        libm::asin(self.state.motion.conditions[index].abs().min(1.0))
     }
 
     fn legs(&self, step: usize, bodies: [BodyId; 2]) -> Option<[Vec2; 2]> {
         let crate::plan::MotionStep::Rrr { legs, .. } = self.plan.motion.get(step)? else { return None };
-        Some([0, 1].map(|i| legs[i].direction.turned(self.state.bodies[bodies[i].0].u)))
+        Some([0, 1].map(|i| legs[i].direction.turned(self.state.motion.bodies[bodies[i].0].u)))
     }
 
     /// The reaction's force on a link in a pair: all joints that stand for the pair.
@@ -201,7 +201,7 @@ impl View<'_> {
         }
         let rubbing = self.friction_force(pair, link);
         self.slots(pair, link)
-            .fold(rubbing, |sum, (slot, sign)| sum + self.state.reactions[slot].force * sign)
+            .fold(rubbing, |sum, (slot, sign)| sum + self.state.forces.reactions[slot].force * sign)
     }
 
     /// The couple on a link in a pair about the pair's reference point; NaN where it is not determined.
@@ -213,7 +213,8 @@ impl View<'_> {
         if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
             return self.transmission_moment(pair, link);
         }
-        let couples = self.slots(pair, link).map(|(slot, sign)| self.state.reactions[slot].couple * sign);
+        let couples =
+            self.slots(pair, link).map(|(slot, sign)| self.state.forces.reactions[slot].couple * sign);
         couples.sum::<f64>() + self.friction_couple(pair, link)
     }
 

@@ -53,21 +53,21 @@ impl Answer {
     /// Of a state; nothing of one that does not close.
     #[must_use]
     pub fn of<S: Edge>(state: &State<S>) -> Self {
-        if state.open.is_some() {
+        if state.motion.open.is_some() {
             return Self::default();
         }
         Self {
-            bodies: state.bodies.iter().map(wide_body).collect(),
-            reactions: state.reactions.iter().map(wide_reaction).collect(),
-            efforts: state.efforts.iter().map(|e| e.widened()).collect(),
-            load: greatest(&state.applied),
+            bodies: state.motion.bodies.iter().map(wide_body).collect(),
+            reactions: state.forces.reactions.iter().map(wide_reaction).collect(),
+            efforts: state.forces.efforts.iter().map(|e| e.widened()).collect(),
+            load: greatest(&state.forces.applied),
         }
     }
 
     /// Of a position with twice the digits, of which the loads are known in `f64`.
     #[must_use]
     pub fn exact(exact: Exact, state: &State) -> Self {
-        let load = greatest(&state.applied);
+        let load = greatest(&state.forces.applied);
         Self { bodies: exact.bodies, reactions: exact.reactions, efforts: exact.efforts, load }
     }
 

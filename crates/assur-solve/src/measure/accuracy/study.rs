@@ -136,7 +136,7 @@ impl Measured<'_, '_> {
         let count = self.again.len();
         let all = micros(|| {
             for i in 0..count {
-                black_box(self.again.run(plan, i).open);
+                black_box(self.again.run(plan, i).motion.open);
             }
         });
         all / count as f64
@@ -216,7 +216,7 @@ impl Measured<'_, '_> {
         let mut got = Vec::new();
         for (i, inputs) in inputs.chunks(drives).enumerate() {
             state.branches.copy_from_slice(self.again.branches(i));
-            state.inputs.copy_from_slice(inputs);
+            state.motion.inputs.copy_from_slice(inputs);
             state.run_closed(plan);
             got.push(Answer::of(&state));
         }
@@ -224,9 +224,9 @@ impl Measured<'_, '_> {
         let all = micros(|| {
             for (i, inputs) in inputs.chunks(drives).enumerate() {
                 state.branches.copy_from_slice(self.again.branches(i));
-                state.inputs.copy_from_slice(inputs);
+                state.motion.inputs.copy_from_slice(inputs);
                 state.run_closed(plan);
-                black_box(state.open);
+                black_box(state.motion.open);
             }
         });
         (all / got.len() as f64, error.greatest())

@@ -83,7 +83,7 @@ pub fn candidates(scene: &Scene<'_>, wanted: f64) -> Vec<Settings> {
 #[must_use]
 pub fn reached(scene: &Scene<'_>, solution: &Solution, within: f64) -> Reached {
     let poses = solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok());
-    let solved: Vec<&Solved> = poses.filter(|s| !s.state.locked).collect();
+    let solved: Vec<&Solved> = poses.filter(|s| !s.state.forces.locked).collect();
     let condition = solved.iter().map(|s| s.condition).fold(1.0, f64::min);
     let (mut got, mut exact) = (Vec::new(), Vec::new());
     for index in held(scene, &solved) {

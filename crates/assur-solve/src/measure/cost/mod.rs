@@ -142,10 +142,10 @@ impl<'a> Bench<'a> {
         let scene = Scene { plan: &trial.plan, ..*self.scene };
         for place in self.places {
             let state = &mut self.state;
-            state.inputs.copy_from_slice(&place.state.inputs);
+            state.motion.inputs.copy_from_slice(&place.state.motion.inputs);
             state.branches.copy_from_slice(&place.state.branches);
             if self.goes_on {
-                state.bodies.copy_from_slice(&place.state.bodies);
+                state.motion.bodies.copy_from_slice(&place.state.motion.bodies);
             }
             state.run_planned_motion(&trial.plan);
             if trial.plan.effects.forces {

@@ -46,7 +46,7 @@ pub(super) fn places(
         let mut tracker = first.clone();
         for values in way {
             if reached(scene, rates, &mut tracker, &values, over) {
-                rates.at(&values, &mut tracker.state.inputs);
+                rates.at(&values, &mut tracker.state.motion.inputs);
                 places.push(Place { state: tracker.state.clone(), angles: tracker.angles.clone() });
             } else if over == Over::Turn {
                 break;
@@ -80,7 +80,7 @@ fn reached(
 fn first(scene: &Scene<'_>, rates: &Rates, way: &[Vec<DriveValue>]) -> Result<Tracker, SolveError> {
     let assembled = |values: &[DriveValue]| {
         let mut state = State::new(scene.plan);
-        rates.at(values, &mut state.inputs);
+        rates.at(values, &mut state.motion.inputs);
         assemble(scene, state).map(|state| Tracker::new(scene, state, values))
     };
     let found = assembled(way.first().map_or(&[], Vec::as_slice));

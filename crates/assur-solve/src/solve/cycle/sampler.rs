@@ -89,13 +89,13 @@ impl<'a> Sampler<'a> {
     pub(crate) fn new(scene: &Scene<'a>, statics: &Statics, way: &'a Way) -> Result<Self, SolveError> {
         let rates = Rates::of(scene, statics);
         let mut state = State::new(scene.plan);
-        rates.at(&way.from, &mut state.inputs);
+        rates.at(&way.from, &mut state.motion.inputs);
         let state = assemble(scene, state)?;
         let mut tracker = Tracker::new(scene, state.clone(), &way.from);
         let count = steps(scene, extent(scene), &way.from, &way.to).max(FEWEST);
         let anchor = |tracker: &Tracker| Anchor {
             branches: tracker.state.branches.clone(),
-            bodies: tracker.state.bodies.clone(),
+            bodies: tracker.state.motion.bodies.clone(),
             angles: tracker.angles.clone(),
         };
         let mut anchors = vec![anchor(&tracker)];
@@ -243,11 +243,11 @@ impl<'a> Sampler<'a> {
         let scene = self.scene;
         self.start(s);
         self.state.run_planned_motion(scene.plan);
-        if self.state.open.is_some() {
+        if self.state.motion.open.is_some() {
             return Err(Undefined::Open(s));
         }
         let singular = |sines: &[f64]| sines.iter().any(|sine| sine.abs() <= DEAD);
-        if scene.plan.effects.level > Level::Positions && singular(&self.state.sines) {
+        if scene.plan.effects.level > Level::Positions && singular(&self.state.motion.conditions) {
             return Err(Undefined::At(s));
         }
         if self.with_angles {
@@ -256,10 +256,10 @@ impl<'a> Sampler<'a> {
         if need.forces {
             let quantities = self.loads_name_quantities;
             balanced(&scene, statics, &mut self.state, &self.angles, &mut self.evaluated, quantities);
-            if self.state.locked {
+            if self.state.forces.locked {
                 return Err(Undefined::Locked(s));
             }
-            if singular(&self.state.force_sines) {
+            if singular(&self.state.forces.conditions) {
                 return Err(Undefined::At(s));
             }
         }
@@ -284,19 +284,20 @@ impl<'a> Sampler<'a> {
     fn start(&mut self, s: f64) {
         let anchor = &self.anchors[self.nearest(s)];
         self.state.branches.clone_from_slice(&anchor.branches);
-        self.state.bodies.clone_from_slice(&anchor.bodies);
-        self.state.open = None;
-        self.state.locked = false;
+        self.state.motion.bodies.clone_from_slice(&anchor.bodies);
+        self.state.motion.open = None;
+        self.state.forces.locked = false;
         self.values.clear();
         self.values.extend(self.way.values(s));
-        self.rates.at(&self.values, &mut self.state.inputs);
+        self.rates.at(&self.values, &mut self.state.motion.inputs);
     }
 
     /// Angles carried on from the nearest place that is known.
     fn follow_angles(&mut self, s: f64) {
         let anchor = &self.anchors[self.nearest(s)];
         let known = anchor.bodies.iter().zip(&anchor.angles);
-        for (angle, (body, (old, before))) in self.angles.iter_mut().zip(self.state.bodies.iter().zip(known))
+        for (angle, (body, (old, before))) in
+            self.angles.iter_mut().zip(self.state.motion.bodies.iter().zip(known))
         {
             *angle = continued(*before, old.u, body.u);
         }
