@@ -1,5 +1,6 @@
 //! Plans, positions, motion and forces; what accuracy costs.
 
+pub mod answer;
 pub mod measure;
 pub mod plan;
 pub mod position;

@@ -1,12 +1,11 @@
 //! Positions of a solved file solved again: each from a step before it, as the sweep comes to it.
 
 use super::cycle::loads_name_quantities;
-use super::extremes::Statics;
 use super::inputs::Rates;
-use super::pose::balanced;
 use super::solution::{Pose, PoseOrigin, Solution, Solved};
 use super::steps::step_before;
 use super::track::Tracker;
+use crate::answer::{Statics, balanced};
 use crate::model::{LoadId, Value};
 use crate::plan::Plan;
 use crate::position::{BodyState, Branch, DriveInput, Scene, State};

@@ -3,8 +3,8 @@
 use super::choices::{ambiguous, not_met, point_of};
 use super::error::SolveError;
 use super::gap::gap_text;
-use super::view::View;
 use super::words::{labels, links};
+use crate::answer::View;
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
@@ -159,7 +159,7 @@ fn cylinders_are_positive(scene: &Scene<'_>, state: &State, index: usize) -> boo
         .map(|j| scene.structure.replaced.joint(j.joint).pair);
     pairs
         .filter(|p| matches!(scene.mechanism.pair(*p).kind, PairKind::Cylinder { .. }))
-        .all(|p| bare_view(scene, state).displacement(p) >= 0.0)
+        .all(|p| View::bare(scene, state).displacement(p) >= 0.0)
 }
 
 /// Radii of the round profiles of a step's prismatic joints.
@@ -266,7 +266,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             if *left { side >= 0.0 } else { side <= 0.0 }
         }
         HintKind::Along { point, other, pair, ahead } => {
-            let view = bare_view(scene, state);
+            let view = View::bare(scene, state);
             let Some(guide) = view.guide(*pair) else { return true };
             let along = (at(point) - at(other)).dot(view.along(&guide));
             if *ahead { along >= 0.0 } else { along <= 0.0 }
@@ -276,17 +276,12 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             let revolute = matches!(scene.mechanism.pair(*pair).kind, PairKind::Revolute(_));
             let angles: Vec<f64> =
                 if revolute { state.motion.bodies.iter().map(|b| b.u.angle()).collect() } else { Vec::new() };
-            let view = View { angles: &angles, ..bare_view(scene, state) };
+            let view = View { angles: &angles, ..View::bare(scene, state) };
             let value = view.displacement(*pair);
             if *greater { value >= *bound } else { value <= *bound }
         }
         HintKind::Near { .. } => true,
     }
-}
-
-pub(super) fn bare_view<'a>(scene: &Scene<'a>, state: &'a State) -> View<'a> {
-    static NO_STATICS: super::extremes::Statics = super::extremes::Statics::EMPTY;
-    View::new(scene, state, &[], &NO_STATICS)
 }
 
 /// The one candidate, or that with the least sum of squared distances.

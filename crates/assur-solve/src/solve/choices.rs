@@ -1,8 +1,9 @@
 //! The assemblies there are, each as a line to paste.
 
-use super::assemble::{SAME, bare_view};
+use super::assemble::SAME;
 use super::error::{SolveError, label};
 use super::words::{labels, length, short};
+use crate::answer::View;
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, PairKind};
 use crate::position::{Scene, State};
@@ -148,7 +149,7 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
 
 fn coordinate(scene: &Scene<'_>, state: &State, pair: crate::model::PairId) -> f64 {
     let angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
-    super::view::View { angles: &angles, ..bare_view(scene, state) }.displacement(pair)
+    View { angles: &angles, ..View::bare(scene, state) }.displacement(pair)
 }
 
 /// The points of a group that a clause can name, with their bodies.

@@ -1,7 +1,7 @@
 //! What is asked of the rotation of a roller that turns freely: nothing says how it turns.
 
 use super::error::{SolveError, label};
-use super::extremes::every_query;
+use crate::answer::every_query;
 use crate::model::{LinkId, PairId, PairKind, PointRef, Query};
 use crate::position::Scene;
 

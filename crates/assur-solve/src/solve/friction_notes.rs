@@ -2,12 +2,11 @@
 
 use super::error::label;
 use super::friction_error::FrictionError;
-use super::locking::Locked;
 use super::positions::Wanted;
 use super::solution::{PoseOrigin, Solved};
 use super::sweep::Run;
-use super::view::View;
 use super::words::place;
+use crate::answer::{Locked, View};
 use crate::model::{FindKind, Friction, Mechanism, PairId, Value};
 use crate::units::{Dimension, significant};
 use miette::LabeledSpan;

@@ -1,8 +1,7 @@
 //! From drive values to what the steps of motion read: directions, coordinates, rates.
 
-use super::extremes::Statics;
-use super::positions::constant;
 use super::solution::DriveValue;
+use crate::answer::{Statics, constant};
 use crate::math::Vec2;
 use crate::model::{Drive, Value};
 use crate::position::{DriveInput, Scene};

@@ -1,19 +1,18 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
 use super::error::SolveError;
-use super::extremes::Statics;
 use super::notes;
 use super::out_of_scale::out_of_scale;
 use super::positions::Wanted;
-use crate::position::{Residuals, Scene, State, residuals};
+use crate::answer::{View, balanced};
+use crate::position::{Residuals, State, residuals};
 use crate::reference::exact;
 
 use super::solution::Solved;
 use super::sweep::Run;
 use super::track::Tracker;
-use super::view::View;
-use crate::model::{LoadId, PairId, PairKind, Query, TransmissionKind, Value};
-use crate::plan::{ForceStep, Level, LoadStep, Numbers};
+use crate::model::{PairId, PairKind, Query, TransmissionKind, Value};
+use crate::plan::{ForceStep, Level, Numbers};
 
 /// At and below this condition velocities and forces do not exist.
 pub(super) const DEAD: f64 = 1e-12;
@@ -190,22 +189,4 @@ impl Run<'_, '_> {
             }
         }
     }
-}
-
-/// Loads and forces of a state whose motion is known; `quantities` where loads may name quantities of the file.
-pub(crate) fn balanced(
-    scene: &Scene<'_>,
-    statics: &Statics,
-    state: &mut State,
-    angles: &[f64],
-    evaluated: &mut Vec<(LoadId, Value)>,
-    quantities: bool,
-) {
-    evaluated.clear();
-    if scene.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))) {
-        let view = View::new(scene, state, angles, statics);
-        let motion = if quantities { view.all_quantities() } else { Vec::new() };
-        View { quantities: &motion, ..view }.evaluated_loads(evaluated);
-    }
-    state.run_loads_and_forces(scene, evaluated);
 }

@@ -1,10 +1,9 @@
 //! Which positions are asked for: sweeps, named poses, and those an `expect … at` adds.
 
-use super::extremes::Statics;
 use super::solution::{DriveValue, PoseOrigin};
-use super::view::View;
+use crate::answer::{Statics, constant};
 use crate::model::{At, Drive, DriveId, DriveTarget, Expr, Positions, Value};
-use crate::position::{Scene, State};
+use crate::position::Scene;
 
 /// A position to be solved.
 #[derive(Clone, Debug)]
@@ -12,13 +11,6 @@ pub(crate) struct Wanted {
     pub name: String,
     pub origin: PoseOrigin,
     pub drives: Vec<DriveValue>,
-}
-
-/// Evaluates expressions that need no position.
-pub(super) fn constant(scene: &Scene<'_>, statics: &Statics, expr: &Expr) -> Value {
-    let state = State::new(scene.plan);
-    let view = View::new(scene, &state, &[], statics);
-    view.value(expr)
 }
 
 fn drive_value(value: Value) -> DriveValue {

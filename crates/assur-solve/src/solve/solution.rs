@@ -1,9 +1,8 @@
 //! What solving gives: one state per position, with residuals and condition.
 
 use super::error::SolveError;
-use super::extremes::Statics;
 use super::friction_error::FrictionError;
-use super::view::View;
+use crate::answer::{Statics, View};
 use crate::math::Vec2;
 use crate::model::Value;
 use crate::position::{Residuals, Scene, State};

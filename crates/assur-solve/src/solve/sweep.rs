@@ -3,7 +3,7 @@
 use super::assemble::{assemble_from, does_not_close};
 use super::cycle::loads_name_quantities;
 use super::error::{SolveError, label};
-use super::extremes::{Statics, statics};
+use super::extremes::statics;
 use super::free_roller::free_rollers;
 use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
@@ -14,6 +14,7 @@ use super::refused;
 use super::solution::{DriveValue, Pose, Solution, Solved};
 use super::track::{Switch, Tracker};
 use super::words::place;
+use crate::answer::Statics;
 use crate::model::{LoadId, Value};
 use crate::position::{STARTS, Scene, State};
 use std::collections::VecDeque;

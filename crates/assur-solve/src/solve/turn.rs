@@ -2,11 +2,10 @@
 
 use super::assemble::assemble;
 use super::error::SolveError;
-use super::extremes::{Extremes, Statics};
 use super::inputs::Rates;
 use super::solution::DriveValue;
 use super::track::Tracker;
-use super::view::View;
+use crate::answer::{Extremes, Statics, View};
 use crate::model::PairId;
 use crate::position::{BodyState, Branch, Scene, State};
 use std::f64::consts::TAU;

@@ -2,16 +2,15 @@
 
 use super::super::assemble::assemble;
 use super::super::error::SolveError;
-use super::super::extremes::{Statics, every_query};
 use super::super::inputs::Rates;
-use super::super::pose::{DEAD, balanced};
+use super::super::pose::DEAD;
 use super::super::solution::DriveValue;
 use super::super::steps::{extent, steps};
 use super::super::track::{Tracker, continued};
-use super::super::view::View;
-use super::answer::Undefined;
 use super::hangs_on_forces;
+use super::undefined::Undefined;
 use super::way::Way;
+use crate::answer::{Statics, View, balanced, every_query};
 use crate::model::{Expr, LoadId, LoadKind, Mechanism, PairKind, Query, Value};
 use crate::plan::{Level, Settings};
 use crate::position::{BodyState, Branch, Scene, State};

@@ -2,9 +2,9 @@
 //! difference under `max` passes through zero, where a load or friction changes its sense. Each is a root of a known
 //! function.
 
-use super::super::extremes::Statics;
-use super::answer::Undefined;
 use super::sampler::Sampler;
+use super::undefined::Undefined;
+use crate::answer::Statics;
 use crate::math::{Vec2, root_within};
 use crate::model::{
     Axis, BinaryOp, Expr, Function, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, PointRef,

@@ -1,10 +1,10 @@
 //! The sweep as an interval: s from 0 to 1.
 
 use super::super::error::{SolveError, label};
-use super::super::extremes::Statics;
 use super::super::positions::{Sweep, turns};
 use super::super::solution::DriveValue;
 use super::super::steps::{between, extent, ways};
+use crate::answer::{Statics, constant};
 use crate::model::Positions;
 use crate::position::Scene;
 use std::f64::consts::TAU;
@@ -35,9 +35,7 @@ impl Way {
             match &drive.positions {
                 // over a whole turn the last position is left out
                 Positions::Range { to: written, .. } => {
-                    if let crate::model::Value::Scalar(x) =
-                        super::super::positions::constant(scene, statics, written)
-                    {
+                    if let crate::model::Value::Scalar(x) = constant(scene, statics, written) {
                         *end = DriveValue::Scalar(x);
                     }
                 }

@@ -11,7 +11,7 @@ const PARTS: u32 = 32;
 const HALVINGS: usize = 45;
 
 /// A locked position.
-pub(super) struct Locked<'a> {
+pub(crate) struct Locked<'a> {
     pub scene: &'a Scene<'a>,
     /// The position with its loads and senses.
     pub state: &'a State,
@@ -69,7 +69,8 @@ impl Locked<'_> {
         state.forces.frictions.fill(0.0);
         state.forces.locked = false;
         state.run_forces(plan);
-        let actual = View::new(self.scene, state, &[], &super::extremes::Statics::EMPTY).power_of_efforts();
+        let actual =
+            View::new(self.scene, state, &[], &super::whole_cycle::Statics::EMPTY).power_of_efforts();
         !state.forces.locked && actual * self.ideal > 0.0
     }
 }

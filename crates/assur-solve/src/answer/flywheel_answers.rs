@@ -1,8 +1,8 @@
 //! What is asked of a flywheel.
 
-use super::cycle::reduced_inertia;
 use super::view::View;
-use crate::model::{Flywheel, FlywheelPart, FlywheelTorque, Rim};
+use crate::model::{Flywheel, FlywheelPart, FlywheelTorque, LinkId, Mechanism, Rim};
+use crate::position::BodyState;
 use crate::structure::EffortSource;
 use std::f64::consts::PI;
 
@@ -48,4 +48,14 @@ impl View<'_> {
 fn width(rim: &Rim, inertia: f64) -> f64 {
     let cube = rim.diameter * rim.diameter * rim.diameter;
     (4.0 * inertia / (rim.height_to_width * PI * cube * rim.density)).sqrt()
+}
+
+/// Moment of inertia of all moving links reduced to a link's shaft: Σ (m v² + J ω²)/ω_shaft².
+fn reduced_inertia(mechanism: &Mechanism, body: impl Fn(LinkId) -> BodyState, shaft: f64) -> f64 {
+    let energies = mechanism.links.iter().enumerate().skip(1).filter_map(|(i, link)| {
+        let (mass, body) = (link.mass.as_ref()?, body(LinkId::at(i)));
+        let v = body.velocity(mass.centre);
+        Some(mass.mass * v.dot(v) + mass.inertia * body.omega * body.omega)
+    });
+    energies.sum::<f64>() / (shaft * shaft)
 }

@@ -1,6 +1,6 @@
 //! Answers questions about one position: from the state of the bodies to the results of the language.
 
-use super::extremes::Statics;
+use super::whole_cycle::Statics;
 use crate::math::Vec2;
 use crate::model::{LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
 use crate::plan::Plan;
@@ -44,6 +44,12 @@ impl<'a> View<'a> {
             quantities: &[],
             frictionless: None,
         }
+    }
+
+    /// Of a position alone: without angles, and nothing known that needs no position.
+    pub(crate) fn bare(scene: &Scene<'a>, state: &'a State) -> Self {
+        static NOTHING: Statics = Statics::EMPTY;
+        Self::new(scene, state, &[], &NOTHING)
     }
 
     /// Values of all quantities of the file at this position. They stand in the order in which one hangs on another, so

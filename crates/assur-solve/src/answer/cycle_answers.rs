@@ -1,9 +1,6 @@
 //! What is found over the sweep.
 
-use super::super::words::{four, short};
-use super::way::Way;
 use crate::math::chebyshev::Series;
-use crate::position::Scene;
 
 /// A function over the sweep with what it took.
 #[derive(Clone, Debug, Default)]
@@ -52,7 +49,7 @@ pub struct FlywheelAnswer {
 }
 
 impl CycleAnswer {
-    pub(super) fn undefined(why: String) -> Self {
+    pub(crate) fn undefined(why: String) -> Self {
         Self { value: f64::NAN, why: Some(why), ..Self::default() }
     }
 }
@@ -65,36 +62,5 @@ impl FlywheelAnswer {
         let s = turns - turns.floor();
         let panel = self.work.iter().find(|p| s <= p.to).or(self.work.last());
         panel.map_or(f64::NAN, |p| p.value(s))
-    }
-}
-
-/// Why a function over the sweep has no value.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Undefined {
-    /// It has none at this place of the sweep.
-    At(f64),
-    /// Friction locks the mechanism there.
-    Locked(f64),
-    /// The mechanism does not close there.
-    Open(f64),
-    /// It changes too often.
-    Unresolved,
-}
-
-impl Undefined {
-    pub(super) fn text(self, scene: &Scene<'_>, way: &Way) -> String {
-        let place = |s: f64| match scene.mechanism.drives.as_slice() {
-            [drive] if super::super::positions::turns(scene, drive) => {
-                format!(" at {} = {} deg", drive.name, short(way.value(s).to_degrees()))
-            }
-            [drive] => format!(" at {} = {} mm", drive.name, four(way.value(s) * 1e3)),
-            _ => format!(" at {} % of the sweep", short(100.0 * s)),
-        };
-        match self {
-            Self::At(s) => format!("the quantity has no value{}", place(s)),
-            Self::Locked(s) => format!("friction locks the mechanism{}", place(s)),
-            Self::Open(s) => format!("the mechanism does not close{}", place(s)),
-            Self::Unresolved => "the quantity changes too often over the sweep".to_owned(),
-        }
     }
 }
