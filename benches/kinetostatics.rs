@@ -27,7 +27,7 @@ fn same_by_hand() {
         bench.inputs = vec![input];
         bench.revolution(Stage::Forces);
         let (_, torque) = by_hand::four_bar([0.1, 0.35, 0.3, 0.4], input.place);
-        assert!((bench.state.efforts[0] - torque).abs() < 1e-12 * (1.0 + torque.abs()));
+        assert!((bench.state.forces.efforts[0] - torque).abs() < 1e-12 * (1.0 + torque.abs()));
     }
 }
 
@@ -62,7 +62,7 @@ impl Bench {
         let state = &mut self.state;
         let mut sum = 0.0;
         for input in &self.inputs {
-            state.inputs[0] = *input;
+            state.motion.inputs[0] = *input;
             match stage {
                 Stage::Positions => state.run_motion::<0>(&self.plan),
                 Stage::Velocities => state.run_motion::<1>(&self.plan),
@@ -78,7 +78,7 @@ impl Bench {
                 }
                 state.run_forces(&self.plan);
             }
-            sum += state.efforts[0] + state.bodies[2].p.x;
+            sum += state.forces.efforts[0] + state.motion.bodies[2].p.x;
         }
         sum
     }

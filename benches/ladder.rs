@@ -57,9 +57,9 @@ struct Reduced {
 impl Reduced {
     /// From motion at a steady speed ω: Σ m v² + J ω² over ω², Σ m v·a + J ω α over ω³, and the power of the spring over ω.
     fn of(mechanism: &Mechanism, state: &State) -> Self {
-        let omega = state.bodies[1].omega;
+        let omega = state.motion.bodies[1].omega;
         let mut sum = Self::default();
-        for (link, body) in mechanism.links.iter().zip(&state.bodies) {
+        for (link, body) in mechanism.links.iter().zip(&state.motion.bodies) {
             let Some(mass) = &link.mass else { continue };
             let r = mass.centre.turned(body.u);
             let v = body.v + r.perp() * body.omega;
@@ -68,7 +68,8 @@ impl Reduced {
             sum.half_rise += mass.mass * v.dot(a) + mass.inertia * body.omega * body.alpha;
         }
         for spring in &mechanism.springs {
-            let (one, two) = (&state.bodies[spring.from.0.index()], &state.bodies[spring.to.0.index()]);
+            let (one, two) =
+                (&state.motion.bodies[spring.from.0.index()], &state.motion.bodies[spring.to.0.index()]);
             let d: Vec2 = two.position(spring.to.1) - one.position(spring.from.1);
             let rate = d.dot(two.velocity(spring.to.1) - one.velocity(spring.from.1));
             sum.drop -= spring.stiffness * (1.0 - spring.free_length / d.norm()) * rate;
@@ -89,7 +90,7 @@ fn one_by_one_d_reduced(bencher: Bencher<'_, '_>) {
     bencher.counter(ItemsCount::new(positions)).bench_local(|| {
         let mut sum = 0.0;
         for input in &run.inputs {
-            run.state.inputs[0] = *input;
+            run.state.motion.inputs[0] = *input;
             run.state.run_motion::<2>(&run.compiled.plan);
             let reduced = Reduced::of(&run.compiled.mechanism, &run.state);
             sum += reduced.inertia + reduced.half_rise + reduced.drop;
@@ -106,9 +107,9 @@ fn powers_balance() {
         run.inputs = vec![input];
         run.one_by_one();
         let Reduced { half_rise, drop, .. } = Reduced::of(&run.compiled.mechanism, &run.state);
-        let omega = run.state.bodies[1].omega;
+        let omega = run.state.motion.bodies[1].omega;
         let torque = half_rise * omega * omega - drop - 0.033;
-        let got = run.state.efforts[0];
+        let got = run.state.forces.efforts[0];
         assert!((torque - got).abs() < 1e-11 * (1.0 + got.abs()), "{torque} {got}");
     }
 }

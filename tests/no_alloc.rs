@@ -19,18 +19,18 @@ fn allocations(mechanism: &Mechanism) -> u64 {
     let mut solve_at = |i: u16| {
         let value = f64::from(i).to_radians();
         let place = Vec2::direction(value);
-        state.inputs[0] = DriveInput { value, place, rate: machines::SPEED, ..DriveInput::default() };
+        state.motion.inputs[0] = DriveInput { value, place, rate: machines::SPEED, ..DriveInput::default() };
         state.run_motion::<2>(&plan);
         state.run_loads(&scene, &[]);
         state.set_lines(&plan);
         state.set_senses(&plan);
         state.run_forces(&plan);
-        sum += state.efforts[0];
+        sum += state.forces.efforts[0];
     };
     // iterations take their memory at the first position
     solve_at(0);
     let counted = allocation_counter::measure(|| (0..360).for_each(&mut solve_at));
-    assert!(sum.is_finite() && state.open.is_none());
+    assert!(sum.is_finite() && state.motion.open.is_none());
     counted.count_total
 }
 

@@ -31,7 +31,7 @@ impl Run {
             .map(|p| &p.outcome.as_ref().expect("every position closes").state)
             .collect();
         assert!(states.iter().all(|s| s.branches == states[0].branches), "no change points");
-        let inputs = states.iter().flat_map(|s| s.inputs.clone()).collect();
+        let inputs = states.iter().flat_map(|s| s.motion.inputs.clone()).collect();
         Self { state: states[0].clone().ready(&compiled.plan), inputs, compiled }
     }
 
@@ -46,7 +46,7 @@ impl Run {
         let plan = scene.plan;
         let mut sum = 0.0;
         for input in self.inputs.chunks_exact(plan.drives) {
-            state.inputs.iter_mut().zip(input).for_each(|(to, from)| *to = *from);
+            state.motion.inputs.iter_mut().zip(input).for_each(|(to, from)| *to = *from);
             match plan.effects.level {
                 Level::Positions => state.run_motion::<0>(plan),
                 Level::Velocities => state.run_motion::<1>(plan),
@@ -56,9 +56,9 @@ impl Run {
                 state.run_loads(&scene, &[]);
                 state.set_lines(plan);
                 state.run_forces(plan);
-                sum += state.efforts[0];
+                sum += state.forces.efforts[0];
             }
-            sum += state.bodies[1].p.x;
+            sum += state.motion.bodies[1].p.x;
         }
         sum
     }

@@ -5,9 +5,9 @@ use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
 use crate::Compiled;
 use crate::diagnostic::Problems;
+use crate::measure::Costs;
 use crate::report;
 use crate::report::document::Report;
-use crate::solve::Costs;
 
 /// Prints what the mechanisms are built from and, where it is asked for, what their plans cost and how they can be
 /// assembled.
@@ -28,7 +28,7 @@ pub fn run(args: &Check, screen: &Screen) -> Status {
 }
 
 fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {
-    match crate::solve::costs(&compiled.scene()) {
+    match crate::measure::costs(&compiled.scene()) {
         Ok(costs) => costs,
         Err(errors) => {
             problems.extend(errors);

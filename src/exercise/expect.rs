@@ -160,7 +160,7 @@ impl<'a> Key<'a> {
             let locked = || "friction locks the mechanism, and no effort moves it".to_owned();
             let why = why_undefined(self.scene, expr)
                 .or_else(|| without_cycle(self.scene, self.solution, expr))
-                .or_else(|| view.state.locked.then(locked));
+                .or_else(|| view.state.forces.locked.then(locked));
             Err(ExpectError::no_value(expect, place.clone(), why))
         };
         let got = value(&expect.expr)?;

@@ -145,16 +145,17 @@ impl<'a> Compared<'a> {
         }
         let same = |x: f64, y: f64| alike(Value::Scalar(x), Value::Scalar(y));
         let (x, y) = (&here.state, &there.state);
-        for (differs, (p, q)) in self.links.iter_mut().zip(x.bodies.iter().zip(&y.bodies)) {
+        for (differs, (p, q)) in self.links.iter_mut().zip(x.motion.bodies.iter().zip(&y.motion.bodies)) {
             let equal = same(p.omega, q.omega) && same(p.alpha, q.alpha);
             *differs |= !(equal && alike(Value::Vector(p.v), Value::Vector(q.v)));
         }
-        for (differs, (p, q)) in self.efforts.iter_mut().zip(x.efforts.iter().zip(&y.efforts)) {
+        for (differs, (p, q)) in self.efforts.iter_mut().zip(x.forces.efforts.iter().zip(&y.forces.efforts)) {
             *differs |= !same(*p, *q);
         }
         for (i, differs) in self.laws.iter_mut().enumerate() {
-            let force =
-                |plan: &plan::Plan, state: &solve::State| state.law_forces[i].multiplier * plan.laws[i].force;
+            let force = |plan: &plan::Plan, state: &solve::State| {
+                state.forces.law_forces[i].multiplier * plan.laws[i].force
+            };
             *differs |= !same(force(self.scene.plan, x), force(self.other.plan, y));
         }
     }

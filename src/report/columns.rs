@@ -35,7 +35,7 @@ pub(super) struct EffortEntry {
 impl EffortEntry {
     /// Its value, N m or N.
     pub fn value(&self, solved: &Solved) -> Option<f64> {
-        solved.state.efforts.get(self.slot).copied().filter(|x| x.is_finite())
+        solved.state.forces.efforts.get(self.slot).copied().filter(|x| x.is_finite())
     }
 }
 

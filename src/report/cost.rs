@@ -1,7 +1,8 @@
 //! What the plan costs per position: by step, by effect, and what costs nothing because nothing asks for it.
 
 use super::document::{Block, Column, Section, Table};
-use crate::solve::{Costs, Over, Scene};
+use crate::measure::{Costs, Over};
+use crate::solve::Scene;
 use crate::structure::{BodyOrigin, Group};
 
 /// Adds time and share to the rows of the steps: motion, loads, forces.

@@ -19,7 +19,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     let mut section = Section::new("Friction");
     match poses.as_slice() {
         [] => {}
-        [(_, solved)] if solved.state.locked => {
+        [(_, solved)] if solved.state.forces.locked => {
             section.text("The mechanism is locked: no effort moves it.");
         }
         [(_, solved)] => {
@@ -114,7 +114,7 @@ fn of_a_sweep(answers: &Answers<'_>, poses: &[(&Pose, &Solved)]) -> Table {
         }
         let lost = |rubbing: &Vec<Rubbing>| -> f64 { rubbing.iter().filter(of_pair).map(|r| r.power).sum() };
         let cells = all.iter().zip(poses).map(|(r, (_, solved))| {
-            if solved.state.locked {
+            if solved.state.forces.locked {
                 return "locked".to_owned();
             }
             answers.precision.figures(display.of_si(lost(r)), display.of_si(scale))

@@ -38,7 +38,8 @@ pub use element::full as full_table;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
 pub use tradeoff::{of_study, study_json};
 
-use crate::solve::{Costs, Modes, Scene};
+use crate::measure::Costs;
+use crate::solve::{Modes, Scene};
 use crate::source::Source;
 use document::Report;
 

@@ -5,9 +5,10 @@ use super::document::{Report, Section, Table};
 use super::mobility::{link_names, source_name};
 use super::train::motion_in_words as train_in_words;
 use crate::diagnostic::place;
+use crate::measure::Costs;
 use crate::model::{LinkId, LoadKind, Unsupported};
 use crate::plan::{ForceStep, LoadStep, MotionStep};
-use crate::solve::{Costs, Scene};
+use crate::solve::Scene;
 use crate::source::Source;
 use crate::structure::{Effort, Group, GroupKind};
 

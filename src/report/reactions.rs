@@ -39,11 +39,11 @@ pub struct ContactEntry {
 /// All reactions of a pose, pair by pair as declared. Empty where forces are not solved, and where friction locks.
 #[must_use]
 pub fn reactions(answers: &Answers<'_>, solved: &Solved) -> Vec<ReactionEntry> {
-    if answers.scene.plan.reactions.is_empty() || solved.state.locked {
+    if answers.scene.plan.reactions.is_empty() || solved.state.forces.locked {
         return Vec::new();
     }
     let view = answers.solution.view(&answers.scene, solved);
-    let forces = solved.state.reactions.iter().map(|r| r.force.norm());
+    let forces = solved.state.forces.reactions.iter().map(|r| r.force.norm());
     let scale = forces.fold(0.0, f64::max);
     let unplaced = unplaced_reactions(&answers.scene);
     let mut entries = Vec::new();
@@ -229,7 +229,7 @@ fn remarks(mechanism: &Mechanism, answers: &Answers<'_>) -> Vec<String> {
 
 /// Poses without reactions.
 fn locked(answers: &Answers<'_>) -> Vec<String> {
-    let locks = |solved: &Solved| solved.state.locked;
+    let locks = |solved: &Solved| solved.state.forces.locked;
     let poses = answers.poses().filter(|p| p.outcome.as_ref().is_ok_and(locks));
     let names: Vec<&str> = poses.map(|p| p.name.as_str()).collect();
     let at = match names.as_slice() {

@@ -251,7 +251,7 @@ fn found(answers: &Answers<'_>, view: &View<'_>, index: usize) -> Option<Value> 
 }
 
 fn effort(solved: &Solved, slot: usize) -> Option<Value> {
-    solved.state.efforts.get(slot).copied().filter(|x| x.is_finite()).map(Value::Scalar)
+    solved.state.forces.efforts.get(slot).copied().filter(|x| x.is_finite()).map(Value::Scalar)
 }
 
 fn entry(entries: &[ReactionEntry], pair: PairId, on: LinkId) -> Option<&ReactionEntry> {

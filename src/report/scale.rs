@@ -30,7 +30,7 @@ impl Scale {
         let state = &solved.state;
         let mut fastest = 0.0_f64;
         for (i, link) in answers.scene.mechanism.links.iter().enumerate() {
-            let body = &state.bodies[LinkId::at(i).index()];
+            let body = &state.motion.bodies[LinkId::at(i).index()];
             for at in link.points.iter().map(|p| p.at).chain([Vec2::zero()]) {
                 self.length = self.length.max(body.position(at).norm());
                 fastest = fastest.max(body.velocity(at).norm());
@@ -40,7 +40,12 @@ impl Scale {
         if self.per_time == 0.0 && self.length > 0.0 {
             self.per_time = fastest / self.length;
         }
-        let forces = state.reactions.iter().map(|r| r.force).chain(state.applied.iter().map(|w| w.force));
+        let forces = state
+            .forces
+            .reactions
+            .iter()
+            .map(|r| r.force)
+            .chain(state.forces.applied.iter().map(|w| w.force));
         self.force = forces.fold(self.force, |most, f| most.max(f.norm()));
     }
 

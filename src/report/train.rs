@@ -106,7 +106,7 @@ pub(super) struct Pull {
 
 /// All transmissions of a pose whose forces are known.
 pub(super) fn pulls(answers: &Answers<'_>, solved: &Solved) -> Vec<Pull> {
-    if answers.scene.plan.forces.is_empty() || solved.state.locked {
+    if answers.scene.plan.forces.is_empty() || solved.state.forces.locked {
         return Vec::new();
     }
     let view = answers.solution.view(&answers.scene, solved);

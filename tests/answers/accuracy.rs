@@ -79,8 +79,8 @@ fn a_chain_keeps_what_it_says() {
         let scale = extent(&found.compiled.scene()) * greatest_force(&found.solution);
         for pose in &found.solution.poses {
             let state = &pose.outcome.as_ref().unwrap().state;
-            let exact = 9.81 * 0.3 * state.inputs[0].place.x * (41.0 / 2.0 + 40.0 * 0.5);
-            let off = (state.efforts[0] - exact).abs() / scale;
+            let exact = 9.81 * 0.3 * state.motion.inputs[0].place.x * (41.0 / 2.0 + 40.0 * 0.5);
+            let off = (state.forces.efforts[0] - exact).abs() / scale;
             assert!(off <= reached.error + 4.0 * f64::EPSILON, "{within}: {off:e} {reached:?}");
         }
         compiled = found.compiled;
@@ -90,7 +90,7 @@ fn a_chain_keeps_what_it_says() {
 fn greatest_force(solution: &Solution) -> f64 {
     let states = solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok());
     states
-        .flat_map(|s| &s.state.reactions)
+        .flat_map(|s| &s.state.forces.reactions)
         .map(|r| r.force.norm())
         .filter(|f| f.is_finite())
         .fold(0.0, f64::max)
@@ -168,11 +168,13 @@ fn difference(a: &Solved, b: &Solved) -> f64 {
     let (one, two) = (states(a), states(b));
     assert_eq!(one.len(), two.len());
     let mut most = 0.0_f64;
-    for (x, y) in one.iter().zip(&two).filter(|(x, _)| !x.locked) {
-        for (p, q) in x.bodies.iter().zip(&y.bodies) {
+    for (x, y) in one.iter().zip(&two).filter(|(x, _)| !x.forces.locked) {
+        for (p, q) in x.motion.bodies.iter().zip(&y.motion.bodies) {
             most = most.max((p.p - q.p).norm() / length).max((p.u - q.u).norm());
         }
-        for (p, q) in x.reactions.iter().zip(&y.reactions).filter(|(p, _)| p.force.norm().is_finite()) {
+        for (p, q) in
+            x.forces.reactions.iter().zip(&y.forces.reactions).filter(|(p, _)| p.force.norm().is_finite())
+        {
             most = most.max((p.force - q.force).norm() / force.max(f64::MIN_POSITIVE));
         }
     }

@@ -179,7 +179,8 @@ fn friction_is_split_where_it_changes_its_sense() {
     let source = Source::new("test.mech", format!("{text}find Mb, mean(Mb), mean(frictionless(Mb))\n"));
     let (solved, _) = assur::solve_source(&source, &Overrides::none());
     let solution = solved.expect("it is solved").solution;
-    let efforts = solution.poses.iter().map(|p| p.outcome.as_ref().expect("it moves").state.efforts[0]);
+    let efforts =
+        solution.poses.iter().map(|p| p.outcome.as_ref().expect("it moves").state.forces.efforts[0]);
     let brute = efforts.sum::<f64>() / 7200.0;
     let (with, without) = (&solution.statics.cycles[0], &solution.statics.cycles[1]);
     assert_eq!(with.splits.len(), 1, "{with:?}");
@@ -289,7 +290,7 @@ proptest! {
             find J, Mb, mean(Mb)\n"
         ));
         let torque: Vec<f64> = solved.solution.poses.iter()
-            .map(|p| p.outcome.as_ref().expect("it closes").state.efforts[0]).collect();
+            .map(|p| p.outcome.as_ref().expect("it closes").state.forces.efforts[0]).collect();
         let mean = torque.iter().sum::<f64>() / f64::from(steps);
         let (mut work, mut least, mut most) = (0.0, 0.0_f64, 0.0_f64);
         for i in 0..torque.len() {

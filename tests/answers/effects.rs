@@ -144,7 +144,7 @@ fn steps(plan: &Plan) -> String {
 /// All numbers of the bodies as far as a level goes, and of the forces, as bits; zero has no sign.
 fn bits(state: &State, level: Level, forces: bool) -> Vec<u64> {
     let mut numbers = Vec::new();
-    for b in &state.bodies {
+    for b in &state.motion.bodies {
         numbers.extend([b.p.x, b.p.y, b.u.x, b.u.y]);
         if level >= Level::Velocities {
             numbers.extend([b.v.x, b.v.y, b.omega]);
@@ -154,8 +154,8 @@ fn bits(state: &State, level: Level, forces: bool) -> Vec<u64> {
         }
     }
     if forces {
-        numbers.extend(state.reactions.iter().flat_map(|r| [r.force.x, r.force.y, r.couple]));
-        numbers.extend(&state.efforts);
+        numbers.extend(state.forces.reactions.iter().flat_map(|r| [r.force.x, r.force.y, r.couple]));
+        numbers.extend(&state.forces.efforts);
     }
     numbers.iter().map(|x| (x + 0.0).to_bits()).collect()
 }

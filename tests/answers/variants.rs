@@ -65,7 +65,8 @@ fn shown(solved: Option<&Solved>) -> String {
     let answers = solved.answers(Precision::READABLE);
     let outcomes = solved.outcomes.iter().map(|o| format!("{} {:?} {:?}\n", o.text, o.got, o.expected));
     let states = solved.solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok());
-    let states: String = states.map(|s| format!("{:?}\n{:?}\n", s.state.bodies, s.state.reactions)).collect();
+    let states: String =
+        states.map(|s| format!("{:?}\n{:?}\n", s.state.motion.bodies, s.state.forces.reactions)).collect();
     csv::render(&report::table_of_poses(&answers)) + &outcomes.collect::<String>() + &states
 }
 

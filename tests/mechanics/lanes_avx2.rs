@@ -15,7 +15,7 @@ fn avx2_has_the_bits_of_one_lane() {
     let solution = solve(&scene).expect("the example is solved");
     let states = solution.poses.iter().map(|p| &p.outcome.as_ref().expect("it closes").state);
     let first = &solution.poses[0].outcome.as_ref().expect("it closes").state;
-    let inputs: Vec<DriveInput> = states.flat_map(|s| s.inputs.clone()).collect();
+    let inputs: Vec<DriveInput> = states.flat_map(|s| s.motion.inputs.clone()).collect();
     let inputs = DriveColumns::of(&inputs, plan.drives);
 
     let Some(block) = block_in_avx2(plan, first, &inputs) else { return };

@@ -42,15 +42,15 @@ fn both(state: &State, scene: &Scene<'_>) -> (f64, f64) {
 fn a_wrong_state_has_residuals() {
     let changes: [&[(&str, Change)]; 2] = [
         &[
-            ("effort", |s, by| s.efforts[0] *= by),
-            ("friction", |s, by| s.frictions.iter_mut().for_each(|x| *x *= by)),
-            ("loads", |s, by| s.applied.iter_mut().for_each(|w| w.force = w.force * by)),
-            ("speed", |s, by| s.bodies[1].omega *= by),
+            ("effort", |s, by| s.forces.efforts[0] *= by),
+            ("friction", |s, by| s.forces.frictions.iter_mut().for_each(|x| *x *= by)),
+            ("loads", |s, by| s.forces.applied.iter_mut().for_each(|w| w.force = w.force * by)),
+            ("speed", |s, by| s.motion.bodies[1].omega *= by),
         ],
         &[
-            ("effort", |s, by| s.efforts[0] *= by),
-            ("losses", |s, by| s.law_forces[0].sides[0] *= by),
-            ("multiplier", |s, by| s.law_forces[0].multiplier *= by),
+            ("effort", |s, by| s.forces.efforts[0] *= by),
+            ("losses", |s, by| s.forces.law_forces[0].sides[0] *= by),
+            ("multiplier", |s, by| s.forces.law_forces[0].multiplier *= by),
         ],
     ];
     for (text, changes) in FILES.iter().zip(changes) {
@@ -75,7 +75,7 @@ fn a_wrong_state_has_residuals() {
             }
         }
         let mut wrong = state.clone();
-        if let Some(reaction) = wrong.reactions.get_mut(1).filter(|r| r.force.norm() > 0.0) {
+        if let Some(reaction) = wrong.forces.reactions.get_mut(1).filter(|r| r.force.norm() > 0.0) {
             reaction.force = reaction.force * 1.001;
             assert!(both(&wrong, &scene).0 > 1e-5);
         }

@@ -22,19 +22,19 @@ fn a_four_bar_to_thirty_digits() {
     for i in 0..36 {
         let value = f64::from(i) * 0.17;
         let place = Vec2::direction(value);
-        state.inputs[0] = DriveInput { value, place, rate: machines::SPEED, ..DriveInput::default() };
+        state.motion.inputs[0] = DriveInput { value, place, rate: machines::SPEED, ..DriveInput::default() };
         state.run_motion::<2>(&plan);
         state.run_loads(&scene, &[]);
         state.run_forces(&plan);
         let exact = precise(&plan, &state).expect("all steps have closed forms");
 
-        let [_, _, coupler, rocker] = &exact.bodies[..] else { panic!("four bodies") };
+        let [_, _, coupler, rocker] = &exact.motion.bodies[..] else { panic!("four bodies") };
         let gap = (position(coupler, LENGTHS[1]) - position(rocker, LENGTHS[2])).norm();
         assert!(gap.high < 1e-30, "at {value}: {gap:?}");
 
         // powers of weights, inertia forces and of the torque on the crank
-        let mut power = exact.efforts[0] * Double::of(machines::SPEED);
-        for (body, length) in exact.bodies[1..].iter().zip(LENGTHS) {
+        let mut power = exact.forces.efforts[0] * Double::of(machines::SPEED);
+        for (body, length) in exact.motion.bodies[1..].iter().zip(LENGTHS) {
             let mass = 2.0 * length;
             let centre = Vec2::new(length / 2.0, 0.0);
             let (m, inertia) = (Double::of(mass), Double::of(mass * length * length / 12.0));
@@ -43,7 +43,7 @@ fn a_four_bar_to_thirty_digits() {
         }
         assert!(power.high.abs() < 1e-27, "at {value}: {power:?}");
 
-        let lost = (exact.efforts[0] - Double::of(state.efforts[0])).high.abs();
+        let lost = (exact.forces.efforts[0] - Double::of(state.forces.efforts[0])).high.abs();
         assert!(lost < 1e-13, "at {value}: f64 loses {lost:e}");
     }
 }

@@ -1,7 +1,10 @@
 //! Plans, positions, motion and forces; what accuracy costs.
 
-pub mod accuracy;
+pub mod answer;
+pub mod measure;
 pub mod plan;
+pub mod position;
+pub mod reference;
 pub mod solve;
 
 use assur_math::{element, force, group, math};

@@ -217,7 +217,7 @@ fn solve(build: &Build, cam: &Cam, phi: f64, alpha: f64) -> Found {
     let query = assur::model::Query::Normal(pair, LinkId::at(lever));
     let assur::model::Value::Scalar(normal) = view.query(&query) else { panic!("a number") };
     Found {
-        lever: outcomes.iter().map(|s| s.state.bodies[lever]).collect(),
+        lever: outcomes.iter().map(|s| s.state.motion.bodies[lever]).collect(),
         residuals: outcomes[SIDE].residuals,
         normal,
     }

@@ -252,7 +252,7 @@ fn compare(seed: u64, draft: &Draft, mechanism: &Mechanism, tally: &mut Tally) -
     let run = Run::new(mechanism)?;
     let solved = run.solved(0)?;
     let (all, reached) = (laws.all(), laws.reached());
-    if solved.state.locked {
+    if solved.state.forces.locked {
         tally.locked += 1;
         return if all.is_empty() {
             Ok(())

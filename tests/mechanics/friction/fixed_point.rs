@@ -150,14 +150,17 @@ fn dyads_agree_with_the_laws_taken_one_by_one() {
         if reduced == 0 || quick.condition < 1e-3 {
             continue;
         }
-        if quick.state.locked != slow.state.locked {
-            differ.push(format!("seed {seed}: locked {} and {}", quick.state.locked, slow.state.locked));
-        } else if quick.state.locked {
+        if quick.state.forces.locked != slow.state.forces.locked {
+            differ.push(format!(
+                "seed {seed}: locked {} and {}",
+                quick.state.forces.locked, slow.state.forces.locked
+            ));
+        } else if quick.state.forces.locked {
             locked += 1;
         } else {
             moved += 1;
-            let scale = slow.state.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
-            for (a, b) in quick.state.frictions.iter().zip(&slow.state.frictions) {
+            let scale = slow.state.forces.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
+            for (a, b) in quick.state.forces.frictions.iter().zip(&slow.state.forces.frictions) {
                 if (a - b).abs() > 1e-9 * scale {
                     differ.push(format!("seed {seed}: {a:e} and {b:e} of {scale:e}"));
                 }
@@ -171,8 +174,8 @@ fn dyads_agree_with_the_laws_taken_one_by_one() {
 /// All forces of the first position, bit by bit.
 fn bits(run: &Run) -> Option<Vec<u64>> {
     let solved = run.solved(0).ok()?;
-    let reactions = solved.state.reactions.iter().flat_map(|r| [r.force.x, r.force.y, r.couple]);
-    Some(reactions.chain(solved.state.efforts.iter().copied()).map(f64::to_bits).collect())
+    let reactions = solved.state.forces.reactions.iter().flat_map(|r| [r.force.x, r.force.y, r.couple]);
+    Some(reactions.chain(solved.state.forces.efforts.iter().copied()).map(f64::to_bits).collect())
 }
 
 #[test]
@@ -270,7 +273,7 @@ find efficiency(), locked()
                 let mut state = pose.state.clone().ready(scene.plan);
                 state.run_loads(&scene, &[]);
                 state.run_forces(scene.plan);
-                let steps: u32 = state.rubbing_work.iter().flatten().map(|w| w.steps()).sum();
+                let steps: u32 = state.scratch.rubbing_work.iter().flatten().map(|w| w.steps()).sum();
                 assert!((1..=5).contains(&steps), "{place}: {steps} steps");
                 if margin > 0.0 {
                     free += 1;

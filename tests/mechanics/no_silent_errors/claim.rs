@@ -38,7 +38,7 @@ pub fn warned(run: &Run) -> Option<u32> {
 /// Judges the answer of a run with one position.
 pub fn judge(run: &Run, solved: &Solved) -> Result<Judged, String> {
     let m = &run.mechanism;
-    let bodies = &solved.state.bodies[..m.links.len()];
+    let bodies = &solved.state.motion.bodies[..m.links.len()];
     let poses: Vec<(Vec2, Vec2)> = bodies.iter().map(|b| (b.p, b.u)).collect();
     let size = size(m, &poses);
     let condition = solved.condition;

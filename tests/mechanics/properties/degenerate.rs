@@ -205,10 +205,13 @@ fn no_answer(run: &Run) -> Option<String> {
     for pose in &solution.poses {
         let Ok(solved) = &pose.outcome else { continue };
         let state = &solved.state;
-        let finite =
-            state.bodies.iter().all(|b| (b.p.x + b.p.y + b.u.x + b.omega + b.a.x + b.alpha).is_finite())
-                && state.reactions.iter().all(|r| (r.force.x + r.force.y + r.couple).is_finite())
-                && state.efforts.iter().all(|e| e.is_finite());
+        let finite = state
+            .motion
+            .bodies
+            .iter()
+            .all(|b| (b.p.x + b.p.y + b.u.x + b.omega + b.a.x + b.alpha).is_finite())
+            && state.forces.reactions.iter().all(|r| (r.force.x + r.force.y + r.couple).is_finite())
+            && state.forces.efforts.iter().all(|e| e.is_finite());
         if !finite {
             return Some("numbers that are not finite".into());
         }

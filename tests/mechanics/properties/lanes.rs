@@ -53,7 +53,7 @@ fn compare_with(
 /// The drives of the solved position moved on; the last of the second block far away, where many do not close.
 fn moved(state: &State, i: usize) -> impl Iterator<Item = DriveInput> {
     let step = if i == 2 * WIDTH - 1 { 2.0 } else { 1e-3 * i as f64 };
-    state.inputs.iter().map(move |input| DriveInput {
+    state.motion.inputs.iter().map(move |input| DriveInput {
         place: input.place.turned(Vec2::direction(step)),
         value: input.value * (1.0 + step),
         rate: input.rate + step,
@@ -63,7 +63,7 @@ fn moved(state: &State, i: usize) -> impl Iterator<Item = DriveInput> {
 
 fn alone(run: &Run, reference: &State, inputs: &[DriveInput]) -> State {
     let mut state = reference.clone().ready(&run.plan);
-    state.inputs.copy_from_slice(inputs);
+    state.motion.inputs.copy_from_slice(inputs);
     match run.plan.effects.level {
         Level::Positions => state.run_motion::<0>(&run.plan),
         Level::Velocities => state.run_motion::<1>(&run.plan),
@@ -78,26 +78,26 @@ fn alone(run: &Run, reference: &State, inputs: &[DriveInput]) -> State {
 }
 
 fn differs(place: &Place<'_>, alone: &State) -> Option<String> {
-    if place.open() != alone.open {
-        return Some(format!("open {:?} and {:?}", place.open(), alone.open));
+    if place.open() != alone.motion.open {
+        return Some(format!("open {:?} and {:?}", place.open(), alone.motion.open));
     }
     let vector = |a: Vec2, b: Vec2| [(a.x, b.x), (a.y, b.y)];
     let mut pairs = Vec::new();
-    for (slot, b) in alone.bodies.iter().enumerate() {
+    for (slot, b) in alone.motion.bodies.iter().enumerate() {
         let a = place.body(slot);
         pairs.extend([(a.omega, b.omega), (a.alpha, b.alpha)]);
         for (a, b) in [(a.p, b.p), (a.u, b.u), (a.v, b.v), (a.a, b.a)] {
             pairs.extend(vector(a, b));
         }
     }
-    for (slot, b) in alone.reactions.iter().enumerate() {
+    for (slot, b) in alone.forces.reactions.iter().enumerate() {
         let a = place.reaction(slot);
         pairs.push((a.couple, b.couple));
         pairs.extend(vector(a.force, b.force));
     }
-    pairs.extend(alone.efforts.iter().enumerate().map(|(slot, &b)| (place.effort(slot), b)));
-    pairs.extend(alone.sines.iter().enumerate().map(|(group, &b)| (place.sine(group), b)));
-    pairs.extend(alone.force_sines.iter().enumerate().map(|(group, &b)| (place.force_sine(group), b)));
+    pairs.extend(alone.forces.efforts.iter().enumerate().map(|(slot, &b)| (place.effort(slot), b)));
+    pairs.extend(alone.motion.conditions.iter().enumerate().map(|(group, &b)| (place.sine(group), b)));
+    pairs.extend(alone.forces.conditions.iter().enumerate().map(|(group, &b)| (place.force_sine(group), b)));
     let same = |(a, b): &(f64, f64)| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
     pairs.iter().find(|pair| !same(pair)).map(|(a, b)| format!("{a:e} beside {b:e} alone"))
 }

@@ -47,10 +47,11 @@ pub fn verified(draft: &Draft, reference: &Reference, run: &Run) -> Result<Optio
     let solved = run.solved(0)?;
     let outside = Outside::new(&draft.mechanism, &reference.bodies, &reference.rates);
     let all_known = run.structure.undetermined_couples.is_empty() && run.structure.force_defect.is_none();
-    if solved.state.locked || outside.doubtful || !all_known {
+    if solved.state.forces.locked || outside.doubtful || !all_known {
         return Ok(None);
     }
-    let force = solved.state.reactions.iter().map(|r| r.force.norm().max(r.couple.abs())).fold(1.0, f64::max);
+    let force =
+        solved.state.forces.reactions.iter().map(|r| r.force.norm().max(r.couple.abs())).fold(1.0, f64::max);
     let sigma = solved.condition.clamp(1e-6, 1.0);
     let most = force / sigma.powi(3);
     let mut check = Check { draft, reference, outside, view: run.view(0)?, most, worst: Worst::default() };

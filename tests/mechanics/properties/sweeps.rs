@@ -117,7 +117,7 @@ fn coarse_and_fine_turns_agree() {
         assert_eq!((count(&coarse), count(&fine)), (12, 360));
         for i in 0..12 {
             let (a, b) = (coarse.solved(i).expect("closes"), fine.solved(30 * i).expect("closes"));
-            for (x, y) in a.state.bodies.iter().zip(&b.state.bodies) {
+            for (x, y) in a.state.motion.bodies.iter().zip(&b.state.motion.bodies) {
                 assert!((x.p - y.p).norm() + (x.u - y.u).norm() < 1e-12, "{lengths:?} pose {i}");
                 assert!((x.alpha - y.alpha).abs() < 1e-6);
             }
@@ -125,7 +125,8 @@ fn coarse_and_fine_turns_agree() {
                 assert!((x - y).abs() < 1e-12, "{lengths:?} pose {i}: {x} {y}");
             }
             assert!(
-                (a.state.efforts[0] - b.state.efforts[0]).abs() < 1e-8 * a.state.efforts[0].abs().max(1.0)
+                (a.state.forces.efforts[0] - b.state.forces.efforts[0]).abs()
+                    < 1e-8 * a.state.forces.efforts[0].abs().max(1.0)
             );
         }
     }
@@ -143,7 +144,7 @@ fn angles_are_continuous_over_turns() {
             for (link, (x, y)) in a.angles.iter().zip(&b.angles).enumerate() {
                 assert!((x - y).abs() < 0.5, "link {link} jumps from {x} to {y}");
             }
-            for (body, x) in b.state.bodies.iter().zip(&b.angles) {
+            for (body, x) in b.state.motion.bodies.iter().zip(&b.angles) {
                 assert!((body.u - Vec2::direction(*x)).norm() < 1e-12);
             }
         }

@@ -33,7 +33,7 @@ fn general(run: &Run, state: &State) -> (General, Vec<Pose>, Vec<usize>) {
         constraints.push(Constraint::Revolute { a: head, b: held });
     }
     slots.extend(bases);
-    let pose = |slot: &usize| Pose { p: state.bodies[*slot].p, u: state.bodies[*slot].u };
+    let pose = |slot: &usize| Pose { p: state.motion.bodies[*slot].p, u: state.motion.bodies[*slot].u };
     let poses = slots.iter().map(pose).collect();
     (General::new(4, 7, constraints).expect("three constraints per body"), poses, slots)
 }
@@ -44,32 +44,37 @@ fn a_turn_of_the_triad_agrees_with_the_general_solver() {
     for i in 0..36 {
         let solved = run.solved(i).expect("closes");
         let state = &solved.state;
-        assert!(state.certificates.iter().all(|h| *h < 1e-9), "{:?}", state.certificates);
+        assert!(state.motion.certificates.iter().all(|h| *h < 1e-9), "{:?}", state.motion.certificates);
         let (mut group, poses, slots) = general(&run, state);
         let mut found = poses.clone();
         group.position(&mut found, 1e-12).expect("closes");
-        let velocity = |slot: &usize| Velocity { v: state.bodies[*slot].v, omega: state.bodies[*slot].omega };
+        let velocity = |slot: &usize| Velocity {
+            v: state.motion.bodies[*slot].v,
+            omega: state.motion.bodies[*slot].omega,
+        };
         let mut velocities: Vec<Velocity> = slots.iter().map(velocity).collect();
         group.velocity(&mut velocities);
-        let acceleration =
-            |slot: &usize| Acceleration { a: state.bodies[*slot].a, alpha: state.bodies[*slot].alpha };
+        let acceleration = |slot: &usize| Acceleration {
+            a: state.motion.bodies[*slot].a,
+            alpha: state.motion.bodies[*slot].alpha,
+        };
         let mut accelerations: Vec<Acceleration> = slots.iter().map(acceleration).collect();
         group.acceleration(&poses, &velocities, &mut accelerations);
         let loads: Vec<Load> = slots[..4]
             .iter()
-            .map(|&slot| Load { F: state.applied[slot].force, M: state.applied[slot].moment })
+            .map(|&slot| Load { F: state.forces.applied[slot].force, M: state.forces.applied[slot].moment })
             .collect();
         let mut lambda = vec![0.0; 12];
         group.reactions(&loads, &mut lambda);
         for (k, &slot) in slots[..4].iter().enumerate() {
-            let body = &state.bodies[slot];
+            let body = &state.motion.bodies[slot];
             assert!((found[k].p - body.p).norm() + (found[k].u - body.u).norm() < 1e-13, "pose {i}");
             let v = velocities[k];
             assert!((v.v - body.v).norm() + (v.omega - body.omega).abs() < 1e-11, "pose {i}");
             let a = accelerations[k];
             assert!((a.a - body.a).norm() + (a.alpha - body.alpha).abs() < 1e-9, "pose {i}");
         }
-        for (joint, reaction) in run.plan.reactions.iter().zip(&state.reactions) {
+        for (joint, reaction) in run.plan.reactions.iter().zip(&state.forces.reactions) {
             // the reactions of the group, leg by leg: at the base, at the link
             let Some(leg) = (1..4).find(|k| slots[*k] == joint.body.0 || slots[*k] == joint.base.0) else {
                 continue;
@@ -89,7 +94,7 @@ fn coarse_and_fine_turns_of_the_triad_agree() {
     let (coarse, fine) = (run(&machines::triad(turn(0.3, 12))), run(&machines::triad(turn(0.3, 360))));
     for i in 0..12 {
         let (a, b) = (coarse.solved(i).expect("closes"), fine.solved(30 * i).expect("closes"));
-        for (x, y) in a.state.bodies.iter().zip(&b.state.bodies) {
+        for (x, y) in a.state.motion.bodies.iter().zip(&b.state.motion.bodies) {
             assert!((x.p - y.p).norm() + (x.u - y.u).norm() < 1e-13, "pose {i}");
         }
     }

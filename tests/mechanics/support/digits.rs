@@ -22,7 +22,7 @@ pub fn size(exact: &Reference) -> f64 {
 pub fn motion_errors(solved: &Solved, exact: &Reference) -> [f64; 3] {
     let size = size(exact);
     let (mut errors, mut most) = ([0.0_f64; 3], [1.0, f64::MIN_POSITIVE, f64::MIN_POSITIVE]);
-    for (got, want) in solved.state.bodies.iter().zip(&exact.bodies) {
+    for (got, want) in solved.state.motion.bodies.iter().zip(&exact.bodies) {
         let pairs = [
             (off(got.p, want.p) / size, off(got.u, want.u)),
             (off(got.v, want.v) / size, off_by(got.omega, want.omega)),
@@ -51,7 +51,8 @@ pub fn force_errors(scene: &Scene<'_>, solved: &Solved, exact: &Reference) -> (f
     let (size, state) = (size(exact), &solved.state);
     let mut error = 0.0_f64;
     let mut most = exact.applied.iter().map(|w| w.force.norm().high).fold(f64::MIN_POSITIVE, f64::max);
-    for (joint, (got, want)) in scene.plan.reactions.iter().zip(state.reactions.iter().zip(&exact.reactions))
+    for (joint, (got, want)) in
+        scene.plan.reactions.iter().zip(state.forces.reactions.iter().zip(&exact.reactions))
     {
         error = error.max(off(got.force, want.force));
         most = most.max(want.force.norm().high);
@@ -62,7 +63,7 @@ pub fn force_errors(scene: &Scene<'_>, solved: &Solved, exact: &Reference) -> (f
             most = most.max(want.couple.high.abs() / size);
         }
     }
-    for (slot, (got, want)) in state.efforts.iter().zip(&exact.efforts).enumerate() {
+    for (slot, (got, want)) in state.forces.efforts.iter().zip(&exact.efforts).enumerate() {
         let force = matches!(
             scene.structure.efforts.get(slot).map(|e| e.kind),
             Some(EffortKind::Line(_) | EffortKind::Coordinate(_))
@@ -71,11 +72,11 @@ pub fn force_errors(scene: &Scene<'_>, solved: &Solved, exact: &Reference) -> (f
         error = error.max(off_by(*got, *want) / scale);
         most = most.max(want.high.abs() / scale);
     }
-    for (got, law) in exact.multipliers.iter().zip(&state.law_forces) {
+    for (got, law) in exact.multipliers.iter().zip(&state.forces.law_forces) {
         error = error.max(off_by(law.multiplier, *got));
         most = most.max(got.high.abs());
     }
-    for (got, want) in state.frictions.iter().zip(&exact.frictions) {
+    for (got, want) in state.forces.frictions.iter().zip(&exact.frictions) {
         error = error.max(off_by(*got, *want) / size.max(1.0));
     }
     (error, most)
@@ -87,7 +88,7 @@ pub fn closed_form_errors(closed: &State<Double>, exact: &Reference) -> [f64; 4]
     let size = size(exact);
     let apart = |a: V2<Double>, b: V2<Double>| (a - b).norm().high;
     let (mut errors, mut most) = ([0.0_f64; 4], [1.0, 0.0_f64, 0.0_f64, 0.0_f64]);
-    for (got, want) in closed.bodies.iter().zip(&exact.bodies) {
+    for (got, want) in closed.motion.bodies.iter().zip(&exact.bodies) {
         let omega = want.omega.high.abs();
         errors[0] = errors[0].max(apart(got.p, want.p) / size).max(apart(got.u, want.u));
         errors[1] = errors[1].max(apart(got.v, want.v) / size).max((got.omega - want.omega).high.abs());
@@ -95,7 +96,7 @@ pub fn closed_form_errors(closed: &State<Double>, exact: &Reference) -> [f64; 4]
         most[1] = most[1].max(want.v.norm().high / size).max(omega);
         most[2] = most[2].max(want.a.norm().high / size).max(want.alpha.high.abs()).max(omega * omega);
     }
-    for (got, want) in closed.reactions.iter().zip(&exact.reactions) {
+    for (got, want) in closed.forces.reactions.iter().zip(&exact.reactions) {
         errors[3] = errors[3].max(apart(got.force, want.force));
         most[3] = most[3].max(want.force.norm().high);
     }

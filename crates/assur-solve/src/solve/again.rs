@@ -1,16 +1,15 @@
 //! Positions of a solved file solved again: each from a step before it, as the sweep comes to it.
 
 use super::cycle::loads_name_quantities;
-use super::extremes::Statics;
 use super::inputs::Rates;
-use super::pose::balanced;
-use super::reference::{Reference, reference};
-use super::solution::{Pose, PoseOrigin, Scene, Solution, Solved};
-use super::state::{BodyState, Branch, DriveInput, State};
+use super::solution::{Pose, PoseOrigin, Solution, Solved};
 use super::steps::step_before;
 use super::track::Tracker;
+use crate::answer::{Statics, balanced};
 use crate::model::{LoadId, Value};
-use crate::plan::{Level, LoadStep, Plan};
+use crate::plan::Plan;
+use crate::position::{BodyState, Branch, DriveInput, Scene, State};
+use crate::reference::{Reference, reference};
 
 /// Where a position is come from, and what it is asked for.
 #[derive(Clone, Debug)]
@@ -29,8 +28,6 @@ pub struct Again<'a> {
     starts: Vec<Start>,
     state: State,
     evaluated: Vec<(LoadId, Value)>,
-    /// A load hangs on the motion.
-    evaluates: bool,
     quantities: bool,
 }
 
@@ -38,7 +35,7 @@ impl<'a> Again<'a> {
     /// The positions of a solution that have an answer, `most` of them, evenly spread.
     #[must_use]
     pub fn new(scene: &Scene<'a>, solution: &'a Solution, most: usize) -> Self {
-        let solved = |p: &'a Pose| p.outcome.as_ref().ok().filter(|s| !s.state.locked).map(|s| (p, s));
+        let solved = |p: &'a Pose| p.outcome.as_ref().ok().filter(|s| !s.state.forces.locked).map(|s| (p, s));
         let asked = solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
         let all: Vec<(&Pose, &Solved)> = asked.filter_map(solved).collect();
         let count = all.len().min(most);
@@ -46,14 +43,12 @@ impl<'a> Again<'a> {
         let rates = Rates::of(scene, &solution.statics);
         let starts = (0..count).map(|i| all[i * all.len() / count]);
         let starts = starts.map(|(pose, solved)| start(scene, &rates, pose, solved, iterates)).collect();
-        let evaluates = scene.plan.loads.iter().any(|l| matches!(l, LoadStep::Evaluated(_)));
         Self {
             scene: *scene,
             statics: &solution.statics,
             starts,
             state: State::new(scene.plan),
             evaluated: Vec::new(),
-            evaluates,
             quantities: loads_name_quantities(scene.mechanism),
         }
     }
@@ -91,28 +86,14 @@ impl<'a> Again<'a> {
     /// Solves one position by a plan of the same mechanism.
     pub fn run(&mut self, plan: &Plan, index: usize) -> &State {
         let (start, state) = (&self.starts[index], &mut self.state);
-        state.bodies.copy_from_slice(&start.bodies);
+        state.motion.bodies.copy_from_slice(&start.bodies);
         state.branches.clone_from_slice(&start.branches);
-        state.inputs.copy_from_slice(&start.inputs);
-        state.locked = false;
-        match plan.effects.level {
-            Level::Positions => state.run_motion::<0>(plan),
-            Level::Velocities => state.run_motion::<1>(plan),
-            Level::Accelerations => state.run_motion::<2>(plan),
-        }
-        if !plan.effects.forces || state.open.is_some() {
-            return state;
-        }
-        let scene = Scene { plan, ..self.scene };
-        if self.evaluates {
+        state.motion.inputs.copy_from_slice(&start.inputs);
+        state.forces.locked = false;
+        state.run_planned_motion(plan);
+        if plan.effects.forces && state.motion.open.is_none() {
+            let scene = Scene { plan, ..self.scene };
             balanced(&scene, self.statics, state, &start.angles, &mut self.evaluated, self.quantities);
-        } else {
-            state.run_loads(&scene, &[]);
-            state.set_lines(plan);
-            if plan.effects.friction {
-                state.set_senses(plan);
-            }
-            state.run_forces(plan);
         }
         state
     }
@@ -127,9 +108,9 @@ fn start(scene: &Scene<'_>, rates: &Rates, pose: &Pose, solved: &Solved, iterate
         }
     }
     Start {
-        bodies: from.bodies,
+        bodies: from.motion.bodies,
         branches: solved.state.branches.clone(),
-        inputs: solved.state.inputs.clone(),
+        inputs: solved.state.motion.inputs.clone(),
         angles: solved.angles.clone(),
     }
 }

@@ -3,14 +3,12 @@
 use super::choices::{ambiguous, not_met, point_of};
 use super::error::SolveError;
 use super::gap::gap_text;
-use super::general::{STARTS, Workspace, is_never_regular};
-use super::solution::Scene;
-use super::state::{BodyState, Branch, State};
-use super::view::View;
 use super::words::{labels, links};
+use crate::answer::View;
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
+use crate::position::{BodyState, Branch, STARTS, Scene, State, Workspace, is_never_regular};
 
 /// More assemblies than this are not followed: without a word on the first groups their number doubles with each.
 const MOST: usize = 256;
@@ -37,29 +35,29 @@ pub(super) struct Way {
 }
 
 impl Way {
-    pub(super) fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
+    pub(crate) fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
         let work = match &scene.plan.motion[index] {
             MotionStep::General { problem, .. } => {
-                state.motion_work.get(*problem).cloned().flatten().map(|work| (*problem, work))
+                state.scratch.motion_work.get(*problem).cloned().flatten().map(|work| (*problem, work))
             }
             _ => None,
         };
-        let bodies = scene.structure.motion[index].bodies.iter().map(|b| state.bodies[b.0]).collect();
-        let (sine, certificate) = (state.sines[index], state.certificates[index]);
+        let bodies = scene.structure.motion[index].bodies.iter().map(|b| state.motion.bodies[b.0]).collect();
+        let (sine, certificate) = (state.motion.conditions[index], state.motion.certificates[index]);
         Self { branch: state.branches[index], sine, certificate, bodies, work }
     }
 
     /// Puts the group of a state this way.
     pub(super) fn put(&self, scene: &Scene<'_>, state: &mut State, index: usize) {
         state.branches[index] = self.branch;
-        state.sines[index] = self.sine;
-        state.certificates[index] = self.certificate;
-        state.open = None;
+        state.motion.conditions[index] = self.sine;
+        state.motion.certificates[index] = self.certificate;
+        state.motion.open = None;
         for (body, stands) in scene.structure.motion[index].bodies.iter().zip(&self.bodies) {
-            state.bodies[body.0] = *stands;
+            state.motion.bodies[body.0] = *stands;
         }
         if let Some((problem, work)) = &self.work {
-            state.motion_work[*problem] = Some(work.clone());
+            state.scratch.motion_work[*problem] = Some(work.clone());
         }
     }
 
@@ -70,7 +68,7 @@ impl Way {
 }
 
 /// Assembles the mechanism for the inputs set in `start`.
-pub(super) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveError> {
+pub(crate) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveError> {
     assemble_from(scene, start, STARTS)
 }
 
@@ -125,12 +123,12 @@ fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize)
     let step = &scene.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
         let group = &scene.plan.general[*problem];
-        let mut found = super::general::assemblies(state, index, *problem, group, starts);
+        let mut found = crate::position::general_assemblies(state, index, *problem, group, starts);
         found.retain(|state| cylinders_are_positive(scene, state, index));
         return found.iter().map(|state| Way::of(scene, state, index)).collect();
     }
     if let MotionStep::Triad { triad, .. } = step {
-        let found = super::triad::assemblies(state, index, triad);
+        let found = crate::position::triad_assemblies(state, index, triad);
         return found.iter().map(|state| Way::of(scene, state, index)).collect();
     }
     let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
@@ -141,9 +139,9 @@ fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize)
         for &first in &sides(round[0]) {
             for &second in &sides(round[1]) {
                 state.branches[index] = Branch { root, sides: [first, second], general_sides: 0 };
-                state.open = None;
+                state.motion.open = None;
                 state.step::<0>(scene.plan, step);
-                if state.open.is_none() && cylinders_are_positive(scene, state, index) {
+                if state.motion.open.is_none() && cylinders_are_positive(scene, state, index) {
                     out.push(Way::of(scene, state, index));
                 }
             }
@@ -161,7 +159,7 @@ fn cylinders_are_positive(scene: &Scene<'_>, state: &State, index: usize) -> boo
         .map(|j| scene.structure.replaced.joint(j.joint).pair);
     pairs
         .filter(|p| matches!(scene.mechanism.pair(*p).kind, PairKind::Cylinder { .. }))
-        .all(|p| bare_view(scene, state).displacement(p) >= 0.0)
+        .all(|p| View::bare(scene, state).displacement(p) >= 0.0)
 }
 
 /// Radii of the round profiles of a step's prismatic joints.
@@ -251,7 +249,7 @@ fn choose(
     for hint in hints {
         if let HintKind::Near { point, place } = &hint.kind {
             for c in &mut next {
-                let away = c.state.bodies[point.0.index()].position(point.1) - *place;
+                let away = c.state.motion.bodies[point.0.index()].position(point.1) - *place;
                 c.far += away.dot(away);
             }
         }
@@ -260,7 +258,7 @@ fn choose(
 }
 
 fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
-    let at = |p: &(LinkId, Vec2)| state.bodies[p.0.index()].position(p.1);
+    let at = |p: &(LinkId, Vec2)| state.motion.bodies[p.0.index()].position(p.1);
     match hint {
         HintKind::Side { point, from, to, left } => {
             let from = at(from);
@@ -268,7 +266,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             if *left { side >= 0.0 } else { side <= 0.0 }
         }
         HintKind::Along { point, other, pair, ahead } => {
-            let view = bare_view(scene, state);
+            let view = View::bare(scene, state);
             let Some(guide) = view.guide(*pair) else { return true };
             let along = (at(point) - at(other)).dot(view.along(&guide));
             if *ahead { along >= 0.0 } else { along <= 0.0 }
@@ -277,18 +275,13 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             // angles are asked for by revolute pairs alone
             let revolute = matches!(scene.mechanism.pair(*pair).kind, PairKind::Revolute(_));
             let angles: Vec<f64> =
-                if revolute { state.bodies.iter().map(|b| b.u.angle()).collect() } else { Vec::new() };
-            let view = View { angles: &angles, ..bare_view(scene, state) };
+                if revolute { state.motion.bodies.iter().map(|b| b.u.angle()).collect() } else { Vec::new() };
+            let view = View { angles: &angles, ..View::bare(scene, state) };
             let value = view.displacement(*pair);
             if *greater { value >= *bound } else { value <= *bound }
         }
         HintKind::Near { .. } => true,
     }
-}
-
-pub(super) fn bare_view<'a>(scene: &Scene<'a>, state: &'a State) -> View<'a> {
-    static NO_STATICS: super::extremes::Statics = super::extremes::Statics::EMPTY;
-    View::new(scene, state, &[], &NO_STATICS)
 }
 
 /// The one candidate, or that with the least sum of squared distances.

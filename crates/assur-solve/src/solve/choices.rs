@@ -1,12 +1,12 @@
 //! The assemblies there are, each as a line to paste.
 
-use super::assemble::{SAME, bare_view};
+use super::assemble::SAME;
 use super::error::{SolveError, label};
-use super::solution::Scene;
-use super::state::State;
 use super::words::{labels, length, short};
+use crate::answer::View;
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, PairKind};
+use crate::position::{Scene, State};
 use crate::structure::{BodyOrigin, Dyad, Group, GroupKind, JointKind};
 
 /// More lines than this are no help.
@@ -66,7 +66,7 @@ fn distinct<'s>(scene: &Scene<'_>, states: &[&'s State], group: &Group) -> Vec<&
     let extent = super::steps::extent(scene);
     let same = |a: &State, b: &State| {
         group.bodies.iter().all(|i| {
-            let (x, y) = (&a.bodies[i.0], &b.bodies[i.0]);
+            let (x, y) = (&a.motion.bodies[i.0], &b.motion.bodies[i.0]);
             (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME
         })
     };
@@ -103,9 +103,10 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
     let pin = |i: usize| {
         let joint = group.joints[i];
         match &replaced.joint(joint.joint).kind {
-            JointKind::Revolute(members) => {
-                members.iter().find(|m| m.0 == joint.body).map(|m| state.bodies[joint.body.0].position(m.1))
-            }
+            JointKind::Revolute(members) => members
+                .iter()
+                .find(|m| m.0 == joint.body)
+                .map(|m| state.motion.bodies[joint.body.0].position(m.1)),
             JointKind::Prismatic { .. } | JointKind::Law(_) => None,
         }
     };
@@ -125,7 +126,7 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
             if !matches!(guide.kind, PairKind::Prismatic(_)) {
                 return None;
             }
-            let ahead = (c - a).dot(along.turned(state.bodies[base.0].u)) >= 0.0;
+            let ahead = (c - a).dot(along.turned(state.motion.bodies[base.0].u)) >= 0.0;
             let word = if ahead { "ahead of" } else { "behind" };
             Some(format!("assemble {} {word} {}", real(1)?.name, real(0)?.name))
         }
@@ -147,8 +148,8 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
 }
 
 fn coordinate(scene: &Scene<'_>, state: &State, pair: crate::model::PairId) -> f64 {
-    let angles: Vec<f64> = state.bodies.iter().map(|b| b.u.angle()).collect();
-    super::view::View { angles: &angles, ..bare_view(scene, state) }.displacement(pair)
+    let angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
+    View { angles: &angles, ..View::bare(scene, state) }.displacement(pair)
 }
 
 /// The points of a group that a clause can name, with their bodies.
@@ -175,7 +176,7 @@ pub(super) fn point_of(scene: &Scene<'_>, group: &Group) -> Option<String> {
 pub(super) fn near_lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
     let mut best: Option<(f64, (String, usize, Vec2))> = None;
     for point in points(scene, group) {
-        let places: Vec<Vec2> = ways.iter().map(|s| s.bodies[point.1].position(point.2)).collect();
+        let places: Vec<Vec2> = ways.iter().map(|s| s.motion.bodies[point.1].position(point.2)).collect();
         let apart = places.iter().enumerate().flat_map(|(i, p)| places[..i].iter().map(|q| (*p - *q).norm()));
         let apart = apart.fold(f64::INFINITY, f64::min);
         if best.as_ref().is_none_or(|b| apart > b.0) {
@@ -183,6 +184,6 @@ pub(super) fn near_lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> V
         }
     }
     let Some((_, (name, body, at))) = best else { return Vec::new() };
-    let places = ways.iter().map(|s| s.bodies[body].position(at));
+    let places = ways.iter().map(|s| s.motion.bodies[body].position(at));
     places.map(|p| format!("assemble {name} near ({}, {})", length(scene, p.x), length(scene, p.y))).collect()
 }

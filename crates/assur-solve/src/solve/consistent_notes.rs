@@ -1,12 +1,11 @@
 //! Positions at which the laws of friction or of losses have several solutions, or none.
 
-use super::consistent::{Consistent, Searched};
 use super::consistent_error::ConsistentError;
 use super::error::{SolveError, label};
 use super::positions::Wanted;
-use super::solution::Scene;
 use super::words::place;
 use crate::model::PairId;
+use crate::position::{Consistent, Scene, Searched};
 use miette::LabeledSpan;
 
 /// The first position with several solutions, and how many more there are.

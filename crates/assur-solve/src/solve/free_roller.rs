@@ -1,9 +1,9 @@
 //! What is asked of the rotation of a roller that turns freely: nothing says how it turns.
 
 use super::error::{SolveError, label};
-use super::extremes::every_query;
-use super::solution::Scene;
+use crate::answer::every_query;
 use crate::model::{LinkId, PairId, PairKind, PointRef, Query};
+use crate::position::Scene;
 
 /// Angles, rates and points of rollers that hang on a rotation which is set aside.
 pub(super) fn free_rollers(scene: &Scene<'_>) -> Option<SolveError> {

@@ -2,12 +2,11 @@
 
 use super::error::label;
 use super::friction_error::FrictionError;
-use super::locking::Locked;
 use super::positions::Wanted;
 use super::solution::{PoseOrigin, Solved};
 use super::sweep::Run;
-use super::view::View;
 use super::words::place;
+use crate::answer::{Locked, View};
 use crate::model::{FindKind, Friction, Mechanism, PairId, Value};
 use crate::units::{Dimension, significant};
 use miette::LabeledSpan;
@@ -37,7 +36,7 @@ impl Run<'_, '_> {
         }
         for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
             let (id, mut elements) =
-                (PairId::at(i), self.scene.plan.friction.iter().zip(&solved.state.senses));
+                (PairId::at(i), self.scene.plan.friction.iter().zip(&solved.state.forces.senses));
             let rubs = pair.friction.is_some_and(|f| f.is_some());
             if rubs && elements.all(|(e, sense)| e.pair != id || *sense == 0.0) {
                 match self.friction.still.iter_mut().find(|s| s.0 == id) {
@@ -56,7 +55,7 @@ impl Run<'_, '_> {
             Some((_, more)) => *more += 1,
             None => self.friction.locked = Some((locked(&view, &place), 0)),
         }
-        if !solved.state.locked {
+        if !solved.state.forces.locked {
             return;
         }
         match &mut self.friction.without_effort {
@@ -94,7 +93,7 @@ fn and_more(count: usize) -> String {
 
 fn locked(view: &View<'_>, place: &str) -> FrictionError {
     let scene =
-        super::solution::Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
+        crate::position::Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
     let mechanism = view.mechanism;
     let ideal = view.without_friction().power_of_efforts();
     let position = Locked { scene: &scene, state: view.state, ideal };
@@ -104,7 +103,7 @@ fn locked(view: &View<'_>, place: &str) -> FrictionError {
     losses.retain(|l| l.1 >= least && l.1 > 0.0);
     let names: Vec<String> = losses.iter().map(|(p, _)| format!("`{}`", mechanism.pair(*p).name)).collect();
     let labels = losses.iter().map(|(p, _)| label("locks", mechanism.pair(*p).span)).collect();
-    let verdict = if view.state.locked {
+    let verdict = if view.state.forces.locked {
         "no effort moves it".to_owned()
     } else {
         format!("its efficiency is {}", significant(view.efficiency(), DIGITS))

@@ -1,13 +1,12 @@
 //! By how much a group does not close, in words.
 
-use super::solution::Scene;
-use super::state::State;
 use super::words::{body, hinge, length};
 use crate::group::triad::{Miss, gap};
 use crate::group::{Gap, rpr, rrp, rrr};
 use crate::math::Vec2;
 use crate::model::PairKind;
 use crate::plan::{Anchor, DrivenJoint, DrivenLeg, MotionStep};
+use crate::position::{Scene, State};
 use crate::structure::GroupJoint;
 
 /// The gap with its numbers and points, and what would close it.
@@ -16,7 +15,7 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
     let name = |i: usize| hinge(scene, scene.structure.replaced.joint(group.joints[i].joint));
     let mm = &|x: f64| length(scene, x);
     let link = |i: usize| body(scene, group.bodies[i]);
-    let at = |a: &Anchor| state.bodies[a.body].position(a.at);
+    let at = |a: &Anchor| state.motion.bodies[a.body].position(a.at);
     match &scene.plan.motion[index] {
         MotionStep::Rrr { legs, .. } => {
             let ends = [at(&legs[0].base), at(&legs[1].base)];
@@ -38,7 +37,7 @@ pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
             (text, format!("drive {} between {least} and {most}", link(1 - other)))
         }
         MotionStep::Rrp { branch, leg, slide, from_point, .. } => {
-            let base = &state.bodies[slide.base];
+            let base = &state.motion.bodies[slide.base];
             let (q, d) = (base.position(slide.origin), slide.along.turned(base.u));
             let h = from_point.of::<f64>().y + state.branches[*branch].sides[0] * slide.radius;
             let p_A = at(&leg.base);

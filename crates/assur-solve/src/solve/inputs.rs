@@ -1,19 +1,18 @@
 //! From drive values to what the steps of motion read: directions, coordinates, rates.
 
-use super::extremes::Statics;
-use super::positions::constant;
-use super::solution::{DriveValue, Scene};
-use super::state::DriveInput;
+use super::solution::DriveValue;
+use crate::answer::{Statics, constant};
 use crate::math::Vec2;
 use crate::model::{Drive, Value};
+use crate::position::{DriveInput, Scene};
 
 /// Rates of the drives: the same at every position.
 #[derive(Clone, Debug)]
-pub(super) struct Rates(Vec<DriveInput>);
+pub(crate) struct Rates(Vec<DriveInput>);
 
 impl Rates {
     /// The speeds of the file. A drive with a sense and no speed moves by one unit, so that velocities are ratios.
-    pub(super) fn of(scene: &Scene<'_>, statics: &Statics) -> Self {
+    pub(crate) fn of(scene: &Scene<'_>, statics: &Statics) -> Self {
         Self(scene.mechanism.drives.iter().map(|d| rates(scene, statics, d)).collect())
     }
 
@@ -30,7 +29,7 @@ impl Rates {
     }
 
     /// The inputs at one position. The only place where an angle becomes a direction.
-    pub(super) fn at(&self, values: &[DriveValue], inputs: &mut [DriveInput]) {
+    pub(crate) fn at(&self, values: &[DriveValue], inputs: &mut [DriveInput]) {
         for ((rates, value), input) in self.0.iter().zip(values).zip(inputs) {
             *input = *rates;
             match value {

@@ -7,9 +7,8 @@ use super::extremes::statics;
 use super::inputs::Rates;
 use super::positions::Sweep;
 use super::refused;
-use super::solution::Scene;
-use super::state::State;
 use super::words::place;
+use crate::position::{Scene, State};
 use crate::structure::GroupKind;
 
 /// The assemblies at the first position.
@@ -63,7 +62,7 @@ pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
     let first = Sweep::of(scene, &statics).at(0);
     out.pose = place(scene, &first);
     let mut state = State::new(scene.plan);
-    Rates::of(scene, &statics).at(&first.drives, &mut state.inputs);
+    Rates::of(scene, &statics).at(&first.drives, &mut state.motion.inputs);
     let whole = match assemble(scene, state.clone()) {
         Ok(whole) => Some(whole),
         Err(SolveError::Ambiguous { .. }) => None,

@@ -3,13 +3,13 @@
 use super::consistent_notes::ConsistentNotes;
 use super::error::{SolveError, label};
 use super::positions::{Wanted, turns};
-use super::solution::{DriveValue, Scene};
-use super::state::State;
+use super::solution::DriveValue;
 use super::sweep::Closing;
 use super::track::Switch;
 use super::train_error::TrainError;
 use super::words::{drive_text, four, labels, links, place, short, stands, with_unit};
 use crate::model::{Expr, PairId, Positions, Value};
+use crate::position::{Scene, State};
 use crate::structure::{EffortKind, EffortSource, Group};
 use crate::units::Dimension;
 
@@ -398,8 +398,8 @@ pub(super) fn cannot_hold(scene: &Scene<'_>, group: &Group, condition: f64, pose
 /// The first result that is no number.
 pub(super) fn not_finite(scene: &Scene<'_>, state: &State, pose: &Wanted) -> Option<SolveError> {
     let body = |i: usize| super::words::body(scene, crate::structure::BodyId(i));
-    let pairs = scene.plan.reactions.iter().zip(&state.reactions);
-    let bodies = || state.bodies.iter().enumerate();
+    let pairs = scene.plan.reactions.iter().zip(&state.forces.reactions);
+    let bodies = || state.motion.bodies.iter().enumerate();
     let what = bodies()
         .find(|(_, b)| !(b.p.x + b.p.y + b.u.x + b.u.y).is_finite())
         .map(|(i, _)| format!("the position of {}", body(i)))
@@ -418,7 +418,9 @@ pub(super) fn not_finite(scene: &Scene<'_>, state: &State, pose: &Wanted) -> Opt
                 format!("the reaction in `{}`", scene.mechanism.pair(pair).name)
             })
         })
-        .or_else(|| state.efforts.iter().find(|e| !e.is_finite()).map(|_| "an unknown effort".to_owned()))?;
+        .or_else(|| {
+            state.forces.efforts.iter().find(|e| !e.is_finite()).map(|_| "an unknown effort".to_owned())
+        })?;
     let labels = scene.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
     Some(SolveError::NotFinite { pose: place(scene, pose), what, labels })
 }

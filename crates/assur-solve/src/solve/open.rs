@@ -1,17 +1,17 @@
 //! What the file leaves open: drives without position, shafts and sliders without place. What hangs on it is not
 //! answered.
 
+use crate::answer::every_query;
 use miette::LabeledSpan;
 
 use super::error::{SolveError, label};
-use super::extremes::every_query;
-use super::solution::Scene;
 use super::train_error::TrainError;
 use crate::model::{
     Bearing, Drive, FindKind, Friction, LinkId, LoadKind, PairId, PairKind, PointRef, Positions, Query,
     TransmissionKind,
 };
 use crate::plan::LawSite;
+use crate::position::Scene;
 use crate::source::Span;
 use crate::structure::{EffortSource, GroupKind};
 

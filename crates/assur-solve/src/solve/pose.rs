@@ -1,18 +1,18 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
 use super::error::SolveError;
-use super::exact::exact;
-use super::extremes::Statics;
 use super::notes;
+use super::out_of_scale::out_of_scale;
 use super::positions::Wanted;
-use super::residual::{out_of_scale, residuals};
-use super::solution::{Residuals, Scene, Solved};
-use super::state::State;
+use crate::answer::{View, balanced};
+use crate::position::{Residuals, State, residuals};
+use crate::reference::exact;
+
+use super::solution::Solved;
 use super::sweep::Run;
 use super::track::Tracker;
-use super::view::View;
-use crate::model::{LoadId, PairId, PairKind, Query, TransmissionKind, Value};
-use crate::plan::{ForceStep, Level, LoadStep, Numbers};
+use crate::model::{PairId, PairKind, Query, TransmissionKind, Value};
+use crate::plan::{ForceStep, Level, Numbers};
 
 /// At and below this condition velocities and forces do not exist.
 pub(super) const DEAD: f64 = 1e-12;
@@ -28,13 +28,9 @@ impl Run<'_, '_> {
         let scene = self.scene;
         let mut state = self.memory.take().unwrap_or_else(|| State::new(scene.plan));
         state.start_from(&tracker.state);
-        state.without_forces();
-        self.rates.at(&pose.drives, &mut state.inputs);
-        match scene.plan.effects.level {
-            Level::Positions => state.run_motion::<0>(scene.plan),
-            Level::Velocities => state.run_motion::<1>(scene.plan),
-            Level::Accelerations => state.run_motion::<2>(scene.plan),
-        }
+        state.forces.clear();
+        self.rates.at(&pose.drives, &mut state.motion.inputs);
+        state.run_planned_motion(scene.plan);
         let mut condition = self.motion_condition(&state, pose)?;
         if scene.plan.effects.forces {
             condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
@@ -44,23 +40,20 @@ impl Run<'_, '_> {
         }
         let frictionless = scene.plan.effects.loses().then(|| {
             let mut state = state.clone();
-            state.wrenches.clone_from(&state.applied);
-            state.frictions.fill(0.0);
-            state.locked = false;
-            state.run_forces_without_friction(scene.plan);
+            state.run_again_without_friction(scene.plan);
             let values = View::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
             Box::new((state.answer(), values))
         });
-        if let (Some(free), false) = (&frictionless, state.locked) {
+        if let (Some(free), false) = (&frictionless, state.forces.locked) {
             condition = condition.min(self.near_locking(&state, &free.0, pose));
         }
-        if state.locked {
+        if state.forces.locked {
             state.forget_forces();
         } else if let Some(error) = notes::not_finite(scene, &state, pose) {
             return Err(error);
         }
         let mut residuals = residuals(scene, &state);
-        if state.locked {
+        if state.forces.locked {
             residuals = Residuals { equilibrium: None, power: None, ..residuals };
         }
         if let Some(error) = out_of_scale(scene, &residuals, pose) {
@@ -87,7 +80,7 @@ impl Run<'_, '_> {
         exact.round_motion(state);
         if scene.plan.effects.forces {
             state.run_loads(scene, &self.evaluated);
-            state.applied.clone_from(&state.wrenches);
+            state.forces.applied.clone_from(&state.forces.wrenches);
             state.set_lines(scene.plan);
             exact.round_forces(scene, state);
         }
@@ -96,8 +89,8 @@ impl Run<'_, '_> {
     /// 1 unless friction multiplies the forces a thousandfold: near self-locking they go as 1/(1 − f/f_locking), and what
     /// rounding makes of the coefficient goes with them.
     fn near_locking(&mut self, state: &State, free: &State, pose: &Wanted) -> f64 {
-        let reactions = |s: &State| s.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
-        let applied = state.applied.iter().map(|w| w.force.norm()).fold(0.0, f64::max);
+        let reactions = |s: &State| s.forces.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
+        let applied = state.forces.applied.iter().map(|w| w.force.norm()).fold(0.0, f64::max);
         let share = reactions(free).max(applied) / reactions(state);
         if share.is_nan() || share >= NEAR_LOCKING {
             return 1.0;
@@ -114,9 +107,9 @@ impl Run<'_, '_> {
         let scene = self.scene;
         let level = scene.plan.effects.level;
         let mut least = 1.0_f64;
-        let mut carried = vec![1.0_f64; state.bodies.len()];
-        let groups = scene.structure.motion.iter().zip(&state.certificates);
-        for ((group, &h), sine) in groups.zip(&state.sines) {
+        let mut carried = vec![1.0_f64; state.motion.bodies.len()];
+        let groups = scene.structure.motion.iter().zip(&state.motion.certificates);
+        for ((group, &h), sine) in groups.zip(&state.motion.conditions) {
             let condition = sine.abs();
             least = least.min(condition);
             let before = group.joints.iter().map(|j| carried[j.base.0]).fold(1.0, f64::min);
@@ -138,12 +131,12 @@ impl Run<'_, '_> {
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
         let scene = self.scene;
         let quantities = self.loads_name_quantities;
-        state.searched = self.notes.consistent.searched;
+        state.scratch.searched = self.notes.consistent.searched;
         balanced(scene, &self.statics, state, angles, &mut self.evaluated, quantities);
-        self.notes.consistent.searched = state.searched;
-        self.notes.consistent.look(scene, state.consistent, pose)?;
+        self.notes.consistent.searched = state.scratch.searched;
+        self.notes.consistent.look(scene, state.forces.consistent, pose)?;
         let mut least = 1.0_f64;
-        for (group, sine) in scene.structure.forces.iter().zip(&state.force_sines) {
+        for (group, sine) in scene.structure.forces.iter().zip(&state.forces.conditions) {
             let condition = sine.abs();
             least = least.min(condition);
             if condition <= DEAD {
@@ -156,14 +149,14 @@ impl Run<'_, '_> {
 
     /// Ropes that push, and trains that the load cannot drive.
     fn note_trains(&mut self, solved: &Solved, pose: &Wanted) {
-        if !self.scene.plan.effects.forces || solved.state.locked {
+        if !self.scene.plan.effects.forces || solved.state.forces.locked {
             return;
         }
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
         let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
         let view = View { frictionless: ideal, ..view };
         let mut ropes: Vec<(PairId, f64)> = Vec::new();
-        let greatest = solved.state.law_forces.iter().map(|f| f.multiplier.abs()).fold(0.0, f64::max);
+        let greatest = solved.state.forces.law_forces.iter().map(|f| f.multiplier.abs()).fold(0.0, f64::max);
         for law in &self.scene.plan.laws {
             let rope = matches!(&self.scene.mechanism.pair(law.pair).kind,
                 PairKind::Transmission(t) if t.kind == TransmissionKind::Rope);
@@ -196,29 +189,4 @@ impl Run<'_, '_> {
             }
         }
     }
-}
-
-/// Loads and forces of a state whose motion is known; `quantities` where loads may name quantities of the file.
-pub(super) fn balanced(
-    scene: &Scene<'_>,
-    statics: &Statics,
-    state: &mut State,
-    angles: &[f64],
-    evaluated: &mut Vec<(LoadId, Value)>,
-    quantities: bool,
-) {
-    evaluated.clear();
-    if scene.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))) {
-        let view = View::new(scene, state, angles, statics);
-        let motion = if quantities { view.all_quantities() } else { Vec::new() };
-        View { quantities: &motion, ..view }.evaluated_loads(evaluated);
-    }
-    state.run_loads(scene, evaluated);
-    state.applied.clone_from(&state.wrenches);
-    state.set_lines(scene.plan);
-    state.locked = false;
-    if scene.plan.effects.friction {
-        state.set_senses(scene.plan);
-    }
-    state.run_forces(scene.plan);
 }

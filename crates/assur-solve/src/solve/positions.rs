@@ -1,24 +1,16 @@
 //! Which positions are asked for: sweeps, named poses, and those an `expect … at` adds.
 
-use super::extremes::Statics;
-use super::solution::{DriveValue, PoseOrigin, Scene};
-use super::state::State;
-use super::view::View;
+use super::solution::{DriveValue, PoseOrigin};
+use crate::answer::{Statics, constant};
 use crate::model::{At, Drive, DriveId, DriveTarget, Expr, Positions, Value};
+use crate::position::Scene;
 
 /// A position to be solved.
 #[derive(Clone, Debug)]
-pub(super) struct Wanted {
+pub(crate) struct Wanted {
     pub name: String,
     pub origin: PoseOrigin,
     pub drives: Vec<DriveValue>,
-}
-
-/// Evaluates expressions that need no position.
-pub(super) fn constant(scene: &Scene<'_>, statics: &Statics, expr: &Expr) -> Value {
-    let state = State::new(scene.plan);
-    let view = View::new(scene, &state, &[], statics);
-    view.value(expr)
 }
 
 fn drive_value(value: Value) -> DriveValue {
@@ -81,7 +73,7 @@ impl Values {
 }
 
 /// Whether a drive's value is an angle.
-pub(super) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
+pub(crate) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
     match drive.target {
         DriveTarget::Link(_) => true,
         DriveTarget::Pair(pair) => {
@@ -93,7 +85,7 @@ pub(super) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
 
 /// The positions of the sweep, of which none is kept.
 #[derive(Clone, Debug)]
-pub(super) struct Sweep {
+pub(crate) struct Sweep {
     drives: Vec<Values>,
     len: usize,
 }

@@ -1,13 +1,13 @@
 //! What is asked for that cannot be answered at any position.
 
+use crate::answer::every_query;
 use miette::LabeledSpan;
 
 use super::error::{SolveError, label};
-use super::extremes::every_query;
-use super::solution::Scene;
 use super::words::{four, short};
 use crate::model::{Drive, DriveTarget, Expr, LoadKind, Mechanism, PairKind, Positions, Value};
 use crate::plan::{Level, contact_in, is_follower, level_of};
+use crate::position::Scene;
 use crate::source::Span;
 use crate::structure::GroupKind;
 

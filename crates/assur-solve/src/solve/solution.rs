@@ -1,25 +1,11 @@
 //! What solving gives: one state per position, with residuals and condition.
 
 use super::error::SolveError;
-use super::extremes::Statics;
 use super::friction_error::FrictionError;
-use super::state::State;
-use super::view::View;
+use crate::answer::{Statics, View};
 use crate::math::Vec2;
-use crate::model::{Mechanism, Value};
-use crate::plan::Plan;
-use crate::structure::Structure;
-
-/// A compiled mechanism: what every position is solved from.
-#[derive(Clone, Copy, Debug)]
-pub struct Scene<'a> {
-    /// The mechanism.
-    pub mechanism: &'a Mechanism,
-    /// Its structure.
-    pub structure: &'a Structure,
-    /// Its plan.
-    pub plan: &'a Plan,
-}
+use crate::model::Value;
+use crate::position::{Residuals, Scene, State};
 
 /// All positions of a file.
 #[derive(Debug, Default)]
@@ -114,17 +100,6 @@ pub struct Solved {
     pub residuals: Residuals,
     /// The least condition figure of all groups, in (0, 1].
     pub condition: f64,
-}
-
-/// How well independent equations hold, relative to the quantities in play.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Residuals {
-    /// Worst mismatch of a pair's points and directions over the mechanism's size.
-    pub closure: f64,
-    /// Worst equilibrium of a body over the greatest force (or moment) in play; `None` without forces.
-    pub equilibrium: Option<f64>,
-    /// Sum of the powers over the greatest force times the greatest velocity; `None` without forces or velocities.
-    pub power: Option<f64>,
 }
 
 impl Pose {

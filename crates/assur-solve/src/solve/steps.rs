@@ -1,9 +1,10 @@
 //! The way between drive values, divided into steps that a motion can be followed by.
 
 use super::positions::turns;
-use super::solution::{DriveValue, Scene};
+use super::solution::DriveValue;
 use crate::math::Vec2;
 use crate::model::Drive;
+use crate::position::Scene;
 use crate::structure::JointKind;
 
 /// The largest step of a turning drive, rad.

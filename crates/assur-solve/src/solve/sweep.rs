@@ -3,20 +3,20 @@
 use super::assemble::{assemble_from, does_not_close};
 use super::cycle::loads_name_quantities;
 use super::error::{SolveError, label};
-use super::extremes::{Statics, statics};
+use super::extremes::statics;
 use super::free_roller::free_rollers;
 use super::friction_notes::FrictionNotes;
-use super::general::STARTS;
 use super::inputs::Rates;
 use super::notes::Notes;
 use super::open;
 use super::positions::{Sweep, Wanted, beside};
 use super::refused;
-use super::solution::{DriveValue, Pose, Scene, Solution, Solved};
-use super::state::State;
+use super::solution::{DriveValue, Pose, Solution, Solved};
 use super::track::{Switch, Tracker};
 use super::words::place;
+use crate::answer::Statics;
 use crate::model::{LoadId, Value};
+use crate::position::{STARTS, Scene, State};
 use std::collections::VecDeque;
 
 /// Positions in a row at which all starts of a search are tried in vain.
@@ -225,7 +225,7 @@ pub fn refusals(scene: &Scene<'_>) -> Vec<SolveError> {
 }
 
 /// Everything that can be refused before any position is looked at.
-pub(super) fn can_be_solved(scene: &Scene<'_>) -> Result<(), Vec<SolveError>> {
+pub(crate) fn can_be_solved(scene: &Scene<'_>) -> Result<(), Vec<SolveError>> {
     let mut errors = refused::not_supported(scene.mechanism);
     errors.extend(refused::cams(scene));
     errors.extend(refused::missing_speeds(scene));
@@ -275,7 +275,7 @@ pub(super) struct Run<'a, 's> {
 impl Run<'_, '_> {
     fn assembled(&mut self, pose: &Wanted) -> Result<Tracker, Box<Stuck>> {
         let mut state = State::new(self.scene.plan);
-        self.rates.at(&pose.drives, &mut state.inputs);
+        self.rates.at(&pose.drives, &mut state.motion.inputs);
         // what was not found at many positions is not looked for as long at the next
         let starts = if self.searched < MANY { STARTS } else { FEW_STARTS };
         match assemble_from(self.scene, state, starts) {
@@ -333,7 +333,7 @@ impl Run<'_, '_> {
             Ok(()) => Ok(Way::Blocked(before.limit(self.scene, &self.rates, &pose.drives))),
             Err(group) => {
                 let mut state = before.state.clone();
-                self.rates.at(&pose.drives, &mut state.inputs);
+                self.rates.at(&pose.drives, &mut state.motion.inputs);
                 state.start(self.scene.plan);
                 for step in &self.scene.plan.motion[..group] {
                     state.step::<0>(self.scene.plan, step);

@@ -7,11 +7,11 @@
 //! of the root stays.
 
 use super::inputs::Rates;
-use super::solution::{DriveValue, Scene};
-use super::state::State;
+use super::solution::DriveValue;
 use super::steps::{MOST_STEPS, between, extent, length, steps, ways};
 use crate::math::Vec2;
 use crate::plan::MotionStep;
+use crate::position::{Scene, State};
 use crate::structure::BodyId;
 use std::rc::Rc;
 
@@ -41,7 +41,7 @@ struct Place {
 
 /// A change to the other assembly.
 #[derive(Clone, Debug)]
-pub(super) struct Switch {
+pub(crate) struct Switch {
     /// The group.
     pub group: usize,
     /// Drive values just behind it.
@@ -50,7 +50,7 @@ pub(super) struct Switch {
 
 /// A state that is moved from position to position, with the angles of its bodies followed.
 #[derive(Clone, Debug)]
-pub(super) struct Tracker {
+pub(crate) struct Tracker {
     /// The state at the last position that closed.
     pub state: State,
     /// Memory for the next one; after a step the one before.
@@ -65,8 +65,8 @@ pub(super) struct Tracker {
 
 impl Tracker {
     /// Starts at an assembled state.
-    pub(super) fn new(scene: &Scene<'_>, state: State, values: &[DriveValue]) -> Self {
-        let mut angles: Vec<f64> = state.bodies.iter().map(|b| b.u.angle()).collect();
+    pub(crate) fn new(scene: &Scene<'_>, state: State, values: &[DriveValue]) -> Self {
+        let mut angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
         for effort in &scene.structure.drives {
             if let (crate::structure::EffortKind::Angle(body), crate::structure::EffortSource::Drive(id)) =
                 (effort.kind, effort.source)
@@ -76,7 +76,7 @@ impl Tracker {
             }
         }
         for &body in &scene.plan.turning {
-            angles[body] = state.bodies[body].way;
+            angles[body] = state.motion.bodies[body].way;
         }
         let spare = state.clone();
         Self { state, spare, angles, values: values.to_vec(), history: Vec::new(), extent: extent(scene) }
@@ -92,7 +92,7 @@ impl Tracker {
 
     /// Moves to other drive values. Returns the groups whose assembly changed on the way, with the values where; on failure
     /// the group that does not close, with the state left at the last place that closed.
-    pub(super) fn go(
+    pub(crate) fn go(
         &mut self,
         scene: &Scene<'_>,
         rates: &Rates,
@@ -195,15 +195,16 @@ impl Tracker {
         next: &mut State,
     ) -> Result<(), usize> {
         next.start_from(&self.state);
-        rates.at(values, &mut next.inputs);
+        rates.at(values, &mut next.motion.inputs);
         next.start(scene.plan);
         let mut predicted = None;
         for (group, step) in scene.plan.motion.iter().enumerate() {
             next.step::<0>(scene.plan, step);
-            let near = self.state.sines[group].abs() < CAREFUL || next.sines[group].abs() < CAREFUL;
+            let near = self.state.motion.conditions[group].abs() < CAREFUL
+                || next.motion.conditions[group].abs() < CAREFUL;
             if near
                 && next.has_two_roots(step)
-                && next.open.is_none()
+                && next.motion.open.is_none()
                 && let Some(predicted) = predicted.get_or_insert_with(|| self.predicted(scene, values))
             {
                 let bodies = &scene.structure.motion[group].bodies;
@@ -216,12 +217,13 @@ impl Tracker {
                     next.step::<0>(scene.plan, step);
                 }
             }
-            if let (true, MotionStep::Triad { branch, triad }) = (over_gap && next.open.is_some(), step)
+            if let (true, MotionStep::Triad { branch, triad }) =
+                (over_gap && next.motion.open.is_some(), step)
                 && next.triad_over_gap(*branch, triad)
             {
-                next.open = None;
+                next.motion.open = None;
             }
-            if let Some(open) = next.open {
+            if let Some(open) = next.motion.open {
                 return Err(open);
             }
         }
@@ -229,12 +231,14 @@ impl Tracker {
     }
 
     fn follow_angles(&mut self, scene: &Scene<'_>, next: &State) {
-        for (angle, (old, new)) in self.angles.iter_mut().zip(self.state.bodies.iter().zip(&next.bodies)) {
+        for (angle, (old, new)) in
+            self.angles.iter_mut().zip(self.state.motion.bodies.iter().zip(&next.motion.bodies))
+        {
             *angle = continued(*angle, old.u, new.u);
         }
         // a train turns further in one step than a direction tells
         for &body in &scene.plan.turning {
-            self.angles[body] = next.bodies[body].way;
+            self.angles[body] = next.motion.bodies[body].way;
         }
     }
 
@@ -250,12 +254,12 @@ impl Tracker {
         let mut sigma = |part: f64| {
             let values: Vec<DriveValue> =
                 self.values.iter().zip(target).map(|(a, b)| between(*a, *b, part)).collect();
-            rates.at(&values, &mut state.inputs);
+            rates.at(&values, &mut state.motion.inputs);
             state.start(scene.plan);
             for step in &scene.plan.motion[..=group] {
                 state.step::<0>(scene.plan, step);
             }
-            state.sines[group].abs()
+            state.motion.conditions[group].abs()
         };
         // what falls on to the very end comes near a change point, but does not pass it
         let vanishes = CHANGES.min(0.5 * sigma(1.0));
@@ -294,7 +298,7 @@ impl Tracker {
         let place = Rc::make_mut(&mut here);
         place.values.clone_from(&self.values);
         place.poses.clear();
-        place.poses.extend(self.state.bodies.iter().map(|b| (b.p, b.u)));
+        place.poses.extend(self.state.motion.bodies.iter().map(|b| (b.p, b.u)));
         self.history.insert(0, here);
     }
 
@@ -323,14 +327,14 @@ impl Tracker {
             t * (t - t_2) / (t_1 * (t_1 - t_2)),
             t * (t - t_1) / (t_2 * (t_2 - t_1)),
         ];
-        let now = self.state.bodies.iter().map(|b| (b.p, b.u));
+        let now = self.state.motion.bodies.iter().map(|b| (b.p, b.u));
         let next = |x: Vec2, y: Vec2, z: Vec2| x * share[0] + y * share[1] + z * share[2];
         let before = one.poses.iter().zip(&two.poses);
         Some(now.zip(before).map(|(x, (y, z))| (next(x.0, y.0, z.0), next(x.1, y.1, z.1))).collect())
     }
 
     /// Puts the tracker at other values without following the way: after a gap in a sweep. The assembly stays.
-    pub(super) fn jump(
+    pub(crate) fn jump(
         &mut self,
         scene: &Scene<'_>,
         rates: &Rates,
@@ -357,7 +361,7 @@ fn distance(state: &State, predicted: &[Pose], bodies: &[BodyId], extent: f64) -
         .iter()
         .map(|b| {
             let (p, u) = predicted[b.0];
-            (state.bodies[b.0].u - u).norm() + (state.bodies[b.0].p - p).norm() / extent
+            (state.motion.bodies[b.0].u - u).norm() + (state.motion.bodies[b.0].p - p).norm() / extent
         })
         .sum()
 }

@@ -2,13 +2,12 @@
 
 use super::assemble::assemble;
 use super::error::SolveError;
-use super::extremes::{Extremes, Statics};
 use super::inputs::Rates;
-use super::solution::{DriveValue, Scene};
-use super::state::{BodyState, Branch, State};
+use super::solution::DriveValue;
 use super::track::Tracker;
-use super::view::View;
+use crate::answer::{Extremes, Statics, View};
 use crate::model::PairId;
+use crate::position::{BodyState, Branch, Scene, State};
 use std::f64::consts::TAU;
 
 /// Why there is no turn.
@@ -41,11 +40,11 @@ const SAMPLES: usize = 180;
 
 impl Turn {
     /// Follows the drive over a turn and looks at the coordinates of these pairs.
-    pub(super) fn new(scene: &Scene<'_>, pairs: &[PairId]) -> Result<Self, Failure> {
+    pub(crate) fn new(scene: &Scene<'_>, pairs: &[PairId]) -> Result<Self, Failure> {
         let rates = Rates::unit(scene);
         let mut start = State::new(scene.plan);
         let values = [DriveValue::Scalar(0.0)];
-        rates.at(&values, &mut start.inputs);
+        rates.at(&values, &mut start.motion.inputs);
         let mut state = assemble(scene, start).map_err(|e| match e {
             SolveError::DoesNotClose { .. } | SolveError::NotFound { .. } => Failure::Open(None),
             e => Failure::Error(Box::new(e)),
@@ -64,11 +63,11 @@ impl Turn {
                 })));
             }
             state.start_from(&tracker.state);
-            rates.at(&target, &mut state.inputs);
+            rates.at(&target, &mut state.motion.inputs);
             state.run_motion::<1>(scene.plan);
             let angles = tracker.angles.clone();
             let seen = pairs.iter().map(|pair| seen(scene, &state, &angles, *pair)).collect();
-            let (branches, bodies) = (state.branches.clone(), state.bodies.clone());
+            let (branches, bodies) = (state.branches.clone(), state.motion.bodies.clone());
             samples.push(Sample { at, branches, bodies, angles, seen });
         }
         Ok(Self { pairs: pairs.to_vec(), samples, state })
@@ -105,12 +104,13 @@ impl Turn {
         let rates = Rates::unit(scene);
         let mut state = self.state.clone();
         state.branches.clone_from(&a.branches);
-        state.bodies.clone_from(&a.bodies);
+        state.motion.bodies.clone_from(&a.bodies);
         let mut at = |x: f64| {
-            rates.at(&[DriveValue::Scalar(x)], &mut state.inputs);
+            rates.at(&[DriveValue::Scalar(x)], &mut state.motion.inputs);
             state.run_motion::<1>(scene.plan);
             // within two degrees no angle turns by half a turn
             let angles: Vec<f64> = state
+                .motion
                 .bodies
                 .iter()
                 .zip(a.bodies.iter().zip(&a.angles))

@@ -3,8 +3,9 @@
 use miette::LabeledSpan;
 
 use super::positions::{Wanted, turns};
-use super::solution::{DriveValue, PoseOrigin, Scene};
+use super::solution::{DriveValue, PoseOrigin};
 use crate::model::{LinkId, PairKind};
+use crate::position::Scene;
 use crate::structure::{BodyId, BodyOrigin, Dyad, Group, GroupKind, Joint, JointKind};
 use crate::units::Dimension;
 

@@ -8,19 +8,16 @@
 //! share of it.
 
 use super::super::error::{SolveError, label};
-use super::super::extremes::Statics;
-use super::super::positions::{constant, turns};
-use super::super::solution::Scene;
-use super::super::state::BodyState;
+use super::super::positions::turns;
 use super::super::words::{four, short, with_unit};
-use super::answer::{FlywheelAnswer, Undefined};
 use super::panels::{Piecewise, piecewise};
 use super::sampler::Sampler;
 use super::switches::breaks;
+use super::undefined::Undefined;
+use crate::answer::{FlywheelAnswer, Statics, constant};
 use crate::math::chebyshev::Series;
-use crate::model::{
-    BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, LinkId, Mechanism, Query, Value,
-};
+use crate::model::{BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, Query, Value};
+use crate::position::Scene;
 use crate::structure::EffortSource;
 use crate::units::Dimension;
 
@@ -240,18 +237,4 @@ fn needs_speed(scene: &Scene<'_>, wheel: &Flywheel) -> SolveError {
                 .to_owned(),
         labels,
     }
-}
-
-/// Moment of inertia of all moving links reduced to a link's shaft: Σ (m v² + J ω²)/ω_shaft².
-pub(in super::super) fn reduced_inertia(
-    mechanism: &Mechanism,
-    body: impl Fn(LinkId) -> BodyState,
-    shaft: f64,
-) -> f64 {
-    let energies = mechanism.links.iter().enumerate().skip(1).filter_map(|(i, link)| {
-        let (mass, body) = (link.mass.as_ref()?, body(LinkId::at(i)));
-        let v = body.velocity(mass.centre);
-        Some(mass.mass * v.dot(v) + mass.inertia * body.omega * body.omega)
-    });
-    energies.sum::<f64>() / (shaft * shaft)
 }

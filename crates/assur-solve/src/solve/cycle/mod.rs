@@ -5,26 +5,24 @@
 //! integrated. Between them a quantity is a Chebyshev series per panel, halved until it has converged; a quantity that
 //! is smooth over whole turns has its mean from equally spaced samples, of which the fewest suffice.
 
-mod answer;
 mod flywheel;
 mod panels;
 mod sampler;
 mod switches;
+mod undefined;
 mod way;
 
-pub use answer::{CycleAnswer, FlywheelAnswer};
-pub(super) use flywheel::reduced_inertia;
 pub(super) use sampler::loads_name_quantities;
 
 use super::error::SolveError;
-use super::extremes::Statics;
 use super::positions::Sweep;
-use super::solution::Scene;
+use crate::answer::{CycleAnswer, Statics};
 use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
 use crate::plan::needs_forces;
-use answer::Undefined;
+use crate::position::Scene;
 use panels::Piecewise;
 use sampler::Sampler;
+use undefined::Undefined;
 use way::Way;
 
 /// The most equally spaced samples.
@@ -35,7 +33,7 @@ const FEWEST_SAMPLES: usize = 16;
 const COARSE: f64 = 1e-9;
 
 /// Finds the functions over the sweep and the flywheels of a file.
-pub(super) fn cycles(
+pub(crate) fn cycles(
     scene: &Scene<'_>,
     statics: &mut Statics,
     sweep: &Sweep,

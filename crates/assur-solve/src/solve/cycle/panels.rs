@@ -1,9 +1,9 @@
 //! Quantities as Chebyshev series, panel by panel.
 
-use super::super::extremes::Statics;
 use super::COARSE;
-use super::answer::Undefined;
 use super::sampler::Sampler;
+use super::undefined::Undefined;
+use crate::answer::Statics;
 use crate::math::chebyshev::{NODES, Nodes, Series};
 use crate::model::Expr;
 

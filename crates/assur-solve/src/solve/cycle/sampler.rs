@@ -2,19 +2,18 @@
 
 use super::super::assemble::assemble;
 use super::super::error::SolveError;
-use super::super::extremes::{Statics, every_query};
 use super::super::inputs::Rates;
-use super::super::pose::{DEAD, balanced};
-use super::super::solution::{DriveValue, Scene};
-use super::super::state::{BodyState, Branch, State};
+use super::super::pose::DEAD;
+use super::super::solution::DriveValue;
 use super::super::steps::{extent, steps};
 use super::super::track::{Tracker, continued};
-use super::super::view::View;
-use super::answer::Undefined;
 use super::hangs_on_forces;
+use super::undefined::Undefined;
 use super::way::Way;
+use crate::answer::{Statics, View, balanced, every_query};
 use crate::model::{Expr, LoadId, LoadKind, Mechanism, PairKind, Query, Value};
 use crate::plan::{Level, Settings};
+use crate::position::{BodyState, Branch, Scene, State};
 use std::collections::HashMap;
 
 /// The fewest intervals between places where the mechanism is known beforehand.
@@ -86,16 +85,16 @@ pub(super) struct Sampler<'a> {
 
 impl<'a> Sampler<'a> {
     /// Follows the sweep once, in small steps.
-    pub(super) fn new(scene: &Scene<'a>, statics: &Statics, way: &'a Way) -> Result<Self, SolveError> {
+    pub(crate) fn new(scene: &Scene<'a>, statics: &Statics, way: &'a Way) -> Result<Self, SolveError> {
         let rates = Rates::of(scene, statics);
         let mut state = State::new(scene.plan);
-        rates.at(&way.from, &mut state.inputs);
+        rates.at(&way.from, &mut state.motion.inputs);
         let state = assemble(scene, state)?;
         let mut tracker = Tracker::new(scene, state.clone(), &way.from);
         let count = steps(scene, extent(scene), &way.from, &way.to).max(FEWEST);
         let anchor = |tracker: &Tracker| Anchor {
             branches: tracker.state.branches.clone(),
-            bodies: tracker.state.bodies.clone(),
+            bodies: tracker.state.motion.bodies.clone(),
             angles: tracker.angles.clone(),
         };
         let mut anchors = vec![anchor(&tracker)];
@@ -242,16 +241,12 @@ impl<'a> Sampler<'a> {
         self.samples += 1;
         let scene = self.scene;
         self.start(s);
-        match scene.plan.effects.level {
-            Level::Positions => self.state.run_motion::<0>(scene.plan),
-            Level::Velocities => self.state.run_motion::<1>(scene.plan),
-            Level::Accelerations => self.state.run_motion::<2>(scene.plan),
-        }
-        if self.state.open.is_some() {
+        self.state.run_planned_motion(scene.plan);
+        if self.state.motion.open.is_some() {
             return Err(Undefined::Open(s));
         }
         let singular = |sines: &[f64]| sines.iter().any(|sine| sine.abs() <= DEAD);
-        if scene.plan.effects.level > Level::Positions && singular(&self.state.sines) {
+        if scene.plan.effects.level > Level::Positions && singular(&self.state.motion.conditions) {
             return Err(Undefined::At(s));
         }
         if self.with_angles {
@@ -260,10 +255,10 @@ impl<'a> Sampler<'a> {
         if need.forces {
             let quantities = self.loads_name_quantities;
             balanced(&scene, statics, &mut self.state, &self.angles, &mut self.evaluated, quantities);
-            if self.state.locked {
+            if self.state.forces.locked {
                 return Err(Undefined::Locked(s));
             }
-            if singular(&self.state.force_sines) {
+            if singular(&self.state.forces.conditions) {
                 return Err(Undefined::At(s));
             }
         }
@@ -279,9 +274,7 @@ impl<'a> Sampler<'a> {
 
     fn without_friction(&self, statics: &Statics) -> (State, Vec<Value>) {
         let mut state = self.state.clone();
-        state.wrenches.clone_from(&state.applied);
-        state.frictions.fill(0.0);
-        state.run_forces_without_friction(self.scene.plan);
+        state.run_again_without_friction(self.scene.plan);
         let values = View::new(&self.scene, &state, &self.angles, statics).all_quantities();
         (state, values)
     }
@@ -290,19 +283,20 @@ impl<'a> Sampler<'a> {
     fn start(&mut self, s: f64) {
         let anchor = &self.anchors[self.nearest(s)];
         self.state.branches.clone_from_slice(&anchor.branches);
-        self.state.bodies.clone_from_slice(&anchor.bodies);
-        self.state.open = None;
-        self.state.locked = false;
+        self.state.motion.bodies.clone_from_slice(&anchor.bodies);
+        self.state.motion.open = None;
+        self.state.forces.locked = false;
         self.values.clear();
         self.values.extend(self.way.values(s));
-        self.rates.at(&self.values, &mut self.state.inputs);
+        self.rates.at(&self.values, &mut self.state.motion.inputs);
     }
 
     /// Angles carried on from the nearest place that is known.
     fn follow_angles(&mut self, s: f64) {
         let anchor = &self.anchors[self.nearest(s)];
         let known = anchor.bodies.iter().zip(&anchor.angles);
-        for (angle, (body, (old, before))) in self.angles.iter_mut().zip(self.state.bodies.iter().zip(known))
+        for (angle, (body, (old, before))) in
+            self.angles.iter_mut().zip(self.state.motion.bodies.iter().zip(known))
         {
             *angle = continued(*before, old.u, body.u);
         }

@@ -2,16 +2,16 @@
 //! difference under `max` passes through zero, where a load or friction changes its sense. Each is a root of a known
 //! function.
 
-use super::super::extremes::Statics;
-use super::super::solution::Scene;
-use super::answer::Undefined;
 use super::sampler::Sampler;
+use super::undefined::Undefined;
+use crate::answer::Statics;
 use crate::math::{Vec2, root_within};
 use crate::model::{
     Axis, BinaryOp, Expr, Function, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, PointRef,
     QuantityId, Query, Value,
 };
 use crate::plan::needs_forces;
+use crate::position::Scene;
 
 /// Roots nearer than this to the sweep's ends, or to one another, are one with them.
 const APART: f64 = 1e-13;

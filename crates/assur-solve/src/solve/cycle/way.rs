@@ -1,11 +1,12 @@
 //! The sweep as an interval: s from 0 to 1.
 
 use super::super::error::{SolveError, label};
-use super::super::extremes::Statics;
 use super::super::positions::{Sweep, turns};
-use super::super::solution::{DriveValue, Scene};
+use super::super::solution::DriveValue;
 use super::super::steps::{between, extent, ways};
+use crate::answer::{Statics, constant};
 use crate::model::Positions;
+use crate::position::Scene;
 use std::f64::consts::TAU;
 
 /// The longest way, in largest steps: each is a place that is kept.
@@ -26,7 +27,7 @@ pub(super) struct Way {
 
 impl Way {
     /// The sweep of a file.
-    pub(super) fn of(scene: &Scene<'_>, statics: &Statics, sweep: &Sweep) -> Result<Self, SolveError> {
+    pub(crate) fn of(scene: &Scene<'_>, statics: &Statics, sweep: &Sweep) -> Result<Self, SolveError> {
         let drives = &scene.mechanism.drives;
         let Some(last) = sweep.len().checked_sub(1) else { return Err(none(scene)) };
         let (from, mut to) = (sweep.values(0), sweep.values(last));
@@ -34,9 +35,7 @@ impl Way {
             match &drive.positions {
                 // over a whole turn the last position is left out
                 Positions::Range { to: written, .. } => {
-                    if let crate::model::Value::Scalar(x) =
-                        super::super::positions::constant(scene, statics, written)
-                    {
+                    if let crate::model::Value::Scalar(x) = constant(scene, statics, written) {
                         *end = DriveValue::Scalar(x);
                     }
                 }

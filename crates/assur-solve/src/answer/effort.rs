@@ -1,0 +1,119 @@
+//! Loads and efforts as they act at a position, and their powers.
+
+use super::view::View;
+use crate::math::Vec2;
+use crate::model::{BalanceKind, LinkId, LoadKind, Place, Value};
+use crate::position::STILL;
+use crate::structure::EffortSource;
+
+impl View<'_> {
+    fn effort_slot(&self, source: EffortSource) -> Option<usize> {
+        self.structure.efforts.iter().position(|e| e.source == source)
+    }
+
+    /// Value of an unknown effort.
+    #[must_use]
+    pub fn effort(&self, source: EffortSource) -> f64 {
+        self.effort_slot(source).map_or(f64::NAN, |slot| self.state.forces.efforts[slot])
+    }
+
+    /// Power of an unknown effort, W.
+    #[must_use]
+    pub fn effort_power(&self, source: EffortSource) -> f64 {
+        use crate::structure::EffortKind;
+        let Some(slot) = self.effort_slot(source) else { return f64::NAN };
+        let value = self.state.forces.efforts[slot];
+        match self.structure.efforts[slot].kind {
+            EffortKind::Angle(body) => value * self.state.motion.bodies[body.0].omega,
+            EffortKind::RelativeAngle { first, second, .. } => {
+                value * (self.state.motion.bodies[second.0].omega - self.state.motion.bodies[first.0].omega)
+            }
+            EffortKind::Coordinate(joint) => {
+                value * self.relative_velocity(self.structure.replaced.joint(joint).pair)
+            }
+            EffortKind::Line(body) => {
+                let (at, n) = self.state.forces.lines[slot];
+                let b = &self.state.motion.bodies[body.0];
+                value * (b.v + (at - b.p).perp() * b.omega).dot(n)
+            }
+            EffortKind::Point(_) => f64::NAN,
+        }
+    }
+
+    /// Line of a balance force: a point and its unit direction in ground axes.
+    #[must_use]
+    pub fn balance_line(&self, kind: &BalanceKind) -> Option<(Vec2, Vec2)> {
+        let BalanceKind::Force { on, at, along, frame } = kind else { return None };
+        let direction = frame.map_or(*along, |f| along.turned(self.body(f).u));
+        Some((self.place(*on, at), direction))
+    }
+
+    /// A place on a link in ground axes, m.
+    #[must_use]
+    pub fn place(&self, link: LinkId, place: &Place) -> Vec2 {
+        match place {
+            Place::Local(at) => self.body(link).position(*at),
+            Place::Ground(expr) => self.vector(expr),
+        }
+    }
+
+    /// An applied load as it acts now: null where its condition does not hold.
+    pub(super) fn load(&self, index: usize) -> Value {
+        let load = &self.mechanism.loads[index];
+        let scalar = matches!(load.kind, LoadKind::Torque { .. } | LoadKind::InPair { .. });
+        if load.when.as_ref().is_some_and(|w| !self.truth(w)) {
+            return if scalar { Value::Scalar(0.0) } else { Value::Vector(Vec2::zero()) };
+        }
+        match &load.kind {
+            LoadKind::Force { value, frame, .. } => {
+                let force = self.vector(value);
+                Value::Vector(frame.map_or(force, |f| force.turned(self.body(f).u)))
+            }
+            LoadKind::ForceAgainstMotion { on, at, value } => {
+                let p = self.place(*on, at);
+                let body = self.body(*on);
+                let v = body.v + (p - body.p).perp() * body.omega;
+                let fastest = self.fastest().0;
+                let direction = v.unit().filter(|_| v.norm() > STILL * fastest);
+                Value::Vector(direction.map_or(Vec2::zero(), |d| d * -self.scalar(value)))
+            }
+            LoadKind::Torque { on, value, against_motion } => {
+                let omega = self.body(*on).omega;
+                let fastest = self.fastest().1;
+                let sign = match *against_motion {
+                    false => 1.0,
+                    true if omega.abs() <= STILL * fastest => 0.0,
+                    true => -omega.signum(),
+                };
+                Value::Scalar(sign * self.scalar(value))
+            }
+            LoadKind::InPair { value, .. } => Value::Scalar(self.scalar(value)),
+        }
+    }
+
+    /// The greatest velocity and the greatest angular velocity, each at least what the other makes of it over the size of
+    /// the mechanism: where all links only shift, their angular velocities are rounding.
+    fn fastest(&self) -> (f64, f64) {
+        let most = |of: fn(&crate::position::BodyState) -> f64| {
+            self.state.motion.bodies.iter().map(of).fold(0.0, f64::max)
+        };
+        let (v, omega, size) = (most(|b| b.v.norm()), most(|b| b.omega.abs()), most(|b| b.p.norm()));
+        if size > 0.0 { (v.max(omega * size), omega.max(v / size)) } else { (v, omega) }
+    }
+
+    pub(super) fn load_power(&self, index: usize) -> f64 {
+        match (&self.mechanism.loads[index].kind, self.load(index)) {
+            (
+                LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
+                Value::Vector(force),
+            ) => {
+                let p = self.place(*on, at);
+                let body = self.body(*on);
+                force.dot(body.v + (p - body.p).perp() * body.omega)
+            }
+            (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => torque * self.body(*on).omega,
+            (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => effort * self.relative_velocity(*pair),
+            _ => f64::NAN,
+        }
+    }
+}

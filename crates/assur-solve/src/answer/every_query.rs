@@ -1,0 +1,51 @@
+//! All results that a file asks for.
+
+use crate::model::{Expr, Mechanism, Positions, Query};
+use crate::source::Span;
+
+/// Calls `look` on every result that the file asks for, with the place of its statement.
+pub(crate) fn every_query(mechanism: &Mechanism, look: &mut impl FnMut(&Query, Span)) {
+    use crate::model::{At, FindKind, LoadKind, Relation};
+    let mut ask = |expr: &Expr, span: Span| expr.queries(&mut |query| look(query, span));
+    for drive in &mechanism.drives {
+        match &drive.positions {
+            Positions::None => {}
+            Positions::List(list) => list.iter().for_each(|e| ask(e, drive.span)),
+            Positions::Range { from, to, .. } => {
+                ask(from, drive.span);
+                ask(to, drive.span);
+            }
+        }
+        drive.speed.iter().chain(&drive.acceleration).for_each(|e| ask(e, drive.span));
+    }
+    for pose in &mechanism.poses {
+        pose.at.iter().for_each(|(_, e)| ask(e, pose.span));
+    }
+    mechanism.quantities.iter().for_each(|q| ask(&q.expr, q.span));
+    mechanism.cycles.iter().for_each(|c| ask(&c.expr, c.span));
+    for load in &mechanism.loads {
+        load.when.iter().for_each(|e| ask(e, load.span));
+        match &load.kind {
+            LoadKind::Force { value, .. }
+            | LoadKind::ForceAgainstMotion { value, .. }
+            | LoadKind::Torque { value, .. }
+            | LoadKind::InPair { value, .. } => ask(value, load.span),
+        }
+    }
+    for find in &mechanism.finds {
+        if let FindKind::Value { expr, .. } = &find.kind {
+            ask(expr, find.span);
+        }
+    }
+    for expect in &mechanism.expects {
+        ask(&expect.expr, expect.span);
+        match &expect.relation {
+            Relation::Equal(values) => values.iter().for_each(|e| ask(e, expect.span)),
+            Relation::Compare(_, bound) => ask(bound, expect.span),
+            Relation::Truth => {}
+        }
+        if let Some(At::Drives(list)) = &expect.at {
+            list.iter().for_each(|(_, e)| ask(e, expect.span));
+        }
+    }
+}

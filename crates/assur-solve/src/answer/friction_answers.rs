@@ -1,0 +1,158 @@
+//! What friction makes of a position: forces along the sliding, powers lost, efficiency.
+
+use super::view::View;
+use crate::model::{LinkId, PairId, PairKind};
+use crate::plan::{FrictionElement, Rub};
+use crate::structure::EffortSource;
+
+/// Useful power less than this part of the power put in is rounding.
+const NOTHING: f64 = 1e-13;
+
+/// Friction between two links at a position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rubbing {
+    /// The pair.
+    pub pair: PairId,
+    /// The link on which the effort acts.
+    pub on: LinkId,
+    /// The other link.
+    pub from: LinkId,
+    /// It turns: speed in rad/s, effort in N m; otherwise m/s and N.
+    pub turns: bool,
+    /// Radius of the friction circle, m, or coefficient.
+    pub factor: f64,
+    /// Velocity of `on` against `from`, in the sense in which the effort counts.
+    pub speed: f64,
+    /// What presses: force in the hinge, normal force, or the sum of those at two ends; N, ≥ 0.
+    pub normal: f64,
+    /// Friction torque or force on `on`.
+    pub effort: f64,
+    /// Power lost, W, ≥ 0.
+    pub power: f64,
+}
+
+impl View<'_> {
+    /// Friction of all pairs that have any, in the order in which forces are found.
+    #[must_use]
+    pub fn rubbing(&self) -> Vec<Rubbing> {
+        let one = |(i, element): (usize, &FrictionElement)| {
+            let (effort, speed) = (self.state.forces.frictions[i], self.state.rubbing_speed(element));
+            let still = self.state.forces.senses[i] == 0.0;
+            let factor = element.kind.factor();
+            let measured = self.state.measured(self.plan, element);
+            Rubbing {
+                pair: element.pair,
+                on: LinkId::at(element.body),
+                from: LinkId::at(element.base),
+                turns: matches!(element.kind, Rub::Circle { .. }),
+                factor,
+                speed: if still { 0.0 } else { speed },
+                normal: match element.kind {
+                    Rub::BothEnds { .. } => measured.x.abs() + measured.y.abs(),
+                    _ => measured.norm(),
+                },
+                effort,
+                power: if still { 0.0 } else { -effort * speed },
+            }
+        };
+        self.plan.friction.iter().enumerate().map(one).collect()
+    }
+
+    /// The elements of friction of a pair with their values: torque or force on the element's body.
+    fn elements(&self, pair: PairId) -> impl Iterator<Item = (&FrictionElement, f64)> + '_ {
+        let all = self.plan.friction.iter().zip(&self.state.forces.frictions);
+        all.filter(move |(e, _)| e.pair == pair).map(|(e, x)| (e, *x))
+    }
+
+    /// Friction force on a link along the line of a pair; for a contact along the tangent, which is the common normal
+    /// into the link turned by −90°.
+    pub(super) fn friction(&self, pair: PairId, link: LinkId) -> f64 {
+        let force = self.friction_force(pair, link);
+        match &self.mechanism.pair(pair).kind {
+            PairKind::Prismatic(g) | PairKind::Slot(g) => force.dot(self.along(g)),
+            PairKind::Contact { first, .. } => {
+                let Some((_, into_first)) = self.contact_normal(pair) else { return f64::NAN };
+                let n = if first.link == link { into_first } else { -into_first };
+                -force.dot(n.perp())
+            }
+            PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => f64::NAN,
+        }
+    }
+
+    /// Friction force on a link in a pair, N, in ground axes; null in a revolute, whose friction is a couple.
+    pub(super) fn friction_force(&self, pair: PairId, link: LinkId) -> crate::math::Vec2 {
+        let mut sum = crate::math::Vec2::zero();
+        for (element, value) in self.elements(pair) {
+            let Some(line) = self.state.rubbing_line(element) else { continue };
+            if element.body == link.index() {
+                sum += line.1 * value;
+            } else if element.base == link.index() {
+                sum -= line.1 * value;
+            }
+        }
+        sum
+    }
+
+    /// Friction couple on a link in a revolute, N m.
+    pub(super) fn friction_couple(&self, pair: PairId, link: LinkId) -> f64 {
+        let couples = self.elements(pair).filter(|(e, _)| matches!(e.kind, Rub::Circle { .. }));
+        couples
+            .map(|(e, x)| {
+                if e.body == link.index() {
+                    x
+                } else if e.base == link.index() {
+                    -x
+                } else {
+                    0.0
+                }
+            })
+            .sum()
+    }
+
+    /// Power lost in a pair, W, ≥ 0.
+    pub(super) fn friction_power(&self, pair: PairId) -> f64 {
+        self.elements(pair).map(|(e, x)| -x * self.state.rubbing_speed(e)).sum()
+    }
+
+    /// Ideal over actual power of the efforts where they drive without friction, actual over ideal where they resist. Zero
+    /// where no finite effort moves the mechanism.
+    #[must_use]
+    pub fn efficiency(&self) -> f64 {
+        if self.frictionless.is_none() {
+            return 1.0;
+        }
+        if self.state.forces.locked {
+            return 0.0;
+        }
+        let (ideal, actual) = (self.without_friction().power_of_efforts(), self.power_of_efforts());
+        if self.overcomes_friction_alone() {
+            return 0.0;
+        }
+        if ideal > 0.0 { ideal / actual } else { actual / ideal }
+    }
+
+    /// The efforts drive, and without friction they would have nothing to do: a shaft that turns under a load at rest.
+    #[must_use]
+    pub fn overcomes_friction_alone(&self) -> bool {
+        let (ideal, actual) = (self.without_friction().power_of_efforts(), self.power_of_efforts());
+        !self.state.forces.locked && actual > 0.0 && ideal.abs() <= NOTHING * actual
+    }
+
+    /// Power of all unknown efforts, W.
+    #[must_use]
+    pub fn power_of_efforts(&self) -> f64 {
+        self.structure.efforts.iter().map(|e| self.effort_power(e.source)).sum()
+    }
+
+    /// The same position without friction.
+    #[must_use]
+    pub fn without_friction(&self) -> Self {
+        self.frictionless.map_or(*self, |(state, quantities)| Self { state, quantities, ..*self })
+    }
+
+    /// Whether an effort exists at this position.
+    #[must_use]
+    pub fn has_effort(&self, source: EffortSource) -> bool {
+        !self.state.forces.locked && self.effort(source).is_finite()
+    }
+}

@@ -1,0 +1,30 @@
+//! What a question evaluates to at a position, and what needs no position.
+
+#![allow(non_snake_case, reason = "names carry the notation of the field: dJ")]
+
+mod constant;
+mod contact_normal;
+mod coordinate;
+mod cycle_answers;
+mod effort;
+mod evaluate;
+mod evaluated_loads;
+mod every_query;
+mod flywheel_answers;
+mod friction_answers;
+mod locking;
+mod pressure_angle;
+mod substitution;
+mod train_answers;
+mod view;
+mod whole_cycle;
+
+pub(crate) use constant::constant;
+pub use cycle_answers::{CycleAnswer, FlywheelAnswer};
+pub use evaluate::compare;
+pub(crate) use evaluated_loads::balanced;
+pub(crate) use every_query::every_query;
+pub use friction_answers::Rubbing;
+pub(crate) use locking::Locked;
+pub use view::View;
+pub use whole_cycle::{Extremes, Statics};

@@ -1,0 +1,79 @@
+//! What transmissions do, seen from the language.
+
+use super::view::{NAN_VECTOR, View};
+use crate::math::Vec2;
+use crate::model::{LinkId, PairId, PairKind, Transmission};
+use crate::plan::{LawSite, PlannedLaw};
+
+impl View<'_> {
+    /// The laws of a transmission with their slots.
+    fn laws(&self, pair: PairId) -> impl Iterator<Item = (usize, &PlannedLaw)> + '_ {
+        self.plan.laws.iter().enumerate().filter(move |(_, l)| l.pair == pair)
+    }
+
+    fn transmission(&self, pair: PairId) -> Option<&Transmission> {
+        match &self.mechanism.pair(pair).kind {
+            PairKind::Transmission(t) => Some(t),
+            _ => None,
+        }
+    }
+
+    /// Force of a law along the pitch circles or the rope, N; what the driven side gets.
+    fn pull(&self, slot: usize, law: &PlannedLaw) -> f64 {
+        let force = &self.state.forces.law_forces[slot];
+        force.multiplier * law.force * force.sides[0].abs().min(force.sides[1].abs())
+    }
+
+    /// Tangential force of a transmission, N, ≥ 0; NaN where there is none.
+    #[must_use]
+    pub fn tangential_force(&self, pair: PairId) -> f64 {
+        self.laws(pair).next().map_or(f64::NAN, |(slot, law)| self.pull(slot, law).abs())
+    }
+
+    /// Force along the line of action, N, ≥ 0; NaN where the pressure angle is not known.
+    pub(super) fn tooth_force(&self, pair: PairId) -> f64 {
+        let angle = self.transmission(pair).and_then(|t| t.pressure_angle);
+        angle.map_or(f64::NAN, |a| self.tangential_force(pair) / libm::cos(a))
+    }
+
+    /// Pull in one part of a rope, N; negative where it would have to push.
+    #[must_use]
+    pub fn tension(&self, pair: PairId, part: usize) -> f64 {
+        self.laws(pair).nth(part).map_or(f64::NAN, |(slot, law)| self.pull(slot, law))
+    }
+
+    /// Torque of a transmission on a link about its axis, N m.
+    #[must_use]
+    pub fn transmission_moment(&self, pair: PairId, link: LinkId) -> f64 {
+        let mut sum = 0.0;
+        for (slot, law) in self.laws(pair) {
+            for (term, (site, _)) in law.terms.iter().enumerate() {
+                if *site == LawSite::Turn(link.index()) {
+                    sum += self.state.law_force(law, slot, term);
+                }
+            }
+        }
+        sum
+    }
+
+    /// Force of a mesh on a link, N; NaN where the places of the wheels are not known.
+    pub(super) fn mesh_force(&self, pair: PairId, link: LinkId) -> Vec2 {
+        let Some((slot, law)) = self.laws(pair).next() else { return NAN_VECTOR };
+        let Some(meeting) = &law.meeting else { return NAN_VECTOR };
+        let (_, force) = self.state.meeting_force(law, slot, meeting);
+        if meeting.links[0] == link {
+            force
+        } else if meeting.links[1] == link {
+            -force
+        } else {
+            NAN_VECTOR
+        }
+    }
+
+    /// The pitch point of a mesh, m.
+    #[must_use]
+    pub fn pitch_point(&self, pair: PairId) -> Option<Vec2> {
+        let (slot, law) = self.laws(pair).next()?;
+        law.meeting.as_ref().map(|m| self.state.meeting_force(law, slot, m).0)
+    }
+}

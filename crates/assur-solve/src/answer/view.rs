@@ -1,0 +1,297 @@
+//! Answers questions about one position: from the state of the bodies to the results of the language.
+
+use super::whole_cycle::Statics;
+use crate::math::Vec2;
+use crate::model::{LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
+use crate::plan::Plan;
+use crate::position::{Scene, State};
+use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
+
+/// One position, seen from the language. Angles of bodies are those followed over the sweep, by body slot.
+#[derive(Clone, Copy)]
+pub struct View<'a> {
+    /// The mechanism.
+    pub mechanism: &'a Mechanism,
+    /// Its structure.
+    pub structure: &'a Structure,
+    /// Its plan.
+    pub plan: &'a Plan,
+    /// The position.
+    pub state: &'a State,
+    /// Angles of the bodies, continuous, rad.
+    pub angles: &'a [f64],
+    /// What needs no position: dead positions, strokes.
+    pub statics: &'a Statics,
+    /// Values of the file's quantities as far as they are known, in the order of the mechanism's.
+    pub quantities: &'a [Value],
+    /// The same position without friction and its quantities, where the file declares any.
+    pub frictionless: Option<(&'a State, &'a [Value])>,
+}
+
+pub(super) const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
+
+impl<'a> View<'a> {
+    /// A state seen from the language.
+    #[must_use]
+    pub fn new(scene: &Scene<'a>, state: &'a State, angles: &'a [f64], statics: &'a Statics) -> Self {
+        Self {
+            mechanism: scene.mechanism,
+            structure: scene.structure,
+            plan: scene.plan,
+            state,
+            angles,
+            statics,
+            quantities: &[],
+            frictionless: None,
+        }
+    }
+
+    /// Of a position alone: without angles, and nothing known that needs no position.
+    pub(crate) fn bare(scene: &Scene<'a>, state: &'a State) -> Self {
+        static NOTHING: Statics = Statics::EMPTY;
+        Self::new(scene, state, &[], &NOTHING)
+    }
+
+    /// Values of all quantities of the file at this position. They stand in the order in which one hangs on another, so
+    /// that none is evaluated twice, however long the chain.
+    #[must_use]
+    pub fn all_quantities(&self) -> Vec<Value> {
+        let mut done = Vec::with_capacity(self.mechanism.quantities.len());
+        for quantity in &self.mechanism.quantities {
+            let value = View { quantities: &done, ..*self }.value(&quantity.expr);
+            done.push(value);
+        }
+        done
+    }
+}
+
+impl View<'_> {
+    /// The value of a quantity of the file at this position; NaN where it is not known yet.
+    #[must_use]
+    pub fn quantity(&self, id: QuantityId) -> Value {
+        self.quantities.get(id.index()).copied().unwrap_or(Value::Scalar(f64::NAN))
+    }
+
+    /// The answer to a question. NaN where there is none.
+    #[must_use]
+    pub fn query(&self, query: &Query) -> Value {
+        match query {
+            Query::Position(p) => Value::Vector(self.position(p)),
+            Query::Velocity(p) => Value::Vector(self.velocity(p)),
+            Query::Acceleration(p) => Value::Vector(self.acceleration(p)),
+            Query::Angle(link) => Value::Scalar(self.angles.get(link.index()).copied().unwrap_or(f64::NAN)),
+            Query::Omega(link) => Value::Scalar(self.body(*link).omega),
+            Query::Alpha(link) => Value::Scalar(self.body(*link).alpha),
+            Query::LinkDirection(link) => Value::Vector(self.body(*link).u),
+            Query::Displacement(pair) => Value::Scalar(self.displacement(*pair)),
+            Query::RelativeVelocity(pair) => Value::Scalar(self.relative_velocity(*pair)),
+            Query::RelativeAcceleration(pair) => Value::Scalar(self.relative_acceleration(*pair)),
+            Query::Coriolis(pair) => Value::Vector(self.coriolis(*pair)),
+            Query::Reaction(pair, link) => Value::Vector(self.reaction(*pair, *link)),
+            Query::Moment(pair, link) => Value::Scalar(self.moment(*pair, *link)),
+            Query::Normal(pair, link) => Value::Scalar(self.normal(*pair, *link)),
+            Query::Friction(pair, link) => Value::Scalar(self.friction(*pair, *link)),
+            Query::FrictionPower(pair) => Value::Scalar(self.friction_power(*pair)),
+            Query::Efficiency => Value::Scalar(self.efficiency()),
+            Query::Locked => Value::Truth(self.efficiency() <= 0.0),
+            Query::Critical(which) => Value::Scalar(self.statics.critical(*which)),
+            Query::ContactForce(pair, which) => {
+                Value::Scalar(self.contact_forces(*pair).map_or(f64::NAN, |r| r[usize::from(*which == 2)]))
+            }
+            Query::LineOffset(pair) => Value::Scalar(self.line_offset(*pair)),
+            Query::InertiaForce(link) => Value::Vector(self.inertia_force(*link)),
+            Query::InertiaTorque(link) => Value::Scalar(self.inertia_torque(*link)),
+            Query::InertiaArm(link) => {
+                let force = self.inertia_force(*link);
+                Value::Scalar(self.inertia_torque(*link).abs() / libm::hypot(force.x, force.y))
+            }
+            Query::StaticSubstitution(link, p_1, p_2, part) => {
+                super::substitution::of_static(self, *link, *p_1, *p_2, *part)
+            }
+            Query::DynamicSubstitution(link, p, part) => {
+                super::substitution::of_dynamic(self, *link, *p, *part)
+            }
+            Query::TransmissionAngle(group) => Value::Scalar(self.transmission_angle(*group)),
+            Query::PressureAngle(pair) => Value::Scalar(self.pressure_angle(*pair)),
+            Query::Balance(id) => Value::Scalar(self.effort(EffortSource::Balance(*id))),
+            Query::Effort(id) => Value::Scalar(self.effort(EffortSource::Drive(*id))),
+            Query::Load(id) => self.load(id.index()),
+            Query::BalancePower(id) => Value::Scalar(self.effort_power(EffortSource::Balance(*id))),
+            Query::EffortPower(id) => Value::Scalar(self.effort_power(EffortSource::Drive(*id))),
+            Query::LoadPower(id) => Value::Scalar(self.load_power(id.index())),
+            Query::Travel(pair) => Value::Scalar(self.displacement(*pair) - self.statics.least(*pair)),
+            Query::Stroke(pair) => Value::Scalar(self.statics.stroke(*pair)),
+            Query::TimeRatio(pair) => Value::Scalar(self.statics.time_ratio(*pair)),
+            Query::Dead(pair, which) => Value::Scalar(self.statics.dead(*pair, *which)),
+            Query::TangentialForce(pair) => Value::Scalar(self.tangential_force(*pair)),
+            Query::ToothForce(pair) => Value::Scalar(self.tooth_force(*pair)),
+            Query::Tension(pair, part) => Value::Scalar(self.tension(*pair, *part)),
+            Query::Cycle(which) => Value::Scalar(self.statics.cycle(*which)),
+            Query::Flywheel(which, part) => Value::Scalar(self.flywheel(*which, *part)),
+        }
+    }
+
+    /// State of a link.
+    #[must_use]
+    pub fn body(&self, link: LinkId) -> &crate::position::BodyState {
+        &self.state.motion.bodies[link.index()]
+    }
+
+    /// A point and the place it has in the frame of the link whose motion is asked.
+    fn local(&self, point: &PointRef) -> (LinkId, Vec2) {
+        match point {
+            PointRef::Fixed(link, at) => (*link, *at),
+            PointRef::Under(link, (other, at)) => {
+                let body = self.body(*link);
+                (*link, (self.body(*other).position(*at) - body.p).turned_back(body.u))
+            }
+        }
+    }
+
+    fn position(&self, point: &PointRef) -> Vec2 {
+        let (link, at) = self.local(point);
+        self.body(link).position(at)
+    }
+
+    pub(super) fn velocity(&self, point: &PointRef) -> Vec2 {
+        let (link, at) = self.local(point);
+        self.body(link).velocity(at)
+    }
+
+    pub(super) fn acceleration(&self, point: &PointRef) -> Vec2 {
+        let (link, at) = self.local(point);
+        self.body(link).acceleration(at)
+    }
+
+    fn inertia_force(&self, link: LinkId) -> Vec2 {
+        self.mechanism
+            .link(link)
+            .mass
+            .map_or(Vec2::zero(), |m| self.body(link).acceleration(m.centre) * -m.mass)
+    }
+
+    fn inertia_torque(&self, link: LinkId) -> f64 {
+        self.mechanism.link(link).mass.map_or(0.0, |m| -m.inertia * self.body(link).alpha)
+    }
+
+    /// Signed condition of a named group, turned into an angle in [0, 90°].
+    fn transmission_angle(&self, group: usize) -> f64 {
+        let Some(assertion) = self.mechanism.groups.get(group) else { return f64::NAN };
+        let found = self
+            .structure
+            .motion
+            .iter()
+            .enumerate()
+            .find(|(_, g)| g.name.as_deref() == Some(assertion.name.as_str()));
+        let Some((index, group)) = found else { return f64::NAN };
+        if let (GroupKind::Dyad(crate::structure::Dyad::Rrr), [a, b]) = (group.kind, group.bodies.as_slice())
+        {
+            // the angle between the links, accurate near 90° too
+            if let Some([r_1, r_2]) = self.legs(index, [*a, *b]) {
+                return libm::atan2(r_1.cross(r_2).abs(), r_1.dot(r_2).abs());
+            }
+        }
+        libm::asin(self.state.motion.conditions[index].abs().min(1.0))
+    }
+
+    fn legs(&self, step: usize, bodies: [BodyId; 2]) -> Option<[Vec2; 2]> {
+        let crate::plan::MotionStep::Rrr { legs, .. } = self.plan.motion.get(step)? else { return None };
+        Some([0, 1].map(|i| legs[i].direction.turned(self.state.motion.bodies[bodies[i].0].u)))
+    }
+
+    /// The reaction's force on a link in a pair: all joints that stand for the pair.
+    #[must_use]
+    pub fn reaction(&self, pair: PairId, link: LinkId) -> Vec2 {
+        if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
+            return self.mesh_force(pair, link);
+        }
+        let rubbing = self.friction_force(pair, link);
+        self.slots(pair, link)
+            .fold(rubbing, |sum, (slot, sign)| sum + self.state.forces.reactions[slot].force * sign)
+    }
+
+    /// The couple on a link in a pair about the pair's reference point; NaN where it is not determined.
+    #[must_use]
+    pub fn moment(&self, pair: PairId, link: LinkId) -> f64 {
+        if self.structure.undetermined_couples.contains(&pair) {
+            return f64::NAN;
+        }
+        if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
+            return self.transmission_moment(pair, link);
+        }
+        let couples =
+            self.slots(pair, link).map(|(slot, sign)| self.state.forces.reactions[slot].couple * sign);
+        couples.sum::<f64>() + self.friction_couple(pair, link)
+    }
+
+    /// Slots of reactions that act on a link in a pair, with their signs.
+    fn slots(&self, pair: PairId, link: LinkId) -> impl Iterator<Item = (usize, f64)> + '_ {
+        // of a pin in a slot: what the block that stands for it exchanges with the slot, without an effort along it
+        let in_slot = match &self.mechanism.pair(pair).kind {
+            PairKind::Slot(g) => self.block(pair).map(|block| (g.slider, block)),
+            _ => None,
+        };
+        let body = match in_slot {
+            Some((pin, block)) if pin == link => block,
+            _ => BodyId(link.index()),
+        };
+        self.plan.reactions.iter().enumerate().filter_map(move |(slot, joint)| {
+            if self.structure.replaced.joint(joint.joint).pair != pair
+                || in_slot.is_some() && !joint.prismatic
+            {
+                return None;
+            }
+            if joint.body == body {
+                Some((slot, 1.0))
+            } else if joint.base == body {
+                Some((slot, -1.0))
+            } else {
+                None
+            }
+        })
+    }
+
+    /// The imaginary block of a pin in a slot.
+    fn block(&self, pair: PairId) -> Option<BodyId> {
+        let replaced = &self.structure.replaced;
+        replaced.joints_of(pair).find_map(|j| match replaced.joint(j).kind {
+            JointKind::Prismatic { slider, .. } => Some(slider),
+            JointKind::Revolute(_) | JointKind::Law(_) => None,
+        })
+    }
+
+    fn normal(&self, pair: PairId, link: LinkId) -> f64 {
+        let force = self.reaction(pair, link);
+        match &self.mechanism.pair(pair).kind {
+            PairKind::Prismatic(g) | PairKind::Slot(g) => force.dot(self.along(g).perp()),
+            PairKind::Contact { first, .. } => {
+                let Some((_, into_first)) = self.contact_normal(pair) else { return f64::NAN };
+                force.dot(if first.link == link { into_first } else { -into_first })
+            }
+            PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => f64::NAN,
+        }
+    }
+
+    /// Place of a contact and the common normal into the first link.
+    #[must_use]
+    pub fn contact_normal(&self, pair: PairId) -> Option<(Vec2, Vec2)> {
+        super::contact_normal::normal(self, pair)
+    }
+
+    /// Forces at the two contact points of a prismatic pair along the left normal, on the sliding link.
+    #[must_use]
+    pub fn contact_forces(&self, pair: PairId) -> Option<[f64; 2]> {
+        let g = self.guide(pair)?;
+        let [a, b] = g.contacts?;
+        let normal = self.reaction(pair, g.slider).dot(self.along(&g).perp());
+        let moment = self.moment(pair, g.slider);
+        Some([(moment - normal * b) / (a - b), (normal * a - moment) / (a - b)])
+    }
+
+    /// Where the resultant of a prismatic reaction crosses the guide, in the pair's coordinate, m.
+    fn line_offset(&self, pair: PairId) -> f64 {
+        let Some(g) = self.guide(pair) else { return f64::NAN };
+        let normal = self.reaction(pair, g.slider).dot(self.along(&g).perp());
+        self.displacement(pair) + self.moment(pair, g.slider) / normal
+    }
+}

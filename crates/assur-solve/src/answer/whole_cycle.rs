@@ -1,0 +1,80 @@
+//! What needs no position: dead positions, strokes, functions over the sweep, flywheels.
+
+use super::cycle_answers::{CycleAnswer, FlywheelAnswer};
+use crate::model::PairId;
+use std::f64::consts::TAU;
+
+/// Extremes of the pairs asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Statics {
+    pub(crate) extremes: Vec<(PairId, Extremes)>,
+    /// Values at which locking begins, by index into [`Mechanism::criticals`].
+    pub criticals: Vec<f64>,
+    /// Functions over the sweep, by index into [`Mechanism::cycles`].
+    pub cycles: Vec<CycleAnswer>,
+    /// Flywheels, by index into [`Mechanism::flywheels`].
+    pub flywheels: Vec<FlywheelAnswer>,
+}
+
+/// Extremes of one coordinate over a turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremes {
+    /// The least coordinate, m or rad.
+    pub least: f64,
+    /// The greatest.
+    pub greatest: f64,
+    /// Drive value of the least in [0, 2π), rad.
+    pub at_least: f64,
+    /// Drive value of the greatest in [0, 2π), rad.
+    pub at_greatest: f64,
+}
+
+impl Statics {
+    /// Nothing asked for.
+    pub const EMPTY: Self =
+        Self { extremes: Vec::new(), criticals: Vec::new(), cycles: Vec::new(), flywheels: Vec::new() };
+
+    fn of(&self, pair: PairId) -> Option<&Extremes> {
+        self.extremes.iter().find(|(p, _)| *p == pair).map(|(_, e)| e)
+    }
+
+    /// The least coordinate of a pair.
+    #[must_use]
+    pub fn least(&self, pair: PairId) -> f64 {
+        self.of(pair).map_or(f64::NAN, |e| e.least)
+    }
+
+    /// Greatest less least coordinate.
+    #[must_use]
+    pub fn stroke(&self, pair: PairId) -> f64 {
+        self.of(pair).map_or(f64::NAN, |e| e.greatest - e.least)
+    }
+
+    /// Drive value of the least (1) or greatest (2) coordinate, in [0, 2π).
+    #[must_use]
+    pub fn dead(&self, pair: PairId, which: u8) -> f64 {
+        self.of(pair).map_or(f64::NAN, |e| if which == 1 { e.at_least } else { e.at_greatest })
+    }
+
+    /// Value of a given at which locking begins; NaN where it does not.
+    #[must_use]
+    pub fn critical(&self, which: usize) -> f64 {
+        self.criticals.get(which).copied().unwrap_or(f64::NAN)
+    }
+
+    /// Value of a function over the sweep; NaN where it has none.
+    #[must_use]
+    pub fn cycle(&self, which: usize) -> f64 {
+        self.cycles.get(which).map_or(f64::NAN, |c| c.value)
+    }
+
+    /// The longer way between the extremes over the shorter.
+    #[must_use]
+    pub fn time_ratio(&self, pair: PairId) -> f64 {
+        self.of(pair).map_or(f64::NAN, |e| {
+            let way = (e.at_greatest - e.at_least).abs();
+            let other = TAU - way;
+            way.max(other) / way.min(other)
+        })
+    }
+}

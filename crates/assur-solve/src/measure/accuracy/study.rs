@@ -1,0 +1,363 @@
+//! Every kind of setting of one problem, measured.
+
+use super::answer::{Answer, Source};
+use super::clock::micros;
+use super::error::{errors, scales};
+use super::knob::{Absent, Kind, Knob, Row, not_closed};
+use super::{Error, Scales};
+use crate::math::Double;
+use crate::plan::{Plan, Settings};
+use crate::solve::{
+    Again, DriveColumns, DriveInput, Edge, Scene, SideBySide, Solution, State, Statics, WIDTH, over_cycle,
+};
+use std::hint::black_box;
+
+/// The most positions that are solved again.
+const MOST: usize = 360;
+/// ε of double-double.
+const DOUBLE: f64 = 4.0 * f64::EPSILON * f64::EPSILON;
+/// Times are alike where the longer is no more than this times the shorter.
+const ALIKE: f64 = 1.03;
+/// Side by side go so many at least, repeated where the file has fewer.
+const FILL: usize = 16 * WIDTH;
+
+/// What accuracy costs in one problem.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// Number of positions.
+    pub positions: usize,
+    /// What answers are held against.
+    pub source: Source,
+    /// Its own error, estimated.
+    pub floor: f64,
+    /// What errors are relative to.
+    pub scales: Scales,
+    /// Errors of the solver as it stands, kind by kind.
+    pub full: Error,
+    /// What can be set.
+    pub knobs: Vec<Knob>,
+    /// What cannot.
+    pub absent: Vec<Absent>,
+    /// The error that is wanted.
+    pub wanted: f64,
+    /// The cheapest settings that keep it.
+    pub recommendation: Option<Recommendation>,
+}
+
+/// The cheapest settings for a wanted error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recommendation {
+    /// One setting of each kind.
+    pub settings: Vec<(Kind, String)>,
+    /// All of them together: microseconds per position, error.
+    pub together: Option<(f64, f64)>,
+    /// Microseconds per position as the solver stands.
+    pub full: f64,
+    /// The same per cycle: together, error, as the solver stands.
+    pub cycle: Option<(f64, f64, f64)>,
+}
+
+/// The positions of a problem with the reference.
+struct Measured<'a, 's> {
+    scene: &'s Scene<'a>,
+    again: Again<'a>,
+    inputs: Vec<DriveInput>,
+    exact: Vec<Answer>,
+    scales: Scales,
+}
+
+/// Measures a solved file.
+#[must_use]
+pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Study {
+    let mut again = Again::new(scene, solution, MOST);
+    let mut source = Source::DoubleDouble;
+    let (mut exact, mut off) = (Vec::new(), 0.0_f64);
+    for i in 0..again.len() {
+        let got = Answer::of(again.run(scene.plan, i));
+        exact.push(match again.reference() {
+            Some(found) => {
+                off = off.max(found.closure).max(found.equilibrium);
+                Answer::reference(found)
+            }
+            None => {
+                source = Source::Full;
+                got
+            }
+        });
+    }
+    let inputs = again.inputs();
+    let scales = scales(scene, &exact);
+    let mut all = Measured { scene, again, inputs, exact, scales };
+    let full = all.error(scene.plan);
+    let condition = solution
+        .poses
+        .iter()
+        .filter_map(|p| p.outcome.as_ref().ok())
+        .map(|s| s.condition)
+        .fold(1.0, f64::min);
+    let floor = match source {
+        // what its own equations are off, or its rounding
+        Source::DoubleDouble => off.max(DOUBLE),
+        Source::Full => f64::EPSILON,
+    } / condition;
+    let mut study = Study {
+        positions: all.again.len(),
+        source,
+        floor,
+        scales,
+        full,
+        knobs: Vec::new(),
+        absent: Vec::new(),
+        wanted,
+        recommendation: None,
+    };
+    if !all.again.is_empty() {
+        study.knobs.push(all.scalars(floor, source, &mut study.absent));
+        for kind in [Kind::Friction, Kind::Newton, Kind::Triad] {
+            match kind.absent(scene.plan) {
+                Some(why) => study.absent.push(Absent { what: kind.name(), why }),
+                None => study.knobs.push(all.tolerances(kind, floor)),
+            }
+        }
+    }
+    over_the_cycle(scene, &solution.statics, &mut study);
+    study.recommendation = recommend(&mut all, &solution.statics, &study);
+    study
+}
+
+impl Measured<'_, '_> {
+    fn error(&mut self, plan: &Plan) -> Error {
+        let got: Vec<Answer> = (0..self.again.len()).map(|i| Answer::of(self.again.run(plan, i))).collect();
+        errors(self.scene, &self.scales, got.iter().zip(&self.exact))
+    }
+
+    /// Microseconds per position of the solver with a plan's settings.
+    fn micros(&mut self, plan: &Plan) -> f64 {
+        let count = self.again.len();
+        let all = micros(|| {
+            for i in 0..count {
+                black_box(self.again.run(plan, i).motion.open);
+            }
+        });
+        all / count as f64
+    }
+
+    fn with(&mut self, settings: Settings) -> (f64, f64) {
+        let plan = Plan { settings, ..self.scene.plan.clone() };
+        (self.micros(&plan), self.error(&plan).greatest())
+    }
+
+    fn tolerances(&mut self, kind: Kind, floor: f64) -> Knob {
+        let row = |&tolerance: &f64| {
+            let settings = kind.setting(tolerance);
+            let (micros, error) = self.with(settings);
+            let is_floor = error < floor;
+            let error = Some(error.max(floor)).filter(|e| e.is_finite());
+            let setting = power(tolerance);
+            Row { setting, samples: None, micros, error, is_floor, settings: Some(settings) }
+        };
+        Knob { kind, rows: kind.tolerances().iter().map(row).collect() }
+    }
+
+    fn scalars(&mut self, floor: f64, source: Source, absent: &mut Vec<Absent>) -> Knob {
+        let row = |setting: &str, micros: f64, error: f64, is_floor: bool| Row {
+            setting: setting.to_owned(),
+            samples: None,
+            micros,
+            error: Some(error).filter(|e| e.is_finite()),
+            is_floor,
+            settings: None,
+        };
+        let mut rows = Vec::new();
+        if self.scene.plan.laned() {
+            let (micros, error) = self.closed::<f32>();
+            rows.push(row("f32", micros, error, false));
+            if (1..self.again.len()).all(|i| self.again.branches(i) == self.again.branches(0)) {
+                let (micros, error) = self.lanes();
+                rows.push(row("f64 in lanes", micros, error, false));
+            } else {
+                absent.push(Absent { what: "lanes", why: "an assembly changes on the way" });
+            }
+            let (micros, error) = self.closed::<f64>();
+            rows.push(row("f64", micros, error, false));
+            let (micros, error) = self.closed::<Double>();
+            rows.push(row("double-double", micros, error.max(floor), error < floor));
+        } else {
+            let plan = self.scene.plan;
+            let (micros, error) = (self.micros(plan), self.error(plan).greatest());
+            rows.push(row("f64", micros, error.max(floor), source == Source::Full));
+            absent.push(Absent { what: "f32, lanes", why: not_closed(plan) });
+            if source == Source::DoubleDouble {
+                rows.push(row("double-double", self.reference_micros(), floor, true));
+            } else {
+                absent.push(Absent { what: "double-double", why: not_closed(plan) });
+            }
+        }
+        Knob { kind: Kind::Scalar, rows }
+    }
+
+    fn reference_micros(&mut self) -> f64 {
+        let (plan, count) = (self.scene.plan, self.again.len());
+        let all = micros(|| {
+            for i in 0..count {
+                self.again.run(plan, i);
+                drop(black_box(self.again.reference()));
+            }
+        });
+        all / count as f64
+    }
+
+    /// The closed forms in a scalar, one position after another.
+    fn closed<S: Edge>(&mut self) -> (f64, f64) {
+        let plan = self.scene.plan;
+        let mut state = State::<S>::closed(plan);
+        let inputs: Vec<DriveInput<S>> = self.inputs.iter().map(DriveInput::in_scalar).collect();
+        let drives = plan.drives.max(1);
+        let mut got = Vec::new();
+        for (i, inputs) in inputs.chunks(drives).enumerate() {
+            state.branches.copy_from_slice(self.again.branches(i));
+            state.motion.inputs.copy_from_slice(inputs);
+            state.run_closed(plan);
+            got.push(Answer::of(&state));
+        }
+        let error = errors(self.scene, &self.scales, got.iter().zip(&self.exact));
+        let all = micros(|| {
+            for (i, inputs) in inputs.chunks(drives).enumerate() {
+                state.branches.copy_from_slice(self.again.branches(i));
+                state.motion.inputs.copy_from_slice(inputs);
+                state.run_closed(plan);
+                black_box(state.motion.open);
+            }
+        });
+        (all / got.len() as f64, error.greatest())
+    }
+
+    fn lanes(&mut self) -> (f64, f64) {
+        let plan = self.scene.plan;
+        let (count, drives) = (self.again.len(), plan.drives.max(1));
+        let filled = count.max(FILL).next_multiple_of(FILL);
+        let inputs: Vec<DriveInput> = self.inputs.iter().copied().cycle().take(filled * drives).collect();
+        let inputs = DriveColumns::of(&inputs, drives);
+        let mut lanes = SideBySide::new(plan, self.again.run(plan, 0));
+        let (mut got, exact) = (vec![Answer::default(); count], &self.exact);
+        lanes.run(&inputs, |i, place| {
+            if i < count {
+                got[i] = Answer::of_place(&place, &exact[i]);
+            }
+        });
+        let error = errors(self.scene, &self.scales, got.iter().zip(exact));
+        let all = micros(|| {
+            lanes.run(&inputs, |_, place| {
+                black_box(place.open());
+            });
+        });
+        (all / filled as f64, error.greatest())
+    }
+}
+
+/// `1e-6`
+fn power(tolerance: f64) -> String {
+    format!("{tolerance:.0e}")
+}
+
+fn over_the_cycle(scene: &Scene<'_>, found: &Statics, study: &mut Study) {
+    if found.cycles.is_empty() && found.flywheels.is_empty() {
+        study.absent.push(Absent { what: Kind::Samples.name(), why: "nothing is taken over the cycle" });
+        return;
+    }
+    study.knobs.push(cycle_knob(scene, found, Kind::Samples));
+    let mut splits = found.cycles.iter().map(|c| &c.splits).chain(found.flywheels.iter().map(|f| &f.splits));
+    if splits.any(|s| !s.is_empty()) {
+        study.knobs.push(cycle_knob(scene, found, Kind::Root));
+    } else {
+        study.absent.push(Absent { what: Kind::Root.name(), why: "all is smooth over the cycle" });
+    }
+}
+
+fn cycle_knob(scene: &Scene<'_>, full: &Statics, kind: Kind) -> Knob {
+    // the reference is the finest setting: its own error is estimated
+    let floor = estimated(full);
+    let row = |&tolerance: &f64| {
+        let settings = kind.setting(tolerance);
+        let (micros, error, samples) = cycle(scene, full, settings);
+        let is_floor = error.is_some_and(|e| e < floor) || settings == Settings::FULL;
+        let error = error.map(|e| e.max(floor));
+        Row { setting: power(tolerance), samples, micros, error, is_floor, settings: Some(settings) }
+    };
+    Knob { kind, rows: kind.tolerances().iter().map(row).collect() }
+}
+
+/// Time, error and samples of all functions over the sweep.
+fn cycle(scene: &Scene<'_>, full: &Statics, settings: Settings) -> (f64, Option<f64>, Option<usize>) {
+    let plan = Plan { settings, ..scene.plan.clone() };
+    let scene = Scene { plan: &plan, ..*scene };
+    let micros = micros(|| drop(black_box(over_cycle(&scene, full))));
+    let Ok(found) = over_cycle(&scene, full) else { return (micros, None, None) };
+    let samples = found.cycles.iter().map(|c| c.samples).chain(found.flywheels.iter().map(|f| f.samples));
+    let error = if settings == Settings::FULL { estimated(full) } else { cycle_error(&found, full) };
+    (micros, Some(error).filter(|e| e.is_finite()), samples.max())
+}
+
+/// The greatest difference over its scale.
+fn cycle_error(found: &Statics, full: &Statics) -> f64 {
+    let over = |x: f64, y: f64, scale: f64| {
+        let difference = (x - y).abs();
+        if difference.is_nan() { f64::INFINITY } else { difference / scale.max(f64::MIN_POSITIVE) }
+    };
+    let known = full.cycles.iter().zip(&found.cycles).filter(|(a, _)| a.value.is_finite());
+    let cycles = known.map(|(a, b)| over(a.value, b.value, a.scale));
+    let wheels = full.flywheels.iter().zip(&found.flywheels).map(|(a, b)| {
+        let most = a.mean_torque.abs().max(a.fluctuation / a.way.1.abs());
+        let work = over(a.fluctuation, b.fluctuation, a.fluctuation);
+        work.max(over(a.mean_torque, b.mean_torque, most))
+    });
+    cycles.chain(wheels).fold(0.0, f64::max)
+}
+
+/// The greatest estimated error over its scale.
+pub(super) fn estimated(found: &Statics) -> f64 {
+    let over = |error: f64, scale: f64| error / scale.max(f64::MIN_POSITIVE);
+    let known = found.cycles.iter().filter(|c| c.value.is_finite()).map(|c| over(c.error, c.scale));
+    let wheels = found.flywheels.iter().map(|f| over(f.error, f.fluctuation));
+    known.chain(wheels).fold(0.0, f64::max)
+}
+
+/// The cheapest setting of each kind that keeps the wanted error, and all of them together.
+fn recommend(all: &mut Measured<'_, '_>, statics: &Statics, study: &Study) -> Option<Recommendation> {
+    let (mut settings, mut chosen) = (Settings::FULL, Vec::new());
+    let mut scalar = None;
+    for knob in &study.knobs {
+        let kept = || knob.rows.iter().filter(|r| r.error.is_some_and(|e| e <= study.wanted));
+        let least = kept().map(|r| r.micros).fold(f64::INFINITY, f64::min);
+        // of those that the clock cannot tell apart the most accurate
+        let error = |r: &Row| r.error.unwrap_or(f64::INFINITY);
+        let cheap = kept().filter(|r| r.micros <= ALIKE * least);
+        let row = cheap.min_by(|a, b| error(a).total_cmp(&error(b)))?;
+        chosen.push((knob.kind, row.setting.clone()));
+        match &row.settings {
+            Some(taken) => knob.kind.take(taken, &mut settings),
+            None => scalar = row.error.map(|e| (row.micros, e)),
+        }
+    }
+    let first = study.knobs.iter().find(|k| k.kind == Kind::Scalar);
+    let full = first.and_then(|k| k.rows.iter().find(|r| r.setting == "f64")).map_or(f64::NAN, |r| r.micros);
+    let closed = all.scene.plan.laned();
+    let double = chosen.iter().any(|(kind, name)| *kind == Kind::Scalar && name == "double-double");
+    let together = match first {
+        None => None,
+        Some(_) if closed || double => scalar,
+        Some(_) => {
+            let (micros, error) = all.with(settings);
+            Some((micros, error.max(study.floor)))
+        }
+    };
+    let cycle = study.knobs.iter().find(|k| k.kind == Kind::Samples).map(|knob| {
+        let (micros, error, _) = cycle(all.scene, statics, settings);
+        (
+            micros,
+            error.map_or(f64::INFINITY, |e| e.max(estimated(statics))),
+            knob.rows.last().map_or(f64::NAN, |r| r.micros),
+        )
+    });
+    Some(Recommendation { settings: chosen, together, full, cycle })
+}

@@ -1,0 +1,172 @@
+//! The settings that a wanted accuracy asks for, by a rule that no clock decides.
+//!
+//! The solver's settings stand in a fixed order of cost: tolerances loosened to what is wanted, all the digits of `f64`, twice
+//! its digits. The first is taken whose answers keep what is wanted, measured against the reference.
+
+use super::answer::{Answer, Source};
+use super::error::{errors, scales};
+use super::knob::Knob;
+use super::study::{Study, estimated};
+use crate::model::Mechanism;
+use crate::plan::{Level, Numbers, Settings};
+use crate::solve::{Scene, Solution, Solved};
+use crate::units::significant;
+use miette::{Diagnostic, LabeledSpan};
+use thiserror::Error as ThisError;
+
+/// Joints must meet to a millionth of the extent, whatever is wanted: no last step of Newton's method is longer, and no gap
+/// wider.
+const LARGEST_STEP: f64 = 1e-4;
+const LARGEST_GAP: f64 = 1e-8;
+/// So many positions are held against a reference that takes its time.
+const FEW: usize = 8;
+/// What rounding alone may do, in units of ε/σ^k: see docs/stability.md.
+const ROUNDING: f64 = 64.0;
+
+/// What was wanted, and what was reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// The greatest error wanted.
+    pub within: f64,
+    /// The greatest error of all positions; measured or, without a reference of twice the digits, estimated from the condition.
+    pub error: f64,
+    /// What it was measured against.
+    pub source: Source,
+    /// The settings.
+    pub settings: Settings,
+    /// Positions that were held against the reference.
+    pub positions: usize,
+}
+
+/// A wanted accuracy that is out of reach.
+#[derive(Clone, Debug, ThisError, Diagnostic)]
+pub enum AccuracyError {
+    /// No settings keep what is wanted.
+    #[error("an accuracy of {wanted} is out of reach: the answers are known to {reached}")]
+    #[diagnostic(code(mech::accuracy::out_of_reach))]
+    OutOfReach {
+        /// What is wanted.
+        wanted: String,
+        /// What is reached.
+        reached: String,
+        /// What to do.
+        #[help]
+        help: String,
+        /// The drives.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+}
+
+/// Settings for a wanted accuracy, the cheapest first.
+#[must_use]
+pub fn candidates(scene: &Scene<'_>, wanted: f64) -> Vec<Settings> {
+    let full = Settings::FULL;
+    // what Newton's methods leave is of the order of the square of a step; a hundredth of what is wanted for each, and less
+    // of what errors of many panels add up to
+    let left = 0.01 * wanted;
+    let loose = Settings {
+        newton: (0.01 * left.sqrt()).clamp(full.newton, LARGEST_STEP),
+        triad: left.clamp(full.triad, LARGEST_GAP),
+        samples: (0.003 * wanted).max(full.samples),
+        root: (0.001 * left).max(full.root),
+        ..full.with_friction(left)
+    };
+    let mut all = vec![loose, full, Settings { scalar: Numbers::DoubleDouble, ..full }];
+    // the state of a transmission holds more than forces: it is not put together again
+    all.retain(|s| s.scalar == Numbers::Double || scene.plan.laws.is_empty());
+    all.dedup();
+    all
+}
+
+/// What a solution reaches. Errors of functions over the sweep count as they are estimated.
+#[must_use]
+pub fn reached(scene: &Scene<'_>, solution: &Solution, within: f64) -> Reached {
+    let poses = solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok());
+    let solved: Vec<&Solved> = poses.filter(|s| !s.state.forces.locked).collect();
+    let condition = solved.iter().map(|s| s.condition).fold(1.0, f64::min);
+    let (mut got, mut exact) = (Vec::new(), Vec::new());
+    for index in held(scene, &solved) {
+        let solved = solved[index];
+        got.push(Answer::of(&solved.state));
+        exact.extend(solution.exact(scene, solved).map(|e| Answer::exact(e, &solved.state)));
+    }
+    let settings = scene.plan.settings;
+    let source = if exact.len() == got.len() { Source::DoubleDouble } else { Source::Full };
+    let error = match source {
+        Source::DoubleDouble => {
+            let scales = scales(scene, &exact);
+            errors(scene, &scales, got.iter().zip(&exact)).greatest()
+        }
+        Source::Full => {
+            let power = match scene.plan.effects.level {
+                Level::Positions => 1,
+                Level::Velocities => 2,
+                Level::Accelerations => 3,
+            };
+            let power = if scene.plan.effects.forces { power.max(2) } else { power };
+            let loose = settings.newton.powi(2).max(settings.friction).max(settings.triad);
+            ROUNDING * f64::EPSILON.max(if settings == Settings::FULL { 0.0 } else { loose })
+                / condition.powi(power)
+        }
+    };
+    let error = error.max(estimated(&solution.statics));
+    Reached { within, error, source, settings, positions: got.len() }
+}
+
+/// The positions that are held against the reference: all of them by closed forms; else, because it takes its time, a few:
+/// half of them evenly spread, half of them those of the least condition.
+fn held(scene: &Scene<'_>, solved: &[&Solved]) -> Vec<usize> {
+    let count = solved.len();
+    if scene.plan.laned() || count <= FEW {
+        return (0..count).collect();
+    }
+    let mut all: Vec<usize> = (0..count).collect();
+    all.sort_by(|&i, &j| solved[i].condition.total_cmp(&solved[j].condition));
+    let even = (0..FEW / 2).map(|i| i * count / (FEW / 2));
+    let mut chosen: Vec<usize> = all.into_iter().take(FEW / 2).chain(even).collect();
+    chosen.sort_unstable();
+    chosen.dedup();
+    chosen
+}
+
+impl Reached {
+    /// Whether what is wanted is kept.
+    #[must_use]
+    pub fn is_kept(&self) -> bool {
+        self.error <= self.within
+    }
+
+    /// What is said where it is not.
+    #[must_use]
+    pub fn missed(&self, mechanism: &Mechanism) -> AccuracyError {
+        missed(mechanism, "--within", self.within, self.error)
+    }
+}
+
+/// What is said where no setting keeps what is wanted.
+#[must_use]
+pub fn out_of_reach(study: &Study, mechanism: &Mechanism) -> AccuracyError {
+    // each kind of setting by its best: the worst of them is what all together reach
+    let best = |knob: &Knob| knob.rows.iter().filter_map(|r| r.error).fold(f64::INFINITY, f64::min);
+    let reached = study.knobs.iter().map(best).fold(0.0, f64::max);
+    missed(mechanism, "--for", study.wanted, reached)
+}
+
+fn missed(mechanism: &Mechanism, option: &str, wanted: f64, reached: f64) -> AccuracyError {
+    // the next power of ten above what is reached
+    let reachable = libm::pow(10.0, libm::ceil(libm::log10(reached.max(f64::EPSILON))));
+    let instead =
+        if reachable < 1.0 { format!("write `{option} {reachable:.0e}`, or ") } else { String::new() };
+    let label = |span: crate::source::Span| {
+        LabeledSpan::new_with_span(Some("driven to these positions".to_owned()), span)
+    };
+    AccuracyError::OutOfReach {
+        wanted: significant(wanted, 2),
+        reached: format!("{reached:.0e}"),
+        help: format!(
+            "{instead}keep away from the position of the least condition: `assur solve` prints it for every pose"
+        ),
+        labels: mechanism.drives.iter().map(|d| label(d.span)).collect(),
+    }
+}

@@ -1,0 +1,165 @@
+//! What a plan costs per position, measured on the spot.
+//!
+//! Two ladders of plans are run over the same places: one grows by a step at a time, the other by an effect at a time,
+//! both from the empty plan to the whole. Every plan is run again and again, in turn with the others, and its least time
+//! is kept; a step, or an effect, costs what the plan with it takes longer than the plan without it.
+
+mod ladder;
+mod places;
+
+use crate::answer::balanced;
+use crate::model::{LoadId, Value};
+use crate::position::{Scene, State, residuals};
+use crate::solve::{Rates, SolveError, Statics, Sweep, View, can_be_solved, cycles, statics};
+use ladder::Trial;
+pub use places::Over;
+use places::Place;
+use std::time::{Duration, Instant};
+
+/// Measuring ends after so long, but not before [`FEWEST`] rounds.
+const LONGEST: Duration = Duration::from_millis(250);
+/// Every plan is run at least so often.
+const FEWEST: usize = 5;
+/// And at most so often.
+const MOST: usize = 500;
+/// A round of one plan takes at least so many positions.
+const POSITIONS: usize = 64;
+
+/// Times per position, s.
+#[derive(Clone, Debug)]
+pub struct Costs {
+    /// How many places the plan was run at.
+    pub places: usize,
+    /// Which.
+    pub over: Over,
+    /// The whole plan.
+    pub total: f64,
+    /// The effects of the plan by name, positions first.
+    pub effects: Vec<(&'static str, f64)>,
+    /// The steps of motion.
+    pub motion: Vec<f64>,
+    /// The steps of loads.
+    pub loads: Vec<f64>,
+    /// The steps of forces.
+    pub forces: Vec<f64>,
+    /// What is done at every position beside the plan: the residuals, and the quantities of the file where there are any.
+    pub beside: Vec<(&'static str, f64)>,
+}
+
+/// Runs the plan of a file over its positions; where there is one alone, over a turn of its drive. `None` where the file
+/// has no mechanism.
+///
+/// # Errors
+/// As [`crate::solve::solve`]: no assembly or several at the first position, constructs not supported yet.
+pub fn costs(scene: &Scene<'_>) -> Result<Option<Costs>, Vec<SolveError>> {
+    can_be_solved(scene)?;
+    if scene.mechanism.links.len() < 2 {
+        return Ok(None);
+    }
+    let mut statics = statics(scene).map_err(|e| vec![e])?;
+    let sweep = Sweep::of(scene, &statics);
+    cycles(scene, &mut statics, &sweep).map_err(|e| vec![e])?;
+    let rates = Rates::of(scene, &statics);
+    let (over, places) = places::places(scene, &statics, &rates).map_err(|e| vec![e])?;
+    let steps = ladder::steps(scene.plan);
+    let effects = ladder::effects(scene);
+    let beside = ladder::beside(scene);
+    let all: Vec<&Trial> = steps.iter().chain(effects.iter().map(|(_, t)| t)).collect();
+    let all: Vec<&Trial> = all.into_iter().chain(beside.iter().map(|(_, t)| t)).collect();
+    let mut least = Bench::new(scene, &statics, &places).least(&all);
+
+    let beside_times = least.split_off(steps.len() + effects.len());
+    let mut effect_times = least.split_off(steps.len());
+    let whole = least[steps.len() - 1].min(effect_times[effects.len() - 1]);
+    let by_step = differences(&mut least, whole);
+    let by_effect = differences(&mut effect_times, whole);
+    let (motion, rest) = by_step.split_at(scene.plan.motion.len());
+    let (loads, forces) = rest.split_at(if scene.plan.effects.forces { scene.plan.loads.len() } else { 0 });
+    let names = effects.iter().skip(1).map(|(name, _)| *name);
+    Ok(Some(Costs {
+        places: places.len(),
+        over,
+        total: by_step.iter().sum(),
+        effects: names.zip(by_effect).collect(),
+        motion: motion.to_vec(),
+        loads: loads.to_vec(),
+        forces: forces.to_vec(),
+        beside: beside.iter().zip(&beside_times).map(|(b, t)| (b.0, (t - whole).max(0.0))).collect(),
+    }))
+}
+
+/// What each plan of a ladder takes longer than the one before. A plan takes no longer than one that does more: what a
+/// disturbed clock says against it is set right, so that the differences add up to the whole.
+fn differences(least: &mut [f64], whole: f64) -> Vec<f64> {
+    let mut bound = whole;
+    for time in least.iter_mut().rev() {
+        bound = bound.min(*time);
+        *time = bound;
+    }
+    least.windows(2).map(|pair| pair[1] - pair[0]).collect()
+}
+
+/// One state, run through all places again and again.
+struct Bench<'a> {
+    scene: &'a Scene<'a>,
+    statics: &'a Statics,
+    places: &'a [Place],
+    /// Some groups start from where their bodies stand.
+    goes_on: bool,
+    state: State,
+    evaluated: Vec<(LoadId, Value)>,
+}
+
+impl<'a> Bench<'a> {
+    fn new(scene: &'a Scene<'a>, statics: &'a Statics, places: &'a [Place]) -> Self {
+        let state = places.first().map_or_else(|| State::new(scene.plan), |place| place.state.clone());
+        let goes_on = scene.plan.goes_on();
+        Self { scene, statics, places, goes_on, state, evaluated: Vec::new() }
+    }
+
+    /// The least time of every plan per position, s.
+    fn least(&mut self, trials: &[&Trial]) -> Vec<f64> {
+        let mut least = vec![f64::INFINITY; trials.len()];
+        let repeats = POSITIONS.div_ceil(self.places.len().max(1));
+        #[allow(clippy::cast_precision_loss)] // a few hundred
+        let positions = (repeats * self.places.len()) as f64;
+        let begin = Instant::now();
+        for round in 0..MOST {
+            if round >= FEWEST && begin.elapsed() > LONGEST {
+                break;
+            }
+            for (trial, least) in trials.iter().zip(&mut least) {
+                let start = Instant::now();
+                for _ in 0..repeats {
+                    self.run(trial);
+                }
+                *least = least.min(start.elapsed().as_secs_f64() / positions);
+            }
+        }
+        least
+    }
+
+    fn run(&mut self, trial: &Trial) {
+        let scene = Scene { plan: &trial.plan, ..*self.scene };
+        for place in self.places {
+            let state = &mut self.state;
+            state.motion.inputs.copy_from_slice(&place.state.motion.inputs);
+            state.branches.copy_from_slice(&place.state.branches);
+            if self.goes_on {
+                state.motion.bodies.copy_from_slice(&place.state.motion.bodies);
+            }
+            state.run_planned_motion(&trial.plan);
+            if trial.plan.effects.forces {
+                balanced(&scene, self.statics, state, &place.angles, &mut self.evaluated, true);
+            }
+            if trial.residuals {
+                std::hint::black_box(residuals(&scene, state));
+            }
+            if trial.quantities {
+                let view = View::new(&scene, state, &place.angles, self.statics);
+                std::hint::black_box(view.all_quantities());
+            }
+            std::hint::black_box(&self.state);
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! Places to run a plan at: assembled and followed once, before anything is measured.
+
+use crate::position::{Scene, State};
+use crate::solve::{DriveValue, Rates, SolveError, Statics, Sweep, Tracker, assemble, turns};
+
+/// So many places are enough; more would leave the nearest memory.
+const ENOUGH: usize = 64;
+
+/// Where the plan was run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Over {
+    /// The positions of the file, or some of them at equal distances.
+    Positions,
+    /// A turn of the drive, as far as the mechanism closes.
+    Turn,
+}
+
+/// An assembled place.
+pub(super) struct Place {
+    /// Inputs, assemblies, bodies.
+    pub state: State,
+    /// Angles of the bodies, rad.
+    pub angles: Vec<f64>,
+}
+
+/// The positions of a file that close; of one alone those of a turn of its drive.
+pub(super) fn places(
+    scene: &Scene<'_>,
+    statics: &Statics,
+    rates: &Rates,
+) -> Result<(Over, Vec<Place>), SolveError> {
+    let sweep = Sweep::of(scene, statics);
+    let apart = sweep.len().div_ceil(ENOUGH).max(1);
+    let values: Vec<Vec<DriveValue>> = (0..sweep.len()).step_by(apart).map(|i| sweep.values(i)).collect();
+    let (over, ways) = match (values.as_slice(), scene.mechanism.drives.as_slice()) {
+        ([one], [drive]) if turns(scene, drive) => match one[0] {
+            DriveValue::Scalar(start) => (Over::Turn, turn(start)),
+            _ => (Over::Positions, [values, Vec::new()]),
+        },
+        _ => (Over::Positions, [values, Vec::new()]),
+    };
+    // the file's own position, where it has one alone
+    let first = first(scene, rates, if over == Over::Turn { &ways[0][..1] } else { &ways[0] })?;
+    let mut places = Vec::with_capacity(ENOUGH);
+    for way in ways {
+        let mut tracker = first.clone();
+        for values in way {
+            if reached(scene, rates, &mut tracker, &values, over) {
+                rates.at(&values, &mut tracker.state.motion.inputs);
+                places.push(Place { state: tracker.state.clone(), angles: tracker.angles.clone() });
+            } else if over == Over::Turn {
+                break;
+            }
+        }
+    }
+    Ok((over, places))
+}
+
+/// Moves a tracker to other values, between positions of the file over a gap too; it stays where it is if they do not close.
+fn reached(
+    scene: &Scene<'_>,
+    rates: &Rates,
+    tracker: &mut Tracker,
+    values: &[DriveValue],
+    over: Over,
+) -> bool {
+    let before = tracker.clone();
+    if tracker.go(scene, rates, values).is_ok() {
+        return true;
+    }
+    *tracker = before.clone();
+    if over == Over::Positions && tracker.jump(scene, rates, values).is_ok() {
+        return true;
+    }
+    *tracker = before;
+    false
+}
+
+/// The first position that can be assembled; the error of the first where none can.
+fn first(scene: &Scene<'_>, rates: &Rates, way: &[Vec<DriveValue>]) -> Result<Tracker, SolveError> {
+    let assembled = |values: &[DriveValue]| {
+        let mut state = State::new(scene.plan);
+        rates.at(values, &mut state.motion.inputs);
+        assemble(scene, state).map(|state| Tracker::new(scene, state, values))
+    };
+    let found = assembled(way.first().map_or(&[], Vec::as_slice));
+    match found {
+        Err(SolveError::DoesNotClose { .. } | SolveError::NotFound { .. }) => {
+            way.iter().skip(1).find_map(|values| assembled(values).ok()).map_or(found, Ok)
+        }
+        found => found,
+    }
+}
+
+/// Half a turn from the start to either side.
+fn turn(start: f64) -> [Vec<Vec<DriveValue>>; 2] {
+    #[allow(clippy::cast_precision_loss)] // 64
+    let at = |i: usize, sense: f64| {
+        vec![DriveValue::Scalar(start + sense * std::f64::consts::TAU * i as f64 / ENOUGH as f64)]
+    };
+    let half = ENOUGH / 2;
+    [(0..half).map(|i| at(i, 1.0)).collect(), (1..=half).map(|i| at(i, -1.0)).collect()]
+}

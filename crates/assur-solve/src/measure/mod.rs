@@ -1,0 +1,6 @@
+//! What is measured on a solved problem: the cost of its plan, and what accuracy costs.
+
+pub mod accuracy;
+mod cost;
+
+pub use cost::{Costs, Over, costs};

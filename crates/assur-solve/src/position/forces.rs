@@ -1,0 +1,332 @@
+//! Runs the steps of forces: reactions group by group, each passed on to the bodies that carry it.
+
+use super::consistent::Consistent;
+use super::kinematics::Shared;
+use super::state::State;
+use super::wrench::Reaction;
+use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
+use crate::math::{Scalar, V2};
+use crate::plan::step::unit;
+use crate::plan::{Arm, EffortLine, ForceStep, Hinge, Inner, Plan, Way};
+
+impl State {
+    /// Runs all steps of forces from the loads in `wrenches`, to which it adds the reactions. Allocates nothing.
+    pub fn run_forces(&mut self, plan: &Plan) {
+        (self.forces.locked, self.forces.consistent) = (false, Consistent::One);
+        if !plan.friction.is_empty() {
+            self.scratch.loads_before.clone_from(&self.forces.wrenches);
+        }
+        for (index, step) in plan.forces.iter().enumerate() {
+            self.forces.conditions[index] = match step {
+                ForceStep::Rubbing { plain, group } => self.force_rubbing(plan, index, plain, group),
+                ForceStep::General { .. }
+                | ForceStep::Triad(_)
+                | ForceStep::Sequence(_)
+                | ForceStep::Train { .. } => self.force_step(plan, step),
+                closed => self.closed_force(closed),
+            };
+        }
+        if self.forces.locked {
+            self.search_friction(plan);
+        }
+    }
+
+    /// The same without friction.
+    pub fn run_forces_without_friction(&mut self, plan: &Plan) {
+        for (index, step) in plan.forces.iter().enumerate() {
+            self.forces.conditions[index] = match step {
+                ForceStep::Rubbing { plain, .. } => self.force_step(plan, plain),
+                ForceStep::Train { train } => self.force_train(plan, *train, false),
+                plain => self.force_step(plan, plain),
+            };
+        }
+    }
+
+    /// One step without friction. Linear in the loads.
+    #[inline(never)]
+    pub(super) fn force_step(&mut self, plan: &Plan, step: &ForceStep) -> f64 {
+        match step {
+            ForceStep::Train { train } => self.force_train(plan, *train, true),
+            ForceStep::Triad(triad) => self.force_triad(triad),
+            ForceStep::General { system } => self.force_general(*system, &plan.balance_systems[*system]),
+            ForceStep::Sequence(steps) => self.force_sequence(plan, steps),
+            closed => self.closed_force(closed),
+        }
+    }
+
+    /// The groups from the first on; returns the figure of the last.
+    fn force_sequence(&mut self, plan: &Plan, steps: &[ForceStep]) -> f64 {
+        let mut last = 1.0;
+        for (index, step) in steps.iter().enumerate() {
+            last = self.force_step(plan, step);
+            self.forces.conditions[index] = last;
+        }
+        last
+    }
+}
+
+impl<S: Scalar> State<S> {
+    /// A step of forces that has a closed form: the figure of its condition, 0 for one that has none.
+    #[inline(always)]
+    pub(super) fn closed_force(&mut self, step: &ForceStep) -> S {
+        match step {
+            ForceStep::Turn { hinge, effort, value } => self.force_turn(hinge, effort, *value),
+            ForceStep::Shift { way, effort, value } => self.force_shift(way, effort, *value),
+            ForceStep::Rrr { outer, inner, motion } => self.force_rrr(outer, inner, *motion),
+            ForceStep::Rrp { outer, inner, way, motion } => self.force_rrp(outer, inner, way, *motion),
+            ForceStep::DrivenLegs { outer, inner, ends, driven } => {
+                self.force_driven_legs(outer, inner, *ends, driven)
+            }
+            ForceStep::Rpr { outer, way } => self.force_rpr(outer, way),
+            ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
+            ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
+            ForceStep::Translation { ways } => self.force_translation(ways),
+            ForceStep::Triad(_)
+            | ForceStep::Train { .. }
+            | ForceStep::General { .. }
+            | ForceStep::Sequence(_)
+            | ForceStep::Rubbing { .. } => S::zero(),
+        }
+    }
+
+    /// Force on a body so far, and its moment about a place.
+    #[inline(always)]
+    pub(super) fn load_about(&self, body: usize, p: V2<S>) -> (V2<S>, S) {
+        let w = &self.forces.wrenches[body];
+        (w.force, w.moment - (p - self.motion.bodies[body].p).cross(w.force))
+    }
+
+    /// The place of a pin, with the force on its body so far and its moment about it.
+    #[inline(always)]
+    pub(super) fn load_at(&self, body: usize, pin: &Arm) -> (V2<S>, V2<S>, S) {
+        let w = &self.forces.wrenches[body];
+        let (p, r) = self.motion.bodies[body].pin(pin);
+        (p, w.force, r.map_or(w.moment, |r| w.moment - r.cross(w.force)))
+    }
+
+    /// The opposite of a force at a place, on the body that carries it.
+    #[inline(always)]
+    pub(super) fn carry(&mut self, base: usize, p: V2<S>, force: V2<S>) {
+        self.carry_moment(base, p, force, |moment| moment);
+    }
+
+    /// The same with a couple.
+    #[inline(always)]
+    pub(super) fn carry_wrench(&mut self, base: usize, p: V2<S>, force: V2<S>, couple: S) {
+        self.carry_moment(base, p, force, |moment| moment + couple);
+    }
+
+    /// `all` makes the whole moment of that of the force.
+    #[inline(always)]
+    fn carry_moment(&mut self, base: usize, p: V2<S>, force: V2<S>, all: impl Fn(S) -> S) {
+        // what the ground carries is not asked
+        if base == 0 {
+            return;
+        }
+        let r = p - self.motion.bodies[base].p;
+        let w = &mut self.forces.wrenches[base];
+        w.force -= force;
+        w.moment = w.moment - all(r.cross(force));
+    }
+
+    #[inline(always)]
+    pub(super) fn hinge_reaction(&mut self, hinge: &Hinge, p: V2<S>, force: V2<S>) {
+        self.forces.reactions[hinge.slot] = Reaction { force, couple: S::zero() };
+        self.carry(hinge.base, p, force);
+    }
+
+    /// Keeps the reaction of a guide, given at `p`, about the pair's reference point.
+    #[inline(always)]
+    pub(super) fn way_reaction(&mut self, way: &Way, p: V2<S>, force: V2<S>, couple: S) -> (V2<S>, S) {
+        let reference = self.motion.bodies[way.slider].position(way.point);
+        let couple = couple + (p - reference).cross(force);
+        self.forces.reactions[way.slot] = Reaction { force, couple };
+        (reference, couple)
+    }
+
+    #[inline(always)]
+    pub(super) fn carried_way(&mut self, way: &Way, p: V2<S>, force: V2<S>, couple: S) {
+        let (reference, couple) = self.way_reaction(way, p, force, couple);
+        self.carry_wrench(way.base, reference, force, couple);
+    }
+
+    #[inline(always)]
+    pub(super) fn direction(&self, way: &Way) -> V2<S> {
+        unit(way.direction).turned(self.motion.bodies[way.slider].u)
+    }
+
+    /// One body on a revolute: the effort is found from the moment about it.
+    #[inline(always)]
+    pub(super) fn force_turn(&mut self, hinge: &Hinge, effort: &EffortLine, (slot, sign): (usize, f64)) -> S {
+        let (p, force, moment) = self.load_at(hinge.body, &hinge.pin);
+        match effort {
+            EffortLine::Torque { base, .. } => {
+                self.forces.efforts[slot] = -moment * S::of(sign);
+                if *base != 0 {
+                    let w = &mut self.forces.wrenches[*base];
+                    w.moment = w.moment + moment;
+                }
+                self.hinge_reaction(hinge, p, -force);
+                S::one()
+            }
+            EffortLine::Force { line, .. } => {
+                let (q, n) = self.forces.lines[*line];
+                let arm = (q - p).cross(n);
+                let value = -moment / arm;
+                self.forces.efforts[slot] = value * S::of(sign);
+                self.hinge_reaction(hinge, p, -force - n * value);
+                arm / (q - p).norm()
+            }
+            EffortLine::Along(_) => S::zero(),
+        }
+    }
+
+    /// One body on a guide: the effort is found from the forces along it.
+    #[inline(always)]
+    pub(super) fn force_shift(&mut self, way: &Way, effort: &EffortLine, (slot, sign): (usize, f64)) -> S {
+        let d = self.direction(way);
+        let p = self.motion.bodies[way.slider].position(way.point);
+        let (mut force, mut moment) = self.load_about(way.body, p);
+        let sine = match effort {
+            EffortLine::Along(_) => {
+                let along = -force.dot(d);
+                self.forces.efforts[slot] = along * S::of(sign);
+                force += d * along;
+                self.carry(way.base, p, d * along);
+                S::one()
+            }
+            EffortLine::Force { line, .. } => {
+                let (q, n) = self.forces.lines[*line];
+                let sine = n.dot(d);
+                let value = -force.dot(d) / sine;
+                self.forces.efforts[slot] = value * S::of(sign);
+                force += n * value;
+                moment = moment + (q - p).cross(n) * value;
+                sine
+            }
+            EffortLine::Torque { .. } => S::zero(),
+        };
+        let normal = d.perp() * -force.dot(d.perp());
+        self.carried_way(way, p, normal, -moment);
+        sine
+    }
+
+    /// A dyad RRR in its position and its condition figure, from the step of motion where it is the same group.
+    #[inline(always)]
+    pub(super) fn dyad_rrr(
+        &self,
+        outer: &[Hinge; 2],
+        inner: &Inner,
+        motion: Option<usize>,
+    ) -> (rrr::Rrr<S>, S) {
+        if let Some(step) = motion {
+            let Shared { r_1, second, inverse } = self.motion.shared[step];
+            return (rrr::Rrr { r_1, r_2: second, inverse }, self.motion.conditions[step]);
+        }
+        let [r_1, r_2] = [0, 1].map(|i| inner.arms[i].of::<S>().turned(self.motion.bodies[outer[i].body].u));
+        (rrr::Rrr::new(r_1, r_2), r_1.cross(r_2) / (r_1.norm() * r_2.norm()))
+    }
+
+    /// The same of a dyad RRP.
+    #[inline(always)]
+    pub(super) fn dyad_rrp(
+        &self,
+        outer: &Hinge,
+        inner: &Inner,
+        way: &Way,
+        motion: Option<usize>,
+    ) -> (rrp::Rrp<S>, S) {
+        if let Some(step) = motion {
+            let Shared { r_1, second, inverse } = self.motion.shared[step];
+            return (rrp::Rrp { r_1, d: second, inverse }, self.motion.conditions[step]);
+        }
+        let (r_1, d) =
+            (inner.arms[0].of::<S>().turned(self.motion.bodies[outer.body].u), self.direction(way));
+        (rrp::Rrp::new(r_1, d), r_1.dot(d) / r_1.norm())
+    }
+
+    #[inline(always)]
+    fn force_rrr(&mut self, outer: &[Hinge; 2], inner: &Inner, motion: Option<usize>) -> S {
+        let [one, two] = outer;
+        let (group, sine) = self.dyad_rrr(outer, inner, motion);
+        let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
+        let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
+        let got = group.reactions(F_1, M_1, F_2, M_2);
+        self.hinge_reaction(one, p_A, got.f_A);
+        self.hinge_reaction(two, p_B, got.f_B);
+        self.forces.reactions[inner.slot] =
+            Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
+        sine
+    }
+
+    #[inline(always)]
+    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way, motion: Option<usize>) -> S {
+        let (group, sine) = self.dyad_rrp(outer, inner, way, motion);
+        let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
+        let (p_C, F_2, M_2) = self.load_at(way.body, &inner.second_pin);
+        let got = group.reactions(F_1, M_1, F_2, M_2);
+        self.hinge_reaction(outer, p_A, got.f_A);
+        self.forces.reactions[inner.slot] =
+            Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
+        self.carried_way(way, p_C, group.d.perp() * got.normal, got.couple);
+        sine
+    }
+
+    #[inline(always)]
+    fn force_rpr(&mut self, outer: &[Hinge; 2], way: &Way) -> S {
+        let [one, two] = outer;
+        let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
+        let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
+        let (r, e) = (p_B - p_A, self.direction(way));
+        let s = r.dot(e);
+        let got = rpr::Rpr::new(r, e, e.cross(r), s).reactions(F_1, M_1, F_2, M_2);
+        self.hinge_reaction(one, p_A, got.f_A);
+        self.hinge_reaction(two, p_B, got.f_B);
+        // the kernel gives the force of the first body on the second
+        let sign = if way.body == two.body { S::one() } else { -S::one() };
+        self.way_reaction(way, p_B, e.perp() * (sign * got.normal), sign * got.couple);
+        s / r.norm()
+    }
+
+    #[inline(always)]
+    fn force_prp(&mut self, ways: &[Way; 2], inner: &Inner) -> S {
+        let p_C = self.motion.bodies[ways[0].body].position(inner.pin);
+        let d = [self.direction(&ways[0]), self.direction(&ways[1])];
+        let (F_1, M_1) = self.load_about(ways[0].body, p_C);
+        let (F_2, M_2) = self.load_about(ways[1].body, p_C);
+        let got = prp::Prp::new(d[0], d[1]).reactions(F_1, M_1, F_2, M_2);
+        self.forces.reactions[inner.slot] =
+            Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
+        self.carried_way(&ways[0], p_C, d[0].perp() * got.normal_1, got.couple_1);
+        self.carried_way(&ways[1], p_C, d[1].perp() * got.normal_2, got.couple_2);
+        d[0].cross(d[1])
+    }
+
+    #[inline(never)]
+    fn force_rpp(&mut self, outer: &Hinge, inner: &Way, way: &Way) -> S {
+        let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
+        let p_R = self.motion.bodies[way.slider].position(way.point);
+        let (d_1, d_2) = (self.direction(inner), self.direction(way));
+        let (F_2, M_2) = self.load_about(way.body, p_R);
+        let s_1 = (p_A - p_R).dot(d_1);
+        let got = rpp::Rpp::new(d_1, d_2).reactions(s_1, F_1, M_1, F_2, M_2);
+        self.hinge_reaction(outer, p_A, got.f_A);
+        // the kernel gives the force of the first body on the second
+        let sign = if inner.body == way.body { S::one() } else { -S::one() };
+        self.way_reaction(inner, p_A, d_1.perp() * (sign * got.normal_1), sign * got.couple_1);
+        self.carried_way(way, p_R, d_2.perp() * got.normal_2, got.couple_2);
+        d_1.cross(d_2)
+    }
+
+    /// The couple is put on the first guide: how it is shared is not determined, and is not reported.
+    #[inline(never)]
+    fn force_translation(&mut self, ways: &[Way; 2]) -> S {
+        let p_R = self.motion.bodies[ways[0].slider].position(ways[0].point);
+        let d = [self.direction(&ways[0]), self.direction(&ways[1])];
+        let (F, M) = self.load_about(ways[0].body, p_R);
+        let got = pp::Pp::new(d[0], d[1]).reactions(F, M);
+        self.carried_way(&ways[0], p_R, d[0].perp() * got.normal_1, got.couple);
+        self.carried_way(&ways[1], p_R, d[1].perp() * got.normal_2, S::zero());
+        d[0].cross(d[1])
+    }
+}

@@ -1,0 +1,299 @@
+//! Friction in a group: Newton's method on the efforts of friction alone.
+//!
+//! Let φ_j be the friction torque or force in joint j of the group. For given φ the reactions follow from the plain step,
+//! which is linear in the loads: λ(φ) = λ_0 + Σ φ_j λ_j, with λ_0 from the loads as they are and λ_j from a unit of φ_j
+//! alone. The laws then read
+//!
+//! ```text
+//! g_i(φ) = φ_i + s_i ρ_i |λ_i(φ)| = 0,
+//! ```
+//!
+//! s_i the sense of the relative motion, ρ_i the radius of the friction circle or the coefficient, |λ_i| the force in
+//! the hinge, the normal force of the guide, or |N_1| + |N_2| of its two ends. Newton starts without friction, φ = 0,
+//! where the determinant of ∂g/∂φ is 1, and accepts a solution where it is positive. Magnitudes have kinks where a force
+//! changes its sense: where Newton does not settle, all laws of the mechanism are searched (`friction_search`).
+
+use super::friction_work::RubbingWork;
+use super::state::State;
+use super::wrench::{Reaction, Wrench};
+use crate::math::Vec2;
+use crate::plan::{ForceStep, FrictionElement, Plan, Rub, RubbingGroup};
+
+/// Newton's steps are at most this many; with a solution four suffice.
+pub(super) const STEPS: u32 = 25;
+/// Velocities below this part of the greatest are none.
+pub(crate) const STILL: f64 = 1e-11;
+
+impl State {
+    /// Line along which an element's force acts, and a point of it; `None` for a torque.
+    pub(crate) fn rubbing_line(&self, element: &FrictionElement) -> Option<(Vec2, Vec2)> {
+        match &element.kind {
+            Rub::Circle { .. } => None,
+            Rub::Guide { way, .. } | Rub::BothEnds { way, .. } => {
+                Some((self.motion.bodies[way.slider].position(way.point), self.direction(way)))
+            }
+            Rub::Contact { first, second, internal, .. } => {
+                let (p, n) = self.touch((element.body, *first), (element.base, *second), *internal)?;
+                Some((p, n.perp()))
+            }
+        }
+    }
+
+    /// Velocity of the element's body against its base, rad/s or m/s, in the sense in which its effort counts.
+    pub(crate) fn rubbing_speed(&self, element: &FrictionElement) -> f64 {
+        let (body, base) = (&self.motion.bodies[element.body], &self.motion.bodies[element.base]);
+        match self.rubbing_line(element) {
+            None => body.omega - base.omega,
+            Some((p, d)) => {
+                let at = |b: &super::body::BodyState| b.v + (p - b.p).perp() * b.omega;
+                (at(body) - at(base)).dot(d)
+            }
+        }
+    }
+
+    /// Senses of all elements: the sign of the relative velocity, zero where it is nothing but rounding.
+    pub fn set_senses(&mut self, plan: &Plan) {
+        let (mut turn, mut square, mut extent) = (0.0, 0.0, 0.0);
+        for b in &self.motion.bodies {
+            turn = f64::max(turn, b.omega * b.omega);
+            square = f64::max(square, b.v.dot(b.v));
+            extent = f64::max(extent, (b.p - self.motion.bodies[0].p).dot(b.p - self.motion.bodies[0].p));
+        }
+        for (i, element) in plan.friction.iter().enumerate() {
+            self.forces.senses[i] = match self.rubbing_line(element) {
+                None => self.motion.bodies[element.body].omega - self.motion.bodies[element.base].omega,
+                Some((p, d)) => {
+                    let at = |b: &super::body::BodyState| b.v + (p - b.p).perp() * b.omega;
+                    let v = at(&self.motion.bodies[element.body]);
+                    square = f64::max(square, v.dot(v));
+                    (v - at(&self.motion.bodies[element.base])).dot(d)
+                }
+            };
+        }
+        // where nothing turns, what is left of an angular velocity is a rounded velocity over a length
+        let (unit, turn) = if extent > 0.0 { (extent, f64::max(turn * extent, square)) } else { (1.0, turn) };
+        for (sense, element) in self.forces.senses.iter_mut().zip(&plan.friction) {
+            let turns = matches!(element.kind, Rub::Circle { .. });
+            let (unit, most) = if turns { (unit, turn) } else { (1.0, square) };
+            let still = *sense * *sense * unit <= STILL * STILL * most;
+            *sense = if still { 0.0 } else { sense.signum() };
+        }
+    }
+
+    /// Marks all reactions and efforts as not existing: the mechanism is locked.
+    pub(crate) fn forget_forces(&mut self) {
+        let none = Reaction { force: Vec2::new(f64::NAN, f64::NAN), couple: f64::NAN };
+        self.forces.reactions.fill(none);
+        self.forces.efforts.fill(f64::NAN);
+        self.forces.frictions.fill(f64::NAN);
+    }
+
+    /// Adds an element's effort to the loads of its bodies.
+    pub(super) fn apply_rub(&mut self, element: &FrictionElement, effort: f64) {
+        match self.rubbing_line(element) {
+            None => {
+                self.forces.wrenches[element.through].moment += effort;
+                self.forces.wrenches[element.base].moment -= effort;
+            }
+            Some((p, d)) => {
+                self.carry(element.through, p, d * -effort);
+                self.carry(element.base, p, d * effort);
+            }
+        }
+    }
+
+    fn save(&self, group: &RubbingGroup, saved: &mut [Wrench]) {
+        for (slot, keep) in group.bodies.iter().chain(&group.bases).zip(saved) {
+            *keep = self.forces.wrenches[*slot];
+        }
+    }
+
+    fn restore(&mut self, group: &RubbingGroup, saved: &[Wrench]) {
+        for (slot, keep) in group.bodies.iter().chain(&group.bases).zip(saved) {
+            self.forces.wrenches[*slot] = *keep;
+        }
+    }
+
+    /// What an element's law measures of the reaction as it stands: the force in a hinge or contact; the normal force of a
+    /// guide; the forces at its two ends.
+    #[inline(always)]
+    pub(crate) fn measured(&self, plan: &Plan, element: &FrictionElement) -> Vec2 {
+        if let Some((from, to)) = element.pin {
+            let slots = &plan.pin_slots[from..to];
+            return slots
+                .iter()
+                .fold(Vec2::zero(), |sum, (slot, sign)| sum + self.forces.reactions[*slot].force * *sign);
+        }
+        let Reaction { force, couple } = self.forces.reactions[element.slot];
+        match &element.kind {
+            Rub::Circle { .. } | Rub::Contact { .. } => force,
+            Rub::Guide { way, .. } => Vec2::new(self.direction(way).cross(force), 0.0),
+            Rub::BothEnds { way, contacts: [a, b], .. } => {
+                let normal = self.direction(way).cross(force);
+                Vec2::new((couple - normal * b) / (a - b), (normal * a - couple) / (a - b))
+            }
+        }
+    }
+
+    /// A group with friction. Returns the condition figure of its plain step times that of the friction.
+    pub(super) fn force_rubbing(
+        &mut self,
+        plan: &Plan,
+        index: usize,
+        plain: &ForceStep,
+        group: &RubbingGroup,
+    ) -> f64 {
+        if let Some(elements) = &group.reduced {
+            let mut steps = 0;
+            let sine = self.force_reduced(plan, plain, elements, &mut steps);
+            if let Some(Some(work)) = self.scratch.rubbing_work.get_mut(index) {
+                work.steps = steps;
+            }
+            return sine.unwrap_or_else(|| {
+                self.forces.locked = true;
+                self.force_step(plan, plain)
+            });
+        }
+        let Some(mut work) = self.scratch.rubbing_work.get_mut(index).and_then(Option::take) else {
+            return 0.0;
+        };
+        work.steps = 0;
+        self.save(group, &mut work.saved);
+        let sine = self.respond(plan, plain, group, &mut work, None);
+        for unit in 0..group.elements.len() {
+            let sense = self.forces.senses[group.elements[unit]];
+            work.senses[unit] = sense;
+            if sense != 0.0 {
+                self.respond(plan, plain, group, &mut work, Some(unit));
+            }
+        }
+        let settled = newton(plan, group, &mut work);
+        self.restore(group, &work.saved);
+        if settled {
+            for (&element, &x) in group.elements.iter().zip(&work.values) {
+                self.forces.frictions[element] = x;
+                self.apply_rub(&plan.friction[element], x);
+            }
+        } else {
+            self.forces.locked = true;
+        }
+        self.force_step(plan, plain);
+        self.scratch.rubbing_work[index] = Some(work);
+        sine
+    }
+
+    /// Reactions of the group from the loads as they are, or from a unit of one element.
+    fn respond(
+        &mut self,
+        plan: &Plan,
+        plain: &ForceStep,
+        group: &RubbingGroup,
+        work: &mut RubbingWork,
+        unit: Option<usize>,
+    ) -> f64 {
+        if let Some(unit) = unit {
+            for &body in group.bodies.iter().chain(&group.bases) {
+                self.forces.wrenches[body] = Wrench::default();
+            }
+            self.apply_rub(&plan.friction[group.elements[unit]], 1.0);
+        }
+        let sine = self.force_step(plan, plain);
+        let (column, width) = (unit.map_or(0, |u| u + 1), group.elements.len() + 1);
+        for (row, &element) in group.elements.iter().enumerate() {
+            work.measured[row * width + column] = self.measured(plan, &plan.friction[element]);
+        }
+        self.restore(group, &work.saved);
+        sine
+    }
+}
+
+/// Newton's method; on success the efforts are in `work.values` and the motion is possible.
+fn newton(plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork) -> bool {
+    let count = group.elements.len();
+    work.values.fill(0.0);
+    for _ in 0..STEPS {
+        work.steps += 1;
+        let mut scale = f64::MIN_POSITIVE;
+        for i in 0..count {
+            let kind = &plan.friction[group.elements[i]].kind;
+            let row = &work.measured[i * (count + 1)..][..count + 1];
+            let mut sum = row[0];
+            for (unit, x) in row[1..].iter().zip(&work.values) {
+                sum += *unit * *x;
+            }
+            // the gradient of the measure: of a length, of a sum of magnitudes
+            let (gradient, measure) = match kind {
+                Rub::BothEnds { .. } | Rub::Guide { .. } => {
+                    let signs = Vec2::new(sum.x.signum(), sum.y.signum());
+                    (signs, signs.dot(sum))
+                }
+                Rub::Circle { .. } | Rub::Contact { .. } => {
+                    let size = sum.norm();
+                    (if size > 0.0 { sum / size } else { Vec2::zero() }, size)
+                }
+            };
+            let weight = work.senses[i] * kind.factor();
+            work.right[i] = -(work.values[i] + weight * measure);
+            scale = scale.max((weight * measure).abs());
+            for j in 0..count {
+                let slope = if work.senses[j] == 0.0 { 0.0 } else { gradient.dot(row[j + 1]) };
+                work.jacobian[i * count + j] = f64::from(u8::from(i == j)) + weight * slope;
+            }
+        }
+        let determinant = eliminate(&mut work.jacobian, &mut work.right);
+        if determinant == 0.0 || !determinant.is_finite() {
+            return false;
+        }
+        let mut step = 0.0_f64;
+        for (x, dx) in work.values.iter_mut().zip(&work.right) {
+            *x += dx;
+            step = step.max(dx.abs());
+        }
+        // the error left is of the order of the square of the step
+        if step <= plan.settings.friction_step * scale {
+            return determinant > 0.0;
+        }
+    }
+    false
+}
+
+/// Solves A x = b in place by elimination with partial pivoting; b becomes x. Returns the determinant.
+fn eliminate(a: &mut [f64], b: &mut [f64]) -> f64 {
+    let n = b.len();
+    let mut determinant = 1.0;
+    for k in 0..n {
+        let pivot = (k..n).max_by(|&i, &j| a[i * n + k].abs().total_cmp(&a[j * n + k].abs())).unwrap_or(k);
+        if pivot != k {
+            (0..n).for_each(|j| a.swap(k * n + j, pivot * n + j));
+            b.swap(k, pivot);
+            determinant = -determinant;
+        }
+        let diagonal = a[k * n + k];
+        determinant *= diagonal;
+        for i in k + 1..n {
+            let factor = a[i * n + k] / diagonal;
+            for j in k + 1..n {
+                a[i * n + j] -= factor * a[k * n + j];
+            }
+            b[i] -= factor * b[k];
+        }
+    }
+    for k in (0..n).rev() {
+        let known: f64 = (k + 1..n).map(|j| a[k * n + j] * b[j]).sum();
+        b[k] = (b[k] - known) / a[k * n + k];
+    }
+    determinant
+}
+
+impl Rub {
+    /// Radius of the friction circle, m, or coefficient.
+    #[must_use]
+    pub const fn factor(&self) -> f64 {
+        match self {
+            Self::Circle { radius } => *radius,
+            Self::Guide { coefficient, .. }
+            | Self::BothEnds { coefficient, .. }
+            | Self::Contact { coefficient, .. } => *coefficient,
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Motion at one position: what the drives say, and how the bodies move.
+
+use super::body::BodyState;
+use crate::math::{Scalar, V2, Vec2};
+use crate::plan::Plan;
+
+/// What a drive says at one position.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct DriveInput<S = f64> {
+    /// Direction of a driven angle; place of a driven point, m.
+    pub place: V2<S>,
+    /// Driven coordinate, m or rad.
+    pub value: S,
+    /// Speed, rad/s or m/s.
+    pub rate: S,
+    /// Acceleration.
+    pub acceleration: S,
+    /// Velocity of a driven point, m/s.
+    pub velocity: V2<S>,
+    /// Acceleration of a driven point, m/s².
+    pub point_acceleration: V2<S>,
+}
+
+/// What a dyad RRR or RRP of motion leaves for forces.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Shared<S> {
+    /// C − A, m.
+    pub r_1: V2<S>,
+    /// C − B, m, or the direction of the guide.
+    pub second: V2<S>,
+    /// The reciprocal of the group's determinant.
+    pub inverse: S,
+}
+
+/// How the bodies move at one position, or at several side by side.
+#[derive(Clone, Debug, Default)]
+pub struct Motion<S = f64> {
+    /// Drives.
+    pub inputs: Vec<DriveInput<S>>,
+    /// Bodies, the ground first.
+    pub bodies: Vec<BodyState<S>>,
+    /// Signed condition figures of the groups; of a single body that a drive moves it stays 1.
+    pub conditions: Vec<S>,
+    /// Figures h of Newton and Kantorovich of the groups that are solved by iteration: at most 1/2 where the position is
+    /// certified.
+    pub certificates: Vec<f64>,
+    /// Where designed cams touch their followers, by contact: place, m, and unit common normal into the follower.
+    pub touches: Vec<(Vec2, Vec2)>,
+    /// The first group that does not close.
+    pub open: Option<usize>,
+    /// What the dyads RRR and RRP leave for forces.
+    pub(super) shared: Vec<Shared<S>>,
+}
+
+impl<S: Scalar + Default> Motion<S> {
+    /// All at rest.
+    pub(super) fn at_rest(plan: &Plan) -> Self {
+        let groups = plan.motion.len();
+        Self {
+            inputs: vec![DriveInput::default(); plan.drives],
+            bodies: vec![BodyState::rest(); plan.bodies],
+            conditions: vec![S::one(); groups],
+            certificates: vec![0.0; groups],
+            touches: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.cam_contacts],
+            open: None,
+            shared: vec![Shared::default(); groups],
+        }
+    }
+}
+
+impl Motion {
+    /// Takes over what the next position starts from, of the same plan.
+    pub(super) fn start_from(&mut self, other: &Self) {
+        self.bodies.clone_from(&other.bodies);
+        self.conditions.clone_from(&other.conditions);
+        self.certificates.clone_from(&other.certificates);
+        self.touches.clone_from(&other.touches);
+        self.open = other.open;
+    }
+}

@@ -1,0 +1,181 @@
+//! Adds up the loads on the bodies before forces are solved.
+
+use super::body::BodyState;
+use super::scene::Scene;
+use super::state::State;
+use super::wrench::Wrench;
+use crate::force::spring::spring;
+use crate::math::{Scalar, V2, Vec2};
+use crate::model::{LoadId, LoadKind, Value};
+use crate::plan::step::unit;
+use crate::plan::{Arm, LoadStep, Plan};
+use crate::structure::JointKind;
+
+impl<S: Scalar> State<S> {
+    /// Adds a force at a place in ground axes.
+    #[inline(always)]
+    fn apply(&mut self, body: usize, p: V2<S>, force: V2<S>) {
+        let r = p - self.motion.bodies[body].p;
+        let w = &mut self.forces.wrenches[body];
+        w.force += force;
+        w.moment = w.moment + r.cross(force);
+    }
+
+    /// The loads that need no evaluation.
+    #[inline(always)]
+    pub(super) fn known_loads(&mut self, plan: &Plan) {
+        self.unload(plan);
+        for step in &plan.loads {
+            self.known_load(step);
+        }
+    }
+
+    /// Bodies without mass start without load, as far as it is asked what they carry.
+    #[inline(always)]
+    pub(super) fn unload(&mut self, plan: &Plan) {
+        for &body in &plan.massless {
+            self.forces.wrenches[body] = Wrench { force: V2::zero(), moment: S::zero() };
+        }
+    }
+
+    /// Adds a load that needs no evaluation.
+    #[inline(always)]
+    pub(super) fn known_load(&mut self, step: &LoadStep) {
+        match step {
+            LoadStep::Mass { body, centre, mass, moment_of_inertia, weight, gravity, inertia } => {
+                let b = &self.motion.bodies[*body];
+                let mass = S::of(*mass);
+                let heavy = Heavy {
+                    mass,
+                    moment_of_inertia: S::of(*moment_of_inertia),
+                    weight: if S::WIDE { V2::of(*gravity) * mass } else { V2::of(*weight) },
+                };
+                self.forces.wrenches[*body] =
+                    if *inertia { heavy.moving(b, centre) } else { heavy.at_rest(b, centre) };
+            }
+            LoadStep::Force { body, at, force, frame, .. } => {
+                let force = frame.map_or(V2::of(*force), |f| V2::of(*force).turned(self.motion.bodies[f].u));
+                let p = self.motion.bodies[*body].position(*at);
+                self.apply(*body, p, force);
+            }
+            LoadStep::Torque { body, torque, .. } => {
+                self.forces.wrenches[*body].moment = self.forces.wrenches[*body].moment + S::of(*torque)
+            }
+            LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
+                let (b_1, b_2) = (&self.motion.bodies[one.body], &self.motion.bodies[two.body]);
+                let (p_1, p_2) = (b_1.position(one.at), b_2.position(two.at));
+                let (v, damping) = damping.map_or((V2::zero(), S::zero()), |damping| {
+                    (b_2.velocity(two.at) - b_1.velocity(one.at), S::of(damping))
+                });
+                let got = spring(p_2 - p_1, v, S::of(*stiffness), S::of(*free_length), damping);
+                self.apply(one.body, p_1, got.f_1);
+                self.apply(two.body, p_2, -got.f_1);
+            }
+            LoadStep::Evaluated(_) => {}
+        }
+    }
+
+    /// Sets the lines of unknown forces.
+    #[inline(always)]
+    pub fn set_lines(&mut self, plan: &Plan) {
+        for line in &plan.lines {
+            let p = self.motion.bodies[line.body].position(line.at);
+            let along = unit(line.along);
+            let n = line.frame.map_or(along, |f| along.turned(self.motion.bodies[f].u));
+            self.forces.lines[line.effort] = (p, n);
+        }
+    }
+}
+
+impl State {
+    /// Sums all loads in `wrenches`: those that are numbers, then the values of those that are evaluated at every position,
+    /// in the order of the plan. Allocates nothing.
+    pub fn run_loads(&mut self, scene: &Scene<'_>, evaluated: &[(LoadId, Value)]) {
+        self.known_loads(scene.plan);
+        for (load, value) in evaluated {
+            self.apply_evaluated(scene, *load, *value);
+        }
+    }
+
+    fn apply_evaluated(&mut self, scene: &Scene<'_>, id: LoadId, value: Value) {
+        match (&scene.mechanism.loads[id.index()].kind, value) {
+            (
+                LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
+                Value::Vector(force),
+            ) => {
+                let p = match at {
+                    crate::model::Place::Local(at) => self.motion.bodies[on.index()].position(*at),
+                    crate::model::Place::Ground(expr) => constant_vector(expr),
+                };
+                self.apply(on.index(), p, force);
+            }
+            (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => {
+                self.forces.wrenches[on.index()].moment += torque;
+            }
+            (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => {
+                self.apply_in_pair(scene, *pair, effort);
+            }
+            _ => {}
+        }
+    }
+
+    /// An effort between the two links of a pair, positive along its coordinate.
+    fn apply_in_pair(&mut self, scene: &Scene<'_>, pair: crate::model::PairId, effort: f64) {
+        for joint in scene.structure.replaced.joints_of(pair) {
+            match &scene.structure.replaced.joint(joint).kind {
+                JointKind::Prismatic { slider, point, direction, guide, .. } => {
+                    let b = &self.motion.bodies[slider.0];
+                    let (p, force) = (b.position(*point), direction.turned(b.u) * effort);
+                    self.apply(slider.0, p, force);
+                    self.apply(guide.0, p, -force);
+                    return;
+                }
+                JointKind::Revolute(members)
+                    if matches!(scene.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_)) =>
+                {
+                    if let [first, second] = members.as_slice() {
+                        self.forces.wrenches[second.0.0].moment += effort;
+                        self.forces.wrenches[first.0.0].moment -= effort;
+                    }
+                    return;
+                }
+                JointKind::Revolute(_) | JointKind::Law(_) => {}
+            }
+        }
+    }
+}
+
+/// The mass of a body: what it adds about the body's origin.
+struct Heavy<S> {
+    mass: S,
+    moment_of_inertia: S,
+    weight: V2<S>,
+}
+
+impl<S: Scalar> Heavy<S> {
+    #[inline(always)]
+    fn at_rest(&self, body: &BodyState<S>, centre: &Arm) -> Wrench<S> {
+        let moment = centre.map_or(S::zero(), |centre| V2::of(centre).turned(body.u).cross(self.weight));
+        Wrench { force: self.weight, moment }
+    }
+
+    #[inline(always)]
+    fn moving(&self, body: &BodyState<S>, centre: &Arm) -> Wrench<S> {
+        let couple = self.moment_of_inertia * body.alpha;
+        let Some(centre) = centre else {
+            return Wrench { force: self.weight - body.a * self.mass, moment: -couple };
+        };
+        let r = V2::of(*centre).turned(body.u);
+        let a_S = body.a + r.perp() * body.alpha - r * (body.omega * body.omega);
+        let force = self.weight - a_S * self.mass;
+        Wrench { force, moment: r.cross(force) - couple }
+    }
+}
+
+/// A place of the ground: `check` folds it to numbers.
+fn constant_vector(expr: &crate::model::Expr) -> Vec2 {
+    match expr {
+        crate::model::Expr::Constant(Value::Vector(v)) => *v,
+        _ => Vec2::new(f64::NAN, f64::NAN),
+    }
+}

@@ -1,0 +1,56 @@
+//! One position from numbers: motion, loads and forces by the steps of a plan, in any scalar; nothing is followed.
+#![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
+
+mod body;
+mod cam;
+mod closed;
+mod columns;
+mod consistent;
+mod contact;
+mod driven_legs;
+mod dyads;
+mod forces;
+mod friction;
+mod friction_search;
+mod friction_work;
+mod general;
+mod general_work;
+mod kinematics;
+mod lanes;
+mod loads;
+mod motion;
+mod precise;
+mod residual;
+mod rubbing;
+mod run;
+mod scene;
+mod scratch;
+mod state;
+mod statics;
+mod train;
+mod train_forces;
+mod train_losses;
+mod train_work;
+mod triad;
+mod wrench;
+
+pub use body::BodyState;
+pub use columns::DriveColumns;
+pub use consistent::{Consistent, Searched};
+pub(crate) use friction::STILL;
+pub use friction_work::RubbingWork;
+pub(crate) use general::{STARTS, assemblies as general_assemblies, is_never_regular};
+pub(crate) use general_work::Workspace;
+pub use kinematics::{DriveInput, Motion};
+#[cfg(target_arch = "x86_64")]
+pub use lanes::block_in_avx2;
+pub use lanes::{Place, SideBySide, WIDTH, instructions};
+pub use precise::{Edge, in_scalar, precise};
+pub use residual::{Residuals, residuals};
+pub use scene::Scene;
+pub use scratch::Scratch;
+pub use state::{Branch, State};
+pub use statics::Forces;
+pub use train_work::TrainWork;
+pub(crate) use triad::assemblies as triad_assemblies;
+pub use wrench::{LawForce, Reaction, Wrench};

@@ -1,0 +1,48 @@
+//! Memory of the steps that iterate or search, laid out once before the loop.
+
+use super::consistent::Searched;
+use super::friction_work::RubbingWork;
+use super::general_work::Workspace;
+use super::train_work::TrainWork;
+use super::wrench::Wrench;
+use crate::group::general::General;
+use crate::plan::{ForceStep, Plan};
+
+/// Memory of the steps that have no closed form. Nothing of it is an answer.
+#[derive(Clone, Debug, Default)]
+pub struct Scratch {
+    /// What searches for states of the forces have taken.
+    pub searched: Searched,
+    /// Loads before the first reaction was added, where there is friction.
+    pub(super) loads_before: Vec<Wrench>,
+    /// Train groups of forces.
+    pub train_work: Vec<TrainWork>,
+    /// Groups with friction, by step of forces; nothing where nothing rubs.
+    pub rubbing_work: Vec<Option<RubbingWork>>,
+    /// General groups of motion.
+    pub motion_work: Vec<Option<Workspace>>,
+    /// General groups of forces.
+    pub force_work: Vec<Option<Workspace>>,
+}
+
+impl Scratch {
+    /// Memory for the steps of a plan.
+    pub(super) fn of(plan: &Plan) -> Self {
+        let memory = |equations: &Option<General>, bodies: &[usize], moving| {
+            equations.as_ref().map(|e| Workspace::new(e, bodies.len(), moving))
+        };
+        let rubs = plan.forces.iter().any(|step| matches!(step, ForceStep::Rubbing { .. }));
+        let rubbing = plan.forces.iter().map(|step| match step {
+            ForceStep::Rubbing { group, .. } => Some(RubbingWork::new(group)),
+            _ => None,
+        });
+        let (motion, forces) = (plan.general.iter(), plan.balance_systems.iter());
+        Self {
+            train_work: plan.train_forces.iter().map(TrainWork::new).collect(),
+            rubbing_work: if rubs { rubbing.collect() } else { Vec::new() },
+            motion_work: motion.map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
+            force_work: forces.map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
+            ..Self::default()
+        }
+    }
+}

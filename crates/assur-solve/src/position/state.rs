@@ -1,0 +1,75 @@
+//! Everything that changes from position to position.
+
+use super::kinematics::Motion;
+use super::scratch::Scratch;
+use super::statics::Forces;
+use crate::math::Scalar;
+use crate::plan::Plan;
+
+/// The assembly of a group: kept over a sweep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Branch {
+    /// Sign of the root, ±1.
+    pub root: f64,
+    /// On which side of a line a round profile lies, per prismatic joint, ±1.
+    pub sides: [f64; 2],
+    /// The same for a general group, one bit per round profile.
+    pub general_sides: u32,
+}
+
+impl Branch {
+    /// The first assembly.
+    pub const FIRST: Self = Self { root: 1.0, sides: [1.0, 1.0], general_sides: 0 };
+}
+
+/// The state of one position, or of several side by side.
+#[derive(Clone, Debug, Default)]
+pub struct State<S = f64> {
+    /// The assemblies of the groups of motion: what is chosen, and kept over a sweep.
+    pub branches: Vec<Branch>,
+    /// How the bodies move.
+    pub motion: Motion<S>,
+    /// The forces.
+    pub forces: Forces<S>,
+    /// Memory for the steps that have no closed form.
+    pub scratch: Scratch,
+}
+
+impl<S: Scalar + Default> State<S> {
+    /// A state for the closed forms of a plan, at rest.
+    #[must_use]
+    pub fn closed(plan: &Plan) -> Self {
+        Self {
+            branches: vec![Branch::FIRST; plan.motion.len()],
+            motion: Motion::at_rest(plan),
+            forces: Forces::none(plan),
+            scratch: Scratch::default(),
+        }
+    }
+}
+
+impl State {
+    /// A state for a plan, at rest.
+    #[must_use]
+    pub fn new(plan: &Plan) -> Self {
+        Self::closed(plan).ready(plan)
+    }
+
+    /// The state with memory laid out for the steps of a plan that have no closed form: a position of a solution has none.
+    #[must_use]
+    pub fn ready(self, plan: &Plan) -> Self {
+        Self { scratch: Scratch::of(plan), ..self }
+    }
+
+    /// A copy without that memory.
+    pub(crate) fn answer(&self) -> Self {
+        let (branches, motion, forces) = (self.branches.clone(), self.motion.clone(), self.forces.clone());
+        Self { branches, motion, forces, scratch: Scratch::default() }
+    }
+
+    /// Takes over what motion starts from, of a state of the same plan: where the bodies are and how they are assembled.
+    pub(crate) fn start_from(&mut self, other: &Self) {
+        self.branches.clone_from(&other.branches);
+        self.motion.start_from(&other.motion);
+    }
+}

@@ -1,0 +1,158 @@
+//! Forces of trains: multipliers of their laws, efforts, reactions of their members.
+
+use super::consistent::Consistent;
+use super::state::State;
+use super::train_work::TrainWork;
+use crate::math::Vec2;
+use crate::plan::{Plan, TrainEffort, TrainForces, TrainSupport};
+
+impl State {
+    /// Finds the multipliers and efforts of a train from the loads on its members, and the reactions of their pairs.
+    pub(super) fn force_train(&mut self, plan: &Plan, index: usize, losses: bool) -> f64 {
+        let train = &plan.train_forces[index];
+        if train.inverse.is_empty() {
+            return 0.0;
+        }
+        let Some(mut work) = self.scratch.train_work.get_mut(index).map(std::mem::take) else { return 0.0 };
+        self.train_loads(train, &mut work);
+        let n = train.members.len();
+        for i in 0..n {
+            let row = &train.inverse[i * n..][..n];
+            work.found[i] = -row.iter().zip(&work.loads).map(|(a, q)| a * q).sum::<f64>();
+        }
+        for &law in &train.laws {
+            self.forces.law_forces[law].sides = [1.0, 1.0];
+        }
+        let consistent = if losses { self.with_losses(plan, train, &mut work) } else { Consistent::One };
+        for (unknown, &law) in work.found.iter().zip(&train.laws) {
+            self.forces.law_forces[law].multiplier = *unknown;
+        }
+        self.train_reactions(plan, train, &work);
+        self.scratch.train_work[index] = work;
+        if consistent != Consistent::One {
+            self.forces.consistent = consistent;
+        }
+        if matches!(consistent, Consistent::None | Consistent::Undecided) { 0.0 } else { 1.0 }
+    }
+
+    /// Loads on the members' coordinates: moments about their hinges, forces along their guides.
+    fn train_loads(&self, train: &TrainForces, work: &mut TrainWork) {
+        work.carried.fill((Vec2::zero(), 0.0));
+        for (i, member) in train.members.iter().enumerate().rev() {
+            let (more, moment) = work.carried[i];
+            match member {
+                TrainSupport::Turn(hinge, carrier) => {
+                    let body = &self.motion.bodies[hinge.body];
+                    let (p, force, about) = self.load_at(hinge.body, &hinge.pin);
+                    let lever = (body.p - p).cross(more);
+                    work.loads[i] = about + moment + lever;
+                    if let Some(carrier) = carrier
+                        && let Some(TrainSupport::Turn(base, _)) = train.members.get(*carrier)
+                    {
+                        // reduced to the origin of the carrier
+                        let r = p - self.motion.bodies[base.body].p;
+                        work.carried[*carrier].0 += force + more;
+                        work.carried[*carrier].1 += r.cross(force + more);
+                    }
+                }
+                TrainSupport::Shift(way, sign) => {
+                    let force = self.forces.wrenches[way.body].force + more;
+                    work.loads[i] = sign * force.dot(self.direction(way));
+                }
+            }
+        }
+    }
+
+    /// Solves the system with the sides as they are set.
+    pub(super) fn unknowns(&self, plan: &Plan, train: &TrainForces, work: &mut TrainWork) -> bool {
+        let n = train.members.len();
+        let width = n + 1;
+        for i in 0..n {
+            work.rows[i * width..][..n].copy_from_slice(&train.matrix[i * n..][..n]);
+            work.rows[i * width + n] = -work.loads[i];
+        }
+        for (column, &slot) in train.laws.iter().enumerate() {
+            let law = &plan.laws[slot];
+            if law.efficiency.is_none() {
+                continue;
+            }
+            let sides = self.forces.law_forces[slot].sides;
+            for (i, member) in train.members.iter().enumerate() {
+                if let Some(value) = member.coefficient(law, sides) {
+                    work.rows[i * width + column] = value;
+                }
+            }
+        }
+        eliminate(&mut work.rows, n) && {
+            (0..n).for_each(|i| work.trial[i] = work.rows[i * width + n]);
+            true
+        }
+    }
+
+    /// Puts multipliers and efforts on the bodies, and finds what holds the members.
+    fn train_reactions(&mut self, plan: &Plan, train: &TrainForces, work: &TrainWork) {
+        for &slot in &train.laws {
+            let law = &plan.laws[slot];
+            let mut wrenches = std::mem::take(&mut self.forces.wrenches);
+            self.forces_of_law(law, slot, &mut |body, p, force, couple| {
+                let r = p - self.motion.bodies[body].p;
+                wrenches[body].force += force;
+                wrenches[body].moment += r.cross(force) + couple;
+            });
+            self.forces.wrenches = wrenches;
+        }
+        for (effort, value) in train.efforts.iter().zip(&work.found[train.laws.len()..]) {
+            match effort {
+                TrainEffort::Torque(slot, body, base) => {
+                    self.forces.efforts[*slot] = *value;
+                    self.forces.wrenches[*body].moment += value;
+                    self.forces.wrenches[*base].moment -= value;
+                }
+                TrainEffort::Along(slot, way) => {
+                    self.forces.efforts[*slot] = *value;
+                    let (p, force) =
+                        (self.motion.bodies[way.slider].position(way.point), self.direction(way) * *value);
+                    let other = if way.slider == way.body { way.base } else { way.body };
+                    self.carry(other, p, force);
+                    self.carry(way.slider, p, -force);
+                }
+            }
+        }
+        for member in train.members.iter().rev() {
+            match member {
+                TrainSupport::Turn(hinge, _) => {
+                    let (p, force, _) = self.load_at(hinge.body, &hinge.pin);
+                    self.hinge_reaction(hinge, p, -force);
+                }
+                TrainSupport::Shift(way, _) => {
+                    let p = self.motion.bodies[way.slider].position(way.point);
+                    let d = self.direction(way);
+                    let (force, moment) = self.load_about(way.body, p);
+                    self.carried_way(way, p, d.perp() * -force.dot(d.perp()), -moment);
+                }
+            }
+        }
+    }
+}
+
+/// Gauss and Jordan with partial pivoting on n rows of n + 1 numbers; `false` where the matrix is singular.
+fn eliminate(rows: &mut [f64], n: usize) -> bool {
+    let width = n + 1;
+    for k in 0..n {
+        let size = |i: usize| rows[i * width + k].abs();
+        let pivot = (k..n).fold(k, |best, i| if size(i) > size(best) { i } else { best });
+        if size(pivot) == 0.0 || size(pivot).is_nan() {
+            return false;
+        }
+        (0..width).for_each(|j| rows.swap(k * width + j, pivot * width + j));
+        let diagonal = rows[k * width + k];
+        (0..width).for_each(|j| rows[k * width + j] /= diagonal);
+        for i in (0..n).filter(|&i| i != k) {
+            let factor = rows[i * width + k];
+            if factor != 0.0 {
+                (0..width).for_each(|j| rows[i * width + j] -= factor * rows[k * width + j]);
+            }
+        }
+    }
+    true
+}

@@ -1,0 +1,32 @@
+//! Memory of the steps that solve the forces of a train.
+
+use crate::math::Vec2;
+use crate::plan::TrainForces;
+
+/// Memory of a train group of forces.
+#[derive(Clone, Debug, Default)]
+pub struct TrainWork {
+    /// The system with its right side.
+    pub(super) rows: Vec<f64>,
+    /// Loads on the members' coordinates.
+    pub(super) loads: Vec<f64>,
+    /// Forces that members get from those that stand on them.
+    pub(super) carried: Vec<(Vec2, f64)>,
+    /// The unknowns.
+    pub(super) found: Vec<f64>,
+    /// Unknowns with directions of the power that are tried.
+    pub(super) trial: Vec<f64>,
+}
+
+impl TrainWork {
+    pub(super) fn new(train: &TrainForces) -> Self {
+        let (n, unknowns) = (train.members.len(), train.laws.len() + train.efforts.len());
+        Self {
+            rows: vec![0.0; n * (unknowns + 1)],
+            loads: vec![0.0; n],
+            carried: vec![(Vec2::zero(), 0.0); n],
+            found: vec![0.0; unknowns],
+            trial: vec![0.0; unknowns],
+        }
+    }
+}

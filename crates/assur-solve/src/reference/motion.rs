@@ -1,0 +1,203 @@
+//! Newton's method on all equations at once, then velocities and accelerations from the same matrix.
+
+use super::constraint::{Constraint, constraints};
+use super::jet::Jet;
+use crate::math::{Double, Factors, Scalar, V2, Vec2};
+use crate::plan::Level;
+use crate::position::{BodyState, Scene, State};
+use crate::structure::JointKind;
+
+/// Steps of Newton's method: from the digits of `f64` three suffice.
+const STEPS: usize = 12;
+/// A step that is nothing.
+const AT_REST: f64 = 1e-29;
+/// What is left of a step where the last digits of twice as many do not come to rest; nearer to singular there is no
+/// reference.
+const RESTLESS: f64 = 1e-18;
+/// What equations may be off, relative to the magnitudes in them.
+const CLOSED: f64 = 1e-28;
+/// A step farther than this leads elsewhere, in lengths of the mechanism and rad.
+const FAR: f64 = 0.1;
+/// Corrections of velocities and accelerations.
+const CORRECTIONS: usize = 3;
+
+/// The bodies' motion.
+pub(super) struct Motion<'a> {
+    pub bodies: Vec<BodyState<Double>>,
+    pub constraints: Vec<Constraint<'a>>,
+    /// Greatest coordinate in play, m.
+    pub size: f64,
+    /// What the equations of position are off, relative to the magnitudes in them.
+    pub closure: f64,
+    /// First column of each body; `None` where its motion is known.
+    columns: Vec<Option<usize>>,
+    count: usize,
+}
+
+/// Motion as far as the plan follows it; `None` where Newton's method does not settle on a position near that of the state.
+pub(super) fn motion<'a>(scene: &Scene<'a>, state: &State) -> Option<Motion<'a>> {
+    let mut motion = Motion {
+        bodies: state.motion.bodies.iter().map(at_rest).collect(),
+        constraints: constraints(scene, state)?,
+        size: size(scene, state),
+        closure: 0.0,
+        columns: Vec::new(),
+        count: 0,
+    };
+    for &(body, at, drive) in &scene.plan.outer {
+        let input = &state.motion.inputs[drive];
+        let body = &mut motion.bodies[body];
+        body.u = V2::new(Double::one(), Double::zero());
+        body.p = V2::of(input.place) - V2::of(at);
+    }
+    for (slot, body) in scene.structure.replaced.bodies.iter().enumerate() {
+        let known = body.known || scene.plan.cams.iter().any(|step| step.block == slot);
+        motion.columns.push((!known).then_some(motion.count));
+        motion.count += if known { 0 } else { 3 };
+    }
+    if motion.constraints.len() != motion.count {
+        return None;
+    }
+    motion.position()?;
+    motion.rates(scene, state)?;
+    let Motion { constraints, bodies, .. } = &mut motion;
+    for constraint in constraints.iter() {
+        if let Constraint::Cam(law) = constraint {
+            law.place_block(bodies);
+        }
+    }
+    Some(motion)
+}
+
+fn at_rest(body: &BodyState) -> BodyState<Double> {
+    let u: V2<Double> = V2::of(body.u);
+    BodyState { p: V2::of(body.p), u: u / u.norm(), way: Double::of(body.way), ..BodyState::rest() }
+}
+
+/// The greatest coordinate in play, m; 1 where all are zero.
+fn size(scene: &Scene<'_>, state: &State) -> f64 {
+    let mut size = 0.0_f64;
+    for joint in &scene.structure.replaced.joints {
+        let mut reach = |body: usize, at: Vec2| {
+            let body = &state.motion.bodies[body];
+            size = size.max(body.p.norm()).max(body.position(at).norm());
+        };
+        match &joint.kind {
+            JointKind::Revolute(members) => members.iter().for_each(|(b, at)| reach(b.0, *at)),
+            JointKind::Prismatic { slider, point, guide, through, .. } => {
+                reach(slider.0, *point);
+                reach(guide.0, *through);
+            }
+            JointKind::Law(_) => {}
+        }
+    }
+    // shafts of which no place is given stand in the origin
+    if size > 0.0 { size } else { 1.0 }
+}
+
+impl Motion<'_> {
+    fn jets(&self) -> Vec<Jet> {
+        self.constraints.iter().map(|c| c.jet(&self.bodies)).collect()
+    }
+
+    /// The gradients of all equations, lengths counted in sizes. Bodies are at rest.
+    fn matrix(&self) -> Vec<Vec<Double>> {
+        let mut bodies = self.bodies.clone();
+        let mut gradient = |constraint: &Constraint<'_>| {
+            let mut row = vec![Double::zero(); self.count];
+            let driven = constraint.jet(&bodies).rate;
+            for slot in constraint.bodies() {
+                let Some(column) = self.columns[slot] else { continue };
+                for i in 0..3 {
+                    bodies[slot] = unit_rate(&self.bodies[slot], i, self.size);
+                    row[column + i] = constraint.jet(&bodies).rate - driven;
+                }
+                bodies[slot] = self.bodies[slot];
+            }
+            row
+        };
+        self.constraints.iter().map(&mut gradient).collect()
+    }
+
+    fn position(&mut self) -> Option<()> {
+        let mut last = FAR;
+        for _ in 0..STEPS {
+            let matrix = self.matrix();
+            let weights: Vec<f64> = matrix.iter().map(|row| row.iter().map(|x| x.high.abs()).sum()).collect();
+            let values: Vec<Double> = self.jets().iter().map(|jet| jet.value).collect();
+            self.closure =
+                values.iter().zip(&weights).fold(0.0, |most, (x, w)| f64::max(most, x.high.abs() / w));
+            let step = Factors::new(matrix)?.solve(&values);
+            let most = step.iter().fold(0.0, |most: f64, x| most.max(x.high.abs()));
+            let resting = self.closure <= CLOSED && last.min(most) <= RESTLESS;
+            if resting && (most <= AT_REST || most > 0.5 * last) {
+                return Some(());
+            }
+            if most.is_nan() || most > 0.5 * last {
+                return None;
+            }
+            last = most;
+            self.move_by(&step);
+        }
+        None
+    }
+
+    fn move_by(&mut self, step: &[Double]) {
+        let size = Double::of(self.size);
+        for (body, column) in self.bodies.iter_mut().zip(&self.columns) {
+            let Some(column) = *column else { continue };
+            let [x, y, turn] = [0, 1, 2].map(|i| step[column + i]);
+            body.p -= V2::new(x, y) * size;
+            let u = body.u - body.u.perp() * turn;
+            body.u = u / u.norm();
+            body.way = body.way - turn;
+        }
+    }
+
+    /// Velocities, then accelerations, as far as the plan goes, each corrected by what the equations say of it.
+    fn rates(&mut self, scene: &Scene<'_>, state: &State) -> Option<()> {
+        let level = scene.plan.effects.level;
+        if level == Level::Positions {
+            return Some(());
+        }
+        let factors = Factors::new(self.matrix())?;
+        for &(body, _, drive) in &scene.plan.outer {
+            self.bodies[body].v = V2::of(state.motion.inputs[drive].velocity);
+        }
+        for _ in 0..CORRECTIONS {
+            let rates: Vec<Double> = self.jets().iter().map(|jet| jet.rate).collect();
+            self.add(&factors.solve(&rates), |b| (&mut b.v, &mut b.omega));
+        }
+        if level == Level::Accelerations {
+            for &(body, _, drive) in &scene.plan.outer {
+                self.bodies[body].a = V2::of(state.motion.inputs[drive].point_acceleration);
+            }
+            for _ in 0..CORRECTIONS {
+                let seconds: Vec<Double> = self.jets().iter().map(|jet| jet.second).collect();
+                self.add(&factors.solve(&seconds), |b| (&mut b.a, &mut b.alpha));
+            }
+        }
+        Some(())
+    }
+
+    fn add(&mut self, less: &[Double], of: fn(&mut BodyState<Double>) -> (&mut V2<Double>, &mut Double)) {
+        let size = Double::of(self.size);
+        for (body, column) in self.bodies.iter_mut().zip(&self.columns) {
+            let Some(column) = *column else { continue };
+            let (v, turn) = of(body);
+            *v -= V2::new(less[column], less[column + 1]) * size;
+            *turn = *turn - less[column + 2];
+        }
+    }
+}
+
+/// The body with a unit rate of one of its coordinates.
+fn unit_rate(body: &BodyState<Double>, coordinate: usize, size: f64) -> BodyState<Double> {
+    let mut moved = *body;
+    match coordinate {
+        0 => moved.v.x = Double::of(size),
+        1 => moved.v.y = Double::of(size),
+        _ => moved.omega = Double::one(),
+    }
+    moved
+}
