@@ -3,73 +3,36 @@
 //! Every mistake of a file is reported in one run. What contains a mistake is left out of the mechanism, and what refers
 //! to something left out is skipped in silence. No mechanism comes out where there is an error.
 
-mod alike;
-mod amount;
-mod assemble;
-mod balance;
-mod contact;
-mod context;
-mod definition;
-mod drive;
-mod drive_kind;
-pub mod error;
-mod expect;
-mod expected_list;
-pub mod expr;
-mod flywheel;
-mod friction;
-mod gear;
-mod gravity;
-mod head;
-mod hinges;
-mod link;
-mod load;
-mod load_cycle;
-mod lookup;
+mod elements;
+mod error;
+mod expr;
+mod links;
+mod loads;
 mod machine;
-mod mass;
+mod motion;
 mod names;
-mod overrides;
-mod pair;
-mod pair_meant;
-mod pair_property;
-mod plate;
-mod plate_contact;
-mod plate_fault;
-mod point;
-mod pose;
-mod prismatic;
-mod property;
-mod query;
-mod request;
-mod resident;
-mod row;
-mod simulation;
-mod spring;
-mod taken;
-mod tolerance;
-mod too_wide;
-mod train;
-mod unit_choice;
-mod unknown;
-mod value;
-mod variants;
-mod walk;
+mod pairs;
+mod requests;
+mod statements;
+mod template;
+mod trains;
+mod values;
 
-pub use overrides::Overrides;
-pub use resident::Resident;
-pub use row::{ColumnUse, Row, RowCell, RowColumn};
-pub use variants::{FileRow, file_rows, table};
+pub use requests::variants::{FileRow, file_rows, table};
+pub use template::Resident;
+pub use values::overrides::Overrides;
+pub use values::row::{ColumnUse, Row, RowCell, RowColumn};
 
-use assur_math::{element, math};
-use assur_model::model;
-use assur_text::{diagnostic, source, units};
-
-use assur_syntax as syntax;
-use context::Context;
-use diagnostic::Problems;
-use model::Mechanism;
-use syntax::document::{Document, Variants};
+use assur_model::model::Mechanism;
+use assur_syntax::document::{Document, Variants};
+use assur_text::diagnostic::Problems;
+use expr::context::Context;
+use loads::load_cycle;
+use machine::machine;
+use names::{declare, head, lookalikes};
+use requests::{expect, find, variants};
+use trains::at_rest::at_rest;
+use values::{definition, value};
 
 /// Checks a document. The mechanism is absent where the problems hold an error.
 #[must_use]
@@ -136,8 +99,8 @@ fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {
 
 /// What hangs on no value.
 fn definitions(cx: &mut Context<'_>) {
-    names::declare(cx);
-    alike::look_alikes(cx);
+    declare::declare(cx);
+    lookalikes::look_alikes(cx);
     head::head(cx);
     definition::order(cx);
 }
@@ -145,10 +108,10 @@ fn definitions(cx: &mut Context<'_>) {
 /// All else.
 fn meaning(cx: &mut Context<'_>) {
     value::constants(cx);
-    machine::machine(cx);
-    request::finds(cx);
+    machine(cx);
+    find::finds(cx);
     expect::expects(cx);
-    train::at_rest(cx);
+    at_rest(cx);
     variants::variants(cx);
     load_cycle::load_cycles(cx);
 }

@@ -1,20 +1,23 @@
 //! The machine itself: what it is, how it moves, what acts on it.
 
-use super::context::Context;
-use super::{
-    assemble, balance, drive, flywheel, friction, gravity, link, load, mass, pair, plate, plate_contact,
-    pose, simulation, spring, train, value,
-};
+use crate::elements::{cam, cam_contact, flywheel, spring};
+use crate::expr::context::Context;
+use crate::links::link;
+use crate::loads::{balance, gravity, load, mass};
+use crate::motion::{assemble, drive, pose, simulation};
+use crate::pairs::{friction, pair};
+use crate::trains::{shaft, size, transmission};
+use crate::values::value;
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
-pub(super) fn machine(cx: &mut Context<'_>) {
-    plate::cams(cx);
+pub(crate) fn machine(cx: &mut Context<'_>) {
+    cam::cams(cx);
     link::shapes(cx);
-    train::shafts(cx);
+    shaft::shafts(cx);
     pair::pairs(cx);
-    train::wheels(cx);
-    train::transmissions(cx);
-    plate_contact::contacts(cx);
+    size::wheels(cx);
+    transmission::transmissions(cx);
+    cam_contact::contacts(cx);
     pair::groups(cx);
     gravity::gravity(cx);
     mass::masses(cx);

@@ -1,13 +1,13 @@
 //! Numbers whose unit is missing, or does not say enough, where they stand or where they are defined.
 
-use super::number::with_unit;
-use crate::context::Context;
-use crate::definition::Settled;
 use crate::error::UnitsError;
-use crate::names::QuantityKind;
-use crate::source::Span;
-use crate::syntax::document::{BinaryOp, Expr, ExprKind, Number};
-use crate::units::{Dimension, Unit, lookup, significant};
+use crate::expr::context::Context;
+use crate::expr::number::with_unit;
+use crate::names::declare::QuantityKind;
+use crate::values::definition::Settled;
+use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
+use assur_text::source::Span;
+use assur_text::units::{Dimension, Unit, lookup, significant};
 
 /// A definition that is a number: `given` or `let`, and what comes after the equals sign.
 struct Definition<'a> {
@@ -17,7 +17,7 @@ struct Definition<'a> {
 
 impl Context<'_> {
     /// An expression of bare numbers with the unit that is most likely: `` `40 mm` ``.
-    pub(super) fn example(&self, expr: &Expr, want: Dimension) -> Option<String> {
+    pub(crate) fn example(&self, expr: &Expr, want: Dimension) -> Option<String> {
         let units = self.likely_units(want);
         let texts = units.iter().map(|unit| with_unit(expr, unit).map(|text| format!("`{text}`")));
         Some(texts.collect::<Option<Vec<_>>>()?.join(" or "))
@@ -34,7 +34,7 @@ impl Context<'_> {
 
     /// Reports a name in the expression that was given a number without its unit, once, where it is defined. Says
     /// whether there is one.
-    pub(super) fn bare_definition(&mut self, want: Dimension, expr: &Expr) -> bool {
+    pub(crate) fn bare_definition(&mut self, want: Dimension, expr: &Expr) -> bool {
         let mut names = Vec::new();
         factors(expr, &mut names);
         for name in names {
@@ -64,7 +64,7 @@ impl Context<'_> {
     }
 
     /// Reports revolutions or radians per time where an angular velocity is due.
-    pub(super) fn hertz(&mut self, what: String, expr: &Expr) {
+    pub(crate) fn hertz(&mut self, what: String, expr: &Expr) {
         let (mut span, mut used) = (expr.span, None);
         let mut found = literal(expr).map(|number| (number.clone(), String::new()));
         let mut defined = None;
@@ -87,7 +87,7 @@ impl Context<'_> {
     }
 
     /// `0.5 l` where `l` is a name of the file: reported, with the product that is meant.
-    pub(super) fn implied_product(&mut self, number: &Number, at: Span) -> bool {
+    pub(crate) fn implied_product(&mut self, number: &Number, at: Span) -> bool {
         let Some(word) = &number.unit else { return false };
         let is_name = self.names.quantities.contains_key(&word.node) || word.node == "pi";
         if !is_name || lookup(&word.node).is_ok() {

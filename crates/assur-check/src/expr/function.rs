@@ -1,19 +1,19 @@
 //! Mathematical functions.
 
-use super::fold;
-use super::read::Sign;
-use super::typed::{Dim, Type, Typed, phrase};
-use crate::context::Context;
 use crate::error::UnitsError;
-use crate::model::{Expr as ModelExpr, Function, Value};
-use crate::query::Call;
-use crate::source::Span;
-use crate::syntax::document::{Arg, Expr, Name};
-use crate::units::Dimension;
+use crate::expr::context::Context;
+use crate::expr::read::Sign;
+use crate::requests::query::Call;
+use crate::values::fold;
+use crate::values::typed::{Dim, Type, Typed, phrase};
+use assur_model::model::{Expr as ModelExpr, Function, Value};
+use assur_syntax::document::{Arg, Expr, Name};
+use assur_text::source::Span;
+use assur_text::units::Dimension;
 
 impl Context<'_> {
     /// A call of any function.
-    pub(super) fn call(&mut self, name: &Name, args: &[Arg], span: Span, sign: Sign) -> Option<Typed> {
+    pub(crate) fn call(&mut self, name: &Name, args: &[Arg], span: Span, sign: Sign) -> Option<Typed> {
         let call = Call { name, args, span, sign };
         match name.node.as_str() {
             "sqrt" => self.root(call),

@@ -1,16 +1,16 @@
 //! Numbers as written, with their units.
 
-use super::typed::{Dim, Type, Typed};
-use crate::context::Context;
 use crate::error::UnitsError;
-use crate::model;
-use crate::source::{Span, Spanned};
-use crate::syntax::document::{BinaryOp, Expr, ExprKind, Number, UnaryOp};
-use crate::units::{Dimension, Unit, factors, lookup};
+use crate::expr::context::Context;
+use crate::values::typed::{Dim, Type, Typed};
+use assur_model::model;
+use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number, UnaryOp};
+use assur_text::source::{Span, Spanned};
+use assur_text::units::{Dimension, Unit, factors, lookup};
 
 impl Context<'_> {
     /// A number with its unit.
-    pub(super) fn literal(&mut self, number: &Number) -> Option<Typed> {
+    pub(crate) fn literal(&mut self, number: &Number) -> Option<Typed> {
         let Some(word) = &number.unit else {
             let dim = if number.value == 0.0 { Dim::Any } else { Dim::Of(Dimension::NUMBER) };
             return Some(Typed::new(model::Expr::number(number.value), Type::Number(dim)));

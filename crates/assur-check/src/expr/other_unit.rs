@@ -1,21 +1,21 @@
 //! What to write in place of a quantity of another dimension than the one due.
 
-use super::number::without_units;
-use super::typed::{Type, mend};
-use super::written;
-use crate::context::Context;
-use crate::definition::Settled;
-use crate::names::QuantityKind;
-use crate::syntax::document::{Expr, ExprKind, Number, Statement, UnaryOp};
-use crate::units::{Dimension, Kind, lookup};
-use crate::walk;
+use crate::expr::context::Context;
+use crate::expr::number::without_units;
+use crate::names::declare::QuantityKind;
+use crate::statements::walk;
+use crate::statements::written::written;
+use crate::values::definition::Settled;
+use crate::values::typed::{Type, mend};
+use assur_syntax::document::{Expr, ExprKind, Number, Statement, UnaryOp};
+use assur_text::units::{Dimension, Kind, lookup};
 
 /// Most names that a help lists.
 const NAMES: usize = 4;
 
 impl Context<'_> {
     /// What to write in place of the expression.
-    pub(super) fn in_its_place(
+    pub(crate) fn in_its_place(
         &self,
         want: Dimension,
         found: Dimension,
@@ -86,7 +86,7 @@ impl Context<'_> {
     }
 
     /// The constants of the file of this dimension: `` `psi` or `phi` ``.
-    pub(super) fn names_of(&self, want: Dimension) -> Option<String> {
+    pub(crate) fn names_of(&self, want: Dimension) -> Option<String> {
         let is = |name: &&String| match self.definitions.settled.get(*name) {
             Some(Settled::Constant(t)) => matches!(t.ty, Type::Number(_)) && t.ty.dimension() == want,
             _ => false,

@@ -1,13 +1,14 @@
 //! From the tree to typed expressions.
 
-use super::fold;
-use super::typed::{Dim, Type, Typed, phrase};
-use crate::context::Context;
 use crate::error::{RequestError, UnitsError};
-use crate::model::{self, Axis, Comparison, Value};
-use crate::source::{Span, Spanned};
-use crate::syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp};
-use crate::units::{Dimension, Kind};
+use crate::expr::context::Context;
+use crate::values::fold;
+use crate::values::typed::{Dim, Type, Typed, phrase};
+use assur_model::model;
+use assur_model::model::{Axis, Comparison, Value};
+use assur_syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp};
+use assur_text::source::{Span, Spanned};
+use assur_text::units::{Dimension, Kind};
 
 /// The most operands in a row.
 const MOST: usize = 500;
@@ -27,7 +28,7 @@ impl Context<'_> {
         self.read_signed(expr, Sign::Matters)
     }
 
-    pub(super) fn read_signed(&mut self, expr: &Expr, sign: Sign) -> Option<Typed> {
+    pub(crate) fn read_signed(&mut self, expr: &Expr, sign: Sign) -> Option<Typed> {
         match &expr.kind {
             ExprKind::Number(number) if self.implied_product(number, expr.span) => None,
             ExprKind::Number(number) => self.literal(number),
@@ -312,7 +313,7 @@ impl Context<'_> {
         None
     }
 
-    pub(super) fn operands(&mut self, verb: &'static str, a: &Typed, b: &Typed, left: &Expr, right: &Expr) {
+    pub(crate) fn operands(&mut self, verb: &'static str, a: &Typed, b: &Typed, left: &Expr, right: &Expr) {
         let help = self.mend_operands(a.ty, b.ty, left, right);
         self.error(UnitsError::Operands {
             verb,

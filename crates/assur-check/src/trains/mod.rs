@@ -1,0 +1,12 @@
+//! Shafts, wheels, sliders and what runs between them.
+
+pub mod at_rest;
+pub mod carrier;
+pub mod gear;
+pub mod meant;
+pub mod planet;
+pub mod property;
+pub mod rope;
+pub mod shaft;
+pub mod size;
+pub mod transmission;
