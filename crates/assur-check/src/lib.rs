@@ -11,6 +11,7 @@ mod loads;
 mod machine;
 mod motion;
 mod names;
+mod output;
 mod pairs;
 mod requests;
 mod statements;
@@ -26,18 +27,23 @@ pub use values::row::{ColumnUse, Row, RowCell, RowColumn};
 use assur_model::model::Mechanism;
 use assur_syntax::document::{Document, Variants};
 use assur_text::diagnostic::Problems;
+use expr::constants::constants;
 use expr::context::Context;
 use loads::load_cycle;
 use machine::machine;
+use names::scope::Scope;
 use names::{declare, head, lookalikes};
+use requests::query::RESULTS;
 use requests::{expect, find, variants};
 use trains::at_rest::at_rest;
-use values::{definition, value};
+use values::order::order;
+use values::store::Values;
+use values::unit_use;
 
 /// Checks a document. The mechanism is absent where the problems hold an error.
 #[must_use]
 pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
-    run(Context::new(document, overrides))
+    run(start(document, overrides))
 }
 
 /// As [`check`], with one `given` that has this SI value whatever the document and the overrides say.
@@ -48,7 +54,9 @@ pub fn check_at(
     name: &str,
     value: f64,
 ) -> (Option<Mechanism>, Problems) {
-    run(Context { fixed: Some((name, value)), ..Context::new(document, overrides) })
+    let mut cx = start(document, overrides);
+    cx.values.outside.fixed = Some((name, value));
+    run(cx)
 }
 
 /// As [`check`], with another size assumed of a wheel whose own the document leaves open.
@@ -58,7 +66,9 @@ pub fn check_stretched(
     overrides: &Overrides,
     wheel: &str,
 ) -> (Option<Mechanism>, Problems) {
-    run(Context { stretched: Some(wheel), ..Context::new(document, overrides) })
+    let mut cx = start(document, overrides);
+    cx.values.outside.stretched = Some(wheel);
+    run(cx)
 }
 
 /// The columns of a table of variants for a document: its own, or one beside it, whose spans are those of the table's
@@ -69,26 +79,26 @@ pub fn columns(
     overrides: &Overrides,
     table: &Variants,
 ) -> (Option<Vec<RowColumn>>, Problems) {
-    let mut cx = Context::new(document, overrides);
+    let mut cx = start(document, overrides);
     definitions(&mut cx);
-    value::constants(&mut cx);
-    // those are told by `check`
-    cx.problems = Problems::new();
+    constants(&mut cx);
+    // those are reported by `check`
+    cx.problems.clear_found();
     let columns = variants::columns(&mut cx, table);
     if variants::table(document) != Some(table) {
         variants::missing_keys(&mut cx, table);
     }
     variants::rows(&mut cx, table);
-    (columns.filter(|_| !cx.problems.has_errors()), cx.problems)
+    (columns.filter(|_| !cx.problems.has_errors()), cx.problems.into_found())
 }
 
 /// What is left of a document's mechanism without all that contains an error.
 #[must_use]
 pub fn sound_part(document: &Document, overrides: &Overrides) -> Mechanism {
-    let mut cx = Context::new(document, overrides);
+    let mut cx = start(document, overrides);
     definitions(&mut cx);
     meaning(&mut cx);
-    cx.mech
+    cx.builder.mech
 }
 
 fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {
@@ -97,17 +107,24 @@ fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {
     cx.finish()
 }
 
-/// What hangs on no value.
+/// The state at the start.
+fn start<'a>(document: &'a Document, overrides: &'a Overrides) -> Context<'a> {
+    Context::new(document, Values::new(overrides, unit_use::count(document)), RESULTS)
+}
+
+/// What depends on no value.
 fn definitions(cx: &mut Context<'_>) {
-    declare::declare(cx);
-    lookalikes::look_alikes(cx);
-    head::head(cx);
-    definition::order(cx);
+    let Context { doc, names, values, builder, problems, .. } = cx;
+    let mut scope = Scope { doc, names, builder, problems };
+    declare::declare(&mut scope);
+    lookalikes::look_alikes(&mut scope);
+    head::head(&mut scope);
+    order(names, &mut values.definitions, problems);
 }
 
 /// All else.
 fn meaning(cx: &mut Context<'_>) {
-    value::constants(cx);
+    constants(cx);
     machine(cx);
     find::finds(cx);
     expect::expects(cx);

@@ -4,10 +4,10 @@ use crate::elements::{cam, cam_contact, flywheel, spring};
 use crate::expr::context::Context;
 use crate::links::link;
 use crate::loads::{balance, gravity, load, mass};
-use crate::motion::{assemble, drive, pose, simulation};
-use crate::pairs::{friction, pair};
+use crate::motion::{assemble, drive, no_motion, pose, simulation};
+use crate::pairs::pair;
+use crate::requests::definitions;
 use crate::trains::{shaft, size, transmission};
-use crate::values::value;
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
 pub(crate) fn machine(cx: &mut Context<'_>) {
@@ -21,7 +21,7 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     pair::groups(cx);
     gravity::gravity(cx);
     mass::masses(cx);
-    value::results(cx);
+    definitions::results(cx);
     drive::drives(cx);
     pose::poses(cx);
     balance::balances(cx);
@@ -30,5 +30,5 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     assemble::hints(cx);
     flywheel::flywheels(cx);
     simulation::simulation(cx);
-    friction::no_motion(cx);
+    no_motion::no_motion(cx);
 }

@@ -4,11 +4,13 @@
 //! checked by the same code as ever, so that a row comes out as the file with these values would.
 
 use crate::expr::context::Context;
-use crate::names::declare::Names;
+use crate::names::declared::Names;
+use crate::requests::query::RESULTS;
 use crate::values::definition::Definitions;
 use crate::values::overrides::Overrides;
 use crate::values::row::Row;
-use crate::values::unit_choice::UnitUse;
+use crate::values::store::Values;
+use crate::values::unit_use::{self, UnitUse};
 use crate::{definitions, meaning};
 use assur_model::model::{Display, Mechanism};
 use assur_syntax::document::Document;
@@ -36,11 +38,13 @@ impl<'a> Resident<'a> {
     /// whole.
     #[must_use]
     pub fn new(document: &'a Document, overrides: &'a Overrides) -> Option<Self> {
-        let mut cx = Context::new(document, overrides);
+        let values = Values::new(overrides, unit_use::count(document));
+        let mut cx = Context::new(document, values, RESULTS);
         definitions(&mut cx);
-        let quiet = cx.problems.is_empty() && cx.reported.is_empty();
-        let displays = cx.displays();
-        let Context { names, units, definitions, mech, .. } = cx;
+        let quiet = cx.problems.is_empty();
+        let displays = cx.values.displays();
+        let Context { names, values: Values { units, definitions, .. }, builder, .. } = cx;
+        let mech = builder.mech;
         let (order, results) = definitions.into_names();
         let (links, inside, bad) = (names.links.len(), names.inside.len(), names.bad.len());
         let (doc, overrides) = (document, overrides);
@@ -62,16 +66,14 @@ impl<'a> Resident<'a> {
     /// As [`crate::check`] with this row.
     pub fn check(&mut self, row: &Row) -> (Option<Mechanism>, Problems) {
         use std::mem::take;
-        let bare = Context::with_units(self.doc, self.overrides, take(&mut self.units));
-        let mut cx = Context {
-            row: row.clone(),
-            names: take(&mut self.names),
-            definitions: Definitions::of_names(take(&mut self.order), take(&mut self.results)),
-            mech: self.mech.clone(),
-            ..bare
-        };
+        let mut values = Values::new(self.overrides, take(&mut self.units));
+        values.outside.row = row.clone();
+        values.definitions = Definitions::of_names(take(&mut self.order), take(&mut self.results));
+        let mut cx = Context::new(self.doc, values, RESULTS);
+        cx.names = take(&mut self.names);
+        cx.builder.mech = self.mech.clone();
         meaning(&mut cx);
-        let Context { names, units, definitions, mech, problems, .. } = cx;
+        let Context { names, values: Values { units, definitions, .. }, builder, problems, .. } = cx;
         (self.names, self.units) = (names, units);
         (self.order, self.results) = definitions.into_names();
         // what pairs have added
@@ -80,7 +82,7 @@ impl<'a> Resident<'a> {
         self.names.inside.truncate(self.inside);
         // an error of this row is not one of the next
         self.names.bad.truncate(self.bad);
-        let mechanism = Mechanism { displays: self.displays.clone(), ..mech };
-        ((!problems.has_errors()).then_some(mechanism), problems)
+        let mechanism = Mechanism { displays: self.displays.clone(), ..builder.mech };
+        ((!problems.has_errors()).then_some(mechanism), problems.into_found())
     }
 }

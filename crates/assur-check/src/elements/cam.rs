@@ -3,12 +3,12 @@
 use crate::elements::cam_fault;
 use crate::error::{CamError, NameError, PairError};
 use crate::expr::context::Context;
+use crate::expr::positive::positive;
 use crate::expr::property::{Read, Spec, Takes, find, read, read_beside};
-use crate::links::link::positive;
-use crate::links::lookup::suggestion;
-use crate::names::declare::ThingKind;
-use crate::trains::property::known;
-use crate::values::format_value;
+use crate::names::declared::ThingKind;
+use crate::names::suggestion::suggestion;
+use crate::pairs::transmission::known;
+use crate::values::format_value::format_value;
 use assur_math::element::cam::{Cam, Follower, Law, Program, Shape};
 use assur_model::model::PlateCam;
 use assur_syntax::document::{CamLaw, CamMember, Member, Name, Phase, PhaseKind, Property, Statement, Turn};
@@ -44,10 +44,10 @@ pub(crate) fn cams(cx: &mut Context<'_>) {
     for statement in &doc.statements {
         let Statement::Cam(statement) = &statement.node else { continue };
         if let Some(cam) = cam(cx, statement)
-            && cx.mech.cams.iter().all(|c| c.name != cam.name)
+            && cx.builder.mech.cams.iter().all(|c| c.name != cam.name)
         {
             cam_fault::follows(cx, &cam);
-            cx.mech.cams.push(cam);
+            cx.builder.mech.cams.push(cam);
         }
     }
     profiles(cx);
@@ -284,8 +284,8 @@ fn program(cx: &mut Context<'_>, name: &str, span: Span, given: &[Given], way: D
     let total: f64 = given.iter().map(|g| g.angle).sum();
     let last = given.last()?;
     if total > TAU * (1.0 + NEAR) {
-        let told = |x: f64| format_value::told(x, Dimension::ANGLE);
-        let (name, total, over) = (name.to_owned(), told(total), told(total - TAU));
+        let angle = |x: f64| format_value(x, Dimension::ANGLE);
+        let (name, total, over) = (name.to_owned(), angle(total), angle(total - TAU));
         cx.error(CamError::TurnExceeded { name, total, over, span, last: last.span });
         return None;
     }
@@ -299,7 +299,7 @@ fn program(cx: &mut Context<'_>, name: &str, span: Span, given: &[Given], way: D
             (PhaseKind::Fall, way) => -way.unwrap_or(lift),
         };
         if lift + change < -NEAR * scale || phase.kind == PhaseKind::Fall && lift <= NEAR * scale {
-            let (from, by) = (format_value::told(lift, way), format_value::told(-change, way));
+            let (from, by) = (format_value(lift, way), format_value(-change, way));
             cx.error(CamError::BelowBase { name: name.to_owned(), from, by, span: phase.span });
             return None;
         }
@@ -312,11 +312,11 @@ fn program(cx: &mut Context<'_>, name: &str, span: Span, given: &[Given], way: D
     if lift != 0.0 {
         let sum = |kind: PhaseKind| {
             let ways = given.iter().filter(|g| g.kind == kind).filter_map(|g| g.way);
-            format_value::told(ways.sum(), way)
+            format_value(ways.sum(), way)
         };
         cx.error(CamError::DoesNotReturn {
             name: name.to_owned(),
-            left: format_value::told(lift, way),
+            left: format_value(lift, way),
             rises: sum(PhaseKind::Rise),
             falls: sum(PhaseKind::Fall),
             span: last.span,

@@ -2,7 +2,7 @@
 
 use crate::error::CamError;
 use crate::expr::context::Context;
-use crate::values::format_value::told;
+use crate::values::format_value::format_value;
 use assur_math::element::cam::{Cam, Follower, Shape};
 use assur_math::math::Vec2;
 use assur_model::model::{CamContact, Guide, LinkId, PairId, PairKind, Pin, Profile, ProfileShape};
@@ -13,8 +13,8 @@ const EQUAL: f64 = 1e-6;
 
 /// Finds the follower of every cam in contact.
 pub(crate) fn contacts(cx: &mut Context<'_>) {
-    for index in 0..cx.mech.pairs.len() {
-        let PairKind::Contact { first, second, .. } = &cx.mech.pairs[index].kind else { continue };
+    for index in 0..cx.builder.mech.pairs.len() {
+        let PairKind::Contact { first, second, .. } = &cx.builder.mech.pairs[index].kind else { continue };
         let (rim, other, rim_first) = match (first.shape, second.shape) {
             (ProfileShape::Rim(_), _) => (first.clone(), second.clone(), true),
             (_, ProfileShape::Rim(_)) => (second.clone(), first.clone(), false),
@@ -22,21 +22,21 @@ pub(crate) fn contacts(cx: &mut Context<'_>) {
         };
         let pair = PairId::at(index);
         // a contact takes its rim from the profiles of the link
-        let profiles = &cx.mech.link(rim.link).cam_profiles;
+        let profiles = &cx.builder.mech.link(rim.link).cam_profiles;
         let Some(found) = profiles.iter().find(|r| r.name == rim.name) else { continue };
         let (cam, centre) = (found.cam, found.centre);
-        let Some(plate) = cx.mech.cams.get(cam) else { continue };
+        let Some(plate) = cx.builder.mech.cams.get(cam) else { continue };
         match build(cx, &plate.cam, (pair, cam, centre), &rim, &other) {
-            Ok(contact) => cx.mech.cam_contacts.push(contact),
+            Ok(contact) => cx.builder.mech.cam_contacts.push(contact),
             Err((message, help)) => {
-                let (declared, cam) = (&cx.mech.pairs[index], plate.span);
+                let (declared, cam) = (&cx.builder.mech.pairs[index], plate.span);
                 let (pair, span) = (declared.name.clone(), declared.span);
                 cx.error(CamError::OtherFollower { pair, message, help, span, cam });
                 continue;
             }
         }
-        let place = cx.mech.cam_contacts.len() - 1;
-        if let PairKind::Contact { first, second, .. } = &mut cx.mech.pairs[index].kind {
+        let place = cx.builder.mech.cam_contacts.len() - 1;
+        if let PairKind::Contact { first, second, .. } = &mut cx.builder.mech.pairs[index].kind {
             let rim = if rim_first { first } else { second };
             rim.shape = ProfileShape::Rim(place);
         }
@@ -47,7 +47,7 @@ pub(crate) fn contacts(cx: &mut Context<'_>) {
 type Difference = (String, String);
 
 fn mm(x: f64) -> String {
-    told(x, Dimension::LENGTH)
+    format_value(x, Dimension::LENGTH)
 }
 
 /// The same of two lengths, or what differs.
@@ -72,7 +72,7 @@ fn build(
     rim: &Profile,
     other: &Profile,
 ) -> Result<CamContact, Difference> {
-    let name = |link: LinkId| cx.mech.link(link).name.clone();
+    let name = |link: LinkId| cx.builder.mech.link(link).name.clone();
     let (disk, follower) = (rim.link, other.link);
     let scale = cam.base_radius;
     let tip = tip(cam, other, scale, &name(follower))?;
@@ -104,7 +104,7 @@ fn build(
     for stand in &stands {
         contact.frame = stand.frame;
         contact.frame_centre = stand.pin.at;
-        for kind in cx.mech.pairs.iter().map(|p| &p.kind) {
+        for kind in cx.builder.mech.pairs.iter().map(|p| &p.kind) {
             match kind {
                 PairKind::Revolute(pins) if oscillates => {
                     let pin = |link: LinkId| pins.iter().find(|p| p.link == link).map(|p| p.at);
@@ -154,7 +154,7 @@ fn tip(cam: &Cam, other: &Profile, scale: f64, link: &str) -> Result<Vec2, Diffe
 /// The hinges in the centre of the cam.
 fn stands<'a>(cx: &'a Context<'_>, disk: LinkId, centre: Vec2, scale: f64) -> Vec<Stand<'a>> {
     let mut found = Vec::new();
-    for pair in &cx.mech.pairs {
+    for pair in &cx.builder.mech.pairs {
         let PairKind::Revolute(pins) = &pair.kind else { continue };
         let in_centre = |p: &Pin| p.link == disk && (p.at - centre).norm() <= EQUAL * scale;
         if pins.iter().any(in_centre) {
@@ -212,7 +212,7 @@ fn translating(cam: &Cam, contact: &mut CamContact, guide: &Guide, scale: f64) -
     if let (Shape::Flat, Some((_, along))) = (shape, contact.face) {
         let cosine = along.dot(direction).abs();
         if cosine > EQUAL {
-            let off = told(libm::asin(cosine.min(1.0)), Dimension::ANGLE);
+            let off = format_value(libm::asin(cosine.min(1.0)), Dimension::ANGLE);
             let message = format!("the face stands {off} off the normal of the follower's way");
             return Err((message, "lay its line across the way: `line face through P along 90 deg`".into()));
         }

@@ -3,17 +3,17 @@
 use crate::error::CamError;
 use crate::expr::context::Context;
 use crate::expr::property::Read;
-use crate::values::format_value::told;
+use crate::values::format_value::format_value;
 use assur_math::element::cam::{Cam, Fault, Follower, Misfit, Shape};
 use assur_model::model::PlateCam;
 use assur_text::units::Dimension;
 
 fn mm(x: f64) -> String {
-    told(x, Dimension::LENGTH)
+    format_value(x, Dimension::LENGTH)
 }
 
 fn deg(x: f64) -> String {
-    told(x, Dimension::ANGLE)
+    format_value(x, Dimension::ANGLE)
 }
 
 /// Reports a follower that does not stand on the base circle.
@@ -60,7 +60,7 @@ pub(crate) fn follows(cx: &mut Context<'_>, plate: &PlateCam) {
         let way = if cam.follower.oscillates() { Dimension::NUMBER } else { Dimension::LENGTH };
         let rate = |x: f64| {
             let per = if cam.follower.oscillates() { " rad/rad" } else { "/rad" };
-            format!("{}{per}", told(x, way))
+            format!("{}{per}", format_value(x, way))
         };
         let (at, before, behind) = (deg(phi), rate(before), rate(behind));
         cx.error(CamError::Shock { name: name.clone(), at, before, behind, span });

@@ -3,9 +3,9 @@
 use crate::error::{LinkError, NameError, PairError};
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Spec, Takes, find, read};
-use crate::links::lookup::suggestion;
-use crate::names::declare::{QuantityKind, ThingKind};
-use crate::trains::property::known;
+use crate::names::declared::{QuantityKind, ThingKind};
+use crate::names::suggestion::suggestion;
+use crate::pairs::transmission::known;
 use assur_model::model;
 use assur_model::model::{FlywheelTorque, LinkId, Rim};
 use assur_syntax::document::{Flywheel, Name, Statement};
@@ -42,7 +42,7 @@ pub(crate) fn flywheels(cx: &mut Context<'_>) {
         if let Statement::Flywheel(f) = &statement.node
             && let Some(flywheel) = flywheel(cx, f)
         {
-            cx.mech.flywheels.push(flywheel);
+            cx.builder.mech.flywheels.push(flywheel);
         }
     }
 }
@@ -63,7 +63,7 @@ fn flywheel(cx: &mut Context<'_>, flywheel: &Flywheel) -> Option<model::Flywheel
     };
     let speed = find(&properties, "speed");
     if let Some(speed) = speed
-        && cx.mech.drives.iter().any(|d| d.speed.is_some())
+        && cx.builder.mech.drives.iter().any(|d| d.speed.is_some())
     {
         let message = format!("the speed of `{name}` follows from that of the drive");
         incomplete(cx, message, "leave `speed` out", speed.span, "the drive has a speed");
@@ -100,7 +100,7 @@ fn link(cx: &mut Context<'_>, on: &Name) -> Option<LinkId> {
     if cx.find_link(&on.node).is_none() {
         known(cx, on, "shaft or link", &[ThingKind::Shaft, ThingKind::Link]);
         if cx.names.things.get(&on.node).is_some_and(|d| d.what == ThingKind::Shaft) {
-            cx.unsupported("a flywheel on a shaft", on.span);
+            cx.builder.unsupported("a flywheel on a shaft", on.span);
         }
         return None;
     }
@@ -120,7 +120,8 @@ fn rim(cx: &mut Context<'_>, properties: &[Read], name: &str, span: Span) -> Opt
     let density = match (density, weight) {
         (Some(density), _) => Some(density.number()),
         (None, Some(weight)) => {
-            let Some(gravity) = cx.mech.gravity.map(|g| g.acceleration.norm()).filter(|g| *g > 0.0) else {
+            let Some(gravity) = cx.builder.mech.gravity.map(|g| g.acceleration.norm()).filter(|g| *g > 0.0)
+            else {
                 let message = "a density by weight needs `gravity`, which the file does not declare".into();
                 let help = "add `gravity 9.81 m/s^2`, or give `density 7200 kg/m^3`";
                 incomplete(cx, message, help, weight.span, "a weight is a mass times gravity");

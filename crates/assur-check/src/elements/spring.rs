@@ -22,7 +22,7 @@ pub(crate) fn springs(cx: &mut Context<'_>) {
             && cx.is_own(&s.name)
             && let Some(spring) = spring(cx, s)
         {
-            cx.mech.springs.push(spring);
+            cx.builder.mech.springs.push(spring);
         }
     }
 }

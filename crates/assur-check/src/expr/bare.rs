@@ -3,11 +3,12 @@
 use crate::error::UnitsError;
 use crate::expr::context::Context;
 use crate::expr::number::with_unit;
-use crate::names::declare::QuantityKind;
+use crate::names::declared::QuantityKind;
 use crate::values::definition::Settled;
+use crate::values::rates::revolutions_or_radians;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
 use assur_text::source::Span;
-use assur_text::units::{Dimension, Unit, lookup, significant};
+use assur_text::units::{Dimension, lookup};
 
 /// A definition that is a number: `given` or `let`, and what comes after the equals sign.
 struct Definition<'a> {
@@ -25,7 +26,7 @@ impl Context<'_> {
 
     /// The units that a number without one may have: that of the file or the usual one, and revolutions for radians.
     fn likely_units(&self, want: Dimension) -> Vec<String> {
-        let usual = self.usual_unit(want);
+        let usual = self.values.usual_unit(want);
         if want == Dimension::ANGULAR_VELOCITY && usual == want.si_text() {
             return vec!["rpm".to_owned(), usual];
         }
@@ -49,7 +50,7 @@ impl Context<'_> {
             let (span, used) = (definition.value.span, Some(expr.span));
             self.error(UnitsError::Missing { what, want, span, used, example });
             // What does not fit because of it is no second mistake.
-            self.definitions.settled.insert(name.to_owned(), Settled::Failed);
+            self.values.definitions.settled.insert(name.to_owned(), Settled::Failed);
             return true;
         }
         false
@@ -82,7 +83,7 @@ impl Context<'_> {
         let help = lines.unwrap_or_else(|| "multiply it by `1 rev`, or by `1 rad`".to_owned());
         self.error(UnitsError::Hertz { what, unit, span, used, help });
         if let Some(name) = defined {
-            self.definitions.settled.insert(name, Settled::Failed);
+            self.values.definitions.settled.insert(name, Settled::Failed);
         }
     }
 
@@ -94,7 +95,7 @@ impl Context<'_> {
             return false;
         }
         let text = format!("{}*{}", number.text, word.node);
-        if self.reported.insert(("product", text.clone())) {
+        if self.problems.reported.insert(("product", text.clone())) {
             let why =
                 format!("`{}` is not a unit but a name: a sign of multiplication is missing", word.node);
             self.error(UnitsError::Unknown { why, span: at, help: Some(format!("write `{text}`")) });
@@ -140,17 +141,3 @@ fn per_time(number: &Number, before: &str) -> Option<String> {
     let [turns, radians] = revolutions_or_radians(&number.text, &unit);
     Some(format!("write `{before}{turns}` or `{before}{radians}`"))
 }
-
-/// A number per time in revolutions, and in radians per second.
-pub fn revolutions_or_radians(number: &str, unit: &Unit) -> [String; 2] {
-    let turns = match unit.text.as_str() {
-        "Hz" => "rev/s",
-        _ if unit.factor < PER_MINUTE / 2.0 => "rev/h",
-        _ => "rpm",
-    };
-    let radians = significant(unit.to_si(number.parse().unwrap_or(f64::NAN)), 12);
-    [format!("{number} {turns}"), format!("{radians} rad/s")]
-}
-
-/// One per minute in one per second.
-const PER_MINUTE: f64 = 1.0 / 60.0;

@@ -1,8 +1,8 @@
 //! Factors behind a unit that look like units and are none: `5 rad/sec`, `0.2 kg*m2`.
 
 use crate::error::UnitsError;
-use crate::expr::bare::revolutions_or_radians;
 use crate::expr::context::Context;
+use crate::values::rates::revolutions_or_radians;
 use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
 use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, is_unit, lookup, meant};
@@ -37,7 +37,7 @@ impl Context<'_> {
         if units.is_empty() {
             return false;
         }
-        if self.reported.insert(("unit", word)) {
+        if self.problems.reported.insert(("unit", word)) {
             let list = units.iter().map(|unit| format!("`{unit}`")).collect::<Vec<_>>();
             self.error(UnitsError::Unknown {
                 why: format!("`{foreign}` is not a unit"),

@@ -97,7 +97,7 @@ impl Context<'_> {
         };
         let (x, y) = (x.known(), y.known());
         let bare = |d: Dimension, expr: &Expr, other: Dimension| {
-            (d == Dimension::NUMBER).then(|| with_unit(expr, &self.usual_unit(other))).flatten()
+            (d == Dimension::NUMBER).then(|| with_unit(expr, &self.values.usual_unit(other))).flatten()
         };
         if let Some(text) = bare(y, right, x) {
             let part =

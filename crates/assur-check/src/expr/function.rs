@@ -2,8 +2,8 @@
 
 use crate::error::UnitsError;
 use crate::expr::context::Context;
-use crate::expr::read::Sign;
-use crate::requests::query::Call;
+use crate::expr::results::Call;
+use crate::expr::sign::Sign;
 use crate::values::fold;
 use crate::values::typed::{Dim, Type, Typed, phrase};
 use assur_model::model::{Expr as ModelExpr, Function, Value};
@@ -40,7 +40,7 @@ impl Context<'_> {
                 let t = apply(Function::Unit, Type::vector(Dimension::NUMBER), [t]);
                 self.finite(t, "the null vector has no direction", span)
             }
-            "dir" if !self.is_result("dir", args) => {
+            "dir" if !self.names.is_result("dir", args) => {
                 let (t, expr) = self.one(call, Sign::Matters)?;
                 self.is_vector_argument(&t, call, expr)?;
                 Some(apply(Function::Direction, Type::number(Dimension::ANGLE), [t]))
@@ -48,7 +48,7 @@ impl Context<'_> {
             "dot" => self.product(call, Function::Dot),
             "cross" => self.product(call, Function::Cross),
             "max" | "min" if args.len() != 1 => self.extreme(call),
-            _ => self.result(call),
+            _ => (self.results.call)(self, call),
         }
     }
 

@@ -1,15 +1,21 @@
 //! Expressions: names resolved, dimensions checked, constants folded.
 
 pub mod bare;
+pub mod constants;
 pub mod context;
 pub mod factor;
 pub mod fit;
 pub mod function;
+pub mod inline;
+pub mod named;
 pub mod no_value;
 pub mod number;
 pub mod other_unit;
+pub mod positive;
 pub mod property;
 pub mod read;
+pub mod results;
+pub mod sign;
 pub mod want;
 
 use crate::error::RequestError;
@@ -83,7 +89,7 @@ impl Context<'_> {
             of_solution |=
                 matches!(q, model::Query::Critical(_) | model::Query::Cycle(_) | model::Query::Flywheel(..));
         });
-        if of_solution || !self.is_poseless(&found) {
+        if of_solution || !self.values.definitions.is_poseless(&found) {
             self.error(RequestError::NeedsPose { what: what.to_owned(), span: expr.span });
             return None;
         }
@@ -91,7 +97,7 @@ impl Context<'_> {
     }
 
     fn constant(&mut self, expr: &Expr, what: &str) -> Option<Typed> {
-        if let Some((span, result)) = self.first_result(expr) {
+        if let Some((span, result)) = self.values.definitions.first_result(&self.names, expr) {
             self.error(RequestError::NotConstant { what: what.to_owned(), result, span });
             return None;
         }

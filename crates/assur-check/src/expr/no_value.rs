@@ -2,7 +2,7 @@
 
 use crate::error::UnitsError;
 use crate::expr::context::Context;
-use crate::names::declare::QuantityKind;
+use crate::names::declared::QuantityKind;
 use crate::statements::walk;
 use crate::statements::written::written;
 use crate::values::definition::Settled;
@@ -32,14 +32,14 @@ impl Context<'_> {
             }
             next += 1;
         }
-        let value = |name: &&str| match self.definitions.settled.get(*name) {
+        let value = |name: &&str| match self.values.definitions.settled.get(*name) {
             Some(Settled::Constant(t)) => {
-                Some(format!("`{name}` = {}", self.display(t.ty.dimension()).text(t.value()?, 6)))
+                Some(format!("`{name}` = {}", self.values.display(t.ty.dimension()).text(t.value()?, 6)))
             }
             _ => None,
         };
         let values = names.iter().filter_map(value).take(VALUES).collect::<Vec<_>>();
-        let is = self.display(t.ty.dimension()).text(t.value()?, 6);
+        let is = self.values.display(t.ty.dimension()).text(t.value()?, 6);
         let text = written(operand)?;
         Some(match values.as_slice() {
             [] => format!("write another number: `{text}` is {is}"),

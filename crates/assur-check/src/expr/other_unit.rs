@@ -2,7 +2,7 @@
 
 use crate::expr::context::Context;
 use crate::expr::number::without_units;
-use crate::names::declare::QuantityKind;
+use crate::names::declared::QuantityKind;
 use crate::statements::walk;
 use crate::statements::written::written;
 use crate::values::definition::Settled;
@@ -44,7 +44,7 @@ impl Context<'_> {
 
     /// The number with a unit of the dimension that is due: `9.81 m/s^2` for `9.81 m/s`.
     pub(crate) fn same_number(&self, want: Dimension, expr: &Expr) -> Option<String> {
-        let unit = extended(expr, want).unwrap_or_else(|| self.usual_unit(want));
+        let unit = extended(expr, want).unwrap_or_else(|| self.values.usual_unit(want));
         in_unit(expr, &unit).filter(|_| !unit.is_empty())
     }
 
@@ -61,7 +61,7 @@ impl Context<'_> {
     /// The line of a `given` that is used nowhere else, with what its unit lacks.
     fn definition_of(&self, want: Dimension, expr: &Expr) -> Option<String> {
         let ExprKind::Name(name) = &expr.kind else { return None };
-        if self.row.find(name).is_some() || self.uses(name) != 1 {
+        if self.values.outside.row.find(name).is_some() || self.uses(name) != 1 {
             return None;
         }
         Some(format!("write `{}`", self.completed_given(name, want)?))
@@ -87,7 +87,7 @@ impl Context<'_> {
 
     /// The constants of the file of this dimension: `` `psi` or `phi` ``.
     pub(crate) fn names_of(&self, want: Dimension) -> Option<String> {
-        let is = |name: &&String| match self.definitions.settled.get(*name) {
+        let is = |name: &&String| match self.values.definitions.settled.get(*name) {
             Some(Settled::Constant(t)) => matches!(t.ty, Type::Number(_)) && t.ty.dimension() == want,
             _ => false,
         };

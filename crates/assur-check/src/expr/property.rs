@@ -2,9 +2,9 @@
 
 use crate::error::{LinkError, PairError};
 use crate::expr::context::Context;
+use crate::expr::positive::{not_negative, positive};
 use crate::expr::want::Want;
-use crate::links::link::{not_negative, positive};
-use crate::links::lookup::suggestion;
+use crate::names::suggestion::suggestion;
 use assur_syntax::document::{Definition, Expr, ExprKind, Property, Statement};
 use assur_text::source::Span;
 use assur_text::units::Dimension;

@@ -2,6 +2,7 @@
 
 use crate::error::{RequestError, UnitsError};
 use crate::expr::context::Context;
+use crate::expr::sign::Sign;
 use crate::values::fold;
 use crate::values::typed::{Dim, Type, Typed, phrase};
 use assur_model::model;
@@ -12,15 +13,6 @@ use assur_text::units::{Dimension, Kind};
 
 /// The most operands in a row.
 const MOST: usize = 500;
-
-/// Whether the sign of a value matters where it stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sign {
-    /// It does.
-    Matters,
-    /// Only the magnitude is asked: within `mag()` and `abs()`.
-    Free,
-}
 
 impl Context<'_> {
     /// Reads an expression. Everything wrong with it is reported.
@@ -51,9 +43,22 @@ impl Context<'_> {
         None
     }
 
+    /// A part that is neither `.x` nor `.y` of something without other parts.
+    fn no_part(&mut self, base: &Typed, part: &Name) -> Option<Typed> {
+        if base.pending && base.ty == Type::Number(Dim::Any) {
+            return Some(base.clone());
+        }
+        let help = match base.ty {
+            Type::Vector(_) => Some("the parts of a vector are `.x` and `.y`".to_owned()),
+            _ => None,
+        };
+        self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
+        None
+    }
+
     /// `.x` and `.y` of vectors, and the parts of a mass substitution.
     fn part(&mut self, whole: &Expr, base: &Expr, part: &Name, sign: Sign) -> Option<Typed> {
-        if let Some(result) = self.part_of_result(whole, base, part) {
+        if let Some(result) = (self.results.part)(self, whole, base, part) {
             return result;
         }
         let axis = match part.node.as_str() {

@@ -2,13 +2,12 @@
 
 use crate::error::LinkError;
 use crate::expr::context::Context;
+use crate::expr::positive::positive;
 use crate::expr::want::Want;
 use crate::links::point::points;
 use assur_math::math::Vec2;
 use assur_model::model::{CamProfile, Circle, Line, LinkId};
-use assur_syntax::document::{
-    Bar, Body, CircleMember, Expr, LineDirection, LineMember, Member, Name, Statement,
-};
+use assur_syntax::document::{Bar, Body, CircleMember, LineDirection, LineMember, Member, Name, Statement};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use indexmap::IndexMap;
@@ -50,20 +49,20 @@ fn shape(cx: &mut Context<'_>, link: LinkId, bar: Option<&Bar>, body: &Body) {
         match &member.node {
             Member::Line(line) => {
                 if let Some(line) = line_of(cx, link, &points, line) {
-                    cx.mech.links[link.index()].lines.push(line);
+                    cx.builder.mech.links[link.index()].lines.push(line);
                 }
             }
             Member::Circle(circle) => {
                 if let Some(circle) = circle_of(cx, link, &points, circle) {
-                    cx.mech.links[link.index()].circles.push(circle);
+                    cx.builder.mech.links[link.index()].circles.push(circle);
                 }
             }
             Member::Profile(profile) => {
                 let centre = known(cx, link, &points, &profile.centre);
-                let cam = cx.mech.cams.iter().position(|c| c.name == profile.of.node);
+                let cam = cx.builder.mech.cams.iter().position(|c| c.name == profile.of.node);
                 if let (Some(centre), Some(cam)) = (centre, cam) {
                     let name = profile.name.node.clone();
-                    cx.mech.links[link.index()].cam_profiles.push(CamProfile { name, cam, centre });
+                    cx.builder.mech.links[link.index()].cam_profiles.push(CamProfile { name, cam, centre });
                 }
             }
             _ => {}
@@ -120,59 +119,8 @@ fn circle_of(
     Some(Circle { name, span, centre: centre?, radius: radius? })
 }
 
-/// A constant that must be greater than zero.
-pub(crate) fn positive(cx: &mut Context<'_>, expr: &Expr, dimension: Dimension, what: &str) -> Option<f64> {
-    let value = cx.scalar_constant(expr, &Want(dimension), what)?;
-    positive_value(cx, value, expr, dimension, what)
-}
-
-/// Reports a value that is not greater than zero.
-pub(crate) fn positive_value(
-    cx: &mut Context<'_>,
-    value: f64,
-    expr: &Expr,
-    dimension: Dimension,
-    what: &str,
-) -> Option<f64> {
-    if value > 0.0 && value.is_finite() {
-        return Some(value);
-    }
-    let help = match dimension {
-        Dimension::LENGTH => "a length is a distance; directions are given by points and angles",
-        Dimension::MASS => "leave the mass out where it is of no account",
-        Dimension::ACCELERATION => {
-            let up = cx.amount(-value, dimension, expr);
-            &format!("write its magnitude, `{what} {up}`: it points down; `{what} {up} @ 90 deg` points up")
-        }
-        _ => "write a value greater than zero, or leave it out",
-    };
-    cx.error(LinkError::NotPositive {
-        what: what.into(),
-        value: cx.amount(value, dimension, expr),
-        help: help.into(),
-        span: expr.span,
-    });
-    None
-}
-
-/// A constant that must not be less than zero.
-pub(crate) fn not_negative(
-    cx: &mut Context<'_>,
-    expr: &Expr,
-    dimension: Dimension,
-    what: &str,
-) -> Option<f64> {
-    let value = cx.scalar_constant(expr, &Want(dimension), what)?;
-    if value >= 0.0 && value.is_finite() {
-        return Some(value);
-    }
-    let value = cx.amount(value, dimension, expr);
-    cx.error(LinkError::Negative { what: what.into(), value, span: expr.span });
-    None
-}
-
 /// A point for a message.
 pub(crate) fn place(at: Vec2) -> String {
-    let mm = |x| crate::values::format_value::told(x, Dimension::LENGTH);
+    let mm = |x| crate::values::format_value::format_value(x, Dimension::LENGTH);
     format!("({}, {})", mm(at.x), mm(at.y))
 }

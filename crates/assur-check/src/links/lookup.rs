@@ -2,11 +2,13 @@
 
 use crate::error::NameError;
 use crate::expr::context::Context;
-use crate::names::declare::ThingKind;
+use crate::links::missing_mesh::missing_mesh;
+use crate::names::declared::Inside;
+use crate::names::declared::ThingKind;
+use crate::names::suggestion::suggestion;
 use assur_math::math::Vec2;
 use assur_model::model::{Circle, Guide, Line, LinkId, PairId, PairKind};
-use assur_syntax::document::{JointKind, Name};
-use assur_syntax::skeleton;
+use assur_syntax::document::{JointKind, Name, Statement};
 use assur_text::diagnostic::did_you_mean;
 use assur_text::source::Span;
 use indexmap::IndexSet;
@@ -34,7 +36,32 @@ impl Context<'_> {
 
     /// The link that this very statement declares; `None` for the second of two of one name, reported already.
     pub fn own_link(&self, name: &Name) -> Option<LinkId> {
-        self.find_link(&name.node).filter(|id| self.mech.link(*id).span == name.span)
+        self.find_link(&name.node).filter(|id| self.builder.mech.link(*id).span == name.span)
+    }
+
+    /// Whether the name's first declaration is this one; a second is reported with the names, and left out.
+    pub(crate) fn is_own(&self, name: &Name) -> bool {
+        self.names.things.get(&name.node).is_some_and(|d| d.span == name.span)
+    }
+
+    /// Whether all pairs of the linkage are in the mechanism: none has an error, no statement is unreadable. Where it is
+    /// not so, something that seems unjoined may be joined.
+    pub(crate) fn pairs_complete(&self) -> bool {
+        let is_pair = |s: &Statement| matches!(s, Statement::Joint(j) if is_linkage_pair(j.kind.node));
+        let is_bad = |s: &Statement| matches!(s, Statement::Bad(_));
+        let statements = || self.doc.statements.iter().map(|s| &s.node);
+        let joined = self
+            .builder
+            .mech
+            .pairs
+            .iter()
+            .filter(|p| p.bearing.is_none() && !matches!(p.kind, PairKind::Transmission(_)));
+        statements().filter(|s| is_pair(s)).count() == joined.count() && !statements().any(is_bad)
+    }
+
+    /// The names of links, each as code.
+    pub(crate) fn spelled(&self, links: &[LinkId]) -> Vec<String> {
+        links.iter().map(|l| self.builder.mech.link(*l).name.clone()).collect()
     }
 
     /// The pair of that name. Reports a name that is not one of a pair; silent where the pair has an error. Only once
@@ -55,7 +82,7 @@ impl Context<'_> {
 
     /// The asserted group of that name, as its place in `Mechanism::groups`.
     pub fn group(&mut self, name: &Name) -> Option<usize> {
-        let found = self.mech.groups.iter().position(|g| g.name == name.node);
+        let found = self.builder.mech.groups.iter().position(|g| g.name == name.node);
         if found.is_none() {
             self.no_thing(name, "group", "a group", |kind| kind == ThingKind::Group);
         }
@@ -65,19 +92,19 @@ impl Context<'_> {
     /// A point of a link, in its frame. Silent where the point is declared with an error. Only once the links have
     /// their points.
     pub fn point(&mut self, link: LinkId, name: &Name) -> Option<Vec2> {
-        let found = self.mech.link(link).points.iter().find(|p| p.name == name.node).map(|p| p.at);
+        let found = self.builder.mech.link(link).points.iter().find(|p| p.name == name.node).map(|p| p.at);
         self.known_inside(found, link, name, "point")
     }
 
     /// A line of a link.
     pub fn line(&mut self, link: LinkId, name: &Name) -> Option<Line> {
-        let found = self.mech.link(link).lines.iter().find(|l| l.name == name.node).cloned();
+        let found = self.builder.mech.link(link).lines.iter().find(|l| l.name == name.node).cloned();
         self.known_inside(found, link, name, "line")
     }
 
     /// A circle of a link.
     pub fn circle(&mut self, link: LinkId, name: &Name) -> Option<Circle> {
-        let found = self.mech.link(link).circles.iter().find(|c| c.name == name.node).cloned();
+        let found = self.builder.mech.link(link).circles.iter().find(|c| c.name == name.node).cloned();
         self.known_inside(found, link, name, "circle")
     }
 
@@ -100,7 +127,7 @@ impl Context<'_> {
         if found.is_some() {
             return found;
         }
-        let owner = self.mech.link(link).name.clone();
+        let owner = self.builder.mech.link(link).name.clone();
         if let Some(is) = self.kind_inside(link, &name.node) {
             if is != kind {
                 self.error(NameError::WrongKind {
@@ -125,7 +152,7 @@ impl Context<'_> {
         };
         let all = list.keys().map(String::as_str).collect::<Vec<_>>();
         let help = suggestion(&name.node, &all, &format!("{kind}s of {owner}"));
-        if self.reported.insert((kind, format!("{owner}.{}", name.node))) {
+        if self.problems.reported.insert((kind, format!("{owner}.{}", name.node))) {
             let place =
                 if owner == "ground" { " on the ground".into() } else { format!(" in link `{owner}`") };
             self.error(NameError::Unknown { kind, name: name.node.clone(), place, span: name.span, help });
@@ -155,15 +182,14 @@ impl Context<'_> {
             }
             return;
         }
-        if self.names.bad.contains(&name.node) || !self.reported.insert((kind, name.node.clone())) {
+        if self.names.bad.contains(&name.node) || !self.problems.reported.insert((kind, name.node.clone())) {
             return;
         }
         let ground = (kind == "link").then_some("ground");
         let all = self.names.things.iter().filter(|(_, d)| fits(d.what)).map(|(n, _)| n.as_str());
         let all = ground.into_iter().chain(all).collect::<Vec<_>>();
         let near = !did_you_mean(&name.node, all.iter().copied()).is_empty();
-        let mesh =
-            if kind == "pair" && !near { crate::trains::meant::missing_mesh(self, &name.node) } else { None };
+        let mesh = if kind == "pair" && !near { missing_mesh(self, &name.node) } else { None };
         let help = mesh.or_else(|| suggestion(&name.node, &all, &format!("{kind}s")));
         let (name, span) = (name.node.clone(), name.span);
         self.error(NameError::Unknown { kind, name, place: String::new(), span, help });
@@ -172,27 +198,28 @@ impl Context<'_> {
     /// The point that a name alone stands for: the pin or named point of the pair of that name, or the points of that
     /// name where a pin joins all of them. Reports what is unknown or ambiguous.
     pub fn point_of_shared_name(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {
-        let own = self.find_pair(&name.node).and_then(|id| place_of_pair(&self.mech.pair(id).kind));
+        let own = self.find_pair(&name.node).and_then(|id| place_of_pair(&self.builder.mech.pair(id).kind));
         let bearers = self.bearers(&name.node);
         let first = own.or_else(|| bearers.first().copied());
         let Some(first) = first else {
             return self.no_point(name);
         };
-        let joined = self.joined_with(first);
+        let joined = self.builder.joined_with(first);
         if bearers.iter().all(|b| joined.contains(b)) {
             return Some(first);
         }
         if !self.pairs_complete() {
             return None;
         }
-        let spelled = |&(link, _): &(LinkId, Vec2)| format!("`{}.{}`", self.mech.link(link).name, name.node);
+        let spelled =
+            |&(link, _): &(LinkId, Vec2)| format!("`{}.{}`", self.builder.mech.link(link).name, name.node);
         let choices = bearers.iter().map(spelled).collect::<Vec<_>>().join(" or ");
         self.error(NameError::AmbiguousPoint {
             name: name.node.clone(),
             span: name.span,
             help: match bearers.as_slice() {
                 [a, b] => {
-                    let [a, b] = [a, b].map(|&(link, _)| &self.mech.link(link).name);
+                    let [a, b] = [a, b].map(|&(link, _)| &self.builder.mech.link(link).name);
                     let taken = self.names.things.contains_key(&name.node);
                     let verb = if taken { "write it" } else { "add" };
                     let where_to = if taken {
@@ -210,16 +237,14 @@ impl Context<'_> {
 
     /// All points of a name, with their links.
     fn bearers(&self, name: &str) -> Vec<(LinkId, Vec2)> {
-        let links = self.mech.links.iter().enumerate();
+        let links = self.builder.mech.links.iter().enumerate();
         links
             .filter_map(|(i, l)| l.points.iter().find(|p| p.name == name).map(|p| (LinkId::at(i), p.at)))
             .collect()
     }
 
     fn no_point(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {
-        let declared = |i: &crate::names::declare::Inside| {
-            i.points.contains_key(&name.node) || i.bad.contains(&name.node)
-        };
+        let declared = |i: &Inside| i.points.contains_key(&name.node) || i.bad.contains(&name.node);
         let pair = self.names.things.get(&name.node).map(|d| d.what);
         let pair = pair.filter(|kind| matches!(kind, ThingKind::Joint(kind) if is_linkage_pair(*kind)));
         if self.find_pair(&name.node).is_some() {
@@ -237,7 +262,7 @@ impl Context<'_> {
         let silent = pair.is_some() || self.names.bad.contains(&name.node);
         if silent
             || self.names.inside.iter().any(declared)
-            || !self.reported.insert(("point", name.node.clone()))
+            || !self.problems.reported.insert(("point", name.node.clone()))
         {
             return None;
         }
@@ -264,7 +289,7 @@ impl Context<'_> {
         let (is, declared, help) = match thing.map(|d| (d.what, d.span)) {
             // a wheel turns with its shaft
             Some((what, span)) => (what.phrase(), span, crate::names::functions::ask_of(what, &name.node)),
-            None => ("a link".into(), self.mech.link(link).span, help),
+            None => ("a link".into(), self.builder.mech.link(link).span, help),
         };
         self.error(NameError::WrongKind {
             name: name.node.clone(),
@@ -285,32 +310,5 @@ pub fn place_of_pair(kind: &PairKind) -> Option<(LinkId, Vec2)> {
             Some((*slider, *point))
         }
         PairKind::Contact { .. } | PairKind::Cylinder { .. } | PairKind::Transmission(_) => None,
-    }
-}
-
-/// Among more names than these none is looked for: every error would go through all.
-const MOST_NAMES: usize = 2000;
-
-/// `did you mean …?`, or else what there is.
-pub fn suggestion(name: &str, all: &[&str], kind: &str) -> Option<String> {
-    let quoted = |names: &[&str]| names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>();
-    if all.len() > MOST_NAMES {
-        return Some(format!("the {kind} are {}, …", quoted(&all[..8]).join(", ")));
-    }
-    // names of ASCII look like themselves alone
-    let alike =
-        |n: &&&str| **n != name && !(n.is_ascii() && name.is_ascii()) && skeleton(n) == skeleton(name);
-    if let Some(alike) = all.iter().find(alike) {
-        let how = crate::names::lookalikes::difference(alike, name, "there", "here");
-        return Some(format!("`{alike}` is declared, and only looks the same: {how}"));
-    }
-    let near = did_you_mean(name, all.iter().copied());
-    if !near.is_empty() {
-        return Some(format!("did you mean {}?", quoted(&near).join(" or ")));
-    }
-    match all.len() {
-        0 => None,
-        1..=8 => Some(format!("the {kind} are {}", quoted(all).join(", "))),
-        _ => Some(format!("the {kind} are {}, …", quoted(&all[..8]).join(", "))),
     }
 }

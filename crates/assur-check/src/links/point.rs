@@ -2,8 +2,10 @@
 
 use crate::error::LinkError;
 use crate::expr::context::Context;
+use crate::expr::positive::positive;
 use crate::expr::want::Want;
-use crate::links::link::{Points, known, place, positive};
+use crate::links::link::{Points, known, place};
+use crate::values::format_value::format_value_like;
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Point};
 use assur_syntax::document::{Bar, Body, Expr, ExprKind, Member, Name, PointFrom, Side};
@@ -142,7 +144,7 @@ fn height(l: f64, r1: f64, r2: f64) -> f64 {
 }
 
 fn does_not_close(cx: &mut Context<'_>, point: &PointFrom, l: f64, r1: f64, r2: f64) {
-    let told = |x: f64| cx.amount(x, Dimension::LENGTH, &point.first_distance);
+    let told = |x: f64| format_value_like(&cx.names, x, Dimension::LENGTH, &point.first_distance);
     let (p, first, second) = (&point.name.node, &point.first.node, &point.second.node);
     let (reason, by, too, mend) = if l > r1 + r2 {
         let reason =
@@ -183,7 +185,7 @@ fn enter(cx: &mut Context<'_>, link: LinkId, bar: Option<&Bar>, body: &Body, fou
     });
     for name in of_bar.chain(of_body) {
         let at = found.get(name.node.as_str()).copied().flatten();
-        let points = &mut cx.mech.links[link.index()].points;
+        let points = &mut cx.builder.mech.links[link.index()].points;
         if let Some(at) = at
             && !points.iter().any(|p| p.name == name.node)
         {

@@ -20,7 +20,7 @@ pub(crate) fn balances(cx: &mut Context<'_>) {
             && let Some(kind) = kind(cx, balance)
         {
             let (name, span) = (balance.name.node.clone(), balance.name.span);
-            cx.mech.balances.push(model::Balance { name, span, kind });
+            cx.builder.mech.balances.push(model::Balance { name, span, kind });
         }
     }
 }

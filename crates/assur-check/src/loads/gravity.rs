@@ -2,8 +2,8 @@
 
 use crate::error::{LinkError, LoadError};
 use crate::expr::context::Context;
+use crate::expr::positive::positive;
 use crate::expr::want::Want;
-use crate::links::link::positive;
 use assur_math::math::Vec2;
 use assur_model::model::Gravity;
 use assur_syntax::document::{Expr, Statement};
@@ -22,7 +22,7 @@ pub(crate) fn gravity(cx: &mut Context<'_>) {
         }
         first = Some(statement.span);
         if let Some(acceleration) = acceleration(cx, value) {
-            cx.mech.gravity = Some(Gravity { acceleration, span: statement.span });
+            cx.builder.mech.gravity = Some(Gravity { acceleration, span: statement.span });
         }
     }
 }

@@ -4,9 +4,10 @@ use crate::error::LoadError;
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::motion::drive::{Moves, coordinate, negated, on_moving};
-use crate::names::declare::ThingKind;
+use crate::names::declared::ThingKind;
+use crate::output::behind;
 use crate::statements::written::written;
-use crate::values::format_value::told;
+use crate::values::format_value::format_value;
 use assur_model::model;
 use assur_model::model::{Bearing, Expr, LinkId, LoadKind, PairId, PairKind, Place, Query};
 use assur_syntax::document;
@@ -22,7 +23,7 @@ pub(crate) fn loads(cx: &mut Context<'_>) {
         if let Statement::Load(l) = &statement.node
             && let Some(load) = load(cx, l, statement.span)
         {
-            cx.mech.loads.push(load);
+            cx.builder.mech.loads.push(load);
         }
     }
 }
@@ -79,7 +80,7 @@ pub(crate) fn slider(cx: &Context<'_>, name: &Name) -> Option<PairId> {
 /// Reports a force on a shaft whose place is left open: it has no arm.
 pub(crate) fn of_open_shaft(cx: &mut Context<'_>, name: &Name, what: &str) -> Option<()> {
     let Some(link) = cx.find_link(&name.node) else { return Some(()) };
-    let open = cx.mech.pairs.iter().any(|p| match &p.kind {
+    let open = cx.builder.mech.pairs.iter().any(|p| match &p.kind {
         PairKind::Revolute(pins) => {
             p.bearing == Some(Bearing::Open) && pins.last().is_some_and(|pin| pin.link == link)
         }
@@ -189,7 +190,7 @@ fn force_value(cx: &mut Context<'_>, load: &Load, on: Option<LinkId>) -> Option<
 /// A force with a direction: along the guide of its link, or down.
 fn directed(cx: &Context<'_>, source: &document::Expr, on: Option<LinkId>) -> String {
     let value = written(source).unwrap_or_else(|| "1000 N".into());
-    let guide = cx.mech.pairs.iter().find_map(|p| match &p.kind {
+    let guide = cx.builder.mech.pairs.iter().find_map(|p| match &p.kind {
         PairKind::Prismatic(g) if Some(g.slider) == on && g.guide == LinkId::GROUND => Some((p, g.along)),
         _ => None,
     });
@@ -200,7 +201,7 @@ fn directed(cx: &Context<'_>, source: &document::Expr, on: Option<LinkId>) -> St
     };
     let angle = along.angle();
     let back = if angle > 0.0 { angle - PI } else { angle + PI };
-    let [along, back] = [angle, back].map(|a| told(a, Dimension::ANGLE));
+    let [along, back] = [angle, back].map(|a| format_value(a, Dimension::ANGLE));
     let pair = &pair.name;
     format!(
         "write the direction: `{value} @ {along}` is along the guide `{pair}`, `{value} @ {back}` against it"
@@ -357,7 +358,7 @@ pub(crate) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span
 /// Whether an expression hangs on no force that is yet to be found; reports one that does.
 fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
     let mut on = None;
-    cx.queries_behind(expr, &mut |query| on = on.or(force_result(query)));
+    behind::queries(&cx.builder.mech, expr, &mut |query| on = on.or(force_result(query)));
     if let Some(on) = on {
         cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), span });
     }

@@ -2,16 +2,17 @@
 
 use crate::error::NameError;
 use crate::expr::context::Context;
-use crate::values::definition::way_round;
+use crate::output::behind;
+use crate::values::order::way_round;
 use assur_model::model::{Expr, LoadId, LoadKind, Place, Query};
 use miette::LabeledSpan;
 
 /// Reports loads that hang on themselves. Only where nothing else is wrong: then loads have their ids.
 pub(crate) fn load_cycles(cx: &mut Context<'_>) {
-    if cx.problems.has_errors() || !cx.mech.unsupported.is_empty() {
+    if cx.problems.has_errors() || !cx.builder.mech.unsupported.is_empty() {
         return;
     }
-    let uses = cx.mech.loads.iter().map(|load| {
+    let uses = cx.builder.mech.loads.iter().map(|load| {
         let (value, place) = match &load.kind {
             LoadKind::Force { value, at, .. } | LoadKind::ForceAgainstMotion { value, at, .. } => {
                 (value, Some(at))
@@ -34,7 +35,7 @@ pub(crate) fn load_cycles(cx: &mut Context<'_>) {
 fn loads_in<'e>(cx: &Context<'_>, exprs: impl Iterator<Item = &'e Expr>) -> Vec<LoadId> {
     let mut found = Vec::new();
     for expr in exprs {
-        cx.queries_behind(expr, &mut |query| {
+        behind::queries(&cx.builder.mech, expr, &mut |query| {
             if let Query::Load(id) = query {
                 found.push(*id);
             }
@@ -57,10 +58,10 @@ fn round_from(start: usize, uses: &[Vec<LoadId>], free: &[bool]) -> Vec<usize> {
 }
 
 fn report(cx: &mut Context<'_>, loads: &[usize]) {
-    let name = |i: &usize| cx.mech.loads[*i].name.clone().unwrap_or_default();
+    let name = |i: &usize| cx.builder.mech.loads[*i].name.clone().unwrap_or_default();
     let Some(first) = loads.first() else { return };
     let chain = way_round(&loads.iter().map(name).collect::<Vec<_>>());
-    let place = |i: &usize| cx.mech.loads[*i].span;
+    let place = |i: &usize| cx.builder.mech.loads[*i].span;
     let label = |i: &usize| LabeledSpan::at(place(i).start..place(i).end, "hangs on the next");
     let others = loads[1..].iter().map(label).collect();
     let (name, span) = (name(first), place(first));

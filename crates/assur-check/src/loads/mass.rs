@@ -2,8 +2,8 @@
 
 use crate::error::LinkError;
 use crate::expr::context::Context;
-use crate::links::link::{not_negative, positive};
-use crate::values::format_value::told;
+use crate::expr::positive::{not_negative, positive};
+use crate::values::format_value::{format_value, format_value_like};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, MassProperties, PairKind};
 use assur_syntax::document::{About, At, Body, Member, Statement};
@@ -31,7 +31,7 @@ pub(crate) fn masses(cx: &mut Context<'_>) {
             let element = !matches!(statement.node, Statement::Link(_) | Statement::Ground(_));
             let turning = if element { Turning::No } else { turning[link.index()] };
             let mass = mass(cx, link, body, turning);
-            cx.mech.links[link.index()].mass = mass;
+            cx.builder.mech.links[link.index()].mass = mass;
         }
     }
 }
@@ -47,9 +47,9 @@ enum Turning {
 
 /// A link that a chain of prismatic pairs joins with the ground keeps its angle; all others turn.
 fn turning(cx: &Context<'_>) -> Vec<Turning> {
-    let mut held = vec![false; cx.mech.links.len()];
+    let mut held = vec![false; cx.builder.mech.links.len()];
     held[0] = true;
-    let slides = cx.mech.pairs.iter().filter(|p| matches!(p.kind, PairKind::Prismatic(_)));
+    let slides = cx.builder.mech.pairs.iter().filter(|p| matches!(p.kind, PairKind::Prismatic(_)));
     let slides = slides.map(|p| p.kind.links()).collect::<Vec<_>>();
     loop {
         let before = held.iter().filter(|h| **h).count();
@@ -64,7 +64,7 @@ fn turning(cx: &Context<'_>) -> Vec<Turning> {
     }
     let mut turning = vec![Turning::Unknown; held.len()];
     if cx.pairs_complete() {
-        for pair in &cx.mech.pairs {
+        for pair in &cx.builder.mech.pairs {
             let by = (!matches!(pair.kind, PairKind::Prismatic(_))).then_some(pair.span);
             for link in pair.kind.links() {
                 let turns = &mut turning[link.index()];
@@ -90,7 +90,7 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
         return None;
     }
     if link == LinkId::GROUND {
-        let name = cx.mech.link(link).name.clone();
+        let name = cx.builder.mech.link(link).name.clone();
         for (what, span) in [("mass", stated.as_ref().map(|s| s.span)), ("inertia", inertia.map(|i| i.1))] {
             if let Some(span) = span {
                 cx.error(LinkError::MassOnGround { link: name.clone(), what, span });
@@ -111,7 +111,7 @@ fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Op
             // what cannot be read may be the inertia
             let whole = !body.iter().any(|member| matches!(member.node, Member::Bad(_)));
             if whole && matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
-                let link = cx.mech.link(link).name.clone();
+                let link = cx.builder.mech.link(link).name.clone();
                 cx.error(LinkError::PointMass { link, span: stated.span });
             }
             0.0
@@ -157,7 +157,7 @@ fn members<'a>(
             _ => continue,
         };
         if let Some(first) = first {
-            let what = format!("the {what} of `{}`", cx.mech.link(link).name);
+            let what = format!("the {what} of `{}`", cx.builder.mech.link(link).name);
             cx.error(LinkError::StatedTwice { what, again: span, first });
         }
     }
@@ -165,19 +165,19 @@ fn members<'a>(
 }
 
 fn amount_of_mass(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>) -> Option<f64> {
-    let name = cx.mech.link(link).name.clone();
+    let name = cx.builder.mech.link(link).name.clone();
     if !stated.weight {
         return positive(cx, &stated.at.value, Dimension::MASS, &format!("the mass of `{name}`"));
     }
     let weight = positive(cx, &stated.at.value, Dimension::FORCE, &format!("the weight of `{name}`"))?;
-    if let Some(gravity) = cx.mech.gravity {
+    if let Some(gravity) = cx.builder.mech.gravity {
         let g = gravity.acceleration;
         return Some(weight / libm::hypot(g.x, g.y));
     }
     let declared = cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Gravity(_)));
-    let mut first = || cx.reported.insert(("gravity", "of a weight".to_owned()));
+    let mut first = || cx.problems.reported.insert(("gravity", "of a weight".to_owned()));
     if !declared && !cx.names.bad.contains("gravity") && first() {
-        let weight = cx.amount(weight, Dimension::FORCE, &stated.at.value);
+        let weight = format_value_like(&cx.names, weight, Dimension::FORCE, &stated.at.value);
         cx.error(LinkError::WeightWithoutGravity { link: name, weight, span: stated.span });
     }
     None
@@ -200,16 +200,16 @@ fn centre(
         Turning::Yes(pair) => pair,
     };
     let value = &stated.at.value;
-    let member = match cx.mech.gravity {
+    let member = match cx.builder.mech.gravity {
         Some(gravity) if stated.weight => {
             let g = gravity.acceleration.norm();
-            format!("weight {}", cx.amount(mass? * g, Dimension::FORCE, value))
+            format!("weight {}", format_value_like(&cx.names, mass? * g, Dimension::FORCE, value))
         }
-        _ => format!("mass {}", cx.amount(mass?, Dimension::MASS, value)),
+        _ => format!("mass {}", format_value_like(&cx.names, mass?, Dimension::MASS, value)),
     };
     let point = cx.point_meant(link).map(str::to_owned);
     let error = LinkError::MassWithoutPlace {
-        link: cx.mech.link(link).name.clone(),
+        link: cx.builder.mech.link(link).name.clone(),
         member,
         point: point.unwrap_or_else(|| "S".into()),
         span: stated.span,
@@ -228,7 +228,7 @@ fn steiner(
     mass: f64,
     centre: Vec2,
 ) -> Option<f64> {
-    let what = format!("the inertia of `{}`", cx.mech.link(link).name);
+    let what = format!("the inertia of `{}`", cx.builder.mech.link(link).name);
     let inertia = not_negative(cx, &stated.value, Dimension::INERTIA, &what);
     let about = match &stated.about {
         Some(point) => cx.point(link, point).map(Some),
@@ -244,12 +244,12 @@ fn steiner(
     if left >= 0.0 || -left <= ROUNDING * least {
         return Some(left.max(0.0));
     }
-    let told_inertia = |x| cx.amount(x, Dimension::INERTIA, &stated.value);
+    let told_inertia = |x| format_value_like(&cx.names, x, Dimension::INERTIA, &stated.value);
     let error = LinkError::InertiaTooSmall {
         point: name.node.clone(),
         inertia: told_inertia(inertia),
-        mass: told(mass, Dimension::MASS),
-        distance: told(arm.norm(), Dimension::LENGTH),
+        mass: format_value(mass, Dimension::MASS),
+        distance: format_value(arm.norm(), Dimension::LENGTH),
         least: told_inertia(least),
         left: told_inertia(left),
         span: stated.value.span,

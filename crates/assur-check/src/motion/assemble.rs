@@ -4,8 +4,9 @@ use crate::error::MotionError;
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::links::lookup::{is_linkage_pair, place_of_pair};
-use crate::motion::drive::{coordinate, text};
-use crate::names::declare::ThingKind;
+use crate::motion::drive::coordinate;
+use crate::names::declared::ThingKind;
+use crate::statements::lines::text;
 use assur_model::model;
 use assur_model::model::{Hint, HintKind, LinkPoint, PairId, PairKind, Positions};
 use assur_syntax::document::{AssembleClause, CompareOp, Expr, Order, Path, Side, Statement};
@@ -17,7 +18,7 @@ pub(crate) fn hints(cx: &mut Context<'_>) {
         let Statement::Assemble(assemble) = &statement.node else { continue };
         for clause in &assemble.clauses {
             if let Some(kind) = hint(cx, &clause.node) {
-                cx.mech.hints.push(Hint { span: clause.span, kind });
+                cx.builder.mech.hints.push(Hint { span: clause.span, kind });
             }
         }
     }
@@ -27,9 +28,9 @@ pub(crate) fn hints(cx: &mut Context<'_>) {
 /// `near` holds for the first pose, which is not known where the drive begins at a dead position: that is found from the
 /// assembly.
 fn near_with_dead(cx: &mut Context<'_>) {
-    let near = cx.mech.hints.iter().filter(|h| matches!(h.kind, HintKind::Near { .. }));
+    let near = cx.builder.mech.hints.iter().filter(|h| matches!(h.kind, HintKind::Near { .. }));
     let near = near.map(|h| h.span).collect::<Vec<_>>();
-    let dead = cx.mech.drives.iter().find(|d| {
+    let dead = cx.builder.mech.drives.iter().find(|d| {
         let mut found = false;
         let mut look = |e: &model::Expr| e.queries(&mut |_| found = true);
         match &d.positions {
@@ -55,7 +56,7 @@ fn hint(cx: &mut Context<'_>, clause: &AssembleClause) -> Option<HintKind> {
         AssembleClause::Side { what, side, from, to } => {
             let points = (point(cx, what), point(cx, from), point(cx, to));
             let (point, start, end) = (points.0?, points.1?, points.2?);
-            if start == end || cx.joined_with(start).contains(&end) {
+            if start == end || cx.builder.joined_with(start).contains(&end) {
                 let span = from.span().to(to.span());
                 cx.error(MotionError::NoDirection { name: text(from), span });
                 return None;
@@ -101,11 +102,11 @@ fn point(cx: &mut Context<'_>, path: &Path) -> Option<LinkPoint> {
         return cx.point_of_shared_name(head);
     }
     let pair = cx.pair(head)?;
-    let kind = &cx.mech.pair(pair).kind;
+    let kind = &cx.builder.mech.pair(pair).kind;
     let place = place_of_pair(kind);
     if place.is_none() {
         let is = if matches!(kind, PairKind::Cylinder { .. }) { "a cylinder" } else { "a contact" };
-        let link = kind.links().last().map(|l| cx.mech.link(*l));
+        let link = kind.links().last().map(|l| cx.builder.mech.link(*l));
         let point = link.and_then(|l| l.points.first().map(|p| format!("{}.{}", l.name, p.name)));
         let example = point.unwrap_or_else(|| "rod.C".into());
         let (name, is, span) = (head.node.clone(), is.into(), head.span);
@@ -139,9 +140,9 @@ fn guide(
 }
 
 fn slides(cx: &Context<'_>, point: LinkPoint) -> Option<PairId> {
-    let joined = cx.joined_with(point);
+    let joined = cx.builder.joined_with(point);
     let guides = || {
-        cx.mech.pairs.iter().enumerate().filter_map(|(i, p)| match &p.kind {
+        cx.builder.mech.pairs.iter().enumerate().filter_map(|(i, p)| match &p.kind {
             PairKind::Prismatic(guide) => Some((PairId::at(i), guide)),
             _ => None,
         })

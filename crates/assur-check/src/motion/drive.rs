@@ -4,9 +4,10 @@ use crate::error::{LinkError, MotionError};
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::links::lookup::is_linkage_pair;
-use crate::names::declare::ThingKind;
+use crate::names::declared::ThingKind;
 use crate::pairs::pair::link_point;
-use crate::values::format_value::{digits, told};
+use crate::statements::lines::text;
+use crate::values::format_value::{digits, format_value};
 use assur_model::model;
 use assur_model::model::{BinaryOp, DriveTarget, Expr, LinkId, PairId, PairKind, Positions, Value};
 use assur_syntax::document::{
@@ -46,14 +47,6 @@ impl Moves {
     }
 }
 
-/// A path as the author writes it.
-pub(crate) fn text(path: &Path) -> String {
-    match &path.tail {
-        Some(tail) => format!("{}.{}", path.head.node, tail.node),
-        None => path.head.node.clone(),
-    }
-}
-
 /// Enters all drives into the mechanism.
 pub(crate) fn drives(cx: &mut Context<'_>) {
     let doc = cx.doc;
@@ -61,7 +54,7 @@ pub(crate) fn drives(cx: &mut Context<'_>) {
         if let Statement::Drive(d) = &statement.node
             && let Some(drive) = drive(cx, d, statement.span)
         {
-            cx.mech.drives.push(drive);
+            cx.builder.mech.drives.push(drive);
         }
     }
     same_count(cx);
@@ -100,7 +93,7 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
 
 /// Zero, as position (0) or speed (1).
 pub(crate) fn zero(moves: Moves, order: usize) -> String {
-    if moves == Moves::Freely { "(0, 0)".into() } else { told(0.0, moves.dimension(order)) }
+    if moves == Moves::Freely { "(0, 0)".into() } else { format_value(0.0, moves.dimension(order)) }
 }
 
 /// What is driven, and how it moves; no target where a slider has an error.
@@ -153,14 +146,14 @@ pub(crate) fn on_moving(cx: &mut Context<'_>, link: LinkId, span: Span, what: &s
 /// A pair with a coordinate, and how that changes. Reports a pair that has none.
 pub(crate) fn coordinate(cx: &mut Context<'_>, name: &Name) -> Option<(PairId, Moves)> {
     let pair = cx.pair(name)?;
-    let (is, help) = match &cx.mech.pair(pair).kind {
+    let (is, help) = match &cx.builder.mech.pair(pair).kind {
         PairKind::Revolute(pins) if pins.len() == 2 => return Some((pair, Moves::Turning)),
         PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => {
             return Some((pair, Moves::Sliding));
         }
         PairKind::Revolute(pins) => {
             let links = pins.iter().map(|p| p.link).filter(|l| *l != LinkId::GROUND);
-            let links = links.map(|l| format!("`{}`", cx.mech.link(l).name));
+            let links = links.map(|l| format!("`{}`", cx.builder.mech.link(l).name));
             let links = links.collect::<Vec<_>>().join(", ");
             (format!("one pin in {} links", pins.len()), format!("name one of the links {links}"))
         }
@@ -176,7 +169,7 @@ pub(crate) fn moves(cx: &Context<'_>, target: DriveTarget) -> Moves {
     match target {
         DriveTarget::Link(_) => Moves::Turning,
         DriveTarget::Point(..) => Moves::Freely,
-        DriveTarget::Pair(pair) => match cx.mech.pair(pair).kind {
+        DriveTarget::Pair(pair) => match cx.builder.mech.pair(pair).kind {
             PairKind::Revolute(_) => Moves::Turning,
             _ => Moves::Sliding,
         },
@@ -184,7 +177,7 @@ pub(crate) fn moves(cx: &Context<'_>, target: DriveTarget) -> Moves {
 }
 
 fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bool {
-    let Some(first) = cx.mech.drives.iter().find(|d| d.target == target).map(|d| d.span) else {
+    let Some(first) = cx.builder.mech.drives.iter().find(|d| d.target == target).map(|d| d.span) else {
         return true;
     };
     cx.error(MotionError::DrivenTwice { name: name.into(), again: span, first });
@@ -334,7 +327,7 @@ fn difference(from: &Expr, to: &Expr) -> Option<f64> {
 
 /// Drives that go through several positions go through equally many.
 fn same_count(cx: &mut Context<'_>) {
-    let counted = cx.mech.drives.iter().filter_map(|d| {
+    let counted = cx.builder.mech.drives.iter().filter_map(|d| {
         let count = count(&d.positions, moves(cx, d.target))?;
         (count > 1).then_some((count, d.span))
     });

@@ -23,7 +23,8 @@ pub(crate) fn is_other(
         Moves::Turning if found == Dimension::LENGTH => by_pair(cx, drive, target)
             .or_else(|| cx.same_number(want, first).map(|text| format!("write `{text}`"))),
         Moves::Sliding if found == Dimension::ANGLE => {
-            let (unit, rate) = (cx.usual_unit(Dimension::LENGTH), cx.usual_unit(Dimension::VELOCITY));
+            let (unit, rate) =
+                (cx.values.usual_unit(Dimension::LENGTH), cx.values.usual_unit(Dimension::VELOCITY));
             Some(format!("`{name}` slides: write its position in {unit}, and its speed in {rate}"))
         }
         _ => return false,
@@ -49,7 +50,7 @@ fn by_pair(cx: &Context<'_>, drive: &Drive, target: Option<DriveTarget>) -> Opti
         PairKind::Cylinder { from, to, .. } => from.link == link || to.link == link,
         _ => false,
     };
-    let pairs = cx.mech.pairs.iter().filter(|p| slides(&p.kind, link));
+    let pairs = cx.builder.mech.pairs.iter().filter(|p| slides(&p.kind, link));
     let lines = pairs.filter_map(|p| Some(format!("`{}`", retargeted(drive, &p.name)?))).collect::<Vec<_>>();
     (!lines.is_empty()).then(|| format!("drive the pair: {}", lines.join(" or ")))
 }

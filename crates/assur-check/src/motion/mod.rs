@@ -3,5 +3,6 @@
 pub mod assemble;
 pub mod drive;
 pub mod drive_kind;
+pub mod no_motion;
 pub mod pose;
 pub mod simulation;

@@ -2,8 +2,9 @@
 
 use crate::error::MotionError;
 use crate::expr::context::Context;
-use crate::links::lookup::suggestion;
-use crate::motion::drive::{count, moves, stated_twice, text, value, zero};
+use crate::motion::drive::{count, moves, stated_twice, value, zero};
+use crate::names::suggestion::suggestion;
+use crate::statements::lines::text;
 use assur_model::model::{DriveId, Expr, NamedPose, Positions};
 use assur_syntax::document::{Pose, Setting, Statement};
 use assur_text::source::Span;
@@ -16,7 +17,11 @@ pub(crate) fn poses(cx: &mut Context<'_>) {
             let free = not_of_sweep(cx, pose);
             let at = settings(cx, &pose.settings, &format!("pose `{}`", pose.name.node), pose.name.span);
             if let (true, Some(at)) = (free, at) {
-                cx.mech.poses.push(NamedPose { name: pose.name.node.clone(), span: statement.span, at });
+                cx.builder.mech.poses.push(NamedPose {
+                    name: pose.name.node.clone(),
+                    span: statement.span,
+                    at,
+                });
             }
         }
     }
@@ -45,12 +50,12 @@ pub(crate) fn settings(
         });
     }
     let mut at = at?;
-    for index in 0..cx.mech.drives.len() {
+    for index in 0..cx.builder.mech.drives.len() {
         let id = DriveId::at(index);
         if at.iter().any(|(drive, _)| *drive == id) {
             continue;
         }
-        let drive = &cx.mech.drives[index];
+        let drive = &cx.builder.mech.drives[index];
         match &drive.positions {
             Positions::None => {}
             Positions::List(values) if values.len() == 1 => at.push((id, values[0].clone())),
@@ -73,12 +78,12 @@ pub(crate) fn settings(
 
 fn set(cx: &mut Context<'_>, setting: &Setting, name: &str) -> Option<(DriveId, Expr)> {
     let span = setting.target.span();
-    if let Some(index) = cx.mech.drives.iter().position(|d| d.name == name) {
-        let moves = moves(cx, cx.mech.drives[index].target);
+    if let Some(index) = cx.builder.mech.drives.iter().position(|d| d.name == name) {
+        let moves = moves(cx, cx.builder.mech.drives[index].target);
         return value(cx, &setting.value, moves, 0, name).map(|v| (DriveId::at(index), v));
     }
     if name == "time" {
-        cx.unsupported("an instant of a simulation", span);
+        cx.builder.unsupported("an instant of a simulation", span);
         return None;
     }
     let declared = |s: &Statement| match s {
@@ -89,10 +94,10 @@ fn set(cx: &mut Context<'_>, setting: &Setting, name: &str) -> Option<(DriveId, 
     if cx.doc.statements.iter().any(|s| declared(&s.node)) {
         return None;
     }
-    if !cx.reported.insert(("drive", name.to_owned())) {
+    if !cx.problems.reported.insert(("drive", name.to_owned())) {
         return None;
     }
-    let driven = cx.mech.drives.iter().map(|d| d.name.as_str()).collect::<Vec<_>>();
+    let driven = cx.builder.mech.drives.iter().map(|d| d.name.as_str()).collect::<Vec<_>>();
     let help = suggestion(name, &driven, "drives").unwrap_or_else(|| {
         format!("add the line `drive {name} = {}`, with your own values", positions(cx, name))
     });
@@ -107,9 +112,9 @@ fn positions(cx: &Context<'_>, name: &str) -> String {
         _ => None,
     });
     let sliding = cx.find_link(name).is_none()
-        && cx
-            .find_pair(name)
-            .is_some_and(|p| !matches!(cx.mech.pair(p).kind, assur_model::model::PairKind::Revolute(_)));
+        && cx.find_pair(name).is_some_and(|p| {
+            !matches!(cx.builder.mech.pair(p).kind, assur_model::model::PairKind::Revolute(_))
+        });
     match lists.max() {
         _ if sliding => "100 mm".into(),
         Some(n) if n > 1 => format!("0 deg .. 360 deg in {n} steps at 60 rpm"),
@@ -120,7 +125,7 @@ fn positions(cx: &Context<'_>, name: &str) -> String {
 /// The poses of the sweep have numbers for names.
 fn not_of_sweep(cx: &mut Context<'_>, pose: &Pose) -> bool {
     let Ok(number) = pose.name.node.parse::<usize>() else { return true };
-    let longest = cx.mech.drives.iter().filter_map(|d| {
+    let longest = cx.builder.mech.drives.iter().filter_map(|d| {
         let count = count(&d.positions, moves(cx, d.target))?;
         Some((count, d.span))
     });

@@ -2,7 +2,8 @@
 
 use crate::expr::context::Context;
 use crate::motion::drive::{target, value};
-use crate::trains::property::constant;
+use crate::pairs::transmission::constant;
+use crate::statements::lines::text;
 use crate::values::typed::Type;
 use assur_model::model::{Drive, Positions};
 use assur_syntax::document::{Start, Statement, Until};
@@ -16,9 +17,9 @@ pub(crate) fn simulation(cx: &mut Context<'_>) {
         match &statement.node {
             Statement::Start(s) => {
                 if let Some(drive) = start(cx, s, statement.span) {
-                    cx.mech.drives.push(drive);
+                    cx.builder.mech.drives.push(drive);
                 }
-                cx.unsupported("motion under loads", statement.span);
+                cx.builder.unsupported("motion under loads", statement.span);
             }
             Statement::Simulate(s) => {
                 constant(cx, &s.from, Dimension::TIME, "the first instant");
@@ -26,11 +27,11 @@ pub(crate) fn simulation(cx: &mut Context<'_>) {
                 if let Some(within) = &s.within {
                     constant(cx, within, Dimension::NUMBER, "the tolerance of the simulation");
                 }
-                cx.unsupported("motion under loads", statement.span);
+                cx.builder.unsupported("motion under loads", statement.span);
             }
             Statement::Until(u) => {
                 until(cx, u);
-                cx.unsupported("motion under loads", statement.span);
+                cx.builder.unsupported("motion under loads", statement.span);
             }
             _ => {}
         }
@@ -50,11 +51,11 @@ fn until(cx: &mut Context<'_>, until: &Until) {
 /// For the structure a start is a drive: one freedom whose position is known.
 fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
     let (target, moves) = target(cx, &start.target, "a start")?;
-    let name = crate::motion::drive::text(&start.target);
+    let name = text(&start.target);
     let position = value(cx, &start.value, moves, 0, &name);
     let speed = start.rate.as_ref().map(|rate| value(cx, rate, moves, 1, &name));
     let (target, position) = (target?, position?);
-    let driven = cx.mech.drives.iter().any(|d| d.target == target);
+    let driven = cx.builder.mech.drives.iter().any(|d| d.target == target);
     (!driven).then(|| Drive {
         name,
         span,

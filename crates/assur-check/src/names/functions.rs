@@ -1,6 +1,6 @@
 //! The functions, as data.
 
-use crate::names::declare::ThingKind;
+use crate::names::declared::ThingKind;
 use assur_syntax::document::JointKind;
 
 /// A function of the language.

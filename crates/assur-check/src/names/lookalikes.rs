@@ -1,13 +1,13 @@
 //! Names that cannot be told apart by eye.
 
 use crate::error::NameError;
-use crate::expr::context::Context;
+use crate::names::scope::Scope;
 use assur_syntax::skeleton;
 use assur_text::source::Span;
 use indexmap::IndexMap;
 
 /// Reports names of one list that only look alike.
-pub(crate) fn look_alikes(cx: &mut Context<'_>) {
+pub(crate) fn look_alikes(cx: &mut Scope<'_, '_>) {
     let names = &cx.names;
     let inside =
         names.inside.iter().flat_map(|i| i.points.keys().chain(i.lines.keys()).chain(i.circles.keys()));
@@ -27,7 +27,7 @@ pub(crate) fn look_alikes(cx: &mut Context<'_>) {
     }
 }
 
-fn compare(cx: &mut Context<'_>, list: &[(String, Span)]) {
+fn compare(cx: &mut Scope<'_, '_>, list: &[(String, Span)]) {
     let mut seen: IndexMap<String, Vec<(&str, Span)>> = IndexMap::new();
     for (name, span) in list {
         let alike = seen.entry(skeleton(name)).or_default();

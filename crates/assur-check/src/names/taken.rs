@@ -1,10 +1,9 @@
 //! Names that are taken already: what may be meant in place of the second.
 
 use crate::error::{NameError, TrainError};
-use crate::expr::context::Context;
-use crate::motion::drive::text;
-use crate::names::declare::QuantityKind;
-use crate::pairs::meant::{end_text, line_of};
+use crate::names::declared::QuantityKind;
+use crate::names::scope::Scope;
+use crate::statements::lines::{end_text, line_of, text};
 use crate::statements::written::written;
 use assur_syntax::document::{
     Balance, End, ExpectAt, ExprKind, Joint, LoadKind, Name, Place, Pose, Site, Statement, Turn,
@@ -12,7 +11,7 @@ use assur_syntax::document::{
 use assur_text::source::Span;
 use indexmap::IndexSet;
 
-impl Context<'_> {
+impl Scope<'_, '_> {
     /// Reports a second pose of one name. A pose that is named elsewhere and declared nowhere is the one meant.
     pub(crate) fn pose_taken(&mut self, pose: &Pose, first: Span) {
         let statements = || self.doc.statements.iter().map(|s| &s.node);

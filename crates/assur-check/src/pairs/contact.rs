@@ -57,7 +57,8 @@ pub(crate) fn contact(
 }
 
 fn profile(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Profile> {
-    let rim = cx.mech.link(end.link).cam_profiles.iter().find(|r| r.name == end.part.node).map(|r| r.cam);
+    let rim =
+        cx.builder.mech.link(end.link).cam_profiles.iter().find(|r| r.name == end.part.node).map(|r| r.cam);
     let shape = match cx.kind_inside(end.link, &end.part.node) {
         _ if rim.is_some() => rim.map(ProfileShape::Rim),
         Some("line") => cx.line(end.link, &end.part).map(|l| ProfileShape::Line(l.through, l.along)),

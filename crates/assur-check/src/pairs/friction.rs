@@ -1,12 +1,10 @@
 //! The laws of friction that the properties of a pair state.
 
-use crate::error::{FrictionError, PairError};
+use crate::error::PairError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find};
-use crate::pairs::property::AMOUNTS;
 use assur_model::model::Friction;
-use assur_syntax::document::{Joint, JointKind, Property, Statement};
-use miette::LabeledSpan;
+use assur_syntax::document::{Joint, JointKind};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Factor k of the equivalent coefficient k f of a round fit: contact along a line, even pressure all around, pressure as
@@ -59,36 +57,4 @@ fn half_angle(cx: &mut Context<'_>, groove: &Read) -> Option<()> {
         span: groove.span,
     });
     None
-}
-
-/// Warns of friction that has no direction: the drive has neither a speed nor a sense.
-pub(crate) fn no_motion(cx: &mut Context<'_>) {
-    let still =
-        |d: &assur_model::model::Drive| d.speed.is_none() && d.acceleration.is_none() && d.sense.is_none();
-    let rubs = cx.mech.pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some()));
-    let drives = &cx.mech.drives;
-    if !rubs || drives.is_empty() || !drives.iter().all(still) {
-        return;
-    }
-    let amount = |p: &&Property| AMOUNTS.contains(&p.name.node.as_str());
-    let mut labels = Vec::new();
-    for statement in &cx.doc.statements {
-        let properties = match &statement.node {
-            Statement::Joint(joint) => &joint.properties,
-            Statement::All(all) => &all.properties,
-            _ => continue,
-        };
-        for property in properties.iter().filter(amount) {
-            let span = property.span;
-            let text = if labels.is_empty() { "against which motion?" } else { "and here" };
-            labels.push(LabeledSpan::at(span.start..span.end, text));
-        }
-    }
-    let drive = &drives[0];
-    let sense = match crate::motion::drive::moves(cx, drive.target) {
-        crate::motion::drive::Moves::Turning => "turning ccw",
-        _ => "moving forward",
-    };
-    let (drive, sense) = (drive.name.clone(), sense.to_owned());
-    cx.error(FrictionError::NoMotion { drive, sense, labels });
 }

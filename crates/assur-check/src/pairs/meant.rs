@@ -1,11 +1,10 @@
 //! The line that may be meant where the ends of a pair do not name what it joins.
 
 use crate::expr::context::Context;
-use crate::motion::drive::text;
-use crate::names::declare::Inside;
-use crate::statements::written::written;
+use crate::names::declared::Inside;
+use crate::statements::lines::braces;
 use assur_model::model::LinkId;
-use assur_syntax::document::{Body, End, Joint, JointKind, Member, Path, Property, Statement};
+use assur_syntax::document::{Body, End, Joint, JointKind, Member, Path, Statement};
 use assur_text::source::Span;
 
 /// More choices than these say nothing.
@@ -14,7 +13,7 @@ const MOST: usize = 3;
 impl Context<'_> {
     /// The braces of a link as written.
     fn body(&self, link: LinkId) -> Option<&Body> {
-        let name = &self.mech.link(link).name;
+        let name = &self.builder.mech.link(link).name;
         self.doc.statements.iter().find_map(|s| match &s.node {
             Statement::Ground(g) if link == LinkId::GROUND => Some(&g.body),
             Statement::Link(l) if l.name.node == *name => Some(&l.body),
@@ -32,7 +31,7 @@ impl Context<'_> {
 
     /// Whether a pair, other than that with its name at `but`, names a part of a link.
     fn in_pair(&self, link: LinkId, part: &str, but: Option<Span>) -> bool {
-        let owner = &self.mech.link(link).name;
+        let owner = &self.builder.mech.link(link).name;
         self.doc.statements.iter().any(|s| match &s.node {
             Statement::Joint(joint) if Some(joint.name.span) != but => {
                 joint.ends.iter().any(|end| match end {
@@ -160,37 +159,4 @@ impl MeantEnd<'_> {
         let lines = self.lines();
         if lines.is_empty() && self.inside.circles.is_empty() { self.points() } else { lines }
     }
-}
-
-/// `write …` with each of some lines.
-pub(crate) fn write_one(lines: &[String]) -> Option<String> {
-    let quoted = lines.iter().map(|l| format!("`{l}`")).collect::<Vec<_>>();
-    (!lines.is_empty()).then(|| format!("write {}", quoted.join(" or ")))
-}
-
-/// Properties in braces as they would be written, behind some more; nothing where there are none.
-pub(crate) fn braces(properties: &[Property], more: &[&str]) -> String {
-    let one = |p: &Property| {
-        let values = p.values.iter().map(written).collect::<Option<Vec<_>>>()?.join(", ");
-        let blank = if values.is_empty() { "" } else { " " };
-        p.properties.is_empty().then(|| format!("{}{blank}{values}", p.name.node))
-    };
-    let own = properties.iter().map(|p| one(p).unwrap_or_else(|| "…".into()));
-    let all = more.iter().map(|m| (*m).to_owned()).chain(own).collect::<Vec<_>>();
-    if all.is_empty() { String::new() } else { format!(" {{ {} }}", all.join("; ")) }
-}
-
-/// An end as written.
-pub(crate) fn end_text(end: &End) -> String {
-    match end {
-        End::At(path) => text(path),
-        End::Over(name) => format!("over({})", name.node),
-        End::Under(name) => format!("under({})", name.node),
-    }
-}
-
-/// The line of a joint, each end as `end` writes it.
-pub(crate) fn line_of(joint: &Joint, end: impl Fn(&End) -> String) -> String {
-    let ends = joint.ends.iter().map(end).collect::<Vec<_>>().join(" - ");
-    format!("{} {}: {ends}{}", joint.kind.node.word(), joint.name.node, braces(&joint.properties, &[]))
 }

@@ -6,3 +6,4 @@ pub mod meant;
 pub mod pair;
 pub mod prismatic;
 pub mod property;
+pub mod transmission;

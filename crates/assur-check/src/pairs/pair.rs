@@ -3,10 +3,11 @@
 use crate::error::{NameError, PairError};
 use crate::expr::context::Context;
 use crate::links::lookup::is_linkage_pair;
-use crate::pairs::meant::{end_text, line_of, write_one};
+use crate::names::declared::Inside;
 use crate::pairs::prismatic::{Held, guide};
 use crate::pairs::property::{Shared, phrase, read_own as read, shared, with_shared};
 use crate::pairs::{contact, friction};
+use crate::statements::lines::{end_text, line_of, write_one};
 use assur_math::math::Vec2;
 use assur_model::model::{Friction, GroupAssertion, LinkId, Pair, PairId, PairKind, Pin};
 use assur_syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
@@ -27,11 +28,11 @@ pub(crate) fn pairs(cx: &mut Context<'_>) {
             continue;
         }
         if let Some((kind, friction)) = pair(cx, joint, &shared, &mut held) {
-            let id = PairId::at(cx.mech.pairs.len());
-            cx.hinges.enter(&kind, id);
+            let id = PairId::at(cx.builder.mech.pairs.len());
+            cx.builder.hinges.enter(&kind, id);
             let (name, span) = (joint.name.node.clone(), joint.name.span);
             cx.names.pairs.entry(name.clone()).or_insert(id);
-            cx.mech.pairs.push(Pair { name, span, kind, friction, bearing: None });
+            cx.builder.mech.pairs.push(Pair { name, span, kind, friction, bearing: None });
         }
     }
 }
@@ -54,27 +55,6 @@ fn pair(
     };
     let friction = properties.map(|p| friction::law(cx, joint, &p));
     Some((kind?, friction?))
-}
-
-impl Context<'_> {
-    /// Whether the name's first declaration is this one; a second is reported with the names, and left out.
-    pub(crate) fn is_own(&self, name: &Name) -> bool {
-        self.names.things.get(&name.node).is_some_and(|d| d.span == name.span)
-    }
-
-    /// Whether all pairs of the linkage are in the mechanism: none has an error, no statement is unreadable. Where it is
-    /// not so, something that seems unjoined may be joined.
-    pub(crate) fn pairs_complete(&self) -> bool {
-        let is_pair = |s: &Statement| matches!(s, Statement::Joint(j) if is_linkage_pair(j.kind.node));
-        let is_bad = |s: &Statement| matches!(s, Statement::Bad(_));
-        let statements = || self.doc.statements.iter().map(|s| &s.node);
-        let joined = self
-            .mech
-            .pairs
-            .iter()
-            .filter(|p| p.bearing.is_none() && !matches!(p.kind, PairKind::Transmission(_)));
-        statements().filter(|s| is_pair(s)).count() == joined.count() && !statements().any(is_bad)
-    }
 }
 
 /// An end of a joint: a link and the name of a part of it.
@@ -112,7 +92,7 @@ fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
                 help,
                 what: joint.kind.node.word().into(),
                 name: joint.name.node.clone(),
-                link: cx.mech.link(end.link).name.clone(),
+                link: cx.builder.mech.link(end.link).name.clone(),
                 first: first.span,
                 second: end.span,
             });
@@ -125,7 +105,7 @@ fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
 /// The line of a hinge between a link that is named twice and the only other one that has the point of its name.
 fn other_link(cx: &Context<'_>, joint: &Joint, link: LinkId) -> Option<String> {
     let name = &joint.name.node;
-    let links = cx.names.inside.iter().zip(&cx.mech.links).enumerate();
+    let links = cx.names.inside.iter().zip(&cx.builder.mech.links).enumerate();
     let mut others = links.filter(|(i, (inside, _))| *i != link.index() && inside.points.contains_key(name));
     let (_, (_, other)) = others.next()?;
     if joint.kind.node != JointKind::Revolute || joint.ends.len() != 2 || others.next().is_some() {
@@ -191,11 +171,11 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     if inside.bad.contains(name) || cx.names.bad.contains(name) {
         return;
     }
-    if !cx.reported.insert(("end of a pair", joint.name.node.clone())) {
+    if !cx.problems.reported.insert(("end of a pair", joint.name.node.clone())) {
         return; // one name is wrong, at both ends
     }
     let inside = &cx.names.inside[end.link.index()];
-    let link = cx.mech.link(end.link).name.clone();
+    let link = cx.builder.mech.link(end.link).name.clone();
     let alike = inside.points.keys().find(|p| skeleton(p) == skeleton(name)).cloned();
     let elsewhere = (what == "point").then(|| meant(cx, joint)).flatten();
     let all = inside.points.keys().map(|p| format!("`{link}.{p}`")).collect::<Vec<_>>();
@@ -213,7 +193,7 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
         None => elsewhere.or_else(|| write_one(&cx.lines_meant(joint, joint.kind.node))).unwrap_or(choices),
     };
     let name = name.clone();
-    cx.reported.insert(("point", format!("{link}.{name}")));
+    cx.problems.reported.insert(("point", format!("{link}.{name}")));
     // what is not found because of this is no second mistake
     cx.names.bad.extend(alike);
     cx.error(PairError::NothingToJoin {
@@ -240,8 +220,8 @@ fn with_point(cx: &Context<'_>, link: &str, point: &str) -> String {
 /// The statement that may be meant where a hinge joins links that lack the point of its name.
 fn meant(cx: &Context<'_>, joint: &Joint) -> Option<String> {
     let name = &joint.name.node;
-    let has = |inside: &crate::names::declare::Inside| inside.points.contains_key(name);
-    let links = cx.names.inside.iter().zip(&cx.mech.links).filter(|(inside, _)| has(inside));
+    let has = |inside: &Inside| inside.points.contains_key(name);
+    let links = cx.names.inside.iter().zip(&cx.builder.mech.links).filter(|(inside, _)| has(inside));
     let links = links.map(|(_, link)| link.name.as_str()).collect::<Vec<_>>();
     if let [_, _, ..] = links[..] {
         let line = format!("{} {name}: {}", joint.kind.node.word(), links.join(" - "));
@@ -286,12 +266,12 @@ fn revolute(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<Pair
 /// Two hinges between the same points of the same links are one too many.
 fn joined_before(cx: &mut Context<'_>, joint: &Joint, pins: &[Pin]) -> Option<()> {
     let same = |a: &Pin, b: &Pin| a.link == b.link && a.at == b.at;
-    for id in cx.hinges.near(pins) {
-        let pair = cx.mech.pair(id);
+    for id in cx.builder.hinges.near(pins) {
+        let pair = cx.builder.mech.pair(id);
         let PairKind::Revolute(others) = &pair.kind else { continue };
         let again = pins.iter().filter(|p| others.iter().any(|o| same(o, p))).collect::<Vec<_>>();
         if let [a, b, ..] = again[..] {
-            let spelled = |pin: &Pin| format!("{}.{}", cx.mech.link(pin.link).name, pin.name);
+            let spelled = |pin: &Pin| format!("{}.{}", cx.builder.mech.link(pin.link).name, pin.name);
             let error = PairError::JoinedTwice {
                 name: joint.name.node.clone(),
                 first_point: spelled(a),
@@ -313,7 +293,7 @@ fn cylinder(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<Pair
     let (from, to) = (from?, to?);
     let mut link = |part: &str| {
         let name = format!("{}.{part}", joint.name.node);
-        cx.add_link(name, None, joint.name.span)
+        cx.names.add_link(&mut cx.builder.mech, name, None, joint.name.span)
     };
     let (barrel, rod) = (link("barrel"), link("rod"));
     Some(PairKind::Cylinder { barrel, rod, from, to })
@@ -328,7 +308,7 @@ pub(crate) fn groups(cx: &mut Context<'_>) {
             && let Some(links) = group_links(cx, group)
         {
             let name = group.name.node.clone();
-            cx.mech.groups.push(GroupAssertion { name, span: statement.span, links });
+            cx.builder.mech.groups.push(GroupAssertion { name, span: statement.span, links });
         }
     }
 }

@@ -3,10 +3,10 @@
 use crate::error::{NameError, PairError};
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find};
-use crate::links::lookup::suggestion;
-use crate::pairs::meant::{end_text, line_of};
+use crate::names::suggestion::suggestion;
 use crate::pairs::pair::{Joined, nothing_to_join};
 use crate::pairs::property::phrase;
+use crate::statements::lines::{end_text, line_of};
 use assur_math::math::Vec2;
 use assur_model::model::{Guide, Line, LinkId, PairKind};
 use assur_syntax::document::{End, Joint, JointKind, Member, Name, Statement};
@@ -94,11 +94,11 @@ fn unknown(cx: &mut Context<'_>, joint: &Joint, end: &Joined) {
         return;
     }
     // said of another pair
-    if cx.reported.contains(&("point", format!("{}.{name}", cx.mech.link(end.link).name))) {
+    if cx.problems.reported.contains(&("point", format!("{}.{name}", cx.builder.mech.link(end.link).name))) {
         return;
     }
     let all = inside.points.keys().chain(inside.lines.keys()).map(String::as_str).collect::<Vec<_>>();
-    let owner = &cx.mech.link(end.link).name;
+    let owner = &cx.builder.mech.link(end.link).name;
     let near = !did_you_mean(name, all.iter().copied()).is_empty();
     let line =
         if near { None } else { line_elsewhere(cx, joint, end).or_else(|| missing_line(cx, joint, end)) };
@@ -112,7 +112,7 @@ fn unknown(cx: &mut Context<'_>, joint: &Joint, end: &Joined) {
 /// The pair with a line that another link has.
 fn line_elsewhere(cx: &Context<'_>, joint: &Joint, end: &Joined) -> Option<String> {
     let name = &end.part.node;
-    let links = cx.names.inside.iter().zip(&cx.mech.links);
+    let links = cx.names.inside.iter().zip(&cx.builder.mech.links);
     let mut owners = links.filter(|(inside, _)| inside.lines.contains_key(name)).map(|(_, link)| &link.name);
     let owner = owners.next()?;
     let among = |e: &End| matches!(e, End::At(path) if path.head.node == *owner);
@@ -138,7 +138,7 @@ fn missing_line(cx: &Context<'_>, joint: &Joint, end: &Joined) -> Option<String>
     if !point || !inside.lines.is_empty() {
         return None;
     }
-    let (name, owner) = (&end.part.node, &cx.mech.link(end.link).name);
+    let (name, owner) = (&end.part.node, &cx.builder.mech.link(end.link).name);
     let bar = cx.doc.statements.iter().find_map(|s| match &s.node {
         Statement::Link(l) if l.name.node == *owner => l.bar.as_ref(),
         _ => None,
@@ -256,7 +256,7 @@ fn contacts(cx: &mut Context<'_>, properties: &[Read]) -> Option<Option<[f64; 2]
     let Some(property) = find(properties, "contacts") else { return Some(None) };
     let Value::Two([a, b]) = property.value else { return Some(None) };
     if a == b {
-        let at = crate::values::format_value::told(a, Dimension::LENGTH);
+        let at = crate::values::format_value::format_value(a, Dimension::LENGTH);
         cx.error(PairError::ContactsCoincide { at, span: property.span });
         return None;
     }
@@ -269,7 +269,7 @@ fn held_before(cx: &mut Context<'_>, joint: &Joint, guide: &Guide, held: &Held) 
     let lines = &cx.names.inside[guide.slider.index()].lines;
     let line = ["face", "edge", "axis"].into_iter().find(|l| !lines.contains_key(*l)).unwrap_or("line2");
     let error = PairError::HeldTwice {
-        link: cx.mech.link(guide.slider).name.clone(),
+        link: cx.builder.mech.link(guide.slider).name.clone(),
         first_name: before.node.clone(),
         name: joint.name.node.clone(),
         line: line.into(),

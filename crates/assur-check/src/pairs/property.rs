@@ -3,8 +3,8 @@
 use crate::error::PairError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Spec, Takes, Value, find, read};
-use crate::pairs::meant::braces;
-use crate::trains::property;
+use crate::pairs::transmission;
+use crate::statements::lines::braces;
 use assur_syntax::document::{Joint, JointKind, Property, Statement};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
@@ -54,7 +54,7 @@ pub(crate) const fn specs(kind: JointKind) -> &'static [Spec] {
         JointKind::Slot => &[FRICTION],
         JointKind::Contact => CONTACT,
         JointKind::Cylinder => &[],
-        kind => property::specs(kind),
+        kind => transmission::specs(kind),
     }
 }
 
@@ -138,7 +138,7 @@ fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read], 
     };
     let Some((message, missing, property)) = problem else { return Some(()) };
     let of_all = all.iter().position(|p| p.span == property.span).is_some_and(|i| i >= own);
-    if of_all && !cx.reported.insert(("property of all", property.span.start.to_string())) {
+    if of_all && !cx.problems.reported.insert(("property of all", property.span.start.to_string())) {
         return None;
     }
     let help = if missing.is_empty() {

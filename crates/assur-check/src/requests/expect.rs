@@ -3,7 +3,7 @@
 use crate::error::ExpectError;
 use crate::expr::context::Context;
 use crate::expr::read::comparison_of;
-use crate::links::lookup::suggestion;
+use crate::names::suggestion::suggestion;
 use crate::requests::tolerance;
 use crate::statements::walk;
 use crate::statements::written::written;
@@ -20,7 +20,7 @@ pub(crate) fn expects(cx: &mut Context<'_>) {
         if let Statement::Expect(expect) = &statement.node
             && let Some(expect) = one(cx, expect, statement.span)
         {
-            cx.mech.expects.push(expect);
+            cx.builder.mech.expects.push(expect);
         }
     }
 }
@@ -44,10 +44,10 @@ fn one(cx: &mut Context<'_>, expect: &document::Expect, span: Span) -> Option<Ex
     if claim.pending {
         return None;
     }
-    let poseless = cx.is_poseless(&claim.expr)
+    let poseless = cx.values.definitions.is_poseless(&claim.expr)
         && match &claim.relation {
-            Relation::Equal(values) => values.iter().all(|v| cx.is_poseless(v)),
-            Relation::Compare(_, bound) => cx.is_poseless(bound),
+            Relation::Equal(values) => values.iter().all(|v| cx.values.definitions.is_poseless(v)),
+            Relation::Compare(_, bound) => cx.values.definitions.is_poseless(bound),
             Relation::Truth => true,
         };
     if poseless {
@@ -230,12 +230,12 @@ fn pose(cx: &mut Context<'_>, name: &Name) -> Option<()> {
 fn may_sweep(cx: &Context<'_>) -> bool {
     let declared = cx.drive_statements().len();
     let bad = cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Bad(_)));
-    declared == 0 || cx.mech.drives.len() < declared || bad
+    declared == 0 || cx.builder.mech.drives.len() < declared || bad
 }
 
 /// The first drive that goes through several positions: how many (where that is known), its name and place.
 fn sweep(cx: &Context<'_>) -> Option<(Option<usize>, String, Span)> {
-    cx.mech.drives.iter().find_map(|d| {
+    cx.builder.mech.drives.iter().find_map(|d| {
         let count = crate::motion::drive::count(&d.positions, crate::motion::drive::moves(cx, d.target));
         (count != Some(1)).then(|| (count, d.name.clone(), d.span))
     })

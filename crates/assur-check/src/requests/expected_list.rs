@@ -9,7 +9,7 @@ const LISTED: usize = 6;
 
 /// How many values there should be, and for which poses of the sweep at this place.
 pub(crate) fn help(cx: &Context<'_>, count: usize, values: usize, sweep: Span) -> String {
-    let drive = cx.mech.drives.iter().find(|d| d.span == sweep);
+    let drive = cx.builder.mech.drives.iter().find(|d| d.span == sweep);
     let poses =
         drive.and_then(|d| in_words(cx, d, count)).map(|poses| format!(": {poses}")).unwrap_or_default();
     let change = match (values > count, values.abs_diff(count)) {
@@ -41,7 +41,7 @@ fn in_words(cx: &Context<'_>, drive: &Drive, count: usize) -> Option<String> {
         }
         Positions::None => return None,
     };
-    let display = cx.display(crate::motion::drive::moves(cx, drive.target).dimension(0));
+    let display = cx.values.display(crate::motion::drive::moves(cx, drive.target).dimension(0));
     let texts = values.iter().map(|x| display.text(Value::Scalar(*x), 6)).collect::<Vec<_>>();
     let name = &drive.name;
     Some(match texts.as_slice() {

@@ -6,7 +6,7 @@ use crate::expr::want::Want;
 use crate::statements::walk;
 use crate::values::definition::Settled;
 use crate::values::typed::{Type, Typed, phrase};
-use crate::values::unit_choice::display_in;
+use crate::values::unit_use::display_in;
 use assur_model::model::{Display, Expr as ModelExpr, Find, FindKind};
 use assur_syntax::document::{ExprKind, FindItem, Statement};
 use assur_text::source::Span;
@@ -28,7 +28,7 @@ pub(crate) fn finds(cx: &mut Context<'_>) {
             }
             asked.insert(name.clone(), item.span);
             if let Some(kind) = asked_for(cx, item) {
-                cx.mech.finds.push(Find { name: name.clone(), span: item.span, kind });
+                cx.builder.mech.finds.push(Find { name: name.clone(), span: item.span, kind });
             }
         }
     }
@@ -46,9 +46,9 @@ fn asked_for(cx: &mut Context<'_>, item: &FindItem) -> Option<FindKind> {
     }
     let (expr, display) = match &item.name {
         // Read among the definitions already.
-        Some(name) => match cx.settled(&name.node)? {
+        Some(name) => match cx.values.definitions.settled(&name.node)? {
             Settled::Result(id, _) => {
-                let quantity = &cx.mech.quantities[id.index()];
+                let quantity = &cx.builder.mech.quantities[id.index()];
                 if quantity.span != name.span {
                     return None;
                 }
@@ -64,7 +64,7 @@ fn asked_for(cx: &mut Context<'_>, item: &FindItem) -> Option<FindKind> {
             (t.expr, display)
         }
     };
-    let poseless = cx.is_poseless(&expr);
+    let poseless = cx.values.definitions.is_poseless(&expr);
     Some(FindKind::Value { expr, display, poseless })
 }
 
@@ -80,7 +80,7 @@ impl Context<'_> {
         let read = self.read(&item.value);
         if let Some(steps) = &item.steps {
             self.scalar_constant(steps, &Want::NUMBER, "the number of steps");
-            self.unsupported("a table of so many steps", item.span);
+            self.builder.unsupported("a table of so many steps", item.span);
         }
         let unit = match &item.unit {
             Some(word) => Some(self.unit(word)?),
@@ -111,7 +111,7 @@ impl Context<'_> {
         let (found, help) = match t.ty {
             Type::Truth => ("a truth".to_owned(), Some("leave out `as …`".to_owned())),
             ty => {
-                let usual = self.usual_unit(ty.dimension());
+                let usual = self.values.usual_unit(ty.dimension());
                 (phrase(ty.dimension()), (!usual.is_empty()).then(|| format!("write `{usual}`")))
             }
         };
@@ -123,7 +123,7 @@ impl Context<'_> {
     /// How an item without `as` is printed: in the unit of its `expect`, else in the one the file uses most.
     fn item_display(&self, item: &FindItem, ty: Type) -> Display {
         let name = item.name.as_ref().map_or(&item.text, |n| &n.node);
-        self.expected_unit(name, ty).map_or_else(|| self.display(ty.dimension()), |u| display_in(&u))
+        self.expected_unit(name, ty).map_or_else(|| self.values.display(ty.dimension()), |u| display_in(&u))
     }
 
     /// The unit of the first number that the answer key gives for what is called so.
@@ -151,11 +151,11 @@ impl Context<'_> {
 
     /// How an expected value is printed.
     pub(crate) fn expect_display(&self, text: &str, ty: Type) -> Display {
-        let found = self.mech.finds.iter().find(|f| f.name == text).and_then(|f| match &f.kind {
+        let found = self.builder.mech.finds.iter().find(|f| f.name == text).and_then(|f| match &f.kind {
             FindKind::Value { display, .. } => Some(display.clone()),
             FindKind::Reactions | FindKind::Table(_) => None,
         });
         let expected = || self.expected_unit(text, ty).map(|u| display_in(&u));
-        found.or_else(expected).unwrap_or_else(|| self.display(ty.dimension()))
+        found.or_else(expected).unwrap_or_else(|| self.values.display(ty.dimension()))
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::error::ExpectError;
 use crate::expr::context::Context;
-use crate::names::declare::QuantityKind;
+use crate::names::declared::QuantityKind;
 use crate::requests::expect::words;
 use crate::requests::too_wide;
 use crate::values::typed::{Dim, Type, Typed};
@@ -34,7 +34,7 @@ fn given(
     values: &[Typed],
     ty: Type,
 ) -> Option<Tolerance> {
-    if let Some((span, result)) = cx.first_result(within) {
+    if let Some((span, result)) = cx.values.definitions.first_result(&cx.names, within) {
         let what = "a tolerance".to_owned();
         cx.error(crate::error::RequestError::NotConstant { what, result, span });
         return None;
@@ -69,7 +69,7 @@ fn given(
     }
     if dim.unify(Dim::Of(ty.dimension())).is_none() {
         let (text, is, found) = (expect.text.clone(), words(ty), words(t.ty));
-        let unit = cx.usual_unit(ty.dimension());
+        let unit = cx.values.usual_unit(ty.dimension());
         let unit = if unit.is_empty() { "no unit".into() } else { unit };
         cx.error(ExpectError::ToleranceUnit { text, is, found, unit, span: within.span });
         return None;
@@ -83,7 +83,7 @@ fn given(
 }
 
 fn no_zero<T>(cx: &mut Context<'_>, expr: &Expr, ty: Type) -> Option<T> {
-    let unit = cx.usual_unit(ty.dimension());
+    let unit = cx.values.usual_unit(ty.dimension());
     let example = format!("1e-9 {unit}").trim_end().to_owned();
     cx.error(ExpectError::Zero { span: expr.span, example });
     None
@@ -146,7 +146,7 @@ fn last_digit(cx: &Context<'_>, expr: &Expr, depth: usize) -> Option<f64> {
             Some(digit.max(value.abs() * factor * turned))
         }
         ExprKind::Name(name) if depth < DEPTH => {
-            if let Some(digit) = cx.digit_in_row(name) {
+            if let Some(digit) = cx.values.outside.digit_in_row(name) {
                 return Some(digit);
             }
             let declared = cx.names.quantities.get(name)?;

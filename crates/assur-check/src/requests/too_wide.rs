@@ -3,7 +3,7 @@
 use crate::error::ExpectError;
 use crate::expr::context::Context;
 use crate::statements::walk;
-use crate::values::format_value::{digits, told};
+use crate::values::format_value::{digits, format_value, format_value_like};
 use crate::values::typed::Type;
 use assur_syntax::document::{Expr, ExprKind, Number, Statement};
 use assur_text::source::Span;
@@ -19,7 +19,7 @@ pub(crate) fn relative(cx: &mut Context<'_>, within: &Expr, size: f64, ty: Type)
         ExprKind::Number(Number { text, unit: None, .. }) if size < 100.0 => format!("{text} %"),
         _ => "3 %".to_owned(),
     };
-    let unit = cx.usual_unit(ty.dimension());
+    let unit = cx.values.usual_unit(ty.dimension());
     let absolute = match &within.kind {
         ExprKind::Number(Number { text, unit: None, .. }) if !unit.is_empty() => {
             format!(", or `within {text} {unit}` if that is meant")
@@ -38,8 +38,10 @@ pub(crate) fn turn(cx: &mut Context<'_>, span: Span, size: f64, ty: Type) -> Opt
     if !angle || size < PI {
         return Some(());
     }
-    let why =
-        format!("it is {}, and no two angles differ by more than half a turn", told(size, Dimension::ANGLE));
+    let why = format!(
+        "it is {}, and no two angles differ by more than half a turn",
+        format_value(size, Dimension::ANGLE)
+    );
     cx.error(ExpectError::AnyValue { why, span, help: "write `within 1 deg`".into() });
     None
 }
@@ -61,11 +63,11 @@ pub(crate) fn absolute(
     if most == 0.0 || size < most {
         return Some(());
     }
-    let is = cx.amount(size, dimension, within);
-    let greatest = cx.amount(most, dimension, within);
+    let is = format_value_like(&cx.names, size, dimension, within);
+    let greatest = format_value_like(&cx.names, most, dimension, within);
     let why = format!("{is} is no less than the greatest such value in the file, {greatest}");
     let help = if expected.contains(&0.0) {
-        format!("write `within {}`", cx.amount(most * 1e-3, dimension, within))
+        format!("write `within {}`", format_value_like(&cx.names, most * 1e-3, dimension, within))
     } else {
         "write `within 3 %`".to_owned()
     };

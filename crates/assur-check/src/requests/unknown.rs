@@ -2,9 +2,10 @@
 
 use crate::error::NameError;
 use crate::expr::context::Context;
-use crate::names::declare::ThingKind;
+use crate::names::suggestion::suggestion;
+use crate::statements::lines::text;
 use assur_model::model::{LinkId, PairKind};
-use assur_syntax::document::{Balance, JointKind, LoadKind, Name, Site, Statement};
+use assur_syntax::document::{Name, Statement};
 use assur_text::diagnostic::did_you_mean;
 use assur_text::units::{Dimension, lookup};
 
@@ -17,7 +18,7 @@ impl Context<'_> {
             return None;
         }
         let [drive] = self.drive_statements()[..] else { return None };
-        let on = crate::motion::drive::text(&drive.target);
+        let on = text(&drive.target);
         let line = match (self.drive_dimension(drive) == Dimension::ANGLE, self.find_link(&on)) {
             (true, Some(_)) if torque => format!("balance torque {name} on {on}"),
             (false, None) if !torque && drive.target.tail.is_none() => {
@@ -31,12 +32,12 @@ impl Context<'_> {
 
     /// The only link that slides on the ground, with its point on the guide.
     fn on_guided(&self) -> Option<String> {
-        let mut guides = self.mech.pairs.iter().filter_map(|p| match &p.kind {
+        let mut guides = self.builder.mech.pairs.iter().filter_map(|p| match &p.kind {
             PairKind::Prismatic(g) if g.guide == LinkId::GROUND => Some(g),
             _ => None,
         });
         let only = guides.next().filter(|_| guides.next().is_none())?;
-        Some(format!("on {} at {}", self.mech.link(only.slider).name, only.point_name))
+        Some(format!("on {} at {}", self.builder.mech.link(only.slider).name, only.point_name))
     }
 
     /// `find velocities`: functions stand for one thing each.
@@ -50,7 +51,7 @@ impl Context<'_> {
             _ => return None,
         };
         let (link, point) =
-            self.mech.links.iter().rev().find_map(|l| Some((&l.name, &l.points.first()?.name)))?;
+            self.builder.mech.links.iter().rev().find_map(|l| Some((&l.name, &l.points.first()?.name)))?;
         let calls = functions.iter().map(|f| format!("{f}({link}.{point})")).collect::<Vec<_>>().join(", ");
         Some(format!("ask for one point each, as in `{calls}`"))
     }
@@ -58,7 +59,7 @@ impl Context<'_> {
     /// Reports a name that stands for no quantity.
     pub(crate) fn no_quantity(&mut self, name: &Name) {
         let bad = self.names.bad.contains(&name.node);
-        if bad || !self.reported.insert(("quantity", name.node.clone())) {
+        if bad || !self.problems.reported.insert(("quantity", name.node.clone())) {
             return;
         }
         let thing = self.names.things.get(&name.node).map(|d| (d.what.phrase(), Some(d.span), d.what));
@@ -83,7 +84,7 @@ impl Context<'_> {
             let unit = || if alone { unit_apart(&name.node) } else { None };
             let effort = || if alone { self.no_balance(&name.node) } else { None };
             let results = || if alone { self.results_by_name(&name.node) } else { None };
-            let listed = || crate::links::lookup::suggestion(&name.node, &all, "quantities");
+            let listed = || suggestion(&name.node, &all, "quantities");
             let help = pi().or_else(unit).or_else(effort).or_else(results);
             let listed = listed();
             let help = help.or_else(|| self.function_alone(&name.node, name.span)).or(listed);
@@ -91,15 +92,6 @@ impl Context<'_> {
             NameError::Unknown { kind: "quantity", name, place: String::new(), span, help }
         };
         self.error(error);
-    }
-
-    /// Whether it acts in a pair that does not move that way, which is reported where it is declared.
-    pub(crate) fn is_wrong_effort(&self, balance: &Balance) -> bool {
-        let Site::Pair(pair) = &balance.site else { return false };
-        let Some(ThingKind::Joint(kind)) = self.names.things.get(&pair.node).map(|d| d.what) else {
-            return false;
-        };
-        (kind == JointKind::Revolute) != (balance.kind.node == LoadKind::Torque)
     }
 }
 

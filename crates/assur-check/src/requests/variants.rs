@@ -2,8 +2,8 @@
 
 use crate::error::{NameError, RequestError, UnitsError};
 use crate::expr::context::Context;
-use crate::links::lookup::suggestion;
-use crate::names::declare::QuantityKind;
+use crate::names::declared::QuantityKind;
+use crate::names::suggestion::suggestion;
 use crate::requests::tolerance;
 use crate::values::definition::Settled;
 use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
@@ -60,7 +60,7 @@ pub fn file_rows(table: &Variants, columns: &Arc<[RowColumn]>) -> Vec<FileRow> {
 
 /// Checks the table of variants of a document; nothing where a row of it is checked.
 pub(crate) fn variants(cx: &mut Context<'_>) {
-    if !cx.row.is_empty() {
+    if !cx.values.outside.row.is_empty() {
         return;
     }
     let mut first = None;
@@ -123,8 +123,8 @@ fn check_column(cx: &mut Context<'_>, column: &Column) -> Option<RowColumn> {
     let of_expect = |cx: &Context<'_>| cx.used_by_expect(&name.node);
     match cx.names.quantities.get(&name.node).map(|d| d.what) {
         Some(QuantityKind::Given(_)) => {
-            let Some(Settled::Constant(t)) = cx.settled(&name.node) else { return None };
-            let outside = cx.overrides.values.iter().any(|(n, _)| *n == name.node);
+            let Some(Settled::Constant(t)) = cx.values.definitions.settled(&name.node) else { return None };
+            let outside = cx.values.outside.overrides.values.iter().any(|(n, _)| *n == name.node);
             let set = match t.expr {
                 Expr::Constant(Value::Scalar(x)) if outside => Some(x),
                 _ => None,
@@ -178,8 +178,9 @@ fn unit_of_given(cx: &Context<'_>, name: &str) -> Option<String> {
 
 fn unknown(cx: &mut Context<'_>, column: &Column) {
     let name = &column.name;
-    let told = cx.names.bad.contains(&name.node) || cx.reported.contains(&("quantity", name.node.clone()));
-    if told || !cx.reported.insert(("given", name.node.clone())) {
+    let told =
+        cx.names.bad.contains(&name.node) || cx.problems.reported.contains(&("quantity", name.node.clone()));
+    if told || !cx.problems.reported.insert(("given", name.node.clone())) {
         return;
     }
     let given = cx.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
@@ -202,12 +203,13 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
     }
     let (what, want) = (format!("column `{name}`"), dim.known());
     if column.unit.is_none() {
-        let unit = unit_of_given(cx, name).unwrap_or_else(|| cx.usual_unit(want));
+        let unit = unit_of_given(cx, name).unwrap_or_else(|| cx.values.usual_unit(want));
         let example = format!("`{name} [{unit}]`");
         cx.error(UnitsError::Missing { what, want, span, used: None, example });
         return None;
     }
-    let column = mend(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.usual_unit(want)));
+    let column =
+        mend(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.values.usual_unit(want)));
     // a torque that was given in newtons, or a force with a column for a torque
     let is_torque = want == Dimension::FORCE && unit.dimension == Dimension::TORQUE;
     let given = is_torque.then(|| cx.completed_given(name, unit.dimension)).flatten();

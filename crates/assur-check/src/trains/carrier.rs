@@ -43,7 +43,7 @@ fn mates(cx: &Context<'_>, wheel: &Wheel) -> Vec<LinkId> {
 }
 
 fn hinges<'c>(cx: &'c Context<'_>) -> impl Iterator<Item = &'c [Pin]> {
-    cx.mech.pairs.iter().filter_map(|p| match &p.kind {
+    cx.builder.mech.pairs.iter().filter_map(|p| match &p.kind {
         PairKind::Revolute(pins) => Some(pins.as_slice()),
         _ => None,
     })
@@ -70,7 +70,7 @@ fn turns_about(cx: &Context<'_>, link: LinkId, wheel: &Wheel, mates: &[LinkId]) 
 
 fn is_open(cx: &Context<'_>, pins: &[Pin]) -> bool {
     let of = |p: &&Pair| matches!(&p.kind, PairKind::Revolute(q) if std::ptr::eq(q.as_slice(), pins));
-    cx.mech.pairs.iter().find(of).is_some_and(|p| p.bearing == Some(Bearing::Open))
+    cx.builder.mech.pairs.iter().find(of).is_some_and(|p| p.bearing == Some(Bearing::Open))
 }
 
 /// The axis of a wheel in the frame of a link that it turns on, where that is known.
@@ -87,7 +87,7 @@ pub(crate) fn centre_on(cx: &Context<'_>, wheel: &Wheel, link: LinkId) -> Option
 
 fn none(cx: &mut Context<'_>, first: &Wheel, second: &Wheel, on: (&[LinkId], &[LinkId]), span: Span) {
     let turns = |wheel: &Wheel, on: &[LinkId]| {
-        let names: Vec<String> = on.iter().map(|l| format!("`{}`", cx.mech.link(*l).name)).collect();
+        let names: Vec<String> = on.iter().map(|l| format!("`{}`", cx.builder.mech.link(*l).name)).collect();
         match names.as_slice() {
             [] => format!("`{}` turns on nothing", wheel.name),
             names => format!("`{}` turns on {}", wheel.name, names.join(" and ")),
@@ -135,7 +135,7 @@ pub(crate) fn turns_at_all(cx: &mut Context<'_>, fixed: &Wheel, planet: &Wheel, 
 
 /// Whether a link has a revolute pair with the carrier.
 pub(crate) fn turns_on(cx: &Context<'_>, link: LinkId, carrier: LinkId) -> bool {
-    cx.mech.pairs.iter().any(|p| {
+    cx.builder.mech.pairs.iter().any(|p| {
         let links = p.kind.links();
         matches!(p.kind, PairKind::Revolute(_)) && links.contains(&link) && links.contains(&carrier)
     })

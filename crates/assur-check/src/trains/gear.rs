@@ -4,8 +4,8 @@ use crate::error::GearError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find, read};
 use crate::expr::want::Want;
-use crate::trains::property;
-use crate::values::format_value::{digits, told};
+use crate::pairs::transmission;
+use crate::values::format_value::{digits, format_value};
 use assur_math::element::gear::{GearFault, GearPair, NoMesh, Teeth};
 use assur_syntax::document::{
     Document, End, Expr, Joint, JointKind, Member, Statement, WheelMember, WheelSize,
@@ -19,13 +19,10 @@ const RACK: (f64, f64, f64) = (20.0 * std::f64::consts::PI / 180.0, 1.0, 0.25);
 /// Relative difference of two modules that are one.
 const EQUAL: f64 = 1e-12;
 
-/// The gear pairs that are known, by the names of their meshes; `None` for those with an error.
-pub(crate) type Gears = indexmap::IndexMap<String, Option<GearPair>>;
-
 impl Context<'_> {
     /// The geometry of a mesh. What is wrong with it is said once.
     pub(crate) fn gear_pair(&mut self, name: &str, asked: Span) -> Option<GearPair> {
-        if let Some(known) = self.gears.get(name) {
+        if let Some(known) = self.values.gears.get(name) {
             return *known;
         }
         let doc = self.doc;
@@ -34,16 +31,14 @@ impl Context<'_> {
             _ => None,
         });
         let pair = joint.and_then(|joint| self.build(joint, asked));
-        self.gears.insert(name.to_owned(), pair);
+        self.values.gears.insert(name.to_owned(), pair);
         pair
     }
 
     fn build(&mut self, joint: &Joint, asked: Span) -> Option<GearPair> {
         // what is wrong with the properties is said where the mesh is checked, before anything is asked
-        let problems = std::mem::take(&mut self.problems);
-        let properties = read(self, "a mesh", &joint.properties, property::specs(JointKind::Mesh));
-        self.problems = problems;
-        let properties = properties?;
+        let properties =
+            self.quietly(|cx| read(cx, "a mesh", &joint.properties, transmission::specs(JointKind::Mesh)))?;
         let wheels = wheels_of(self.doc, joint)?;
         let (z, module) = self.teeth(joint, wheels, asked)?;
         let number = |name: &str, usual: f64| find(&properties, name).map_or(usual, Read::number);
@@ -131,7 +126,7 @@ impl Context<'_> {
             // the transmission reports them
             [_, _] if self.names.bad.contains(&joint.name.node) => None,
             [one, two] => {
-                let mm = |x| told(x, Dimension::LENGTH);
+                let mm = |x| format_value(x, Dimension::LENGTH);
                 let message = format!(
                     "the wheels of `{}` have the modules {} and {}",
                     joint.name.node,
@@ -161,7 +156,7 @@ impl Context<'_> {
         fault: GearFault,
         swapped: bool,
     ) {
-        let (span, mm) = (*span, |x| told(x, Dimension::LENGTH));
+        let (span, mm) = (*span, |x| format_value(x, Dimension::LENGTH));
         let name = |i: usize| names[i].clone();
         match fault {
             GearFault::Undercut { wheel, shift, least } => {
@@ -212,7 +207,7 @@ impl Context<'_> {
                     "the tips of `{}` and ring `{}` meet beside the line of contact: they overlap by {}",
                     name(0),
                     name(1),
-                    told(-gap, Dimension::ANGLE)
+                    format_value(-gap, Dimension::ANGLE)
                 );
                 let help = "take more teeth for the ring, or a smaller addendum".into();
                 self.error(GearError::Interference { message, help, span });

@@ -2,8 +2,8 @@
 
 use crate::error::NameError;
 use crate::expr::context::Context;
-use crate::pairs::meant::{end_text, line_of};
-use assur_syntax::document::{End, Expr, ExprKind, Joint, Path, Statement};
+use crate::statements::lines::{end_text, line_of};
+use assur_syntax::document::{End, Expr, ExprKind, Joint, Path};
 
 /// The line with `%` behind an efficiency that is written as a number up to 100.
 pub(crate) fn percent(cx: &Context<'_>, joint: &Joint, value: f64) -> Option<String> {
@@ -22,7 +22,7 @@ pub(crate) fn percent(cx: &Context<'_>, joint: &Joint, value: f64) -> Option<Str
 pub(crate) fn only_wheels(cx: &mut Context<'_>, joint: &Joint, paths: [&Path; 2]) -> Option<()> {
     let only = |path: &Path| {
         let link = cx.find_link(&path.head.node)?;
-        let mut on = cx.mech.wheels.iter().filter(|w| w.link == link);
+        let mut on = cx.builder.mech.wheels.iter().filter(|w| w.link == link);
         let first = on.next()?;
         on.next().is_none().then(|| first.name.clone())
     };
@@ -46,28 +46,4 @@ pub(crate) fn only_wheels(cx: &mut Context<'_>, joint: &Joint, paths: [&Path; 2]
     };
     cx.error(error);
     None
-}
-
-/// The mesh that is missing: of the only wheel that no transmission names, with the only planet.
-pub(crate) fn missing_mesh(cx: &Context<'_>, name: &str) -> Option<String> {
-    let named = |wheel: &str| {
-        cx.doc.statements.iter().any(|s| match &s.node {
-            Statement::Joint(joint) => {
-                joint.ends.iter().any(|e| matches!(e, End::At(path) if path.head.node == wheel))
-            }
-            _ => false,
-        })
-    };
-    let mut alone = cx.mech.wheels.iter().filter(|w| !named(&w.name));
-    let odd = alone.next().filter(|_| alone.next().is_none())?;
-    let planet = |link: &str| {
-        let shafts = cx.doc.statements.iter();
-        shafts
-            .into_iter()
-            .any(|s| matches!(&s.node, Statement::Shaft(s) if s.name.node == link && s.on.is_some()))
-    };
-    let mut planets =
-        cx.mech.wheels.iter().filter(|w| w.link != odd.link && planet(&cx.mech.link(w.link).name));
-    let with = planets.next().filter(|_| planets.next().is_none())?;
-    Some(format!("`{0}` meshes with no wheel: add the line `mesh {name}: {0} - {1}`", odd.name, with.name))
 }

@@ -5,7 +5,6 @@ pub mod carrier;
 pub mod gear;
 pub mod meant;
 pub mod planet;
-pub mod property;
 pub mod rope;
 pub mod shaft;
 pub mod size;

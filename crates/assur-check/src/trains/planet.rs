@@ -2,9 +2,9 @@
 
 use crate::error::TrainError;
 use crate::expr::context::Context;
-use crate::pairs::meant::{braces, end_text};
+use crate::statements::lines::{braces, end_text};
 use crate::trains::carrier::centre_on;
-use crate::values::format_value::told;
+use crate::values::format_value::format_value;
 use assur_model::model::{LinkId, Pair, PairKind, Wheel};
 use assur_syntax::document::Joint;
 use assur_text::source::Span;
@@ -40,7 +40,7 @@ pub(crate) fn distance(
     let [a, b] = wheels;
     let (Some(p), Some(q)) = (centre_on(cx, a, carrier), centre_on(cx, b, carrier)) else { return Some(()) };
     let assumed =
-        |w: &Wheel| cx.mech.scales.iter().any(|s| s.wheel == w.name || s.teeth && w.teeth.is_some());
+        |w: &Wheel| cx.builder.mech.scales.iter().any(|s| s.wheel == w.name || s.teeth && w.teeth.is_some());
     if assumed(a) || assumed(b) {
         return Some(());
     }
@@ -49,7 +49,7 @@ pub(crate) fn distance(
     if (distance - due).abs() <= AGREES * due {
         return Some(());
     }
-    let length = |x| told(x, Dimension::LENGTH);
+    let length = |x| format_value(x, Dimension::LENGTH);
     cx.error(TrainError::CentreDistance {
         first: a.name.clone(),
         second: b.name.clone(),
@@ -70,7 +70,7 @@ pub(crate) fn arm(
     internal: bool,
     joint: &Joint,
 ) {
-    let scaled = |w: &Wheel| cx.mech.scales.iter().any(|s| s.wheel == w.name && !s.teeth);
+    let scaled = |w: &Wheel| cx.builder.mech.scales.iter().any(|s| s.wheel == w.name && !s.teeth);
     if scaled(planet) || scaled(other) {
         return;
     }
@@ -90,11 +90,11 @@ pub(crate) fn arm(
     let odd = before.iter().find(|a| !agree(a.length, length)).cloned();
     before.push(asked.clone());
     let Some(first) = odd else { return };
-    let modules = cx.mech.scales.iter().any(|s| s.teeth);
+    let modules = cx.builder.mech.scales.iter().any(|s| s.teeth);
     // without a module an arm is a sum of teeth
     let text = |arm: f64| match modules {
         true => format!("{} teeth", crate::values::format_value::digits(2.0 * arm)),
-        false => told(arm, Dimension::LENGTH),
+        false => format_value(arm, Dimension::LENGTH),
     };
     let help = if agree(asked.turned, first.length) {
         format!("{}; then both arms are {}", asked.help, text(first.length))
@@ -107,7 +107,7 @@ pub(crate) fn arm(
     };
     let error = TrainError::PlanetDistance {
         help,
-        shaft: cx.mech.link(planet.link).name.clone(),
+        shaft: cx.builder.mech.link(planet.link).name.clone(),
         first: first.mesh,
         second: asked.mesh,
         one: text(first.length),
@@ -132,5 +132,5 @@ pub(crate) fn is_planet(cx: &Context<'_>, wheel: &Wheel, carrier: LinkId) -> boo
         }
         _ => false,
     };
-    carrier != LinkId::GROUND && wheel.link != LinkId::GROUND && cx.mech.pairs.iter().any(on)
+    carrier != LinkId::GROUND && wheel.link != LinkId::GROUND && cx.builder.mech.pairs.iter().any(on)
 }

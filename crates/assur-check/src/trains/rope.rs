@@ -7,7 +7,7 @@
 
 use crate::error::TrainError;
 use crate::expr::context::Context;
-use crate::names::declare::ThingKind;
+use crate::names::declared::ThingKind;
 use crate::trains::size::label;
 use assur_model::model::{Law, LinkId, Rate, Wheel};
 use assur_syntax::document::{End, Joint, Name};
@@ -140,7 +140,7 @@ fn station(cx: &mut Context<'_>, end: &End) -> Option<Station> {
                 }
                 _ => {
                     let what = &[ThingKind::Wheel, ThingKind::Slider];
-                    crate::trains::property::known(cx, &path.head, "wheel or slider", what);
+                    crate::pairs::transmission::known(cx, &path.head, "wheel or slider", what);
                     cx.wheel(&path.head.node).map(Station::Wheel)
                 }
             }

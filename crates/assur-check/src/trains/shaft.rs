@@ -88,7 +88,7 @@ fn place<'b>(cx: &mut Context<'_>, body: &'b Body, base: LinkId) -> Option<Optio
 /// The mass of a planet moves with its carrier: where, must be known.
 fn heavy_planet(cx: &mut Context<'_>, body: &Body) {
     for member in body.iter().filter(|m| matches!(m.node, Member::Mass(_) | Member::Weight(_))) {
-        cx.unsupported("the mass of a planet whose place is left open", member.span);
+        cx.builder.unsupported("the mass of a planet whose place is left open", member.span);
     }
 }
 
@@ -110,10 +110,10 @@ fn of_slider(cx: &mut Context<'_>, slider: &Slider, link: LinkId) {
 }
 
 fn push(cx: &mut Context<'_>, name: &Name, kind: PairKind, bearing: Bearing) {
-    let id = PairId::at(cx.mech.pairs.len());
+    let id = PairId::at(cx.builder.mech.pairs.len());
     let (name, span) = (name.node.clone(), name.span);
     cx.names.pairs.entry(name.clone()).or_insert(id);
-    cx.mech.pairs.push(Pair { name, span, kind, friction: None, bearing: Some(bearing) });
+    cx.builder.mech.pairs.push(Pair { name, span, kind, friction: None, bearing: Some(bearing) });
 }
 
 /// Reports what a shaft or a slider cannot have.

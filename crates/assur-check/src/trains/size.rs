@@ -3,17 +3,19 @@
 
 use crate::error::{NameError, PairError, RequestError, TrainError};
 use crate::expr::context::Context;
+use crate::expr::positive::positive_value;
 use crate::expr::want::Want;
 use crate::links::link::place as place_text;
 use crate::values::fold;
-use crate::values::format_value::told;
+use crate::values::format_value::format_value;
+use crate::values::order::way_round;
+use crate::values::sizes::DeclaredWheel;
 use assur_model::model::{LinkId, Scale, Wheel};
 use assur_syntax::document::{
     Body, End, Expr, ExprKind, JointKind, Member, Name, Statement, WheelMember, WheelSize,
 };
 use assur_text::source::Span;
 use assur_text::units::Dimension;
-use indexmap::IndexMap;
 use miette::LabeledSpan;
 
 /// What is assumed of a size that is left open, and what instead to see what hangs on it.
@@ -21,37 +23,19 @@ const ASSUMED: [f64; 2] = [1.0, 1.75];
 /// A number of teeth may miss a whole number by this.
 const WHOLE: f64 = 1e-6;
 
-/// A wheel as declared.
-#[derive(Clone, Copy, Debug)]
-struct Declared<'a> {
-    member: &'a WheelMember,
-    link: LinkId,
-    shaft: bool,
-    /// Wheels with the same number mesh with each other, in a row: they have one module.
-    family: usize,
-}
-
-/// The sizes of all wheels, as far as they have been read.
-#[derive(Debug, Default)]
-pub struct Sizes<'a> {
-    declared: IndexMap<String, Declared<'a>>,
-    radii: IndexMap<String, Option<f64>>,
-    reading: Vec<String>,
-}
-
 /// Reads all wheels, and enters them into the mechanism.
 pub(crate) fn wheels(cx: &mut Context<'_>) {
     declare(cx);
     families(cx);
-    let names: Vec<String> = cx.sizes.declared.keys().cloned().collect();
+    let names: Vec<String> = cx.values.sizes.declared.keys().cloned().collect();
     for name in names {
-        let Some(&declared) = cx.sizes.declared.get(&name) else { continue };
+        let Some(&declared) = cx.values.sizes.declared.get(&name) else { continue };
         let radius = radius(cx, &name);
         let teeth = teeth(cx, declared.member);
         let centre = centre(cx, declared);
         if let (Some(radius), Some(teeth), Some(centre)) = (radius, teeth, centre) {
             let span = declared.member.name.span;
-            cx.mech.wheels.push(Wheel { name, span, link: declared.link, centre, radius, teeth });
+            cx.builder.mech.wheels.push(Wheel { name, span, link: declared.link, centre, radius, teeth });
         }
     }
 }
@@ -73,9 +57,9 @@ fn declare(cx: &mut Context<'_>) {
             if let Member::Wheel(member) = &member.node
                 && cx.is_own(&member.name)
             {
-                let family = cx.sizes.declared.len();
-                let declared = Declared { member, link, shaft, family };
-                cx.sizes.declared.insert(member.name.node.clone(), declared);
+                let family = cx.values.sizes.declared.len();
+                let declared = DeclaredWheel { member, link, shaft, family };
+                cx.values.sizes.declared.insert(member.name.node.clone(), declared);
                 // a wheel is named in place of its link
                 cx.names.links.entry(member.name.node.clone()).or_insert(link);
             }
@@ -95,13 +79,13 @@ fn families(cx: &mut Context<'_>) {
             .ends
             .iter()
             .filter_map(|end| match end {
-                End::At(path) if path.tail.is_none() => cx.sizes.declared.get(&path.head.node),
+                End::At(path) if path.tail.is_none() => cx.values.sizes.declared.get(&path.head.node),
                 _ => None,
             })
             .map(|d| d.family)
             .collect();
         let Some(&first) = ends.first() else { continue };
-        for declared in cx.sizes.declared.values_mut() {
+        for declared in cx.values.sizes.declared.values_mut() {
             if ends.contains(&declared.family) {
                 declared.family = first;
             }
@@ -110,11 +94,11 @@ fn families(cx: &mut Context<'_>) {
 }
 
 /// The axis in the frame of the wheel's link; of a shaft only where it is placed.
-fn centre(cx: &mut Context<'_>, declared: Declared<'_>) -> Option<Option<assur_math::math::Vec2>> {
-    let Declared { member, link, shaft, .. } = declared;
+fn centre(cx: &mut Context<'_>, declared: DeclaredWheel<'_>) -> Option<Option<assur_math::math::Vec2>> {
+    let DeclaredWheel { member, link, shaft, .. } = declared;
     if shaft {
-        let pair = cx.find_pair(&cx.mech.link(link).name)?;
-        let placed = cx.mech.pair(pair).bearing == Some(assur_model::model::Bearing::Placed);
+        let pair = cx.find_pair(&cx.builder.mech.link(link).name)?;
+        let placed = cx.builder.mech.pair(pair).bearing == Some(assur_model::model::Bearing::Placed);
         return Some(placed.then(assur_math::math::Vec2::zero));
     }
     match &member.at {
@@ -122,12 +106,15 @@ fn centre(cx: &mut Context<'_>, declared: Declared<'_>) -> Option<Option<assur_m
         None if link == LinkId::GROUND => Some(None),
         None => {
             let name = &member.name.node;
-            let points = cx.mech.link(link).points.first();
+            let points = cx.builder.mech.link(link).points.first();
             let (point, at) = points.map_or(("O".to_owned(), String::new()), |p| {
                 (p.name.clone(), format!(", at {} in the link", place_text(p.at)))
             });
             cx.error(PairError::Incomplete {
-                message: format!("where on `{}` does the wheel `{name}` sit?", cx.mech.link(link).name),
+                message: format!(
+                    "where on `{}` does the wheel `{name}` sit?",
+                    cx.builder.mech.link(link).name
+                ),
                 help: format!("name the point of its axis: `wheel {name} … at {point}`{at}"),
                 span: member.name.span,
                 label: "at which point?".into(),
@@ -153,7 +140,7 @@ fn teeth(cx: &mut Context<'_>, member: &WheelMember) -> Option<Option<f64>> {
             if (teeth - teeth.round()).abs() <= WHOLE && teeth >= 1.0 {
                 return Some(Some(teeth.round()));
             }
-            let length = |x| told(x, Dimension::LENGTH);
+            let length = |x| format_value(x, Dimension::LENGTH);
             cx.error(TrainError::Sizes {
                 message: format!(
                     "wheel `{name}` would have {} teeth: its diameter {} over its module {}",
@@ -179,7 +166,7 @@ fn whole(cx: &mut Context<'_>, number: f64, wheel: &str, written: &Expr) -> Opti
     if (number - number.round()).abs() <= WHOLE && number >= 1.0 {
         return Some(number.round());
     }
-    if !cx.reported.insert(("teeth", wheel.to_owned())) {
+    if !cx.problems.reported.insert(("teeth", wheel.to_owned())) {
         return None;
     }
     let (below, above) = (number.floor().max(1.0), number.ceil().max(1.0));
@@ -208,15 +195,15 @@ fn module(cx: &mut Context<'_>, member: &WheelMember) -> Option<f64> {
 
 /// The radius of a wheel, read now if it has not been yet. `None` where it has an error.
 fn radius(cx: &mut Context<'_>, name: &str) -> Option<f64> {
-    if let Some(known) = cx.sizes.radii.get(name) {
+    if let Some(known) = cx.values.sizes.radii.get(name) {
         return *known;
     }
-    let declared = *cx.sizes.declared.get(name)?;
-    if cx.sizes.reading.iter().any(|n| n == name) {
+    let declared = *cx.values.sizes.declared.get(name)?;
+    if cx.values.sizes.reading.iter().any(|n| n == name) {
         cycle(cx, name);
         return None;
     }
-    cx.sizes.reading.push(name.to_owned());
+    cx.values.sizes.reading.push(name.to_owned());
     let member = declared.member;
     let found = match &member.size {
         Some(WheelSize::Radius(r)) => {
@@ -237,20 +224,20 @@ fn radius(cx: &mut Context<'_>, name: &str) -> Option<f64> {
             None => Some(assumed(cx, member, false)),
         },
     };
-    cx.sizes.reading.pop();
+    cx.values.sizes.reading.pop();
     // a cycle is reported once, and all in it have no size
-    let found = if cx.sizes.radii.get(name) == Some(&None) { None } else { found };
-    cx.sizes.radii.insert(name.to_owned(), found);
+    let found = if cx.values.sizes.radii.get(name) == Some(&None) { None } else { found };
+    cx.values.sizes.radii.insert(name.to_owned(), found);
     found
 }
 
 /// The module of the wheels that mesh with each other: one of them says it, or nobody.
-fn family_module(cx: &mut Context<'_>, declared: Declared<'_>) -> Option<f64> {
+fn family_module(cx: &mut Context<'_>, declared: DeclaredWheel<'_>) -> Option<f64> {
     if declared.member.module.is_some() {
         return module(cx, declared.member);
     }
     let family: Vec<&WheelMember> = {
-        let all = cx.sizes.declared.values();
+        let all = cx.values.sizes.declared.values();
         all.filter(|d| d.family == declared.family).map(|d| d.member).collect()
     };
     match family.iter().find(|m| m.module.is_some()) {
@@ -266,35 +253,35 @@ fn family_module(cx: &mut Context<'_>, declared: Declared<'_>) -> Option<f64> {
 /// What is assumed where the file says nothing.
 fn assumed(cx: &mut Context<'_>, member: &WheelMember, teeth: bool) -> f64 {
     let name = &member.name.node;
-    if !cx.mech.scales.iter().any(|s| s.wheel == *name) {
-        cx.mech.scales.push(Scale { wheel: name.clone(), span: member.name.span, teeth });
+    if !cx.builder.mech.scales.iter().any(|s| s.wheel == *name) {
+        cx.builder.mech.scales.push(Scale { wheel: name.clone(), span: member.name.span, teeth });
     }
-    ASSUMED[usize::from(cx.stretched == Some(name.as_str()))]
+    ASSUMED[usize::from(cx.values.outside.stretched == Some(name.as_str()))]
 }
 
 fn cycle(cx: &mut Context<'_>, again: &str) {
-    let from = cx.sizes.reading.iter().position(|n| n == again).unwrap_or(0);
-    let names: Vec<String> = cx.sizes.reading[from..].to_vec();
+    let from = cx.values.sizes.reading.iter().position(|n| n == again).unwrap_or(0);
+    let names: Vec<String> = cx.values.sizes.reading[from..].to_vec();
     let place =
-        |name: &String| cx.sizes.declared.get(name).map_or_else(Span::default, |d| d.member.name.span);
+        |name: &String| cx.values.sizes.declared.get(name).map_or_else(Span::default, |d| d.member.name.span);
     let others = names.iter().skip(1).map(|n| label("hangs on the next", place(n))).collect();
     let span = names.first().map_or_else(Span::default, place);
-    let chain = crate::values::definition::way_round(&names);
+    let chain = way_round(&names);
     for name in &names {
-        cx.sizes.radii.insert(name.clone(), None);
+        cx.values.sizes.radii.insert(name.clone(), None);
     }
     cx.error(NameError::Cycle { name: again.to_owned(), chain, span, others });
 }
 
 /// A size: made of numbers, `given`, `let` and radii of other wheels.
 fn size(cx: &mut Context<'_>, expr: &Expr, dimension: Dimension, what: &str) -> Option<f64> {
-    if let Some((span, result)) = cx.first_result_beside(expr, "radius") {
+    if let Some((span, result)) = cx.values.definitions.first_result_beside(&cx.names, expr, "radius") {
         cx.error(RequestError::NotConstant { what: what.to_owned(), result, span });
         return None;
     }
     let typed = cx.read(expr).filter(|t| !t.pending)?;
     let value = fold::scalar(&cx.fit(typed, Want(dimension).0, what, expr)?.expr)?;
-    crate::links::link::positive_value(cx, value, expr, dimension, what)
+    positive_value(cx, value, expr, dimension, what)
 }
 
 impl Context<'_> {

@@ -4,9 +4,10 @@ use crate::error::{PairError, TrainError};
 use crate::expr::context::Context;
 use crate::expr::property::{Read, find, read};
 use crate::links::lookup::is_linkage_pair;
-use crate::names::declare::ThingKind;
-use crate::pairs::meant::{braces, end_text};
+use crate::names::declared::ThingKind;
 use crate::pairs::property::{phrase, shared, specs};
+use crate::pairs::transmission::known;
+use crate::statements::lines::{braces, end_text};
 use crate::trains::carrier::{carrier, turns_on};
 use crate::trains::meant::{only_wheels, percent};
 use crate::trains::planet::{Arms, arm, distance, is_planet};
@@ -48,11 +49,11 @@ pub(crate) fn transmissions(cx: &mut Context<'_>) {
             cx.names.bad.insert(joint.name.node.clone());
         }
         if let Some(transmission) = read {
-            let id = PairId::at(cx.mech.pairs.len());
+            let id = PairId::at(cx.builder.mech.pairs.len());
             let (name, span) = (joint.name.node.clone(), joint.name.span);
             cx.names.pairs.entry(name.clone()).or_insert(id);
             let kind = PairKind::Transmission(transmission);
-            cx.mech.pairs.push(Pair { name, span, kind, friction: None, bearing: None });
+            cx.builder.mech.pairs.push(Pair { name, span, kind, friction: None, bearing: None });
         }
     }
 }
@@ -166,12 +167,12 @@ fn two<'j>(cx: &mut Context<'_>, joint: &'j Joint) -> Option<[&'j Path; 2]> {
 impl Context<'_> {
     /// The wheel of that name.
     pub(crate) fn wheel(&self, name: &str) -> Option<Wheel> {
-        self.mech.wheels.iter().find(|w| w.name == name).cloned()
+        self.builder.mech.wheels.iter().find(|w| w.name == name).cloned()
     }
 }
 
 fn wheel(cx: &mut Context<'_>, path: &Path) -> Option<Wheel> {
-    crate::trains::property::known(cx, &path.head, "wheel", &[ThingKind::Wheel]);
+    known(cx, &path.head, "wheel", &[ThingKind::Wheel]);
     if let Some(part) = &path.tail {
         return incomplete(cx, "a wheel is named alone", "leave out what stands behind the dot", part.span);
     }
@@ -196,7 +197,7 @@ fn wheels(
             name: joint.name.node.clone(),
             first: a.name.clone(),
             second: b.name.clone(),
-            link: cx.mech.link(a.link).name.clone(),
+            link: cx.builder.mech.link(a.link).name.clone(),
             first_span: paths[0].span(),
             second_span: paths[1].span(),
         });
@@ -209,7 +210,7 @@ fn wheels(
     if internal && c_1 == c_2 {
         let size = match a.teeth {
             Some(teeth) => format!("{} teeth", digits(teeth)),
-            None => crate::values::format_value::told(a.radius, assur_text::units::Dimension::LENGTH),
+            None => crate::values::format_value::format_value(a.radius, assur_text::units::Dimension::LENGTH),
         };
         let (first, second) = (a.name, b.name);
         cx.error(TrainError::Internal { first, second, size, span: joint.name.span });
@@ -265,7 +266,7 @@ fn coefficients(
     if kind == TransmissionKind::Belt {
         return Some((a.radius, b.radius));
     }
-    let length = |x| crate::values::format_value::told(x, assur_text::units::Dimension::LENGTH);
+    let length = |x| crate::values::format_value::format_value(x, assur_text::units::Dimension::LENGTH);
     cx.error(TrainError::Sizes {
         message: format!(
             "`{}` has a module of {} and `{}` one of {}: their teeth do not fit",
@@ -287,7 +288,7 @@ fn coefficients(
 /// A shaft, a wheel, or a link that turns.
 fn turning(cx: &mut Context<'_>, path: &Path) -> Option<LinkId> {
     let kinds = &[ThingKind::Shaft, ThingKind::Wheel, ThingKind::Link];
-    crate::trains::property::known(cx, &path.head, "shaft, wheel or link", kinds);
+    known(cx, &path.head, "shaft, wheel or link", kinds);
     let link = cx.find_link(&path.head.node)?;
     if link == LinkId::GROUND {
         return incomplete(cx, "the ground does not turn", "name a shaft or a wheel of one", path.span());
@@ -298,13 +299,13 @@ fn turning(cx: &mut Context<'_>, path: &Path) -> Option<LinkId> {
 /// The coordinate of what slides: a slider, or a link on a guide, with the sense in which its own line counts.
 fn sliding(cx: &mut Context<'_>, path: &Path) -> Option<(PairId, LinkId, f64)> {
     let kinds = &[ThingKind::Slider, ThingKind::Link];
-    crate::trains::property::known(cx, &path.head, "slider or link", kinds);
+    known(cx, &path.head, "slider or link", kinds);
     let link = cx.find_link(&path.head.node)?;
     let line = match &path.tail {
         Some(part) => Some(cx.line(link, part)?),
         None => None,
     };
-    let guides = cx.mech.pairs.iter().enumerate().filter_map(|(i, p)| match &p.kind {
+    let guides = cx.builder.mech.pairs.iter().enumerate().filter_map(|(i, p)| match &p.kind {
         PairKind::Prismatic(g) if g.slider == link && g.guide == LinkId::GROUND => {
             Some((PairId::at(i), g.direction, 1.0))
         }
@@ -350,7 +351,7 @@ fn on_ground(cx: &mut Context<'_>, wheel: &Wheel, path: &Path) -> Option<()> {
     if turns_on(cx, wheel.link, LinkId::GROUND) {
         return Some(());
     }
-    cx.unsupported("a wheel on a rack whose axis moves", path.span());
+    cx.builder.unsupported("a wheel on a rack whose axis moves", path.span());
     None
 }
 

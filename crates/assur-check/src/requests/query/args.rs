@@ -2,8 +2,8 @@
 
 use crate::error::RequestError;
 use crate::expr::context::Context;
-use crate::names::declare::ThingKind;
-use crate::requests::query::Call;
+use crate::expr::results::Call;
+use crate::names::declared::ThingKind;
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, PairId, PairKind};
 use assur_syntax::document::{Expr, ExprKind, Name};
@@ -114,7 +114,7 @@ impl Context<'_> {
 
     /// Reports a result that this kind of pair has not.
     pub(crate) fn not_of_this_pair(&mut self, call: Call<'_>, pair: PairId, help: Option<&str>) {
-        let declared = self.mech.pair(pair);
+        let declared = self.builder.mech.pair(pair);
         let (pair, kind, declared) =
             (declared.name.clone(), kind_phrase(&declared.kind).to_owned(), declared.span);
         self.error(RequestError::NotOfThisPair {
@@ -127,14 +127,9 @@ impl Context<'_> {
         });
     }
 
-    /// The names of links, each as code.
-    pub(crate) fn spelled(&self, links: &[LinkId]) -> Vec<String> {
-        links.iter().map(|l| self.mech.link(*l).name.clone()).collect()
-    }
-
     /// Where a pair is declared.
     pub(crate) fn pair_span(&self, pair: PairId) -> Span {
-        self.mech.pair(pair).span
+        self.builder.mech.pair(pair).span
     }
 }
 

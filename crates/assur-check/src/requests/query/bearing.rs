@@ -1,8 +1,8 @@
 //! Friction torques of bearings by formula: `journal_torque(…)`, `thrust_torque(…)`.
 
 use crate::expr::context::Context;
+use crate::expr::results::Call;
 use crate::pairs::friction::factor_of_fit;
-use crate::requests::query::Call;
 use crate::values::fold::binary;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{BinaryOp, Expr as ModelExpr};

@@ -2,9 +2,9 @@
 
 use crate::error::{MotionError, RequestError, UnitsError};
 use crate::expr::context::Context;
+use crate::expr::results::Call;
 use crate::expr::want::Want;
-use crate::names::declare::ThingKind;
-use crate::requests::query::Call;
+use crate::names::declared::ThingKind;
 use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
 use assur_math::element::cam::Quantity;
@@ -35,7 +35,7 @@ impl Context<'_> {
         let names = path(expr)?;
         let [name] = names.as_slice() else { return None };
         let is_cam = self.names.things.get(&name.node).is_some_and(|d| d.what == ThingKind::Cam);
-        is_cam.then(|| self.mech.cams.iter().find(|c| c.name == name.node).cloned())
+        is_cam.then(|| self.builder.mech.cams.iter().find(|c| c.name == name.node).cloned())
     }
 
     /// The cam that the first argument must name.
@@ -236,6 +236,6 @@ impl Context<'_> {
             self.error(RequestError::NoValue { path: "a table".into(), span: unit.span, help });
             return None;
         }
-        Some(FindKind::Table(plate.table(parts, steps, |d| self.display(d))))
+        Some(FindKind::Table(plate.table(parts, steps, |d| self.values.display(d))))
     }
 }

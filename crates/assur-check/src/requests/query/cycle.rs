@@ -1,7 +1,7 @@
 //! Functions over the sweep: `mean(Mb)`, `max(mag(reaction(B)))`.
 
 use crate::expr::context::Context;
-use crate::requests::query::Call;
+use crate::expr::results::Call;
 use crate::values::typed::{Dim, Type, Typed};
 use assur_model::model::{Cycle, CycleFunction, Expr, Query};
 
@@ -33,10 +33,10 @@ impl Context<'_> {
 
     /// A function over the sweep; the same one is kept once.
     fn cycle(&mut self, how: CycleFunction, expr: Expr, call: Call<'_>) -> Expr {
-        let known = self.mech.cycles.iter().position(|c| c.how == how && c.expr == expr);
+        let known = self.builder.mech.cycles.iter().position(|c| c.how == how && c.expr == expr);
         Expr::Query(Query::Cycle(known.unwrap_or_else(|| {
-            self.mech.cycles.push(Cycle { span: call.span, how, expr });
-            self.mech.cycles.len() - 1
+            self.builder.mech.cycles.push(Cycle { span: call.span, how, expr });
+            self.builder.mech.cycles.len() - 1
         })))
     }
 
@@ -50,7 +50,7 @@ impl Context<'_> {
         });
         let mut inside = Vec::new();
         for index in found {
-            let Some(cycle) = self.mech.cycles.get(index).cloned() else { continue };
+            let Some(cycle) = self.builder.mech.cycles.get(index).cloned() else { continue };
             let ideal = Expr::Frictionless(Box::new(cycle.expr));
             inside.push((index, self.cycle(cycle.how, ideal, call)));
         }

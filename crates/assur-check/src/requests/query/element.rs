@@ -1,8 +1,8 @@
 //! Arguments that name machine elements.
 
 use crate::expr::context::Context;
-use crate::names::declare::ThingKind;
-use crate::requests::query::Call;
+use crate::expr::results::Call;
+use crate::names::declared::ThingKind;
 use assur_syntax::document::ExprKind;
 use assur_text::source::Spanned;
 

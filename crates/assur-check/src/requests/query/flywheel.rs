@@ -2,9 +2,9 @@
 
 use crate::error::{NameError, PairError, RequestError};
 use crate::expr::context::Context;
-use crate::links::lookup::suggestion;
-use crate::names::declare::QuantityKind;
-use crate::requests::query::Call;
+use crate::expr::results::Call;
+use crate::names::declared::QuantityKind;
+use crate::names::suggestion::suggestion;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr, FlywheelPart, Query};
 use assur_syntax::document::{ExprKind, Name, Statement};
@@ -82,7 +82,9 @@ impl Context<'_> {
     }
 
     fn no_flywheel(&mut self, name: &Name) {
-        if self.names.bad.contains(&name.node) || !self.reported.insert(("flywheel", name.node.clone())) {
+        if self.names.bad.contains(&name.node)
+            || !self.problems.reported.insert(("flywheel", name.node.clone()))
+        {
             return;
         }
         let all = self.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Flywheel(_)));

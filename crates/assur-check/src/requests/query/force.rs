@@ -2,10 +2,10 @@
 
 use crate::error::{NameError, RequestError};
 use crate::expr::context::Context;
-use crate::expr::read::Sign;
-use crate::links::lookup::suggestion;
-use crate::names::declare::QuantityKind;
-use crate::requests::query::Call;
+use crate::expr::results::Call;
+use crate::expr::sign::Sign;
+use crate::names::declared::QuantityKind;
+use crate::names::suggestion::suggestion;
 use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query, TransmissionKind};
@@ -34,7 +34,7 @@ impl Context<'_> {
         };
         let pair = pair?;
         let function = call.name.node.as_str();
-        let fits = match &self.mech.pair(pair).kind {
+        let fits = match &self.builder.mech.pair(pair).kind {
             PairKind::Prismatic(_) => true,
             PairKind::Revolute(_) => matches!(function, "reaction" | "moment"),
             PairKind::Slot(_) | PairKind::Contact { .. } => function != "moment",
@@ -61,14 +61,14 @@ impl Context<'_> {
     }
 
     fn link_of_pair(&mut self, pair: PairId, link: LinkId, place: &Expr) -> Option<LinkId> {
-        let links = self.mech.pair(pair).kind.links();
+        let links = self.builder.mech.pair(pair).kind.links();
         if links.contains(&link) {
             return Some(link);
         }
         let quoted = self.spelled(&links).iter().map(|n| format!("`{n}`")).collect::<Vec<_>>();
         let declared = self.pair_span(pair);
-        let name = self.mech.pair(pair).name.clone();
-        let link = self.mech.link(link).name.clone();
+        let name = self.builder.mech.pair(pair).name.clone();
+        let link = self.builder.mech.link(link).name.clone();
         let help = format!("`{name}` joins {}", quoted.join(", "));
         self.error(RequestError::LinkNotInPair { pair: name, link, span: place.span, declared, help });
         None
@@ -76,11 +76,11 @@ impl Context<'_> {
 
     /// The second link of a pair of two where the sign does not matter; otherwise it must be said.
     fn any_link(&mut self, call: Call<'_>, pair: PairId) -> Option<LinkId> {
-        let links = self.mech.pair(pair).kind.links();
+        let links = self.builder.mech.pair(pair).kind.links();
         if let ([_, second], Sign::Free) = (&links[..], call.sign) {
             return Some(*second);
         }
-        let (function, pair) = (call.name.node.clone(), self.mech.pair(pair).name.clone());
+        let (function, pair) = (call.name.node.clone(), self.builder.mech.pair(pair).name.clone());
         let choices =
             self.spelled(&links).iter().map(|l| format!("`{function}({pair}, {l})`")).collect::<Vec<_>>();
         let help = match links.len() {
@@ -97,7 +97,7 @@ impl Context<'_> {
         let pair = self.pair_argument(call, args[0]);
         let side = self.one_or_two(call, args[1]);
         let (pair, side) = (pair?, side?);
-        let declared = self.mech.pair(pair);
+        let declared = self.builder.mech.pair(pair);
         let PairKind::Prismatic(guide) = &declared.kind else {
             self.not_of_this_pair(call, pair, Some("it is defined for prismatic pairs"));
             return None;
@@ -113,7 +113,7 @@ impl Context<'_> {
     pub(crate) fn line_offset(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let pair = self.pair_argument(call, args[0])?;
-        if !matches!(self.mech.pair(pair).kind, PairKind::Prismatic(_)) {
+        if !matches!(self.builder.mech.pair(pair).kind, PairKind::Prismatic(_)) {
             self.not_of_this_pair(call, pair, Some("it is defined for prismatic pairs"));
             return None;
         }
@@ -136,7 +136,7 @@ impl Context<'_> {
 
     /// Reports a link without mass.
     pub(crate) fn with_mass(&mut self, call: Call<'_>, link: LinkId) -> Option<()> {
-        let declared = self.mech.link(link);
+        let declared = self.builder.mech.link(link);
         if declared.mass.is_some() {
             return Some(());
         }
@@ -160,7 +160,7 @@ impl Context<'_> {
         let function = call.name.node.as_str();
         let args = self.arguments(call, 1, if function == "tension" { 2 } else { 1 })?;
         let pair = self.pair_argument(call, args[0])?;
-        let PairKind::Transmission(t) = &self.mech.pair(pair).kind else {
+        let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else {
             self.not_of_this_pair(call, pair, Some("it is defined for meshes, ropes and their like"));
             return None;
         };
@@ -199,9 +199,9 @@ impl Context<'_> {
         end: Option<&Expr>,
         parts: usize,
     ) -> Option<usize> {
-        let PairKind::Transmission(t) = &self.mech.pair(pair).kind else { return None };
+        let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else { return None };
         let outer = [t.ends.first().cloned()?, t.ends.last().cloned()?];
-        let rope = self.mech.pair(pair).name.clone();
+        let rope = self.builder.mech.pair(pair).name.clone();
         let Some(end) = end else {
             if parts == 1 {
                 return Some(0);
@@ -263,7 +263,8 @@ impl Context<'_> {
             return Some(DriveId::at(i));
         }
         let (first, last) = (names.first()?, names.last()?);
-        if self.names.bad.contains(&first.node) || !self.reported.insert(("drive", written.clone())) {
+        if self.names.bad.contains(&first.node) || !self.problems.reported.insert(("drive", written.clone()))
+        {
             return None;
         }
         let all = drives.iter().map(String::as_str).collect::<Vec<_>>();

@@ -1,8 +1,9 @@
 //! Verdicts on friction: `efficiency()`, `locked()`, `critical(al)`, `frictionless(Mb)`.
 
 use crate::expr::context::Context;
-use crate::names::declare::QuantityKind;
-use crate::requests::query::Call;
+use crate::expr::results::Call;
+use crate::names::declared::QuantityKind;
+use crate::output::behind;
 use crate::values::definition::Settled;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr, Query};
@@ -40,7 +41,7 @@ impl Context<'_> {
                 return None;
             }
         }
-        let ty = match self.settled(name)? {
+        let ty = match self.values.definitions.settled(name)? {
             Settled::Constant(t) => t.ty,
             Settled::Pending(ty) => return Some(Typed::pending(*ty)),
             Settled::Result(..) | Settled::Failed => return None,
@@ -49,10 +50,10 @@ impl Context<'_> {
             self.wrong_argument(call, wanted, args[0].span);
             return None;
         }
-        let known = self.mech.criticals.iter().position(|c| c == name);
+        let known = self.builder.mech.criticals.iter().position(|c| c == name);
         let index = known.unwrap_or_else(|| {
-            self.mech.criticals.push(name.clone());
-            self.mech.criticals.len() - 1
+            self.builder.mech.criticals.push(name.clone());
+            self.builder.mech.criticals.len() - 1
         });
         Some(Typed::new(Expr::Query(Query::Critical(index)), ty))
     }
@@ -66,9 +67,9 @@ impl Context<'_> {
         }
         let expr = self.inline(&t.expr, call.span)?;
         let mut of_flywheel = false;
-        self.queries_behind(&expr, &mut |q| of_flywheel |= matches!(q, Query::Flywheel(..)));
+        behind::queries(&self.builder.mech, &expr, &mut |q| of_flywheel |= matches!(q, Query::Flywheel(..)));
         if of_flywheel {
-            self.unsupported("a flywheel without friction", call.span);
+            self.builder.unsupported("a flywheel without friction", call.span);
             return Some(Typed::pending(t.ty));
         }
         let expr = Expr::Frictionless(Box::new(self.frictionless_over_sweep(&expr, call)));

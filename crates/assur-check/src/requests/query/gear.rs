@@ -7,8 +7,8 @@ enum Number {
 }
 use crate::error::RequestError;
 use crate::expr::context::Context;
-use crate::names::declare::ThingKind;
-use crate::requests::query::Call;
+use crate::expr::results::Call;
+use crate::names::declared::ThingKind;
 use crate::values::fold::binary;
 use crate::values::typed::{Type, Typed};
 use Number::{Pair, Wheel};
@@ -163,13 +163,13 @@ impl Context<'_> {
         if function.node != "table" || item.name.is_some() || item.steps.is_some() || item.unit.is_some() {
             return None;
         }
-        let sign = crate::expr::read::Sign::Matters;
+        let sign = crate::expr::sign::Sign::Matters;
         let call = Call { name: function, args, span: item.value.span, sign };
         let pair = self.arguments(call, 1, 1).and_then(|args| self.mesh_argument(call, args[0]));
         Some(pair.map(|pair| {
             let entry = |(name, dimension, number): &(&str, Dimension, Number)| TableEntry {
                 name: (*name).to_owned(),
-                display: self.display(*dimension),
+                display: self.values.display(*dimension),
                 values: match number {
                     Pair(of) => vec![of(&pair)],
                     Wheel(of) => (0..2).map(|i| of(&pair, &pair.gears[i], i)).collect(),

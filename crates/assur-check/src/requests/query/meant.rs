@@ -2,8 +2,8 @@
 
 use crate::error::{NameError, RequestError};
 use crate::expr::context::Context;
+use crate::expr::results::Call;
 use crate::names::functions::FUNCTIONS;
-use crate::requests::query::Call;
 use crate::statements::written::written;
 use crate::values::typed::Type;
 use assur_model::model::LinkId;
@@ -34,7 +34,7 @@ impl Context<'_> {
     /// Reports a call of what is no function.
     pub(crate) fn no_function(&mut self, call: Call<'_>) {
         let name = &call.name.node;
-        if !self.reported.insert(("function", name.clone())) {
+        if !self.problems.reported.insert(("function", name.clone())) {
             return;
         }
         let help = self.meant(call).or_else(|| near(name)).unwrap_or_else(|| {
@@ -61,7 +61,7 @@ impl Context<'_> {
             return Some(format!("write `{} - {}`", most?, least?));
         }
         if matches!(name, "torque" | "moment" | "driving_torque")
-            && let Some(balance) = self.mech.balances.first()
+            && let Some(balance) = self.builder.mech.balances.first()
         {
             return Some(format!("ask for the unknown effort: `{}`", balance.name));
         }
@@ -76,7 +76,7 @@ impl Context<'_> {
             return false;
         }
         let pair = self.find_pair(name);
-        let links: Vec<LinkId> = match pair.map(|p| &self.mech.pair(p).kind) {
+        let links: Vec<LinkId> = match pair.map(|p| &self.builder.mech.pair(p).kind) {
             Some(kind) => kind.links(),
             None => self.links_with(&[name]),
         };
@@ -98,7 +98,7 @@ impl Context<'_> {
 
     /// The links that have all these points.
     fn links_with(&self, points: &[&str]) -> Vec<LinkId> {
-        let all = self.mech.links.iter().enumerate();
+        let all = self.builder.mech.links.iter().enumerate();
         let has = |link: &assur_model::model::Link| {
             points.iter().all(|n| link.points.iter().any(|p| p.name == **n))
         };

@@ -14,43 +14,20 @@ mod motion;
 mod own_usage;
 mod substitution;
 
-use crate::error::RequestError;
 use crate::expr::context::Context;
-use crate::expr::read::Sign;
-use crate::names::functions::FUNCTIONS;
+use crate::expr::results::{Call, Results};
 use crate::values::typed::Typed;
 use assur_model::model::CamPart;
-use assur_syntax::document::{Arg, Expr, ExprKind, Name};
-use assur_text::source::Span;
 
-/// A call as the functions of results see it.
-#[derive(Clone, Copy)]
-pub(crate) struct Call<'c> {
-    /// The function.
-    pub name: &'c Name,
-    /// Its arguments.
-    pub args: &'c [Arg],
-    /// The whole call.
-    pub span: Span,
-    /// Whether the sign of the result matters.
-    pub sign: Sign,
-}
+/// What expressions ask of this folder.
+pub const RESULTS: Results = Results {
+    call: |cx, call| cx.result(call),
+    part: |cx, whole, base, part| cx.part_of_result(whole, base, part),
+    unknown: |cx, name| cx.no_quantity(name),
+    usage: |cx, call| cx.own_usage(call),
+};
 
 impl Context<'_> {
-    /// Whether a call asks for something that is known only once the mechanism is solved.
-    pub fn is_result(&self, function: &str, args: &[Arg]) -> bool {
-        match function {
-            "dir" => match args {
-                [Arg { value: Expr { kind: ExprKind::Name(name), .. }, .. }] => {
-                    !self.names.quantities.contains_key(name)
-                }
-                _ => false,
-            },
-            "max" | "min" => args.len() == 1,
-            _ => FUNCTIONS.iter().any(|f| f.name == function && f.result),
-        }
-    }
-
     /// A function of results, or an error if there is no such function.
     pub(crate) fn result(&mut self, call: Call<'_>) -> Option<Typed> {
         if matches!(call.name.node.as_str(), "max" | "min" | "argmax")
@@ -99,46 +76,5 @@ impl Context<'_> {
                 None
             }
         }
-    }
-
-    /// The arguments, if there are as many as there should be and none has a name.
-    pub(crate) fn arguments<'c>(
-        &mut self,
-        call: Call<'c>,
-        least: usize,
-        most: usize,
-    ) -> Option<Vec<&'c Expr>> {
-        let named = call.args.iter().find_map(|a| a.name.as_ref());
-        if let Some(name) = named {
-            let usage = self.own_usage(call);
-            let wanted = "a value without a name".to_owned();
-            self.error(RequestError::Argument {
-                function: call.name.node.clone(),
-                wanted,
-                span: name.span,
-                usage,
-            });
-            return None;
-        }
-        if (least..=most).contains(&call.args.len()) {
-            return Some(call.args.iter().map(|a| &a.value).collect());
-        }
-        let takes = match (least, most) {
-            (0, 0) => "no argument",
-            (1, 1) => "one argument",
-            (1, 2) => "one or two arguments",
-            (2, 2) => "two arguments",
-            (3, 3) => "three arguments",
-            _ => "other arguments",
-        };
-        let (function, found, usage) = (call.name.node.clone(), call.args.len(), self.own_usage(call));
-        self.error(RequestError::Arguments { function, takes, found, span: call.span, usage });
-        None
-    }
-
-    /// Reports an argument of the wrong kind.
-    pub(crate) fn wrong_argument(&mut self, call: Call<'_>, wanted: &str, span: Span) {
-        let (function, usage) = (call.name.node.clone(), self.own_usage(call));
-        self.error(RequestError::Argument { function, wanted: wanted.to_owned(), span, usage });
     }
 }

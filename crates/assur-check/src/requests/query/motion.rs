@@ -2,8 +2,8 @@
 
 use crate::error::RequestError;
 use crate::expr::context::Context;
-use crate::names::declare::ThingKind;
-use crate::requests::query::Call;
+use crate::expr::results::Call;
+use crate::names::declared::ThingKind;
 use crate::requests::query::args::{Mover, path};
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
@@ -159,7 +159,7 @@ impl Context<'_> {
     }
 
     fn coriolis(&mut self, call: Call<'_>, pair: PairId) -> Option<Typed> {
-        match self.mech.pair(pair).kind {
+        match self.builder.mech.pair(pair).kind {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => {
                 Some(vector(Query::Coriolis(pair), Dimension::ACCELERATION))
             }
@@ -172,12 +172,12 @@ impl Context<'_> {
 
     /// The dimension of a pair's coordinate.
     fn coordinate(&mut self, call: Call<'_>, pair: PairId) -> Option<Dimension> {
-        match &self.mech.pair(pair).kind {
+        match &self.builder.mech.pair(pair).kind {
             PairKind::Revolute(pins) if pins.len() > 2 => {
                 let links = pins.iter().map(|p| p.link).collect::<Vec<_>>();
                 let names = self.spelled(&links);
                 let help = format!("write it with links: `angle({}) - angle({})`", names[2], names[1]);
-                let (pair, count) = (self.mech.pair(pair).name.clone(), names.len());
+                let (pair, count) = (self.builder.mech.pair(pair).name.clone(), names.len());
                 self.error(RequestError::WhichTwo { pair, count, span: call.span, help });
                 None
             }
@@ -242,7 +242,7 @@ impl Context<'_> {
     pub(crate) fn pressure_angle(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let pair = self.pair_argument(call, args[0])?;
-        match self.mech.pair(pair).kind {
+        match self.builder.mech.pair(pair).kind {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {
                 Some(number(Query::PressureAngle(pair), Dimension::ANGLE))
             }

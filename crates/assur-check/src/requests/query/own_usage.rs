@@ -2,9 +2,9 @@
 
 use crate::error::RequestError;
 use crate::expr::context::Context;
-use crate::names::declare::ThingKind;
+use crate::expr::results::Call;
+use crate::names::declared::ThingKind;
 use crate::names::functions::{FUNCTIONS, usage};
-use crate::requests::query::Call;
 use crate::statements::written::written;
 use assur_syntax::document::{Arg, Expr, ExprKind, Number};
 use assur_text::source::{Span, Spanned};
@@ -22,12 +22,12 @@ impl Context<'_> {
         let asks = FUNCTIONS.iter().any(|f| f.name == call.name.node && f.result && !f.values);
         let trying = ("trial", String::new());
         // a call that is tried has no trials of its own
-        if !asks || self.reported.contains(&trying) {
+        if !asks || self.problems.reported.contains(&trying) {
             return known;
         }
         let found = self.candidates(call).into_iter().find_map(|calls| {
             let found = self.quietly(|cx| {
-                cx.reported.insert(trying.clone());
+                cx.problems.reported.insert(trying.clone());
                 cx.readable(call, calls)
             });
             (!found.is_empty()).then_some(found)
@@ -55,7 +55,7 @@ impl Context<'_> {
     fn candidates(&self, call: Call<'_>) -> [Vec<Vec<Arg>>; 3] {
         let span = call.span;
         let arg = |kind: ExprKind| Arg { name: None, value: Expr { kind, span } };
-        let links = self.mech.links.iter().skip(1).map(|l| arg(ExprKind::Name(l.name.clone())));
+        let links = self.builder.mech.links.iter().skip(1).map(|l| arg(ExprKind::Name(l.name.clone())));
         let links = links.collect::<Vec<_>>();
         let things = self.names.things.iter().filter(|(_, d)| d.what != ThingKind::Link);
         let things = things.map(|(name, _)| arg(ExprKind::Name(name.clone()))).collect::<Vec<_>>();
@@ -91,7 +91,7 @@ impl Context<'_> {
     pub(crate) fn function_alone(&mut self, name: &str, span: Span) -> Option<String> {
         let function = FUNCTIONS.iter().find(|f| f.name == name && f.result && !f.values)?;
         let name = Spanned::new(function.name.to_owned(), span);
-        let call = Call { name: &name, args: &[], span, sign: crate::expr::read::Sign::Matters };
+        let call = Call { name: &name, args: &[], span, sign: crate::expr::sign::Sign::Matters };
         let calls = self.own_usage(call);
         Some(match function.name {
             "reaction" => format!("write `reactions` for all of them, or `{calls}`"),

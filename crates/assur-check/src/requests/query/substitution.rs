@@ -2,9 +2,9 @@
 
 use crate::error::RequestError;
 use crate::expr::context::Context;
-use crate::expr::read::Sign;
-use crate::requests::query::Call;
-use crate::values::typed::{Dim, Type, Typed};
+use crate::expr::results::Call;
+use crate::expr::sign::Sign;
+use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr as ModelExpr, Query, SubstitutionPart};
 use assur_syntax::document::{Expr, ExprKind, Name};
 use assur_text::source::Spanned;
@@ -104,19 +104,6 @@ impl Context<'_> {
     pub(crate) fn substitution_alone(&mut self, call: Call<'_>) -> Option<Typed> {
         let path = format!("{}(…)", call.name.node);
         self.error(RequestError::NoValue { path, span: call.span, help: Some(part_list()) });
-        None
-    }
-
-    /// A part that is neither `.x` nor `.y` of something without other parts.
-    pub(crate) fn no_part(&mut self, base: &Typed, part: &Name) -> Option<Typed> {
-        if base.pending && base.ty == Type::Number(Dim::Any) {
-            return Some(base.clone());
-        }
-        let help = match base.ty {
-            Type::Vector(_) => Some("the parts of a vector are `.x` and `.y`".to_owned()),
-            _ => None,
-        };
-        self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
         None
     }
 }

@@ -1,8 +1,7 @@
 //! Which hinges stand at a point of a link.
 
-use crate::expr::context::Context;
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, PairId, PairKind, Pin};
+use assur_model::model::{LinkId, Mechanism, PairId, PairKind, Pin};
 use indexmap::{IndexMap, IndexSet};
 
 /// A point of a link as a key: equal for equal places.
@@ -29,27 +28,25 @@ impl Hinges {
         found.dedup();
         found
     }
-}
 
-/// Adding zero makes one of both zeros.
-fn key((link, at): (LinkId, Vec2)) -> Key {
-    (link, [at.x, at.y].map(|x| (x + 0.0).to_bits()))
-}
-
-impl Context<'_> {
     /// This point and all that pins join with it.
-    pub(crate) fn joined_with(&self, point: (LinkId, Vec2)) -> Vec<(LinkId, Vec2)> {
+    pub fn joined_with(&self, mech: &Mechanism, point: (LinkId, Vec2)) -> Vec<(LinkId, Vec2)> {
         let mut joined = vec![point];
         let mut seen = IndexSet::from([key(point)]);
         let mut next = 0;
         while let Some(&at) = joined.get(next) {
             next += 1;
-            for pair in self.hinges.0.get(&key(at)).into_iter().flatten() {
-                let PairKind::Revolute(pins) = &self.mech.pair(*pair).kind else { continue };
+            for pair in self.0.get(&key(at)).into_iter().flatten() {
+                let PairKind::Revolute(pins) = &mech.pair(*pair).kind else { continue };
                 let new = pins.iter().map(|p| (p.link, p.at)).filter(|p| seen.insert(key(*p)));
                 joined.extend(new);
             }
         }
         joined
     }
+}
+
+/// Adding zero makes one of both zeros.
+fn key((link, at): (LinkId, Vec2)) -> Key {
+    (link, [at.x, at.y].map(|x| (x + 0.0).to_bits()))
 }

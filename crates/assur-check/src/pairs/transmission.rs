@@ -3,7 +3,7 @@
 use crate::expr::context::Context;
 use crate::expr::property::{Spec, Takes};
 use crate::expr::want::Want;
-use crate::names::declare::ThingKind;
+use crate::names::declared::ThingKind;
 use assur_syntax::document::{Expr, JointKind, Name};
 use assur_text::units::Dimension;
 
