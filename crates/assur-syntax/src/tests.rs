@@ -1,6 +1,6 @@
 use super::document::{Document, Expr, ExprKind, Statement};
 use super::{parse, parse_table, skeleton};
-use crate::source::Source;
+use assur_text::source::Source;
 
 fn read(text: &str) -> Document {
     let source = Source::new("text.mech", text);

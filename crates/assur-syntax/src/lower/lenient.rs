@@ -1,14 +1,15 @@
-//! Slips that the grammar reads as what they were meant to be, and that are reported nevertheless.
+//! Lenient forms: mistakes that the grammar reads as what they were meant to be, and that are reported nevertheless.
 
+use super::inner;
+use super::state::Lower;
 use super::walk::{P, span};
-use super::{Lower, inner};
-use crate::Rule;
 use crate::error::SyntaxError;
+use crate::grammar::Rule;
 use crate::line::{Line, mended};
-use crate::source::Span;
+use assur_text::source::Span;
 use pest::iterators::Pairs;
 
-/// Reports every slip in a file, in one pass over all pairs.
+/// Reports every lenient form in a file, in one pass over all pairs.
 pub(super) fn report(lower: &mut Lower<'_>, pairs: Pairs<'_, Rule>) {
     let mut open = Vec::new();
     for pair in pairs.flatten() {
