@@ -10,7 +10,7 @@ pub use assur_math::{element, force, group, math};
 pub use assur_model::{model, structure};
 pub use assur_solve::{accuracy, plan, solve};
 pub use assur_syntax as syntax;
-pub use assur_text::{diagnostic, source, units};
+pub use assur_text::{diagnostic, language, source, units};
 
 use accuracy::Reached;
 use check::Overrides;

@@ -1,9 +1,9 @@
 //! From a word to a unit.
 
 use super::spelling::nearest;
-use super::table::symbol;
 use super::unit::whole_reciprocal;
 use super::{Dimension, Kind, Unit, UnitError};
+use crate::language::symbol;
 
 /// A factor of a composite unit, as written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,18 +2,16 @@
 //!
 //! Inside, everything is SI and radians; a [`Unit`] stands at the border, where numbers come in and answers go out.
 
-mod dimension;
 mod error;
 mod lookup;
 mod number;
 mod spelling;
-mod table;
 mod unit;
 
 #[cfg(test)]
 mod tests;
 
-pub use dimension::{Dimension, Kind};
+pub use crate::language::{Dimension, Kind};
 pub use error::UnitError;
 pub use lookup::{Factor, factors, is_unit, lookup};
 pub use number::{significant, write_significant};

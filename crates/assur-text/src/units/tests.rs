@@ -1,5 +1,5 @@
-use super::table::SYMBOLS;
 use super::{Dimension, Kind, Unit, UnitError, lookup};
+use crate::language::UNITS;
 use proptest::prelude::*;
 
 fn unit(word: &str) -> Unit {
@@ -82,7 +82,7 @@ fn every_unit_has_its_value() {
         assert!((found.factor / factor - 1.0).abs() <= f64::EPSILON, "{word}: {}", found.factor);
         assert_eq!(found.dimension, dimension, "{word}");
     }
-    for symbol in SYMBOLS {
+    for symbol in UNITS {
         assert!(values.iter().any(|v| v.0 == symbol.text), "`{}` has no value in this test", symbol.text);
     }
 }
@@ -161,9 +161,9 @@ fn roots() {
 }
 
 fn word() -> impl Strategy<Value = String> {
-    let factor = (0..SYMBOLS.len(), 1..4_i8).prop_map(|(i, n)| match n {
-        1 => SYMBOLS[i].text.to_owned(),
-        n => format!("{}^{n}", SYMBOLS[i].text),
+    let factor = (0..UNITS.len(), 1..4_i8).prop_map(|(i, n)| match n {
+        1 => UNITS[i].text.to_owned(),
+        n => format!("{}^{n}", UNITS[i].text),
     });
     let joined = (factor.clone(), any::<bool>())
         .prop_map(|(f, times)| if times { format!("*{f}") } else { format!("/{f}") });
