@@ -4,35 +4,12 @@ use super::context::Context;
 use super::error::{LinkError, NameError, PairError};
 use super::lookup::suggestion;
 use super::names::{QuantityKind, ThingKind};
-use super::property::{Read, Spec, Takes, find, read};
+use super::property::{Read, find, read};
 use super::train::known;
+use crate::language::{FLYWHEEL, RIM};
 use crate::model::{self, FlywheelTorque, LinkId, Rim};
 use crate::source::Span;
 use crate::syntax::document::{Flywheel, Name, Statement};
-use crate::units::Dimension;
-
-const RIM: &[Spec] = &[
-    Spec { name: "diameter", takes: Takes::Positive(Dimension::LENGTH), example: "diameter 0.5 m" },
-    Spec {
-        name: "weight_density",
-        takes: Takes::Positive(Dimension::WEIGHT_DENSITY),
-        example: "weight_density 7.0e4 N/m^3",
-    },
-    Spec { name: "density", takes: Takes::Positive(Dimension::DENSITY), example: "density 7200 kg/m^3" },
-    Spec {
-        name: "height_to_width",
-        takes: Takes::Positive(Dimension::NUMBER),
-        example: "height_to_width 1.5",
-    },
-];
-
-const FLYWHEEL: &[Spec] = &[
-    Spec { name: "fluctuation", takes: Takes::Positive(Dimension::NUMBER), example: "fluctuation 1/30" },
-    Spec { name: "rim", takes: Takes::Block(RIM), example: "rim { diameter 0.5 m }" },
-    Spec { name: "speed", takes: Takes::Positive(Dimension::ANGULAR_VELOCITY), example: "speed 80 rpm" },
-    Spec { name: "ratio", takes: Takes::Positive(Dimension::NUMBER), example: "ratio 3" },
-    Spec { name: "with_links", takes: Takes::Flag, example: "with_links" },
-];
 
 /// Enters all flywheels into the mechanism.
 pub(super) fn flywheels(cx: &mut Context<'_>) {

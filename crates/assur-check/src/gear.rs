@@ -5,8 +5,8 @@ use super::context::Context;
 use super::error::GearError;
 use super::expr::Want;
 use super::property::{Read, Value, find, read};
-use super::train;
 use crate::element::gear::{GearFault, GearPair, NoMesh, Teeth};
+use crate::language::properties_of_pair;
 use crate::source::Span;
 use crate::syntax::document::{
     Document, End, Expr, Joint, JointKind, Member, Statement, WheelMember, WheelSize,
@@ -41,7 +41,7 @@ impl Context<'_> {
     fn build(&mut self, joint: &Joint, asked: Span) -> Option<GearPair> {
         // what is wrong with the properties is said where the mesh is checked, before anything is asked
         let problems = std::mem::take(&mut self.problems);
-        let properties = read(self, "a mesh", &joint.properties, train::specs(JointKind::Mesh));
+        let properties = read(self, "a mesh", &joint.properties, properties_of_pair(JointKind::Mesh));
         self.problems = problems;
         let properties = properties?;
         let wheels = wheels_of(self.doc, joint)?;

@@ -63,7 +63,7 @@ pub use variants::{FileRow, file_rows, table};
 
 use assur_math::{element, math};
 use assur_model::model;
-use assur_text::{diagnostic, source, units};
+use assur_text::{diagnostic, language, source, units};
 
 use assur_syntax as syntax;
 use context::Context;

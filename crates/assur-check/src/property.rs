@@ -5,39 +5,10 @@ use super::error::{LinkError, PairError};
 use super::expr::Want;
 use super::link::{not_negative, positive};
 use super::lookup::suggestion;
+pub(super) use crate::language::{Property as Spec, PropertyValue as Takes};
 use crate::source::Span;
 use crate::syntax::document::{Definition, Expr, ExprKind, Property, Statement};
 use crate::units::Dimension;
-
-/// A property that a statement may have.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Spec {
-    /// Its word.
-    pub name: &'static str,
-    /// What stands behind it.
-    pub takes: Takes,
-    /// How it looks.
-    pub example: &'static str,
-}
-
-/// What a property takes.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Takes {
-    /// Nothing.
-    Flag,
-    /// A value of this dimension.
-    Any(Dimension),
-    /// A value greater than zero.
-    Positive(Dimension),
-    /// A value not less than zero.
-    NotNegative(Dimension),
-    /// Two values.
-    Two(Dimension),
-    /// One of these words, or a value greater than zero.
-    Word(&'static [&'static str], Dimension),
-    /// Properties of its own.
-    Block(&'static [Spec]),
-}
 
 /// Other usual words and symbols for properties.
 const USUAL: &[(&str, &str)] = &[

@@ -3,16 +3,11 @@
 use super::context::Context;
 use super::error::PairError;
 use super::pair::link_point;
-use super::property::{Spec, Takes, find, read};
+use super::property::{find, read};
+use crate::language::SPRING;
 use crate::model;
 use crate::syntax::document::{Spring, Statement};
 use crate::units::Dimension;
-
-const SPECS: &[Spec] = &[
-    Spec { name: "stiffness", takes: Takes::Positive(Dimension::STIFFNESS), example: "stiffness 4530 N/m" },
-    Spec { name: "free_length", takes: Takes::NotNegative(Dimension::LENGTH), example: "free_length 80 mm" },
-    Spec { name: "damping", takes: Takes::NotNegative(Dimension::DAMPING), example: "damping 20 N*s/m" },
-];
 
 /// Enters all springs into the mechanism.
 pub(super) fn springs(cx: &mut Context<'_>) {
@@ -28,7 +23,7 @@ pub(super) fn springs(cx: &mut Context<'_>) {
 }
 
 fn spring(cx: &mut Context<'_>, spring: &Spring) -> Option<model::Spring> {
-    let properties = read(cx, "a spring", &spring.properties, SPECS);
+    let properties = read(cx, "a spring", &spring.properties, SPRING);
     let from = link_point(cx, &spring.from, "a spring");
     let to = link_point(cx, &spring.to, "a spring");
     let (properties, from, to) = (properties?, from?, to?);

@@ -22,9 +22,8 @@ pub mod document;
 pub use comma::{between_digits, readings};
 pub use error::SyntaxError;
 pub use skeleton::skeleton;
-pub use words::CAM_MEMBERS;
 
-use assur_text::{diagnostic, source, units};
+use assur_text::{diagnostic, language, source, units};
 use diagnostic::Problems;
 use document::{Document, Variants};
 use grammar::{Grammar, Rule};

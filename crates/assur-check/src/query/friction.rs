@@ -8,17 +8,12 @@ use crate::model::{Expr, Query};
 use crate::names::QuantityKind;
 use crate::source::Spanned;
 use crate::syntax::document::ExprKind;
-use crate::units::Dimension;
 
 impl Context<'_> {
     /// `efficiency()`, `locked()`
-    pub(super) fn verdict(&mut self, call: Call<'_>) -> Option<Typed> {
+    pub(super) fn verdict(&mut self, call: Call<'_>, query: Query, ty: Type) -> Option<Typed> {
         self.arguments(call, 0, 0)?;
-        Some(if call.name.node == "locked" {
-            Typed::new(Expr::Query(Query::Locked), Type::Truth)
-        } else {
-            Typed::new(Expr::Query(Query::Efficiency), Type::number(Dimension::NUMBER))
-        })
+        Some(Typed::new(Expr::Query(query), ty))
     }
 
     /// `critical(al)`: a `given`.

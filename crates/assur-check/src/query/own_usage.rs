@@ -1,10 +1,11 @@
 //! How a function is called in the file at hand: with its own names.
 
 use super::Call;
-use super::table::{FUNCTIONS, usage};
+use super::table::{of_things, usage};
 use crate::context::Context;
 use crate::error::RequestError;
 use crate::expr::written;
+use crate::language::Function;
 use crate::names::ThingKind;
 use crate::source::{Span, Spanned};
 use crate::syntax::document::{Arg, Expr, ExprKind, Number};
@@ -19,7 +20,7 @@ impl Context<'_> {
     /// none is found, how it is written anywhere.
     pub(super) fn own_usage(&mut self, call: Call<'_>) -> String {
         let known = usage(&call.name.node);
-        let asks = FUNCTIONS.iter().any(|f| f.name == call.name.node && f.result && !f.values);
+        let asks = of_things(&call.name.node).is_some();
         let trying = ("trial", String::new());
         // a call that is tried has no trials of its own
         if !asks || self.reported.contains(&trying) {
@@ -89,13 +90,14 @@ impl Context<'_> {
 
     /// What may be meant by a function's name that stands alone.
     pub(crate) fn function_alone(&mut self, name: &str, span: Span) -> Option<String> {
-        let function = FUNCTIONS.iter().find(|f| f.name == name && f.result && !f.values)?;
-        let name = Spanned::new(function.name.to_owned(), span);
+        let function = of_things(name)?;
+        let name = Spanned::new(function.name().to_owned(), span);
         let call = Call { name: &name, args: &[], span, sign: crate::expr::Sign::Matters };
         let calls = self.own_usage(call);
-        Some(match function.name {
-            "reaction" => format!("write `reactions` for all of them, or `{calls}`"),
-            _ => format!("write `{calls}`"),
+        Some(if function == Function::Reaction {
+            format!("write `reactions` for all of them, or `{calls}`")
+        } else {
+            format!("write `{calls}`")
         })
     }
 }

@@ -12,7 +12,7 @@ mod transmission;
 
 pub(super) use at_rest::at_rest;
 pub(super) use meant::missing_mesh;
-pub(super) use property::{constant, known, specs};
+pub(super) use property::{constant, known};
 pub(super) use shaft::shafts;
 pub(super) use size::{Sizes, wheels};
 pub(super) use transmission::transmissions;

@@ -8,13 +8,14 @@ use super::size::label;
 use crate::amount::digits;
 use crate::context::Context;
 use crate::error::{PairError, TrainError};
+use crate::language::properties_of_pair;
 use crate::lookup::is_linkage_pair;
 use crate::model::{
     Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
 };
 use crate::names::ThingKind;
 use crate::pair_meant::{braces, end_text};
-use crate::pair_property::{phrase, shared, specs};
+use crate::pair_property::{phrase, shared};
 use crate::property::{Read, find, read};
 use crate::source::Span;
 use crate::syntax::document::{End, Joint, JointKind, Path, Statement};
@@ -34,14 +35,15 @@ pub(crate) fn transmissions(cx: &mut Context<'_>) {
             continue;
         }
         let what = phrase(joint.kind.node);
-        let properties = read(cx, &what, &joint.properties, specs(joint.kind.node)).map(|mut own| {
-            for more in shared.iter().filter(|s| s.0 == joint.kind.node).flat_map(|s| &s.1) {
-                if find(&own, more.name).is_none() {
-                    own.push(more.clone());
+        let properties =
+            read(cx, &what, &joint.properties, properties_of_pair(joint.kind.node)).map(|mut own| {
+                for more in shared.iter().filter(|s| s.0 == joint.kind.node).flat_map(|s| &s.1) {
+                    if find(&own, more.name).is_none() {
+                        own.push(more.clone());
+                    }
                 }
-            }
-            own
-        });
+                own
+            });
         let read = properties.and_then(|properties| transmission(cx, joint, &properties, &mut arms));
         if read.is_none() {
             // What is asked of it is no second mistake.
