@@ -5,6 +5,7 @@ use super::error::{LinkError, PairError};
 use super::expr::Want;
 use super::link::{not_negative, positive};
 use super::lookup::suggestion;
+use crate::language::PROPERTIES;
 pub(super) use crate::language::{Property as Spec, PropertyValue as Takes};
 use crate::source::Span;
 use crate::syntax::document::{Definition, Expr, ExprKind, Property, Statement};
@@ -55,6 +56,7 @@ impl Read {
 
 /// The property of that name.
 pub(super) fn find<'a>(list: &'a [Read], name: &str) -> Option<&'a Read> {
+    debug_assert!(PROPERTIES.iter().any(|(_, all)| all.iter().any(|p| p.name == name)), "{name}");
     list.iter().find(|p| p.name == name)
 }
 

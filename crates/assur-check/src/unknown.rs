@@ -4,6 +4,7 @@ use super::context::Context;
 use super::error::NameError;
 use super::names::ThingKind;
 use crate::diagnostic::did_you_mean;
+use crate::language::Function;
 use crate::model::{LinkId, PairKind};
 use crate::syntax::document::{Balance, JointKind, LoadKind, Name, Site, Statement};
 use crate::units::{Dimension, lookup};
@@ -41,17 +42,18 @@ impl Context<'_> {
 
     /// `find velocities`: functions stand for one thing each.
     fn results_by_name(&self, name: &str) -> Option<String> {
-        let functions: &[&str] = match name.to_lowercase().trim_end_matches("ies").trim_end_matches('s') {
-            "position" | "displacement" | "coordinate" => &["position"],
-            "velocity" | "velocit" | "speed" => &["velocity"],
-            "acceleration" => &["acceleration"],
-            "everything" | "all" => &["position", "velocity", "acceleration"],
+        let functions: &[Function] = match name.to_lowercase().trim_end_matches("ies").trim_end_matches('s') {
+            "position" | "displacement" | "coordinate" => &[Function::Position],
+            "velocity" | "velocit" | "speed" => &[Function::Velocity],
+            "acceleration" => &[Function::Acceleration],
+            "everything" | "all" => &[Function::Position, Function::Velocity, Function::Acceleration],
             "force" => return Some("write `reactions`".into()),
             _ => return None,
         };
         let (link, point) =
             self.mech.links.iter().rev().find_map(|l| Some((&l.name, &l.points.first()?.name)))?;
-        let calls = functions.iter().map(|f| format!("{f}({link}.{point})")).collect::<Vec<_>>().join(", ");
+        let calls =
+            functions.iter().map(|f| format!("{}({link}.{point})", f.name())).collect::<Vec<_>>().join(", ");
         Some(format!("ask for one point each, as in `{calls}`"))
     }
 

@@ -4,4 +4,4 @@ pub mod model;
 pub mod structure;
 
 use assur_math::{element, math};
-use assur_text::{source, units};
+use assur_text::{language, source, units};

@@ -5,6 +5,7 @@ use super::typed::{Dim, Type, Typed, mend, phrase};
 use super::written;
 use crate::context::Context;
 use crate::error::UnitsError;
+use crate::language::Function;
 use crate::source::Span;
 use crate::syntax::document::{Expr, ExprKind};
 use crate::units::Dimension;
@@ -125,7 +126,7 @@ fn part_of_stroke(left: &Expr, right: &Expr) -> Option<String> {
     let (ExprKind::Call { function, args }, ExprKind::Number(number)) = (&left.kind, &right.kind) else {
         return None;
     };
-    let is_travel = function.node == "travel" && number.value < 1.0;
+    let is_travel = Function::named(&function.node) == Some(Function::Travel) && number.value < 1.0;
     let pair = args.first().filter(|_| is_travel).and_then(|a| written(&a.value))?;
     Some(format!("{}*stroke({pair})", number.text))
 }

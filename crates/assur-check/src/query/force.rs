@@ -21,22 +21,6 @@ const fn may_have_mass(member: &Member) -> bool {
     matches!(member, Member::Mass(_) | Member::Weight(_) | Member::Inertia(_) | Member::Bad(_))
 }
 
-/// Whether a pair exchanges a couple.
-pub(super) const fn has_moment(kind: &PairKind) -> bool {
-    match kind {
-        PairKind::Prismatic(_) | PairKind::Revolute(_) | PairKind::Transmission(_) => true,
-        PairKind::Slot(_) | PairKind::Contact { .. } | PairKind::Cylinder { .. } => false,
-    }
-}
-
-/// Whether a pair has a normal, and friction across it.
-pub(super) const fn has_normal(kind: &PairKind) -> bool {
-    match kind {
-        PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => true,
-        PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => false,
-    }
-}
-
 /// The force that a transmission of another kind has.
 const fn other_force(kind: TransmissionKind) -> &'static str {
     match kind {
@@ -130,16 +114,6 @@ impl Context<'_> {
             return None;
         }
         Some(number(Query::ContactForce(pair, side), Dimension::FORCE))
-    }
-
-    pub(super) fn line_offset(&mut self, call: Call<'_>) -> Option<Typed> {
-        let args = self.arguments(call, 1, 1)?;
-        let pair = self.pair_argument(call, args[0])?;
-        if !matches!(self.mech.pair(pair).kind, PairKind::Prismatic(_)) {
-            self.not_of_this_pair(call, pair, Some("it is defined for prismatic pairs"));
-            return None;
-        }
-        Some(number(Query::LineOffset(pair), Dimension::LENGTH))
     }
 
     /// `inertia_force`, `inertia_torque`, `inertia_arm`

@@ -71,6 +71,9 @@ fn part_list() -> String {
     format!("its parts are {}", ROWS.iter().map(name).collect::<Vec<_>>().join(", "))
 }
 
+/// A part of it, with its factor.
+type RatePart = (&'static str, fn(&GearPair) -> f64);
+
 /// What is proportional to a value given of wheel 1.
 #[derive(Clone, Copy)]
 pub(super) enum GearRate {
@@ -90,7 +93,7 @@ impl GearRate {
     }
 
     /// Its parts, each with the factor.
-    fn parts(self) -> &'static [(&'static str, fn(&GearPair) -> f64)] {
+    fn parts(self) -> &'static [RatePart] {
         match self {
             Self::ToothForce => {
                 &[("Ft", |p| p.forces()[0]), ("Fr", |p| p.forces()[1]), ("Fn", |p| p.forces()[2])]

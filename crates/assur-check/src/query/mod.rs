@@ -12,6 +12,7 @@ mod gear;
 mod meant;
 mod motion;
 mod own_usage;
+mod pair_kinds;
 mod substitution;
 mod table;
 
@@ -27,8 +28,8 @@ use crate::source::Span;
 use crate::syntax::document::{Arg, Expr, ExprKind, Name};
 use crate::units::Dimension;
 use bearing::Bearing;
-use force::{has_moment, has_normal};
 use gear::GearRate;
+use pair_kinds::{ALONG_LINE, GUIDE, has_moment, has_normal};
 
 /// A call as the functions of results see it.
 #[derive(Clone, Copy)]
@@ -113,10 +114,14 @@ impl Context<'_> {
             F::Stroke => self.of_coordinate(call, Query::Stroke, 0),
             F::TimeRatio => self.time_ratio(call),
             F::Dead => self.dead(call),
-            F::Coriolis => self.coriolis(call),
+            F::Coriolis => {
+                self.of_pair(call, ALONG_LINE, Query::Coriolis, Type::vector(Dimension::ACCELERATION))
+            }
             F::TransmissionAngle => self.transmission_angle(call),
             F::PressureAngle if self.asks_cam(call.args) => self.of_cam(call, CamPart::PressureAngle),
-            F::PressureAngle => self.pressure_angle(call),
+            F::PressureAngle => {
+                self.of_pair(call, (has_normal, None), Query::PressureAngle, Type::number(Dimension::ANGLE))
+            }
             F::CurvatureRadius => self.of_cam(call, CamPart::CurvatureRadius),
             F::Profile => self.profile_alone(call),
             F::Start => self.cam_start(call),
@@ -130,7 +135,7 @@ impl Context<'_> {
             F::Normal => self.reaction(call, has_normal, Query::Normal, Type::number(Dimension::FORCE)),
             F::Friction => self.reaction(call, has_normal, Query::Friction, Type::number(Dimension::FORCE)),
             F::ContactForce => self.contact_force(call),
-            F::LineOffset => self.line_offset(call),
+            F::LineOffset => self.of_pair(call, GUIDE, Query::LineOffset, Type::number(Dimension::LENGTH)),
             F::InertiaForce => self.inertia(call, Query::InertiaForce, Type::vector(Dimension::FORCE)),
             F::InertiaTorque => self.inertia(call, Query::InertiaTorque, Type::number(Dimension::TORQUE)),
             F::InertiaArm => self.inertia(call, Query::InertiaArm, Type::number(Dimension::LENGTH)),

@@ -151,19 +151,21 @@ impl Context<'_> {
         }
     }
 
-    /// `coriolis(D)`
-    pub(super) fn coriolis(&mut self, call: Call<'_>) -> Option<Typed> {
+    /// What some kinds of pairs have: those of which `has` holds.
+    pub(super) fn of_pair(
+        &mut self,
+        call: Call<'_>,
+        (has, help): (fn(&PairKind) -> bool, Option<&str>),
+        query: fn(PairId) -> Query,
+        ty: Type,
+    ) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let pair = self.pair_argument(call, args[0])?;
-        match self.mech.pair(pair).kind {
-            PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => {
-                Some(vector(Query::Coriolis(pair), Dimension::ACCELERATION))
-            }
-            PairKind::Revolute(_) | PairKind::Contact { .. } | PairKind::Transmission(_) => {
-                self.not_of_this_pair(call, pair, Some("it is defined where a point slides along a line"));
-                None
-            }
+        if has(&self.mech.pair(pair).kind) {
+            return Some(Typed::new(ModelExpr::Query(query(pair)), ty));
         }
+        self.not_of_this_pair(call, pair, help);
+        None
     }
 
     /// The dimension of a pair's coordinate.
@@ -233,20 +235,6 @@ impl Context<'_> {
         };
         let group = self.group(&Spanned::new(name.clone(), args[0].span))?;
         Some(number(Query::TransmissionAngle(group), Dimension::ANGLE))
-    }
-
-    pub(super) fn pressure_angle(&mut self, call: Call<'_>) -> Option<Typed> {
-        let args = self.arguments(call, 1, 1)?;
-        let pair = self.pair_argument(call, args[0])?;
-        match self.mech.pair(pair).kind {
-            PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {
-                Some(number(Query::PressureAngle(pair), Dimension::ANGLE))
-            }
-            PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => {
-                self.not_of_this_pair(call, pair, None);
-                None
-            }
-        }
     }
 }
 

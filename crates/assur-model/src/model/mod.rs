@@ -6,6 +6,7 @@ mod cycle;
 mod display;
 mod element;
 mod expr;
+mod facts;
 mod id;
 mod link;
 mod load;
@@ -21,6 +22,7 @@ pub use element::{CamContact, PlateCam, Table, TableEntry};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };
+pub use facts::{About, Answer, Facts, Level};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};

@@ -5,6 +5,7 @@ use super::error::{SolveError, label};
 use super::solution::Scene;
 use super::turn::{Failure, Turn};
 use super::words::four;
+use crate::language::Function;
 use crate::model::{Expr, Mechanism, PairId, Positions, Query};
 use crate::source::Span;
 use std::f64::consts::TAU;
@@ -141,31 +142,30 @@ fn none(
     mut labels: Vec<miette::LabeledSpan>,
 ) -> SolveError {
     let pair = scene.mechanism.pair(ask.pair);
-    let (before, behind) = ask.query;
+    let which = ask.which.map_or_else(String::new, |which| format!(", {which}"));
     labels.insert(0, label("this pair", pair.span));
-    SolveError::NoExtreme { what: format!("{before}({}{behind})", pair.name), why, help, labels }
+    SolveError::NoExtreme {
+        what: format!("{}({}{which})", ask.function.name(), pair.name),
+        why,
+        help,
+        labels,
+    }
 }
 
 /// A pair whose extremes are asked for, with the query that does.
 struct Asked {
     pair: PairId,
-    query: (&'static str, &'static str),
+    function: Function,
+    which: Option<u8>,
 }
 
 /// Pairs whose extremes are asked for anywhere in the file.
 fn wanted(mechanism: &Mechanism) -> Vec<Asked> {
     let mut asked: Vec<Asked> = Vec::new();
     every_query(mechanism, &mut |query, _| {
-        let (pair, query) = match query {
-            Query::Travel(p) => (*p, ("travel", "")),
-            Query::Stroke(p) => (*p, ("stroke", "")),
-            Query::TimeRatio(p) => (*p, ("time_ratio", "")),
-            Query::Dead(p, 1) => (*p, ("dead", ", 1")),
-            Query::Dead(p, _) => (*p, ("dead", ", 2")),
-            _ => return,
-        };
+        let Some((pair, function, which)) = query.facts().extreme else { return };
         if !asked.iter().any(|a| a.pair == pair) {
-            asked.push(Asked { pair, query });
+            asked.push(Asked { pair, function, which });
         }
     });
     asked
@@ -173,7 +173,7 @@ fn wanted(mechanism: &Mechanism) -> Vec<Asked> {
 
 /// Calls `look` on every result that the file asks for, with the place of its statement.
 pub(super) fn every_query(mechanism: &Mechanism, look: &mut impl FnMut(&Query, Span)) {
-    use crate::model::{At, FindKind, LoadKind, Relation};
+    use crate::model::{At, FindKind, Relation};
     let mut ask = |expr: &Expr, span: Span| expr.queries(&mut |query| look(query, span));
     for drive in &mechanism.drives {
         match &drive.positions {
@@ -192,13 +192,7 @@ pub(super) fn every_query(mechanism: &Mechanism, look: &mut impl FnMut(&Query, S
     mechanism.quantities.iter().for_each(|q| ask(&q.expr, q.span));
     mechanism.cycles.iter().for_each(|c| ask(&c.expr, c.span));
     for load in &mechanism.loads {
-        load.when.iter().for_each(|e| ask(e, load.span));
-        match &load.kind {
-            LoadKind::Force { value, .. }
-            | LoadKind::ForceAgainstMotion { value, .. }
-            | LoadKind::Torque { value, .. }
-            | LoadKind::InPair { value, .. } => ask(value, load.span),
-        }
+        load.expressions().for_each(|e| ask(e, load.span));
     }
     for find in &mechanism.finds {
         if let FindKind::Value { expr, .. } = &find.kind {

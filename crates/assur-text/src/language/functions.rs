@@ -259,7 +259,7 @@ functions! {
     Tension "tension" Train "tension(a)" [form(
         &[arg("a", Takes::Rope), optional(arg("A", Takes::RopeEnd))],
         Number(Dimension::FORCE),
-        "pull in a rope, in its part that ends at A",
+        "pull in a rope; with A in its part that ends there",
     )],
     Frictionless "frictionless" Friction "frictionless(Mb)" [form(&[X], OF_X, "x without friction")],
     Mean "mean" Cycle "mean(Mb)" [form(&[X], OF_X, "mean over the sweep, see Cycles")],

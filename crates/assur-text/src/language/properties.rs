@@ -24,12 +24,6 @@ const EFFICIENCY: Property =
     row("efficiency", Positive(Dimension::NUMBER), "efficiency 0.98", "part of the power that gets through");
 const PRESSURE_ANGLE: Property =
     row("pressure_angle", Positive(Dimension::ANGLE), "pressure_angle 20 deg", "angle of the line of action");
-const SPEED: Property = row(
-    "speed",
-    Positive(Dimension::ANGULAR_VELOCITY),
-    "speed 80 rpm",
-    "mean speed of its shaft, where no drive gives it",
-);
 const INTERNAL: Property = row("internal", Flag, "internal", "one lies inside the other");
 
 const REVOLUTE: &[Property] = &[
@@ -99,7 +93,12 @@ pub const CAM: &[Property] = &[
         "base_radius 50 mm",
         "least radius of the pitch curve, or least distance of a flat face",
     ),
-    SPEED,
+    row(
+        "speed",
+        Positive(Dimension::ANGULAR_VELOCITY),
+        "speed 80 rpm",
+        "speed of the cam, for rates by time of the design itself",
+    ),
 ];
 
 /// The properties of a follower.
@@ -144,7 +143,12 @@ pub const FLYWHEEL: &[Property] = &[
         "the greatest less the least speed, over the mean speed",
     ),
     row("rim", Block(RIM), "rim { diameter 0.5 m }", "the rim, to be sized"),
-    SPEED,
+    row(
+        "speed",
+        Positive(Dimension::ANGULAR_VELOCITY),
+        "speed 80 rpm",
+        "mean speed of its shaft, where no drive gives it",
+    ),
     row("ratio", Positive(Dimension::NUMBER), "ratio 3", "speed of its shaft over that of the link named"),
     row("with_links", Flag, "with_links", "the moving links count too"),
 ];

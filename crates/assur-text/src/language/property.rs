@@ -38,11 +38,11 @@ pub enum PropertyValue {
 impl fmt::Display for PropertyValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Flag => f.write_str("none"),
+            Self::Flag => f.write_str("no value"),
             Self::Any(dimension) => write!(f, "{dimension}"),
             Self::Positive(dimension) => write!(f, "{dimension} > 0"),
             Self::NotNegative(dimension) => write!(f, "{dimension} ≥ 0"),
-            Self::Two(dimension) => write!(f, "{dimension}, twice"),
+            Self::Two(dimension) => write!(f, "two values, each {dimension}"),
             Self::Word(words, dimension) => {
                 let words = words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>().join(", ");
                 write!(f, "{words} or {dimension} > 0")

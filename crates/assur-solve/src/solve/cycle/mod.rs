@@ -21,7 +21,6 @@ use super::extremes::Statics;
 use super::positions::Sweep;
 use super::solution::Scene;
 use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
-use crate::plan::needs_forces;
 use answer::Undefined;
 use panels::Piecewise;
 use sampler::Sampler;
@@ -103,7 +102,7 @@ fn hangs_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
             Expr::Query(Query::Cycle(index)) => {
                 mechanism.cycles.get(*index).is_some_and(|c| hangs_on_forces(mechanism, &c.expr))
             }
-            Expr::Query(query) => needs_forces(query),
+            Expr::Query(query) => query.facts().forces,
             _ => false,
         };
     });
@@ -208,9 +207,7 @@ fn counts_turns(mechanism: &Mechanism, expr: &Expr) -> bool {
             Expr::Quantity(id) => {
                 mechanism.quantities.get(id.index()).is_some_and(|q| counts_turns(mechanism, &q.expr))
             }
-            Expr::Query(query) => {
-                matches!(query, Query::Angle(_) | Query::Displacement(_) | Query::Travel(_))
-            }
+            Expr::Query(query) => query.facts().continuous.is_some(),
             _ => false,
         };
     });
