@@ -44,11 +44,9 @@ pub fn why_undefined(scene: &Scene<'_>, expr: &Expr) -> Option<String> {
         {
             why = Some(format!("locking neither begins nor ends at any value of `{name}` within reach"));
         }
-        let (Query::Moment(pair, _) | Query::ContactForce(pair, _) | Query::LineOffset(pair)) = query else {
-            return;
-        };
-        if scene.structure.undetermined_couples.contains(pair) {
-            let name = &scene.mechanism.pair(*pair).name;
+        let Some(pair) = query.facts().couple else { return };
+        if scene.structure.undetermined_couples.contains(&pair) {
+            let name = &scene.mechanism.pair(pair).name;
             why = Some(format!(
                 "the couple in `{name}` is not determined: it closes a chain of prismatic pairs"
             ));

@@ -9,4 +9,4 @@ pub mod solve;
 
 use assur_math::{element, force, group, math};
 use assur_model::{model, structure};
-use assur_text::{source, units};
+use assur_text::{language, source, units};

@@ -21,7 +21,6 @@ pub mod document;
 pub use comma::{between_digits, readings};
 pub use confusables::skeleton;
 pub use error::SyntaxError;
-pub use words::CAM_MEMBERS;
 
 use assur_text::diagnostic::Problems;
 use assur_text::source::{Source, Span};

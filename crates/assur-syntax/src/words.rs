@@ -1,6 +1,7 @@
 //! Words of the language, and what the grammar's rules are called when speaking to people.
 
 use crate::grammar::Rule;
+use assur_text::language::{Function, MEMBERS, PAIRS, Place, STATEMENTS, words_of};
 
 /// What may stand at a place.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -23,9 +24,10 @@ pub(super) fn expected(rule: Rule) -> Vec<Expected> {
         return vec![kind];
     }
     let debug = format!("{rule:?}");
-    let words = match rule {
-        Rule::law => LAWS,
-        Rule::kind => PAIRS,
+    let literal = |word: &str| Expected::Literal(word.to_owned());
+    let words: &[&str] = match rule {
+        Rule::law => return words_of(Place::Law).map(literal).collect(),
+        Rule::kind => return words_of(Place::Pair).map(literal).collect(),
         Rule::side => &["left", "right"],
         Rule::turn => &["cw", "ccw"],
         Rule::load_kind => &["force", "torque"],
@@ -46,9 +48,9 @@ pub(super) fn expected(rule: Rule) -> Vec<Expected> {
         Rule::p_end => &["}"],
         Rule::p_brace | Rule::body | Rule::properties => &["{"],
         // The rule of a word is named after it.
-        _ => return debug.strip_prefix("w_").map(|w| Expected::Literal(w.to_owned())).into_iter().collect(),
+        _ => return debug.strip_prefix("w_").map(literal).into_iter().collect(),
     };
-    words.iter().map(|w| Expected::Literal((*w).to_owned())).collect()
+    words.iter().copied().map(literal).collect()
 }
 
 /// Rules that are not words.
@@ -111,165 +113,44 @@ fn say(expected: Expected) -> String {
 }
 
 /// What a statement begins with.
-pub(super) const STATEMENTS: &[&str] = &[
-    "mech",
-    "mechanism",
-    "given",
-    "let",
-    "gravity",
-    "ground",
-    "link",
-    "shaft",
-    "slider",
-    "revolute",
-    "prismatic",
-    "slot",
-    "contact",
-    "cylinder",
-    "mesh",
-    "rope",
-    "belt",
-    "chain",
-    "rack",
-    "worm",
-    "screw",
-    "spring",
-    "all",
-    "group",
-    "drive",
-    "pose",
-    "assemble",
-    "balance",
-    "force",
-    "torque",
-    "cam",
-    "flywheel",
-    "find",
-    "expect",
-    "variants",
-    "start",
-    "simulate",
-    "until",
-    "ignore",
-];
+pub(super) fn statements() -> impl Iterator<Item = &'static str> {
+    words_of(Place::Statement).chain(words_of(Place::Pair))
+}
 
-/// What a member of a link begins with, unless it is a point.
-pub(super) const MEMBERS: &[&str] = &["line", "circle", "profile", "mass", "weight", "inertia", "wheel"];
+/// Whether a statement begins with the word.
+pub(super) fn is_statement(word: &str) -> bool {
+    statements().any(|w| w == word)
+}
 
-/// What a member of a cam begins with, unless it is a property.
-pub const CAM_MEMBERS: &[&str] = &["turning", "follower", "rise", "dwell", "fall"];
+/// Whether a member of a link begins with the word, as a word of the language.
+pub(super) fn is_member(word: &str) -> bool {
+    words_of(Place::Member).any(|w| w == word)
+}
 
-/// The kinds of pairs and transmissions.
-const PAIRS: &[&str] = &[
-    "revolute",
-    "prismatic",
-    "slot",
-    "contact",
-    "cylinder",
-    "mesh",
-    "rope",
-    "belt",
-    "chain",
-    "rack",
-    "worm",
-    "screw",
-];
+/// Whether a member of a cam begins with the word.
+pub(super) fn is_cam_member(word: &str) -> bool {
+    words_of(Place::CamMember).any(|w| w == word)
+}
 
-/// The laws of a follower's motion.
-const LAWS: &[&str] = &[
-    "uniform",
-    "parabolic",
-    "harmonic",
-    "cycloidal",
-    "poly345",
-    "poly4567",
-    "modified_trapezoid",
-    "modified_sine",
-];
+/// The words that may stand within a statement.
+pub(super) fn within() -> impl Iterator<Item = &'static str> {
+    words_of(Place::Connecting).chain(words_of(Place::Contextual))
+}
 
-/// The connecting words, which are reserved.
-pub(super) const CONNECTING: &[&str] = &[
-    "accelerating",
-    "against",
-    "along",
-    "and",
-    "as",
-    "at",
-    "between",
-    "ccw",
-    "cw",
-    "for",
-    "from",
-    "in",
-    "module",
-    "moving",
-    "near",
-    "not",
-    "of",
-    "on",
-    "or",
-    "steps",
-    "through",
-    "to",
-    "turning",
-    "when",
-    "within",
-];
+/// A line that begins with the word of a statement or of a member of a link.
+pub(super) fn example(word: &str) -> Option<&'static str> {
+    let tables = [STATEMENTS, PAIRS, MEMBERS];
+    tables.into_iter().flatten().find(|row| row.word == word).map(|row| row.example)
+}
 
-/// Connecting words that are not reserved.
-pub(super) const CONTEXTUAL: &[&str] = &[
-    "about", "ahead", "behind", "centre", "diameter", "forward", "back", "left", "right", "motion", "over",
-    "radius", "teeth", "under",
-];
-
-/// Functions that are often written without brackets.
-pub(super) const FUNCTIONS: &[&str] = &[
-    "over",
-    "under",
-    "sqrt",
-    "abs",
-    "sin",
-    "cos",
-    "tan",
-    "asin",
-    "acos",
-    "atan",
-    "mag",
-    "unit",
-    "dir",
-    "position",
-    "velocity",
-    "acceleration",
-    "angle",
-    "omega",
-    "alpha",
-    "displacement",
-    "relative_velocity",
-    "relative_acceleration",
-    "coriolis",
-    "reaction",
-    "moment",
-    "normal",
-    "friction",
-    "inertia_force",
-    "inertia_torque",
-    "transmission_angle",
-    "pressure_angle",
-    "speed",
-    "power",
-    "effort",
-    "max",
-    "min",
-    "mean",
-    "integral",
-    "table",
-    "travel",
-    "stroke",
-];
+/// Whether it is called like a function: the ends of a rope are.
+pub(super) fn is_called(word: &str) -> bool {
+    matches!(word, "over" | "under") || Function::named(word).is_some()
+}
 
 /// Whether a word cannot be a name.
 pub(super) fn is_reserved(word: &str) -> bool {
-    CONNECTING.contains(&word) || LAWS.contains(&word)
+    words_of(Place::Connecting).chain(words_of(Place::Law)).any(|w| w == word)
 }
 
 /// Whether a character may stand in a name.

@@ -4,39 +4,22 @@ use crate::elements::cam_fault;
 use crate::error::{CamError, NameError, PairError};
 use crate::expr::context::Context;
 use crate::expr::positive::positive;
-use crate::expr::property::{Read, Spec, Takes, find, read, read_beside};
+use crate::expr::property::{Read, find, read, read_beside};
 use crate::names::declared::ThingKind;
 use crate::names::suggestion::suggestion;
 use crate::pairs::transmission::known;
 use crate::values::format_value::format_value;
 use assur_math::element::cam::{Cam, Follower, Law, Program, Shape};
 use assur_model::model::PlateCam;
+use assur_syntax::document;
 use assur_syntax::document::{CamLaw, CamMember, Member, Name, Phase, PhaseKind, Property, Statement, Turn};
-use assur_syntax::{CAM_MEMBERS, document};
+use assur_text::language::{CAM, FOLLOWER, Place, words_of};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 use std::f64::consts::TAU;
 
 /// Angles and lifts nearer than this, relative to a turn or to the greatest lift, are one.
 const NEAR: f64 = 1e-9;
-
-const CAM: &[Spec] = &[
-    Spec { name: "base_radius", takes: Takes::Positive(Dimension::LENGTH), example: "base_radius 50 mm" },
-    Spec { name: "speed", takes: Takes::Positive(Dimension::ANGULAR_VELOCITY), example: "speed 80 rpm" },
-];
-
-const FOLLOWER: &[Spec] = &[
-    Spec { name: "arm", takes: Takes::Positive(Dimension::LENGTH), example: "arm 130 mm" },
-    Spec {
-        name: "pivot_distance",
-        takes: Takes::Positive(Dimension::LENGTH),
-        example: "pivot_distance 140 mm",
-    },
-    Spec { name: "radius", takes: Takes::Positive(Dimension::LENGTH), example: "radius 15 mm" },
-    Spec { name: "offset", takes: Takes::Any(Dimension::LENGTH), example: "offset 10 mm" },
-    Spec { name: "with_cam", takes: Takes::Flag, example: "with_cam" },
-    Spec { name: "against_cam", takes: Takes::Flag, example: "against_cam" },
-];
 
 /// Enters all designed cams into the mechanism.
 pub(crate) fn cams(cx: &mut Context<'_>) {
@@ -64,7 +47,8 @@ struct Members<'a> {
 
 fn cam(cx: &mut Context<'_>, cam: &document::Cam) -> Option<PlateCam> {
     let members = members(cx, cam);
-    let properties = read_beside(cx, "a cam", &members.properties, CAM, CAM_MEMBERS);
+    let others = words_of(Place::CamMember).collect::<Vec<_>>();
+    let properties = read_beside(cx, "a cam", &members.properties, CAM, &others);
     let follower = members.follower.map(|f| follower_of(cx, f));
     let oscillates = members.follower.map(|f| f.motion.node == "oscillating");
     let way = match oscillates {

@@ -2,7 +2,7 @@
 
 use crate::error::{LinkError, NameError, PairError};
 use crate::expr::context::Context;
-use crate::expr::property::{Read, Spec, Takes, find, read};
+use crate::expr::property::{Read, find, read};
 use crate::names::declared::{QuantityKind, ThingKind};
 use crate::names::suggestion::suggestion;
 use crate::pairs::transmission::known;
@@ -10,30 +10,8 @@ use assur_model::model;
 use assur_model::model::{FlywheelTorque, LinkId, Rim};
 use assur_syntax::document::{Flywheel, Name, Statement};
 use assur_text::source::Span;
-use assur_text::units::Dimension;
 
-const RIM: &[Spec] = &[
-    Spec { name: "diameter", takes: Takes::Positive(Dimension::LENGTH), example: "diameter 0.5 m" },
-    Spec {
-        name: "weight_density",
-        takes: Takes::Positive(Dimension::WEIGHT_DENSITY),
-        example: "weight_density 7.0e4 N/m^3",
-    },
-    Spec { name: "density", takes: Takes::Positive(Dimension::DENSITY), example: "density 7200 kg/m^3" },
-    Spec {
-        name: "height_to_width",
-        takes: Takes::Positive(Dimension::NUMBER),
-        example: "height_to_width 1.5",
-    },
-];
-
-const FLYWHEEL: &[Spec] = &[
-    Spec { name: "fluctuation", takes: Takes::Positive(Dimension::NUMBER), example: "fluctuation 1/30" },
-    Spec { name: "rim", takes: Takes::Block(RIM), example: "rim { diameter 0.5 m }" },
-    Spec { name: "speed", takes: Takes::Positive(Dimension::ANGULAR_VELOCITY), example: "speed 80 rpm" },
-    Spec { name: "ratio", takes: Takes::Positive(Dimension::NUMBER), example: "ratio 3" },
-    Spec { name: "with_links", takes: Takes::Flag, example: "with_links" },
-];
+use assur_text::language::{FLYWHEEL, RIM};
 
 /// Enters all flywheels into the mechanism.
 pub(crate) fn flywheels(cx: &mut Context<'_>) {

@@ -2,17 +2,12 @@
 
 use crate::error::PairError;
 use crate::expr::context::Context;
-use crate::expr::property::{Spec, Takes, find, read};
+use crate::expr::property::{find, read};
 use crate::pairs::pair::link_point;
 use assur_model::model;
 use assur_syntax::document::{Spring, Statement};
+use assur_text::language::SPRING;
 use assur_text::units::Dimension;
-
-const SPECS: &[Spec] = &[
-    Spec { name: "stiffness", takes: Takes::Positive(Dimension::STIFFNESS), example: "stiffness 4530 N/m" },
-    Spec { name: "free_length", takes: Takes::NotNegative(Dimension::LENGTH), example: "free_length 80 mm" },
-    Spec { name: "damping", takes: Takes::NotNegative(Dimension::DAMPING), example: "damping 20 N*s/m" },
-];
 
 /// Enters all springs into the mechanism.
 pub(crate) fn springs(cx: &mut Context<'_>) {
@@ -28,7 +23,7 @@ pub(crate) fn springs(cx: &mut Context<'_>) {
 }
 
 fn spring(cx: &mut Context<'_>, spring: &Spring) -> Option<model::Spring> {
-    let properties = read(cx, "a spring", &spring.properties, SPECS);
+    let properties = read(cx, "a spring", &spring.properties, SPRING);
     let from = link_point(cx, &spring.from, "a spring");
     let to = link_point(cx, &spring.to, "a spring");
     let (properties, from, to) = (properties?, from?, to?);

@@ -6,6 +6,7 @@ use crate::expr::number::with_unit;
 use crate::statements::written::written;
 use crate::values::typed::{Dim, Type, Typed, mend, phrase};
 use assur_syntax::document::{Expr, ExprKind};
+use assur_text::language::Function;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -125,7 +126,7 @@ fn part_of_stroke(left: &Expr, right: &Expr) -> Option<String> {
     let (ExprKind::Call { function, args }, ExprKind::Number(number)) = (&left.kind, &right.kind) else {
         return None;
     };
-    let is_travel = function.node == "travel" && number.value < 1.0;
+    let is_travel = Function::named(&function.node) == Some(Function::Travel) && number.value < 1.0;
     let pair = args.first().filter(|_| is_travel).and_then(|a| written(&a.value))?;
     Some(format!("{}*stroke({pair})", number.text))
 }

@@ -14,42 +14,43 @@ use assur_text::units::Dimension;
 impl Context<'_> {
     /// A call of any function.
     pub(crate) fn call(&mut self, name: &Name, args: &[Arg], span: Span, sign: Sign) -> Option<Typed> {
-        let call = Call { name, args, span, sign };
-        match name.node.as_str() {
-            "sqrt" => self.root(call),
-            "abs" => {
-                let (t, expr) = self.one(call, Sign::Free)?;
-                let help = matches!(t.ty, Type::Vector(_)).then(|| "write `mag(…)`".to_owned());
-                let Type::Number(_) = t.ty else {
-                    self.shape("the argument of `abs`", "a number", t.ty, expr.span, help);
-                    return None;
-                };
-                Some(apply(Function::Abs, t.ty, [t]))
-            }
-            "sin" => self.of(call, Dimension::ANGLE, Function::Sin, Dimension::NUMBER),
-            "cos" => self.of(call, Dimension::ANGLE, Function::Cos, Dimension::NUMBER),
-            "tan" => self.of(call, Dimension::ANGLE, Function::Tan, Dimension::NUMBER),
-            "asin" => self.of(call, Dimension::NUMBER, Function::Asin, Dimension::ANGLE),
-            "acos" => self.of(call, Dimension::NUMBER, Function::Acos, Dimension::ANGLE),
-            "atan" => self.of(call, Dimension::NUMBER, Function::Atan, Dimension::ANGLE),
-            "atan2" => self.atan2(call),
-            "mag" => self.magnitude(call),
-            "unit" => {
-                let (t, expr) = self.one(call, Sign::Matters)?;
-                self.is_vector_argument(&t, call, expr)?;
-                let t = apply(Function::Unit, Type::vector(Dimension::NUMBER), [t]);
-                self.finite(t, "the null vector has no direction", span)
-            }
-            "dir" if !self.names.is_result("dir", args) => {
-                let (t, expr) = self.one(call, Sign::Matters)?;
-                self.is_vector_argument(&t, call, expr)?;
-                Some(apply(Function::Direction, Type::number(Dimension::ANGLE), [t]))
-            }
-            "dot" => self.product(call, Function::Dot),
-            "cross" => self.product(call, Function::Cross),
-            "max" | "min" if args.len() != 1 => self.extreme(call),
-            _ => (self.results.call)(self, call),
-        }
+        (self.results.call)(self, Call { name, args, span, sign })
+    }
+
+    /// `abs`
+    pub(crate) fn absolute(&mut self, call: Call<'_>) -> Option<Typed> {
+        let (t, expr) = self.one(call, Sign::Free)?;
+        let help = matches!(t.ty, Type::Vector(_)).then(|| "write `mag(…)`".to_owned());
+        let Type::Number(_) = t.ty else {
+            self.shape("the argument of `abs`", "a number", t.ty, expr.span, help);
+            return None;
+        };
+        Some(apply(Function::Abs, t.ty, [t]))
+    }
+
+    /// `unit`
+    pub(crate) fn unit_vector(&mut self, call: Call<'_>) -> Option<Typed> {
+        let (t, expr) = self.one(call, Sign::Matters)?;
+        self.is_vector_argument(&t, call, expr)?;
+        let t = apply(Function::Unit, Type::vector(Dimension::NUMBER), [t]);
+        self.finite(t, "the null vector has no direction", call.span)
+    }
+
+    /// `dir` of a vector
+    pub(crate) fn direction(&mut self, call: Call<'_>) -> Option<Typed> {
+        let (t, expr) = self.one(call, Sign::Matters)?;
+        self.is_vector_argument(&t, call, expr)?;
+        Some(apply(Function::Direction, Type::number(Dimension::ANGLE), [t]))
+    }
+
+    /// `sin`, `cos`, `tan`
+    pub(crate) fn of_angle(&mut self, call: Call<'_>, f: Function) -> Option<Typed> {
+        self.of(call, Dimension::ANGLE, f, Dimension::NUMBER)
+    }
+
+    /// `asin`, `acos`, `atan`
+    pub(crate) fn angle_of(&mut self, call: Call<'_>, f: Function) -> Option<Typed> {
+        self.of(call, Dimension::NUMBER, f, Dimension::ANGLE)
     }
 
     fn one<'c>(&mut self, call: Call<'c>, sign: Sign) -> Option<(Typed, &'c Expr)> {
@@ -73,7 +74,8 @@ impl Context<'_> {
         self.finite(t, "its sine or cosine would lie beyond 1", call.span)
     }
 
-    fn root(&mut self, call: Call<'_>) -> Option<Typed> {
+    /// `sqrt`
+    pub(crate) fn root(&mut self, call: Call<'_>) -> Option<Typed> {
         let (t, expr) = self.one(call, Sign::Matters)?;
         let Type::Number(dim) = t.ty else {
             self.shape("the argument of `sqrt`", "a number", t.ty, expr.span, None);
@@ -100,7 +102,8 @@ impl Context<'_> {
         self.finite(t, "the square root of a negative number", call.span)
     }
 
-    fn atan2(&mut self, call: Call<'_>) -> Option<Typed> {
+    /// `atan2`
+    pub(crate) fn atan2(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 2, 2)?;
         let (y, x) = (self.read(args[0]), self.read(args[1]));
         let (y, x) = (y?, x?);
@@ -115,7 +118,8 @@ impl Context<'_> {
         Some(apply(Function::Atan2, Type::number(Dimension::ANGLE), [y, x]))
     }
 
-    fn magnitude(&mut self, call: Call<'_>) -> Option<Typed> {
+    /// `mag`
+    pub(crate) fn magnitude(&mut self, call: Call<'_>) -> Option<Typed> {
         let (t, expr) = self.one(call, Sign::Free)?;
         match t.ty {
             Type::Vector(dim) => Some(apply(Function::Mag, Type::Number(dim), [t])),
@@ -135,7 +139,8 @@ impl Context<'_> {
         None
     }
 
-    fn product(&mut self, call: Call<'_>, f: Function) -> Option<Typed> {
+    /// `dot`, `cross`
+    pub(crate) fn product(&mut self, call: Call<'_>, f: Function) -> Option<Typed> {
         let args = self.arguments(call, 2, 2)?;
         let (a, b) = (self.read(args[0]), self.read(args[1]));
         let (a, b) = (a?, b?);
@@ -149,7 +154,7 @@ impl Context<'_> {
     }
 
     /// `max` and `min` of two or more numbers.
-    fn extreme(&mut self, call: Call<'_>) -> Option<Typed> {
+    pub(crate) fn extreme(&mut self, call: Call<'_>, f: Function) -> Option<Typed> {
         let args = self.arguments(call, 2, usize::MAX)?;
         let read = args.iter().map(|a| self.read(a)).collect::<Vec<_>>();
         let read = read.into_iter().collect::<Option<Vec<_>>>()?;
@@ -165,7 +170,6 @@ impl Context<'_> {
             };
             dim = unified;
         }
-        let f = if call.name.node == "max" { Function::Max } else { Function::Min };
         Some(apply(f, Type::Number(dim), read))
     }
 }

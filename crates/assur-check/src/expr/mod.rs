@@ -85,10 +85,7 @@ impl Context<'_> {
         let found = self.inline(&found, expr.span)?;
         // these are found from the solved mechanism
         let mut of_solution = false;
-        found.queries(&mut |q| {
-            of_solution |=
-                matches!(q, model::Query::Critical(_) | model::Query::Cycle(_) | model::Query::Flywheel(..));
-        });
+        found.queries(&mut |q| of_solution |= q.facts().of_solution);
         if of_solution || !self.values.definitions.is_poseless(&found) {
             self.error(RequestError::NeedsPose { what: what.to_owned(), span: expr.span });
             return None;

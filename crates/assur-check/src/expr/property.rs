@@ -7,37 +7,10 @@ use crate::expr::want::Want;
 use crate::names::suggestion::suggestion;
 use assur_syntax::document::{Definition, Expr, ExprKind, Property, Statement};
 use assur_text::source::Span;
+
+use assur_text::language::PROPERTIES;
+pub(crate) use assur_text::language::{Property as Spec, PropertyValue as Takes};
 use assur_text::units::Dimension;
-
-/// A property that a statement may have.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Spec {
-    /// Its word.
-    pub name: &'static str,
-    /// What stands behind it.
-    pub takes: Takes,
-    /// How it looks.
-    pub example: &'static str,
-}
-
-/// What a property takes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Takes {
-    /// Nothing.
-    Flag,
-    /// A value of this dimension.
-    Any(Dimension),
-    /// A value greater than zero.
-    Positive(Dimension),
-    /// A value not less than zero.
-    NotNegative(Dimension),
-    /// Two values.
-    Two(Dimension),
-    /// One of these words, or a value greater than zero.
-    Word(&'static [&'static str], Dimension),
-    /// Properties of its own.
-    Block(&'static [Spec]),
-}
 
 /// Other usual words and symbols for properties.
 const USUAL: &[(&str, &str)] = &[
@@ -84,6 +57,7 @@ impl Read {
 
 /// The property of that name.
 pub(crate) fn find<'a>(list: &'a [Read], name: &str) -> Option<&'a Read> {
+    debug_assert!(PROPERTIES.iter().any(|(_, all)| all.iter().any(|p| p.name == name)), "{name}");
     list.iter().find(|p| p.name == name)
 }
 

@@ -9,7 +9,7 @@ use crate::output::behind;
 use crate::statements::written::written;
 use crate::values::format_value::format_value;
 use assur_model::model;
-use assur_model::model::{Bearing, Expr, LinkId, LoadKind, PairId, PairKind, Place, Query};
+use assur_model::model::{Bearing, Expr, LinkId, LoadKind, PairId, PairKind, Place};
 use assur_syntax::document;
 use assur_syntax::document::{Load, Name, Site, Statement, Turn};
 use assur_text::source::Span;
@@ -358,31 +358,9 @@ pub(crate) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span
 /// Whether an expression hangs on no force that is yet to be found; reports one that does.
 fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
     let mut on = None;
-    behind::queries(&cx.builder.mech, expr, &mut |query| on = on.or(force_result(query)));
+    behind::queries(&cx.builder.mech, expr, &mut |query| on = on.or(query.facts().from_loads));
     if let Some(on) = on {
         cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), span });
     }
     on.is_none()
-}
-
-/// What a result is called that is found from the loads.
-const fn force_result(query: &Query) -> Option<&'static str> {
-    match query {
-        Query::Reaction(..) => Some("a reaction"),
-        Query::Moment(..) => Some("a moment in a pair"),
-        Query::Normal(..) | Query::ContactForce(..) => Some("a normal force"),
-        Query::LineOffset(_) => Some("the place of a reaction"),
-        Query::Balance(_) => Some("an unknown load"),
-        Query::Effort(_) => Some("the effort of a drive"),
-        Query::BalancePower(_) | Query::LoadPower(_) | Query::EffortPower(_) | Query::FrictionPower(_) => {
-            Some("a power")
-        }
-        Query::Friction(..) => Some("a friction force"),
-        Query::Efficiency | Query::Locked => Some("the efficiency"),
-        Query::Critical(_) => Some("a critical value"),
-        Query::TangentialForce(_) | Query::ToothForce(_) => Some("a force between teeth"),
-        Query::Tension(..) => Some("the pull of a rope"),
-        Query::Flywheel(..) => Some("a flywheel"),
-        _ => None,
-    }
 }

@@ -4,7 +4,7 @@ use crate::error::NameError;
 use crate::expr::context::Context;
 use crate::output::behind;
 use crate::values::order::way_round;
-use assur_model::model::{Expr, LoadId, LoadKind, Place, Query};
+use assur_model::model::{Expr, LoadId, Query};
 use miette::LabeledSpan;
 
 /// Reports loads that hang on themselves. Only where nothing else is wrong: then loads have their ids.
@@ -12,17 +12,7 @@ pub(crate) fn load_cycles(cx: &mut Context<'_>) {
     if cx.problems.has_errors() || !cx.builder.mech.unsupported.is_empty() {
         return;
     }
-    let uses = cx.builder.mech.loads.iter().map(|load| {
-        let (value, place) = match &load.kind {
-            LoadKind::Force { value, at, .. } | LoadKind::ForceAgainstMotion { value, at, .. } => {
-                (value, Some(at))
-            }
-            LoadKind::Torque { value, .. } | LoadKind::InPair { value, .. } => (value, None),
-        };
-        let place = place.and_then(|at| if let Place::Ground(at) = at { Some(at) } else { None });
-        let exprs = [Some(value), place, load.when.as_ref()];
-        loads_in(cx, exprs.into_iter().flatten())
-    });
+    let uses = cx.builder.mech.loads.iter().map(|load| loads_in(cx, load.expressions()));
     let uses = uses.collect::<Vec<_>>();
     let mut free = vec![false; uses.len()];
     while let Some(next) = (0..uses.len()).find(|&i| !free[i] && uses[i].iter().all(|u| free[u.index()])) {

@@ -2,65 +2,19 @@
 
 use crate::error::PairError;
 use crate::expr::context::Context;
-use crate::expr::property::{Read, Spec, Takes, Value, find, read};
-use crate::pairs::transmission;
+use crate::expr::property::{Read, Value, find, read};
 use crate::statements::lines::braces;
 use assur_syntax::document::{Joint, JointKind, Property, Statement};
 use assur_text::source::Span;
-use assur_text::units::Dimension;
 
-const FRICTION: Spec =
-    Spec { name: "friction", takes: Takes::NotNegative(Dimension::NUMBER), example: "friction 0.1" };
-const FIT: Spec = Spec {
-    name: "fit",
-    takes: Takes::Word(&["line", "even", "worn"], Dimension::NUMBER),
-    example: "fit even",
-};
-
-const REVOLUTE: &[Spec] = &[
-    Spec { name: "radius", takes: Takes::Positive(Dimension::LENGTH), example: "radius 20 mm" },
-    FRICTION,
-    FIT,
-    Spec {
-        name: "friction_circle",
-        takes: Takes::NotNegative(Dimension::LENGTH),
-        example: "friction_circle 3 mm",
-    },
-    Spec {
-        name: "equivalent_friction",
-        takes: Takes::NotNegative(Dimension::NUMBER),
-        example: "equivalent_friction 0.18",
-    },
-];
-
-const PRISMATIC: &[Spec] = &[
-    Spec { name: "angle", takes: Takes::Any(Dimension::ANGLE), example: "angle 90 deg" },
-    Spec { name: "contacts", takes: Takes::Two(Dimension::LENGTH), example: "contacts -20 mm, 25 mm" },
-    FRICTION,
-    Spec { name: "groove", takes: Takes::Word(&["round"], Dimension::ANGLE), example: "groove 35 deg" },
-    FIT,
-];
-
-const CONTACT: &[Spec] = &[FRICTION, Spec { name: "internal", takes: Takes::Flag, example: "internal" }];
+use assur_text::language::properties_of_pair;
 
 /// The three ways to say how much friction there is.
 pub(crate) const AMOUNTS: [&str; 3] = ["friction", "friction_circle", "equivalent_friction"];
 
-/// The properties a joint may have.
-pub(crate) const fn specs(kind: JointKind) -> &'static [Spec] {
-    match kind {
-        JointKind::Revolute => REVOLUTE,
-        JointKind::Prismatic => PRISMATIC,
-        JointKind::Slot => &[FRICTION],
-        JointKind::Contact => CONTACT,
-        JointKind::Cylinder => &[],
-        kind => transmission::specs(kind),
-    }
-}
-
 /// The properties in the braces of a pair of the linkage. `None` where one is wrong.
 pub(crate) fn read_own(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Read>> {
-    read(cx, &phrase(joint.kind.node), &joint.properties, specs(joint.kind.node))
+    read(cx, &phrase(joint.kind.node), &joint.properties, properties_of_pair(joint.kind.node))
 }
 
 /// The properties of a pair, those from `all` included. `None` where they do not go together.
@@ -174,7 +128,7 @@ pub(crate) fn shared(cx: &mut Context<'_>) -> Shared {
     for statement in &doc.statements {
         if let Statement::All(all) = &statement.node {
             let kind = all.kind.node;
-            if let Some(properties) = read(cx, &phrase(kind), &all.properties, specs(kind)) {
+            if let Some(properties) = read(cx, &phrase(kind), &all.properties, properties_of_pair(kind)) {
                 shared.push((kind, properties));
             }
         }

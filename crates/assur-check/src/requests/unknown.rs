@@ -7,6 +7,7 @@ use crate::statements::lines::text;
 use assur_model::model::{LinkId, PairKind};
 use assur_syntax::document::{Name, Statement};
 use assur_text::diagnostic::did_you_mean;
+use assur_text::language::Function;
 use assur_text::units::{Dimension, lookup};
 
 impl Context<'_> {
@@ -42,17 +43,18 @@ impl Context<'_> {
 
     /// `find velocities`: functions stand for one thing each.
     fn results_by_name(&self, name: &str) -> Option<String> {
-        let functions: &[&str] = match name.to_lowercase().trim_end_matches("ies").trim_end_matches('s') {
-            "position" | "displacement" | "coordinate" => &["position"],
-            "velocity" | "velocit" | "speed" => &["velocity"],
-            "acceleration" => &["acceleration"],
-            "everything" | "all" => &["position", "velocity", "acceleration"],
+        let functions: &[Function] = match name.to_lowercase().trim_end_matches("ies").trim_end_matches('s') {
+            "position" | "displacement" | "coordinate" => &[Function::Position],
+            "velocity" | "velocit" | "speed" => &[Function::Velocity],
+            "acceleration" => &[Function::Acceleration],
+            "everything" | "all" => &[Function::Position, Function::Velocity, Function::Acceleration],
             "force" => return Some("write `reactions`".into()),
             _ => return None,
         };
         let (link, point) =
             self.builder.mech.links.iter().rev().find_map(|l| Some((&l.name, &l.points.first()?.name)))?;
-        let calls = functions.iter().map(|f| format!("{f}({link}.{point})")).collect::<Vec<_>>().join(", ");
+        let calls =
+            functions.iter().map(|f| format!("{}({link}.{point})", f.name())).collect::<Vec<_>>().join(", ");
         Some(format!("ask for one point each, as in `{calls}`"))
     }
 

@@ -4,12 +4,12 @@ use crate::error::GearError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, Value, find, read};
 use crate::expr::want::Want;
-use crate::pairs::transmission;
 use crate::values::format_value::{digits, format_value};
 use assur_math::element::gear::{GearFault, GearPair, NoMesh, Teeth};
 use assur_syntax::document::{
     Document, End, Expr, Joint, JointKind, Member, Statement, WheelMember, WheelSize,
 };
+use assur_text::language::properties_of_pair;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -38,7 +38,7 @@ impl Context<'_> {
     fn build(&mut self, joint: &Joint, asked: Span) -> Option<GearPair> {
         // what is wrong with the properties is said where the mesh is checked, before anything is asked
         let properties =
-            self.quietly(|cx| read(cx, "a mesh", &joint.properties, transmission::specs(JointKind::Mesh)))?;
+            self.quietly(|cx| read(cx, "a mesh", &joint.properties, properties_of_pair(JointKind::Mesh)))?;
         let wheels = wheels_of(self.doc, joint)?;
         let (z, module) = self.teeth(joint, wheels, asked)?;
         let number = |name: &str, usual: f64| find(&properties, name).map_or(usual, Read::number);

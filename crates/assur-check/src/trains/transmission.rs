@@ -5,7 +5,7 @@ use crate::expr::context::Context;
 use crate::expr::property::{Read, find, read};
 use crate::links::lookup::is_linkage_pair;
 use crate::names::declared::ThingKind;
-use crate::pairs::property::{phrase, shared, specs};
+use crate::pairs::property::{phrase, shared};
 use crate::pairs::transmission::known;
 use crate::statements::lines::{braces, end_text};
 use crate::trains::carrier::{carrier, turns_on};
@@ -18,6 +18,7 @@ use assur_model::model::{
     Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
 };
 use assur_syntax::document::{End, Joint, JointKind, Path, Statement};
+use assur_text::language::properties_of_pair;
 use assur_text::source::Span;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -35,14 +36,15 @@ pub(crate) fn transmissions(cx: &mut Context<'_>) {
             continue;
         }
         let what = phrase(joint.kind.node);
-        let properties = read(cx, &what, &joint.properties, specs(joint.kind.node)).map(|mut own| {
-            for more in shared.iter().filter(|s| s.0 == joint.kind.node).flat_map(|s| &s.1) {
-                if find(&own, more.name).is_none() {
-                    own.push(more.clone());
+        let properties =
+            read(cx, &what, &joint.properties, properties_of_pair(joint.kind.node)).map(|mut own| {
+                for more in shared.iter().filter(|s| s.0 == joint.kind.node).flat_map(|s| &s.1) {
+                    if find(&own, more.name).is_none() {
+                        own.push(more.clone());
+                    }
                 }
-            }
-            own
-        });
+                own
+            });
         let read = properties.and_then(|properties| transmission(cx, joint, &properties, &mut arms));
         if read.is_none() {
             // What is asked of it is no second mistake.

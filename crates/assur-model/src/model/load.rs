@@ -76,6 +76,62 @@ pub enum LoadKind {
     },
 }
 
+impl Load {
+    /// Its magnitude, or the vector of a force.
+    #[must_use]
+    pub const fn value(&self) -> &Expr {
+        match &self.kind {
+            LoadKind::Force { value, .. }
+            | LoadKind::ForceAgainstMotion { value, .. }
+            | LoadKind::Torque { value, .. }
+            | LoadKind::InPair { value, .. } => value,
+        }
+    }
+
+    /// All that it takes from elsewhere: its value, its place in ground axes, its condition.
+    pub fn expressions(&self) -> impl Iterator<Item = &Expr> {
+        let place = match &self.kind {
+            LoadKind::Force { at, .. } | LoadKind::ForceAgainstMotion { at, .. } => Some(at),
+            LoadKind::Torque { .. } | LoadKind::InPair { .. } => None,
+        };
+        let place = place.and_then(|at| match at {
+            Place::Ground(place) => Some(place),
+            Place::Local(_) => None,
+        });
+        std::iter::once(self.value()).chain(place).chain(&self.when)
+    }
+
+    /// The link on which it acts from outside; none where it acts between the links of a pair.
+    #[must_use]
+    pub const fn link(&self) -> Option<LinkId> {
+        match &self.kind {
+            LoadKind::Force { on, .. }
+            | LoadKind::ForceAgainstMotion { on, .. }
+            | LoadKind::Torque { on, .. } => Some(*on),
+            LoadKind::InPair { .. } => None,
+        }
+    }
+
+    /// Whether its value is a vector: it is a force on a link.
+    #[must_use]
+    pub const fn is_vector(&self) -> bool {
+        match &self.kind {
+            LoadKind::Force { .. } | LoadKind::ForceAgainstMotion { .. } => true,
+            LoadKind::Torque { .. } | LoadKind::InPair { .. } => false,
+        }
+    }
+
+    /// Whether it acts against the motion.
+    #[must_use]
+    pub const fn is_against_motion(&self) -> bool {
+        match &self.kind {
+            LoadKind::ForceAgainstMotion { .. } => true,
+            LoadKind::Torque { against_motion, .. } => *against_motion,
+            LoadKind::Force { .. } | LoadKind::InPair { .. } => false,
+        }
+    }
+}
+
 /// A spring, with a damper beside it, between two points.
 #[derive(Clone, Debug)]
 pub struct Spring {

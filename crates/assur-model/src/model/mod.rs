@@ -6,6 +6,7 @@ mod cycle;
 mod display;
 mod element;
 mod expr;
+mod facts;
 mod figures;
 mod flywheel;
 mod id;
@@ -24,6 +25,7 @@ pub use element::{CamContact, PlateCam, Table, TableEntry};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };
+pub use facts::{About, Answer, Facts, Level};
 pub use flywheel::{Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};

@@ -3,6 +3,7 @@
 use super::{LinkId, Transmission};
 use crate::math::Vec2;
 use crate::source::Span;
+use assur_text::language::JointKind;
 
 /// A kinematic pair.
 #[derive(Clone, Debug)]
@@ -154,6 +155,25 @@ pub enum ProfileShape {
 }
 
 impl PairKind {
+    /// The kind of its statement.
+    #[must_use]
+    pub const fn statement(&self) -> JointKind {
+        match self {
+            Self::Revolute(_) => JointKind::Revolute,
+            Self::Prismatic(_) => JointKind::Prismatic,
+            Self::Slot(_) => JointKind::Slot,
+            Self::Contact { .. } => JointKind::Contact,
+            Self::Cylinder { .. } => JointKind::Cylinder,
+            Self::Transmission(t) => t.kind.statement(),
+        }
+    }
+
+    /// The statement's word.
+    #[must_use]
+    pub const fn word(&self) -> &'static str {
+        self.statement().word()
+    }
+
     /// The links joined, in the order written.
     #[must_use]
     pub fn links(&self) -> Vec<LinkId> {

@@ -1,6 +1,6 @@
 //! Numbers or vectors: what the value of an expression is, whatever it is.
 
-use super::{BinaryOp, Expr, Function, LoadKind, Mechanism, Query, SubstitutionPart, Value};
+use super::{Answer, BinaryOp, Expr, Function, Load, Mechanism, Value};
 
 impl Mechanism {
     /// For each quantity, whether it is a vector.
@@ -26,34 +26,17 @@ impl Mechanism {
             Expr::Binary(_, a, b) => is(a) || is(b),
             Expr::Call(function, _) => *function == Function::Unit,
             Expr::Quantity(id) => known.get(id.index()).copied().unwrap_or(false),
-            Expr::Query(query) => self.answers_vector(query),
+            Expr::Query(query) => match query.facts().answer {
+                Answer::Vector => true,
+                Answer::Number | Answer::Condition => false,
+                Answer::Load(id) => self.loads.get(id.index()).is_some_and(Load::is_vector),
+            },
             Expr::Component(..)
             | Expr::Power(..)
             | Expr::Compare(..)
             | Expr::And(..)
             | Expr::Or(..)
             | Expr::Not(_) => false,
-        }
-    }
-
-    fn answers_vector(&self, query: &Query) -> bool {
-        use SubstitutionPart::{A2, F1, F2, P2};
-        match query {
-            Query::Position(_)
-            | Query::Velocity(_)
-            | Query::Acceleration(_)
-            | Query::LinkDirection(_)
-            | Query::Coriolis(_)
-            | Query::Reaction(..)
-            | Query::InertiaForce(_) => true,
-            Query::StaticSubstitution(_, _, _, part) | Query::DynamicSubstitution(_, _, part) => {
-                matches!(part, P2 | A2 | F1 | F2)
-            }
-            Query::Load(id) => matches!(
-                self.loads.get(id.index()).map(|load| &load.kind),
-                Some(LoadKind::Force { .. } | LoadKind::ForceAgainstMotion { .. })
-            ),
-            _ => false,
         }
     }
 }

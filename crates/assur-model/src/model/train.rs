@@ -3,6 +3,7 @@
 use super::{LinkId, PairId};
 use crate::math::Vec2;
 use crate::source::Span;
+use assur_text::language::JointKind;
 
 /// A wheel of a link.
 #[derive(Clone, Debug)]
@@ -105,18 +106,24 @@ pub struct Meeting {
 }
 
 impl TransmissionKind {
+    /// The kind of its statement.
+    #[must_use]
+    pub const fn statement(self) -> JointKind {
+        match self {
+            Self::Mesh => JointKind::Mesh,
+            Self::Rope => JointKind::Rope,
+            Self::Belt => JointKind::Belt,
+            Self::Chain => JointKind::Chain,
+            Self::Rack => JointKind::Rack,
+            Self::Worm => JointKind::Worm,
+            Self::Screw => JointKind::Screw,
+        }
+    }
+
     /// The statement's word.
     #[must_use]
     pub const fn word(self) -> &'static str {
-        match self {
-            Self::Mesh => "mesh",
-            Self::Rope => "rope",
-            Self::Belt => "belt",
-            Self::Chain => "chain",
-            Self::Rack => "rack",
-            Self::Worm => "worm",
-            Self::Screw => "screw",
-        }
+        self.statement().word()
     }
 
     /// What it is, with its article.

@@ -25,7 +25,6 @@ const MOST_USED: usize = 2;
 /// A pair that might be missing.
 #[derive(Clone)]
 struct Candidate {
-    word: &'static str,
     /// The name that the point or line suggests.
     name: String,
     /// Its ends with the names of their points.
@@ -86,7 +85,8 @@ pub(super) fn missing_pairs(trial: Trial<'_>, defect: &Defect, among: &[BodyId])
 }
 
 fn line(mechanism: &Mechanism, candidate: &Candidate, others: &[String]) -> String {
-    let Candidate { word, name: wish, ends, .. } = candidate;
+    let Candidate { name: wish, ends, kind, .. } = candidate;
+    let word = kind.word();
     let taken = |name: &str| {
         mechanism.links.iter().any(|l| l.name == name)
             || mechanism.pairs.iter().any(|p| p.name == name)
@@ -96,7 +96,7 @@ fn line(mechanism: &Mechanism, candidate: &Candidate, others: &[String]) -> Stri
     let name = free_name(wish, taken);
     let link = |i: usize| &mechanism.link(ends[i].0).name;
     // the name of a hinge stands for the points it joins
-    if *word == "revolute" && name == ends[0].1 && name == ends[1].1 {
+    if matches!(kind, PairKind::Revolute(_)) && name == ends[0].1 && name == ends[1].1 {
         return format!("{word} {name}: {} - {}", link(0), link(1));
     }
     format!("{word} {name}: {}.{} - {}.{}", link(0), ends[0].1, link(1), ends[1].1)
@@ -152,7 +152,6 @@ fn hinges(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Ve
             }
             let pin = |link, at| Pin { link, name: point.name.clone(), at };
             out.push(Candidate {
-                word: "revolute",
                 name: point.name.clone(),
                 ends: [(a, point.name.clone()), (b, twin.name.clone())],
                 kind: PairKind::Revolute(vec![pin(a, point.at), pin(b, twin.at)]),
@@ -187,12 +186,12 @@ fn guides(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> Ve
                     let guide = guide((slider, &point.name, point.at), (base, line));
                     let ends = [(slider, point.name.clone()), (base, line.name.clone())];
                     let used = of_point + 2 * of_line;
-                    let offer = |word, kind| {
+                    let offer = |kind| {
                         let (name, ends) = (point.name.clone(), ends.clone());
-                        Candidate { word, name, ends, kind, used: 1 + used }
+                        Candidate { name, ends, kind, used: 1 + used }
                     };
-                    out.push(offer("prismatic", PairKind::Prismatic(guide.clone())));
-                    out.push(offer("slot", PairKind::Slot(guide)));
+                    out.push(offer(PairKind::Prismatic(guide.clone())));
+                    out.push(offer(PairKind::Slot(guide)));
                 }
             }
         }
@@ -241,7 +240,6 @@ fn contacts(mechanism: &Mechanism, uses: &Uses<'_>, couples: &[[LinkId; 2]]) -> 
                 for second in circles.chain(other_link.lines.iter().map(|l| line(other, l))) {
                     let used = uses.count(one, &first.name) + uses.count(other, &second.name);
                     out.push(Candidate {
-                        word: "contact",
                         name: "K".to_owned(),
                         ends: [(one, first.name.clone()), (other, second.name.clone())],
                         kind: PairKind::Contact { first: first.clone(), second, internal: false },

@@ -6,7 +6,7 @@ use super::error::listed;
 use super::incidence::Incidence;
 use super::joint::{BodyId, BodyOrigin, Replaced};
 use super::trial::Trial;
-use crate::model::{LinkId, LoadKind, Mechanism, PairId, PairKind};
+use crate::model::{LinkId, Mechanism, PairId, PairKind};
 
 /// Changes tried of each sort.
 const MOST_TRIED: usize = 48;
@@ -43,18 +43,7 @@ pub(super) fn links<'a>(replaced: &'a Replaced, bodies: &'a [BodyId]) -> impl It
 /// A pair as its statement begins: `slot E`.
 pub(super) fn statement(mechanism: &Mechanism, pair: PairId) -> String {
     let pair = mechanism.pair(pair);
-    format!("`{} {}`", word(&pair.kind), pair.name)
-}
-
-fn word(kind: &PairKind) -> &'static str {
-    match kind {
-        PairKind::Revolute(_) => "revolute",
-        PairKind::Prismatic(_) => "prismatic",
-        PairKind::Slot(_) => "slot",
-        PairKind::Contact { .. } => "contact",
-        PairKind::Cylinder { .. } => "cylinder",
-        PairKind::Transmission(t) => t.kind.word(),
-    }
+    format!("`{} {}`", pair.kind.word(), pair.name)
 }
 
 /// An effort as its statement begins: `drive crank`, `balance Mb`.
@@ -134,7 +123,7 @@ impl Repair<'_> {
             .filter(|&l| !drives_link(self.trial, l))
             .filter(|&l| self.is_sound(self.trial.without_links(&[l]).fit()));
         let mut links: Vec<LinkId> = tried.collect();
-        links.sort_by_key(|l| mechanism.loads.iter().filter(|load| acts_on(&load.kind, *l)).count());
+        links.sort_by_key(|l| mechanism.loads.iter().filter(|load| load.link() == Some(*l)).count());
         links.iter().take(MOST_NAMED).map(|l| format!("`{}`", mechanism.link(*l).name)).collect()
     }
 
@@ -196,7 +185,7 @@ impl Repair<'_> {
         let [(first, _), (second, _)] = self.part.pairs.as_slice() else { return None };
         let alike = |a: PairId, b: PairId| {
             let (a, b) = (&self.trial.mechanism.pair(a).kind, &self.trial.mechanism.pair(b).kind);
-            word(a) == word(b)
+            a.statement() == b.statement()
         };
         let is_needless = |p: PairId| self.is_sound(self.trial.without(&[p], &[]).fit());
         (self.part.efforts.is_empty()
@@ -219,15 +208,6 @@ fn is_driven(trial: Trial<'_>, pair: PairId) -> bool {
 fn drives_link(trial: Trial<'_>, link: LinkId) -> bool {
     let body = BodyId(link.index());
     trial.efforts.iter().any(|e| e.bodies(trial.replaced).contains(&body))
-}
-
-fn acts_on(load: &LoadKind, link: LinkId) -> bool {
-    match load {
-        LoadKind::Force { on, .. }
-        | LoadKind::ForceAgainstMotion { on, .. }
-        | LoadKind::Torque { on, .. } => *on == link,
-        LoadKind::InPair { .. } => false,
-    }
 }
 
 pub(super) fn pairs_of(mechanism: &Mechanism, link: LinkId) -> Vec<PairId> {

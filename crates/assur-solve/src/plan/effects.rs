@@ -1,20 +1,6 @@
 //! The effects that a file calls for. An effect that nothing calls for has no step in the plan.
 
-use crate::model::{
-    Expr, FindKind, FlywheelPart, LoadKind, Mechanism, PairKind, QuantityId, Query, Relation,
-};
-
-/// How far motion is followed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Level {
-    /// Positions only.
-    #[default]
-    Positions,
-    /// And velocities.
-    Velocities,
-    /// And accelerations.
-    Accelerations,
-}
+use crate::model::{Expr, FindKind, Level, Mechanism, PairKind, QuantityId, Relation};
 
 /// What is computed at every position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -180,20 +166,9 @@ impl Wanted {
 
     fn loads(&mut self, mechanism: &Mechanism) {
         for load in &mechanism.loads {
-            if let Some(when) = &load.when {
-                self.expr(mechanism, when);
-            }
-            match &load.kind {
-                LoadKind::ForceAgainstMotion { value, .. }
-                | LoadKind::Torque { value, against_motion: true, .. } => {
-                    self.expr(mechanism, value);
-                    self.level = self.level.max(Level::Velocities);
-                }
-                LoadKind::Force { value, .. }
-                | LoadKind::Torque { value, .. }
-                | LoadKind::InPair { value, .. } => {
-                    self.expr(mechanism, value);
-                }
+            load.expressions().for_each(|e| self.expr(mechanism, e));
+            if load.is_against_motion() {
+                self.level = self.level.max(Level::Velocities);
             }
         }
     }
@@ -201,8 +176,9 @@ impl Wanted {
     fn expr(&mut self, mechanism: &Mechanism, expr: &Expr) {
         expr.parts(&mut |part| match part {
             Expr::Query(query) => {
-                self.level = self.level.max(level_of(query));
-                self.forces |= needs_forces(query);
+                let facts = query.facts();
+                self.level = self.level.max(facts.level);
+                self.forces |= facts.forces;
             }
             Expr::Quantity(id) if !self.named.contains(id) => {
                 self.named.push(*id);
@@ -211,69 +187,4 @@ impl Wanted {
             _ => {}
         });
     }
-}
-
-/// How far motion must be followed to answer.
-#[must_use]
-pub fn level_of(query: &Query) -> Level {
-    match query {
-        Query::Velocity(_)
-        | Query::Omega(_)
-        | Query::RelativeVelocity(_)
-        | Query::Coriolis(_)
-        | Query::PressureAngle(_)
-        | Query::BalancePower(_)
-        | Query::LoadPower(_)
-        | Query::FrictionPower(_)
-        | Query::Efficiency
-        | Query::Locked
-        | Query::EffortPower(_)
-        | Query::Flywheel(..) => Level::Velocities,
-        Query::Acceleration(_)
-        | Query::Alpha(_)
-        | Query::RelativeAcceleration(_)
-        | Query::InertiaForce(_)
-        | Query::InertiaTorque(_)
-        | Query::InertiaArm(_) => Level::Accelerations,
-        Query::StaticSubstitution(_, _, _, part) | Query::DynamicSubstitution(_, _, part) => {
-            use crate::model::SubstitutionPart as P;
-            if matches!(part, P::A2 | P::F1 | P::F2) { Level::Accelerations } else { Level::Positions }
-        }
-        _ => Level::Positions,
-    }
-}
-
-/// Whether an answer needs reactions or efforts.
-#[must_use]
-pub fn needs_forces(query: &Query) -> bool {
-    matches!(
-        query,
-        Query::Reaction(..)
-            | Query::Moment(..)
-            | Query::Normal(..)
-            | Query::ContactForce(..)
-            | Query::LineOffset(_)
-            | Query::Balance(_)
-            | Query::Effort(_)
-            | Query::BalancePower(_)
-            | Query::EffortPower(_)
-            | Query::Friction(..)
-            | Query::FrictionPower(_)
-            | Query::Efficiency
-            | Query::Locked
-            | Query::Critical(_)
-            | Query::TangentialForce(_)
-            | Query::ToothForce(_)
-            | Query::Tension(..)
-            | Query::Flywheel(
-                _,
-                FlywheelPart::Inertia
-                    | FlywheelPart::Fluctuation
-                    | FlywheelPart::RimWidth
-                    | FlywheelPart::RimHeight
-                    | FlywheelPart::RimMass
-                    | FlywheelPart::Torque
-                    | FlywheelPart::Work
-            )
-    )
 }

@@ -16,9 +16,10 @@ mod train;
 mod train_losses;
 mod triad;
 
+pub use crate::model::Level;
 pub use cam::CamStep;
 pub(crate) use cam::{contact_in, is_follower};
-pub use effects::{Effects, Level, level_of, needs_forces};
+pub use effects::Effects;
 pub use force_step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, OuterJoint, Way};
 pub use formed::Formed;
 pub use friction::{FrictionElement, Rub, RubbingGroup};

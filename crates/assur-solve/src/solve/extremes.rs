@@ -4,7 +4,8 @@ use super::error::{SolveError, label};
 use super::turn::{Failure, Turn};
 use super::words::four;
 use crate::answer::{Statics, every_query};
-use crate::model::{Mechanism, PairId, Query};
+use crate::language::Function;
+use crate::model::{Mechanism, PairId};
 use crate::position::Scene;
 
 /// Finds the extremes of every pair whose `dead`, `stroke`, `travel` or `time_ratio` the file names.
@@ -64,31 +65,30 @@ fn none(
     mut labels: Vec<miette::LabeledSpan>,
 ) -> SolveError {
     let pair = scene.mechanism.pair(ask.pair);
-    let (before, behind) = ask.query;
+    let which = ask.which.map_or_else(String::new, |which| format!(", {which}"));
     labels.insert(0, label("this pair", pair.span));
-    SolveError::NoExtreme { what: format!("{before}({}{behind})", pair.name), why, help, labels }
+    SolveError::NoExtreme {
+        what: format!("{}({}{which})", ask.function.name(), pair.name),
+        why,
+        help,
+        labels,
+    }
 }
 
 /// A pair whose extremes are asked for, with the query that does.
 struct Asked {
     pair: PairId,
-    query: (&'static str, &'static str),
+    function: Function,
+    which: Option<u8>,
 }
 
 /// Pairs whose extremes are asked for anywhere in the file.
 fn wanted(mechanism: &Mechanism) -> Vec<Asked> {
     let mut asked: Vec<Asked> = Vec::new();
     every_query(mechanism, &mut |query, _| {
-        let (pair, query) = match query {
-            Query::Travel(p) => (*p, ("travel", "")),
-            Query::Stroke(p) => (*p, ("stroke", "")),
-            Query::TimeRatio(p) => (*p, ("time_ratio", "")),
-            Query::Dead(p, 1) => (*p, ("dead", ", 1")),
-            Query::Dead(p, _) => (*p, ("dead", ", 2")),
-            _ => return,
-        };
+        let Some((pair, function, which)) = query.facts().extreme else { return };
         if !asked.iter().any(|a| a.pair == pair) {
-            asked.push(Asked { pair, query });
+            asked.push(Asked { pair, function, which });
         }
     });
     asked

@@ -2,7 +2,7 @@
 
 use super::error::{SolveError, label};
 use crate::answer::every_query;
-use crate::model::{LinkId, PairId, PairKind, PointRef, Query};
+use crate::model::{About, LinkId, PairId, PairKind, PointRef, Query};
 use crate::position::Scene;
 
 /// Angles, rates and points of rollers that hang on a rotation which is set aside.
@@ -21,24 +21,12 @@ pub(super) fn free_rollers(scene: &Scene<'_>) -> Option<SolveError> {
 }
 
 fn hangs_on(scene: &Scene<'_>, query: &Query, roller: LinkId) -> bool {
-    match query {
-        Query::Angle(link)
-        | Query::Omega(link)
-        | Query::Alpha(link)
-        | Query::LinkDirection(link)
-        | Query::InertiaTorque(link) => *link == roller,
-        Query::Displacement(pair)
-        | Query::RelativeVelocity(pair)
-        | Query::RelativeAcceleration(pair)
-        | Query::Travel(pair)
-        | Query::Stroke(pair)
-        | Query::TimeRatio(pair)
-        | Query::Dead(pair, _) => joins(scene, *pair, roller),
-        Query::Position(point) | Query::Velocity(point) | Query::Acceleration(point) => match point {
-            PointRef::Fixed(link, at) => *link == roller && !is_pivot(scene, roller, *at),
-            PointRef::Under(link, _) => *link == roller,
-        },
-        _ => false,
+    match query.facts().turned {
+        None => false,
+        Some(About::Link(link)) => link == roller,
+        Some(About::Pair(pair)) => joins(scene, pair, roller),
+        Some(About::Point(PointRef::Fixed(link, at))) => link == roller && !is_pivot(scene, roller, at),
+        Some(About::Point(PointRef::Under(link, _))) => link == roller,
     }
 }
 

@@ -7,7 +7,7 @@ use miette::LabeledSpan;
 use super::error::{SolveError, label};
 use super::train_error::TrainError;
 use crate::model::{
-    Bearing, Drive, FindKind, Friction, LinkId, LoadKind, PairId, PairKind, PointRef, Positions, Query,
+    About, Bearing, Drive, FindKind, Friction, LinkId, PairId, PairKind, PointRef, Positions,
     TransmissionKind,
 };
 use crate::plan::LawSite;
@@ -61,20 +61,15 @@ pub(super) fn without_position(scene: &Scene<'_>) -> Vec<SolveError> {
     let of_pair = |p: PairId| mechanism.pair(p).kind.links().into_iter().find_map(|l| open[l.index()]);
     let mut errors: Vec<(usize, &'static str, Span)> = Vec::new();
     every_query(mechanism, &mut |query, span| {
-        let found = match query {
-            Query::Position(PointRef::Fixed(l, _) | PointRef::Under(l, _)) => {
-                of_link(*l).map(|d| (d, "a position"))
-            }
-            Query::Velocity(PointRef::Fixed(l, _) | PointRef::Under(l, _)) => {
-                of_link(*l).map(|d| (d, "the velocity of a point"))
-            }
-            Query::Acceleration(PointRef::Fixed(l, _) | PointRef::Under(l, _)) | Query::InertiaForce(l) => {
-                of_link(*l).map(|d| (d, "the acceleration of a point"))
-            }
-            Query::Angle(l) | Query::LinkDirection(l) => of_link(*l).map(|d| (d, "an angle")),
-            Query::Displacement(p) | Query::Travel(p) => of_pair(*p).map(|d| (d, "a position")),
-            _ => None,
-        };
+        let found = query.facts().placed.and_then(|(about, what)| {
+            let drive = match about {
+                About::Link(link) | About::Point(PointRef::Fixed(link, _) | PointRef::Under(link, _)) => {
+                    of_link(link)
+                }
+                About::Pair(pair) => of_pair(pair),
+            };
+            drive.map(|drive| (drive, what))
+        });
         if let Some((drive, what)) = found
             && !errors.iter().any(|e| e.2 == span)
         {
@@ -82,10 +77,7 @@ pub(super) fn without_position(scene: &Scene<'_>) -> Vec<SolveError> {
         }
     });
     for load in mechanism.loads.iter().filter(|_| scene.plan.effects.forces) {
-        let on = match &load.kind {
-            LoadKind::Force { on, .. } | LoadKind::ForceAgainstMotion { on, .. } => *on,
-            LoadKind::Torque { .. } | LoadKind::InPair { .. } => continue,
-        };
+        let Some(on) = load.link().filter(|_| load.is_vector()) else { continue };
         let slides = mechanism.pairs.iter().any(|p| {
             p.bearing.is_some()
                 && p.name == mechanism.link(on).name
@@ -165,15 +157,12 @@ pub(super) fn without_place(scene: &Scene<'_>) -> Vec<SolveError> {
     let unknown = unplaced_reactions(scene);
     let mut errors: Vec<(PairId, Span)> = Vec::new();
     every_query(mechanism, &mut |query, span| {
-        let pair = match query {
-            Query::Moment(p, _) if matches!(mechanism.pair(*p).kind, PairKind::Transmission(_)) => return,
-            Query::Reaction(p, _)
-            | Query::Moment(p, _)
-            | Query::Normal(p, _)
-            | Query::ContactForce(p, _)
-            | Query::LineOffset(p) => *p,
-            _ => return,
-        };
+        let facts = query.facts();
+        let Some(pair) = facts.reaction else { return };
+        // the couple of a transmission on its shaft needs no place
+        if facts.couple.is_some() && matches!(mechanism.pair(pair).kind, PairKind::Transmission(_)) {
+            return;
+        }
         if unknown[pair.index()] && !errors.contains(&(pair, span)) {
             errors.push((pair, span));
         }

@@ -5,8 +5,8 @@ use miette::LabeledSpan;
 
 use super::error::{SolveError, label};
 use super::words::{four, short};
-use crate::model::{Drive, DriveTarget, Expr, LoadKind, Mechanism, PairKind, Positions, Value};
-use crate::plan::{Level, contact_in, is_follower, level_of};
+use crate::model::{Drive, DriveTarget, Expr, Mechanism, PairKind, Positions, Value};
+use crate::plan::{Level, contact_in, is_follower};
 use crate::position::Scene;
 use crate::source::Span;
 use crate::structure::GroupKind;
@@ -71,13 +71,9 @@ pub(super) fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
             places.push(span);
         }
     };
-    every_query(mechanism, &mut |query, span| ask(level_of(query), span));
+    every_query(mechanism, &mut |query, span| ask(query.facts().level, span));
     for load in mechanism.loads.iter().filter(|_| effects.forces) {
-        let against = matches!(
-            load.kind,
-            LoadKind::ForceAgainstMotion { .. } | LoadKind::Torque { against_motion: true, .. }
-        );
-        if against {
+        if load.is_against_motion() {
             ask(Level::Velocities, load.span);
         }
     }
@@ -120,13 +116,7 @@ pub(super) fn unit_speeds(scene: &Scene<'_>) -> Option<SolveError> {
             dampers.map(|(_, span)| label("against which motion?", span)).collect();
         return (!labels.is_empty()).then_some(SolveError::NoDamping { help, labels });
     }
-    let fast = mechanism.loads.iter().filter(|load| {
-        let (LoadKind::Force { value, .. }
-        | LoadKind::ForceAgainstMotion { value, .. }
-        | LoadKind::Torque { value, .. }
-        | LoadKind::InPair { value, .. }) = &load.kind;
-        takes_speeds(mechanism, value)
-    });
+    let fast = mechanism.loads.iter().filter(|load| takes_speeds(mechanism, load.value()));
     let named = |name: &Option<String>| name.as_ref().map_or("a load".to_owned(), |n| format!("`{n}`"));
     let all: Vec<(String, Span)> = dampers.chain(fast.map(|l| (named(&l.name), l.span))).collect();
     let (_, first) = all.first()?;
@@ -152,7 +142,7 @@ fn takes_speeds(mechanism: &Mechanism, value: &Expr) -> bool {
             Expr::Quantity(id) => {
                 mechanism.quantities.get(id.index()).is_some_and(|q| takes_speeds(mechanism, &q.expr))
             }
-            Expr::Query(query) => level_of(query) > Level::Positions,
+            Expr::Query(query) => query.facts().level > Level::Positions,
             _ => false,
         };
     });

@@ -1,6 +1,7 @@
 //! What the machine is: links, pairs, transmissions, machine elements.
 
 use super::{Body, Expr, Name, Path, Turn};
+use assur_text::language::{CamLaw, JointKind};
 use assur_text::source::{Span, Spanned};
 
 /// `ground 0 { … }`
@@ -67,72 +68,6 @@ pub struct Joint {
     pub ends: Vec<End>,
     /// What stands in its braces.
     pub properties: Vec<Property>,
-}
-
-/// The kinds of joints.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum JointKind {
-    /// A pin: two links turn on each other.
-    Revolute,
-    /// A slide: two links move along each other.
-    Prismatic,
-    /// A pin in a slot.
-    Slot,
-    /// Two profiles that touch.
-    Contact,
-    /// Barrel and rod of a hydraulic cylinder.
-    Cylinder,
-    /// Two gear wheels.
-    Mesh,
-    /// A rope over wheels and sliders.
-    Rope,
-    /// A belt between two wheels.
-    Belt,
-    /// A chain between two wheels.
-    Chain,
-    /// A gear wheel on a toothed line.
-    Rack,
-    /// A worm and its wheel.
-    Worm,
-    /// A spindle and its nut.
-    Screw,
-}
-
-impl JointKind {
-    /// Every kind.
-    pub const ALL: [Self; 12] = [
-        Self::Revolute,
-        Self::Prismatic,
-        Self::Slot,
-        Self::Contact,
-        Self::Cylinder,
-        Self::Mesh,
-        Self::Rope,
-        Self::Belt,
-        Self::Chain,
-        Self::Rack,
-        Self::Worm,
-        Self::Screw,
-    ];
-
-    /// The statement's word.
-    #[must_use]
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Revolute => "revolute",
-            Self::Prismatic => "prismatic",
-            Self::Slot => "slot",
-            Self::Contact => "contact",
-            Self::Cylinder => "cylinder",
-            Self::Mesh => "mesh",
-            Self::Rope => "rope",
-            Self::Belt => "belt",
-            Self::Chain => "chain",
-            Self::Rack => "rack",
-            Self::Worm => "worm",
-            Self::Screw => "screw",
-        }
-    }
 }
 
 /// One end of a joint.
@@ -249,27 +184,6 @@ pub enum PhaseKind {
     Dwell,
     /// It comes back.
     Fall,
-}
-
-/// The laws of a follower's motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CamLaw {
-    /// Constant speed.
-    Uniform,
-    /// Constant acceleration, then constant deceleration.
-    Parabolic,
-    /// A half cosine.
-    Harmonic,
-    /// The acceleration is a whole sine.
-    Cycloidal,
-    /// A polynomial of the powers 3 to 5.
-    Poly345,
-    /// A polynomial of the powers 4 to 7.
-    Poly4567,
-    /// The acceleration is a trapezoid with rounded flanks.
-    ModifiedTrapezoid,
-    /// The acceleration is a sine with stretched middle.
-    ModifiedSine,
 }
 
 /// `flywheel J on O1 for Mb { … }`

@@ -10,14 +10,13 @@ mod machine;
 mod motion;
 mod question;
 
+pub use assur_text::language::{CamLaw, JointKind};
 pub use body::{About, At, PointFrom, WheelSize};
 pub use body::{
     Body, CircleMember, LineDirection, LineMember, Member, PointMember, ProfileMember, WheelMember,
 };
 pub use expr::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
-pub use machine::{
-    Bar, Cam, CamLaw, CamMember, End, Flywheel, Follower, Ground, Group, Joint, JointKind, Link,
-};
+pub use machine::{Bar, Cam, CamMember, End, Flywheel, Follower, Ground, Group, Joint, Link};
 pub use machine::{Phase, PhaseKind, Property, Shaft, Slider, Spring};
 pub use motion::{
     Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind,

@@ -148,21 +148,11 @@ impl Lower<'_> {
 
 fn kind(pair: &P<'_>) -> Option<Spanned<JointKind>> {
     let at = span(pair);
-    let kind = JointKind::ALL.into_iter().find(|k| k.word() == pair.as_str().trim())?;
+    let kind = JointKind::named(pair.as_str().trim())?;
     Some(Spanned::new(kind, at))
 }
 
 fn law(pair: &P<'_>) -> Option<Spanned<CamLaw>> {
-    let law = match pair.as_str().trim() {
-        "uniform" => CamLaw::Uniform,
-        "parabolic" => CamLaw::Parabolic,
-        "harmonic" => CamLaw::Harmonic,
-        "cycloidal" => CamLaw::Cycloidal,
-        "poly345" => CamLaw::Poly345,
-        "poly4567" => CamLaw::Poly4567,
-        "modified_trapezoid" => CamLaw::ModifiedTrapezoid,
-        "modified_sine" => CamLaw::ModifiedSine,
-        _ => return None,
-    };
+    let law = CamLaw::named(pair.as_str().trim())?;
     Some(Spanned::new(law, span(pair)))
 }

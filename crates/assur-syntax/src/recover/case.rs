@@ -44,7 +44,7 @@ impl<'a> Case<'a> {
     pub(super) fn reads(&self, text: &str) -> bool {
         let Ok(mut pairs) = Grammar::parse(self.what.rule(), text) else { return false };
         let word = self.token(0);
-        let begins = self.what == What::Member && words::MEMBERS.contains(&word) && text.starts_with(word);
+        let begins = self.what == What::Member && words::is_member(word) && text.starts_with(word);
         let mut point = || pairs.next().and_then(|whole| whole.into_inner().next());
         !begins || point().is_none_or(|member| member.as_rule() != Rule::m_point)
     }

@@ -7,6 +7,7 @@ use crate::grammar::{Grammar, Rule};
 use crate::line::{Line, mended};
 use crate::words::{self, is_name_char};
 use assur_text::diagnostic::did_you_mean;
+use assur_text::language::{Place, words_of};
 use assur_text::source::Span;
 use pest::Parser;
 
@@ -21,9 +22,9 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         });
     }
     let known = match case.what {
-        What::Statement => words::STATEMENTS,
-        What::Member => words::MEMBERS,
-        What::CamMember => words::CAM_MEMBERS,
+        What::Statement => words::statements().collect::<Vec<_>>(),
+        What::Member => words_of(Place::Member).collect(),
+        What::CamMember => words_of(Place::CamMember).collect(),
         What::Property | What::Header | What::Row => return None,
     };
     if known.contains(&word) && case.what == What::Statement {
@@ -34,13 +35,13 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         return None;
     }
     if case.what != What::Statement {
-        return misspelt(case, word, known);
+        return misspelt(case, word, &known);
     }
-    let member = words::MEMBERS.contains(&word) || words::CAM_MEMBERS.contains(&word);
+    let member = words::is_member(word) || words::is_cam_member(word);
     let exactly = if member { displaced(case, word) } else { None };
     exactly
         .or_else(|| synonym(case, word))
-        .or_else(|| misspelt(case, word, known))
+        .or_else(|| misspelt(case, word, &known))
         .or_else(|| displaced(case, word))
         .or_else(|| Some(unknown(case, word)))
 }
@@ -75,8 +76,8 @@ fn displaced(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
     let point = member && case.slice[word.len()..].trim_start().starts_with('(');
     let (place, owner) = match word {
         "wheel" => ("this goes inside the braces of a shaft or a link", "shaft"),
-        _ if words::CAM_MEMBERS.contains(&word) => ("this goes inside the braces of a cam", "cam"),
-        _ if point || words::MEMBERS.contains(&word) => ("this goes inside the braces of a link", "link"),
+        _ if words::is_cam_member(word) => ("this goes inside the braces of a cam", "cam"),
+        _ if point || words::is_member(word) => ("this goes inside the braces of a link", "link"),
         _ => return None,
     };
     let help = of_link(case, word)

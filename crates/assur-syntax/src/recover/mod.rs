@@ -23,6 +23,7 @@ use super::error::SyntaxError;
 use super::line::{Line, mended};
 use super::words::{self, Expected, is_name_char, is_reserved};
 use assur_text::diagnostic::{Problems, did_you_mean};
+use assur_text::language::{Place, words_of};
 use assur_text::source::Span;
 use case::Case;
 use std::collections::BTreeSet;
@@ -101,7 +102,7 @@ pub(super) fn unreadable(at: Span) -> SyntaxError {
 
 /// `S 21 N` in a body: a misspelt word, or a point without coordinates.
 pub(super) fn point_without_coordinates(text: &str, name: &Name, at: Span) -> SyntaxError {
-    match did_you_mean(&name.node, words::MEMBERS.iter().copied()).first() {
+    match did_you_mean(&name.node, words_of(Place::Member)).first() {
         Some(wanted) => SyntaxError::MisspeltWord {
             found: name.node.clone(),
             at: name.span,
@@ -119,7 +120,7 @@ fn without_coordinates(name: &str, at: Span) -> SyntaxError {
 
 /// What can be said where no repair helps.
 fn unexpected(case: &Case<'_>) -> SyntaxError {
-    let alone = case.slice.chars().all(is_name_char) && !words::MEMBERS.contains(&case.slice);
+    let alone = case.slice.chars().all(is_name_char) && !words::is_member(case.slice);
     if case.what == What::Member && alone && case.reads(&format!("{} (0, 0)", case.slice)) {
         return without_coordinates(case.slice, case.span(0, case.slice.len()));
     }
@@ -127,9 +128,9 @@ fn unexpected(case: &Case<'_>) -> SyntaxError {
     let found = if token.is_empty() { "the line ends here".to_owned() } else { format!("found `{token}`") };
     let first = case.token(0);
     let what = match case.what {
-        What::Statement if words::STATEMENTS.contains(&first) => format!("this `{first}`"),
+        What::Statement if words::is_statement(first) => format!("this `{first}`"),
         What::Statement => "this statement".to_owned(),
-        What::Member if words::MEMBERS.contains(&first) => format!("this `{first}`"),
+        What::Member if words::is_member(first) => format!("this `{first}`"),
         What::Member => "this member".to_owned(),
         What::CamMember => "this part of the cam".to_owned(),
         What::Property => "this property".to_owned(),
@@ -154,48 +155,7 @@ fn unexpected(case: &Case<'_>) -> SyntaxError {
 
 /// The shape of a statement that could not be read.
 fn help(word: &str) -> Option<String> {
-    let shape = match word {
-        "given" => "given r = 100 mm",
-        "let" => "let l = 3.5 * r",
-        "ground" => "ground { A (0, 0); line guide through A along 0 deg }",
-        "link" => "link rod B-C 350 mm { S (100 mm, 0); mass 2.5 kg at S }",
-        "revolute" => "revolute B: crank - rod",
-        "prismatic" => "prismatic D: piston.C - ground.guide",
-        "slot" => "slot K: crank.B - bar.slot",
-        "contact" => "contact N: cam.c - lever.roller",
-        "cylinder" => "cylinder c1: ground.G1 - boom.K1",
-        "mesh" => "mesh k: w2 - w3",
-        "rope" => "rope a: A - over(C) - w1",
-        "spring" => "spring k: ground.C - bar.D { stiffness 4530 N/m; free_length 77.85 mm }",
-        "group" => "group rod_piston: rod, piston",
-        "drive" => "drive crank = 0 deg .. 360 deg in 12 steps at 80 rpm",
-        "pose" => "pose 4' at crank = 90 deg",
-        "assemble" => "assemble C left of B-D",
-        "force" => "force P on ram at E = 1000 N @ 180 deg",
-        "torque" => "torque M on rocker = 60 N*m cw",
-        "balance" => "balance torque Mb on crank",
-        "find" => "find v_C = velocity(C) as m/s",
-        "expect" => "expect Mb = 26 N*m within 1 %",
-        "variants" => "variants { then a header and rows, each on a line of its own }",
-        "line" => "line guide through A along 0 deg",
-        "circle" => "circle roller centre D radius 15 mm",
-        "mass" => "mass 2.5 kg at S",
-        "weight" => "weight 21 N at C",
-        "inertia" => "inertia 0.0425 kg*m^2",
-        "wheel" => "wheel z1 teeth 18 module 16 mm",
-        "gravity" => "gravity 9.81 m/s^2",
-        "slider" => "slider A",
-        "rack" => "rack r: w3 - bar.line1",
-        "all" => "all revolute { friction_circle 5 mm }",
-        "cam" => "cam plate { base_radius 50 mm; turning cw; rise 60 deg through 18 deg parabolic }",
-        "flywheel" => "flywheel J on O1 for Mb { fluctuation 1/30 }",
-        "until" => "until angle(crank) = 360 deg",
-        "ignore" => "ignore inertia",
-        "shaft" => "shaft I { wheel w1 radius 0.2 m }",
-        "start" => "start OF = 5 deg at 0 rad/s",
-        "simulate" => "simulate 0 s .. 0.03 s within 1e-9",
-        _ => return None,
-    };
+    let shape = words::example(word)?;
     Some(format!("for example: {shape}"))
 }
 

@@ -10,11 +10,11 @@ pub(super) fn statements(case: &Case<'_>) -> Option<SyntaxError> {
     if case.what != What::Statement {
         return None;
     }
-    let begins = |(at, word): &(usize, &str)| *at > 0 && *at <= case.fail && words::STATEMENTS.contains(word);
+    let begins = |(at, word): &(usize, &str)| *at > 0 && *at <= case.fail && words::is_statement(word);
     let candidates = case.words().into_iter().rev().filter(begins).take(4);
     for (at, word) in candidates {
         let (first, second) = (&case.slice[..at], &case.slice[at..]);
-        let more = case.words().iter().any(|(i, w)| *i > at && words::STATEMENTS.contains(w));
+        let more = case.words().iter().any(|(i, w)| *i > at && words::is_statement(w));
         if case.reads(first.trim_end()) && (more || case.reads(second)) {
             let trimmed = first.trim_end();
             let help = case.help(trimmed.len(), at, "; ");
@@ -54,8 +54,8 @@ pub(super) fn members(case: &Case<'_>) -> Option<SyntaxError> {
 fn is_member(case: &Case<'_>, part: &str) -> bool {
     let word = part.split(|c| !is_name_char(c)).next().unwrap_or_default();
     let known = match case.what {
-        What::Member => words::MEMBERS.contains(&word) || part.contains('('),
-        _ => words::CAM_MEMBERS.contains(&word) || part.contains(' '),
+        What::Member => words::is_member(word) || part.contains('('),
+        _ => words::is_cam_member(word) || part.contains(' '),
     };
     known && !part.is_empty() && case.reads(part)
 }

@@ -5,6 +5,7 @@ use super::what::What;
 use crate::error::SyntaxError;
 use crate::grammar::Rule;
 use crate::words::{self, Expected, is_name_char, is_reserved};
+use assur_text::language::{Place, words_of};
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     comma_between(case)
@@ -130,9 +131,7 @@ fn without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
     let (name_at, name) = *words.iter().rev().find(|(at, _)| *at < case.fail)?;
     let name_end = name_at + name.len();
     let here = case.token(case.fail);
-    if !words::FUNCTIONS.contains(&name)
-        || !(here == "of" || here.starts_with(is_name_char) && !is_reserved(here))
-    {
+    if !words::is_called(name) || !(here == "of" || here.starts_with(is_name_char) && !is_reserved(here)) {
         return None;
     }
     let open = if here == "of" { case.fail + here.len() } else { case.fail };
@@ -252,7 +251,7 @@ fn other_word_before(case: &Case<'_>) -> Option<SyntaxError> {
     let words = case.words();
     let (at, found) = *words.iter().rev().find(|(at, w)| *at < case.fail && is_reserved(w))?;
     let end = at + found.len();
-    let mut fitting = words::CONNECTING.to_vec();
+    let mut fitting = words_of(Place::Connecting).collect::<Vec<_>>();
     fitting
         .retain(|w| !matches!(*w, "and" | "or" | "not") && *w != found && case.reads(&case.with(at, end, w)));
     let wanted = match fitting.as_slice() {

@@ -45,7 +45,7 @@ fn misspelt_here(case: &Case<'_>) -> Option<SyntaxError> {
 /// A misspelt word read as a name or a unit, just before the place where reading stopped.
 fn misspelt_before(case: &Case<'_>) -> Option<SyntaxError> {
     let (at, word) = case.words().into_iter().rev().find(|(at, _)| *at < case.fail)?;
-    let known = words::CONNECTING.iter().chain(words::CONTEXTUAL).copied().collect();
+    let known = words::within().collect();
     respelt(case, at, word, known)
 }
 

@@ -3,7 +3,6 @@
 //! Each stage has its own error enum that derives `thiserror::Error` and `miette::Diagnostic`, with its data in
 //! fields and a code `mech::<stage>::<what_is_wrong>`; [`Problems`] takes any of them.
 
-mod codes;
 mod excerpt;
 mod lines;
 mod problems;
@@ -11,7 +10,7 @@ mod render;
 mod suggest;
 mod view;
 
-pub use codes::{CODES, Code, explain};
+pub use crate::language::{CODES, Code, explain};
 pub use problems::{AnyDiagnostic, Problems};
 pub use render::{Style, render, render_most};
 pub use suggest::{did_you_mean, distance_allowed};

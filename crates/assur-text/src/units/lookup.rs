@@ -2,9 +2,9 @@
 
 use super::factors::factors;
 use super::spelling::nearest;
-use super::table::symbol;
 use super::unit::whole_reciprocal;
 use super::{Dimension, Kind, Unit, UnitError};
+use crate::language::symbol;
 
 /// Whether the word without a power is a unit's symbol.
 #[must_use]

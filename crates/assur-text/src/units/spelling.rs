@@ -1,8 +1,8 @@
 //! What an unknown unit may have been meant to be.
 
 use super::factors::factors;
-use super::table::{SYMBOLS, Symbol, symbol};
 use crate::diagnostic::did_you_mean;
+use crate::language::{Symbol, UNITS, symbol};
 
 /// Words that mean a unit as a whole.
 const WHOLE: &[(&str, &str)] = &[
@@ -72,12 +72,12 @@ fn part_choices(text: &str, written: &str, roughly: bool) -> Vec<String> {
         return Vec::new();
     }
     // of the other words for a unit the long ones: a short word is near to many
-    let words = SYMBOLS.iter().flat_map(|s| s.also.iter().filter(|w| w.len() > 4).chain([&s.text]));
+    let words = UNITS.iter().flat_map(|s| s.also.iter().filter(|w| w.len() > 4).chain([&s.text]));
     let mut near = Vec::new();
     // of a long word the nearest alone: `milimeters` is not `kilometers`
     let most = if written.len() > 4 { 1 } else { 3 };
     for word in did_you_mean(written, words.copied()).into_iter().take(most) {
-        let unit = SYMBOLS.iter().find(|s| s.text == word || s.also.contains(&word)).map_or(word, |s| s.text);
+        let unit = UNITS.iter().find(|s| s.text == word || s.also.contains(&word)).map_or(word, |s| s.text);
         let unit = format!("{unit}{power}");
         if !near.contains(&unit) {
             near.push(unit);
@@ -89,12 +89,12 @@ fn part_choices(text: &str, written: &str, roughly: bool) -> Vec<String> {
 /// Other words for a symbol, then symbols that differ in their capitals alone.
 fn symbol_choices(written: &str) -> Vec<&'static str> {
     let is_alias = |s: &&Symbol| s.also.contains(&written) || s.also.contains(&&*written.to_lowercase());
-    let aliases = SYMBOLS.iter().filter(is_alias).map(|s| s.text).collect::<Vec<_>>();
+    let aliases = UNITS.iter().filter(is_alias).map(|s| s.text).collect::<Vec<_>>();
     if !aliases.is_empty() {
         return aliases;
     }
     let alike = |s: &&Symbol| s.text.to_lowercase() == written.to_lowercase();
-    SYMBOLS.iter().filter(alike).map(|s| s.text).collect()
+    UNITS.iter().filter(alike).map(|s| s.text).collect()
 }
 
 /// `Nm` as `N*m`, `kgm` as `kg*m`; nobody multiplies two units of one dimension.

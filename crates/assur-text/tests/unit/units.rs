@@ -1,6 +1,6 @@
 //! Units as words, and their table.
 
-use assur_text::units::table::SYMBOLS;
+use assur_text::language::UNITS;
 use assur_text::units::{Dimension, Kind, Unit, UnitError, lookup};
 use proptest::prelude::*;
 
@@ -84,7 +84,7 @@ fn every_unit_has_its_value() {
         assert!((found.factor / factor - 1.0).abs() <= f64::EPSILON, "{word}: {}", found.factor);
         assert_eq!(found.dimension, dimension, "{word}");
     }
-    for symbol in SYMBOLS {
+    for symbol in UNITS {
         assert!(values.iter().any(|v| v.0 == symbol.text), "`{}` has no value in this test", symbol.text);
     }
 }
@@ -163,9 +163,9 @@ fn roots() {
 }
 
 fn word() -> impl Strategy<Value = String> {
-    let factor = (0..SYMBOLS.len(), 1..4_i8).prop_map(|(i, n)| match n {
-        1 => SYMBOLS[i].text.to_owned(),
-        n => format!("{}^{n}", SYMBOLS[i].text),
+    let factor = (0..UNITS.len(), 1..4_i8).prop_map(|(i, n)| match n {
+        1 => UNITS[i].text.to_owned(),
+        n => format!("{}^{n}", UNITS[i].text),
     });
     let joined = (factor.clone(), any::<bool>())
         .prop_map(|(f, times)| if times { format!("*{f}") } else { format!("/{f}") });

@@ -7,7 +7,26 @@ use crate::values::fold::binary;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{BinaryOp, Expr as ModelExpr};
 use assur_syntax::document::{Arg, Expr, ExprKind, Name};
+use assur_text::language::{Argument, Function, Takes};
 use assur_text::units::Dimension;
+
+/// What turns.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Bearing {
+    Journal,
+    Thrust,
+}
+
+impl Bearing {
+    /// The arguments it takes.
+    fn arguments(self) -> impl Iterator<Item = &'static Argument> {
+        let function = match self {
+            Self::Journal => Function::JournalTorque,
+            Self::Thrust => Function::ThrustTorque,
+        };
+        function.row().forms.iter().flat_map(|form| form.takes)
+    }
+}
 
 /// How the pressure is spread.
 enum Fit {
@@ -42,16 +61,15 @@ impl Context<'_> {
     /// `journal_torque(load, radius, friction, fit)` = k f load radius;
     /// `thrust_torque(load, outer, inner, friction, fit)`: new, even pressure (default): 2/3 f load (R² + R r + r²)/(R + r);
     /// run in, `fit = worn`, p r constant: f load (R + r)/2.
-    pub(crate) fn bearing(&mut self, call: Call<'_>) -> Option<Typed> {
+    pub(crate) fn bearing(&mut self, call: Call<'_>, bearing: Bearing) -> Option<Typed> {
         let mut given = Given::default();
         for arg in call.args {
             let Some(name) = &arg.name else {
                 self.wrong_argument(call, "an argument with a name", arg.value.span);
                 return None;
             };
-            self.bearing_argument(call, arg, name, &mut given)?;
+            self.bearing_argument(call, bearing, (arg, name), &mut given)?;
         }
-        let journal = call.name.node == "journal_torque";
         let mut value = |name: &'static str| {
             let value = given.take(name);
             if value.is_none() {
@@ -61,7 +79,7 @@ impl Context<'_> {
         };
         let (load, friction) = (value("load")?, value("friction")?);
         let pull = times(friction, load);
-        let torque = if journal {
+        let torque = if bearing == Bearing::Journal {
             let radius = value("radius")?;
             let factor = match given.fit {
                 Some(Fit::Factor(k)) => k,
@@ -97,19 +115,20 @@ impl Context<'_> {
         }
     }
 
-    fn bearing_argument(&mut self, call: Call<'_>, arg: &Arg, name: &Name, given: &mut Given) -> Option<()> {
-        let journal = call.name.node == "journal_torque";
-        let (key, dimension) = match name.node.as_str() {
-            "fit" => return self.fit_argument(call, &arg.value, given),
-            "friction" => ("friction", Dimension::NUMBER),
-            "load" => ("load", Dimension::FORCE),
-            "radius" if journal => ("radius", Dimension::LENGTH),
-            "outer" if !journal => ("outer", Dimension::LENGTH),
-            "inner" if !journal => ("inner", Dimension::LENGTH),
-            _ => {
-                self.wrong_argument(call, "another argument", name.span);
-                return None;
-            }
+    fn bearing_argument(
+        &mut self,
+        call: Call<'_>,
+        bearing: Bearing,
+        (arg, name): (&Arg, &Name),
+        given: &mut Given,
+    ) -> Option<()> {
+        let Some(known) = bearing.arguments().find(|a| a.name == name.node) else {
+            self.wrong_argument(call, "another argument", name.span);
+            return None;
+        };
+        let key = known.name;
+        let Takes::Value(Some(dimension)) = known.takes else {
+            return self.fit_argument(call, bearing, &arg.value, given);
         };
         let t = self.read(&arg.value)?;
         let t = self.fit(t, dimension, &format!("`{}`", name.node), &arg.value)?;
@@ -122,8 +141,14 @@ impl Context<'_> {
         Some(())
     }
 
-    fn fit_argument(&mut self, call: Call<'_>, expr: &Expr, given: &mut Given) -> Option<()> {
-        let journal = call.name.node == "journal_torque";
+    fn fit_argument(
+        &mut self,
+        call: Call<'_>,
+        bearing: Bearing,
+        expr: &Expr,
+        given: &mut Given,
+    ) -> Option<()> {
+        let journal = bearing == Bearing::Journal;
         let word = match &expr.kind {
             ExprKind::Name(name) => match name.as_str() {
                 "line" if journal => Some("line"),

@@ -8,8 +8,9 @@ use crate::names::declared::ThingKind;
 use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
 use assur_math::element::cam::Quantity;
-use assur_model::model::{CAM_PARTS, CamPart, Expr as ModelExpr, FindKind, PlateCam};
+use assur_model::model::{CAM_PARTS, CamPart, CycleFunction, Expr as ModelExpr, FindKind, PlateCam};
 use assur_syntax::document::{Arg, Expr, ExprKind, FindItem, Name};
+use assur_text::language::Function;
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
 use std::f64::consts::TAU;
@@ -154,7 +155,7 @@ impl Context<'_> {
     }
 
     /// `max(pressure_angle(plate))`, `min(profile(plate).s'')`, `argmax(…)`; `None` where the argument asks no cam.
-    pub(crate) fn over_cam(&mut self, call: Call<'_>) -> Option<Option<Typed>> {
+    pub(crate) fn over_cam(&mut self, call: Call<'_>, how: CycleFunction) -> Option<Option<Typed>> {
         let [Arg { name: None, value }] = call.args else { return None };
         let (inner, part) = match &value.kind {
             ExprKind::Member(base, part) => (base.as_ref(), Some(part)),
@@ -163,19 +164,25 @@ impl Context<'_> {
         let ExprKind::Call { function, args } = &inner.kind else { return None };
         let [argument] = args.as_slice() else { return None };
         let cam = self.cam_of(&argument.value)?;
-        let which = match (function.node.as_str(), part) {
-            ("pressure_angle", None) => CamPart::PressureAngle,
-            ("curvature_radius", None) => CamPart::CurvatureRadius,
-            ("profile", Some(part)) => match self.part_named(part) {
+        let which = match (Function::named(&function.node), part) {
+            (Some(Function::PressureAngle), None) => CamPart::PressureAngle,
+            (Some(Function::CurvatureRadius), None) => CamPart::CurvatureRadius,
+            (Some(Function::Profile), Some(part)) => match self.part_named(part) {
                 Some(which) => which,
                 None => return Some(None),
             },
             _ => return None,
         };
-        Some(cam.and_then(|plate| self.cam_extreme(call, &plate, which)))
+        Some(cam.and_then(|plate| self.cam_extreme(call, how, &plate, which)))
     }
 
-    fn cam_extreme(&mut self, call: Call<'_>, plate: &PlateCam, part: CamPart) -> Option<Typed> {
+    fn cam_extreme(
+        &mut self,
+        call: Call<'_>,
+        how: CycleFunction,
+        plate: &PlateCam,
+        part: CamPart,
+    ) -> Option<Typed> {
         let (quantity, factor) = match part {
             CamPart::Lift(n) => (Quantity::Lift(n), 1.0),
             CamPart::Rate(n) => (Quantity::Lift(n), plate.rate(n)),
@@ -187,9 +194,9 @@ impl Context<'_> {
             }
         };
         self.with_speed(plate, part, call)?;
-        let (phi, value) = plate.cam.extreme(quantity, call.name.node != "min");
+        let (phi, value) = plate.cam.extreme(quantity, how != CycleFunction::Min);
         let ty = of_type(part, plate);
-        if call.name.node == "argmax" {
+        if how == CycleFunction::Argmax {
             return Some(Typed::constant(phi, Dimension::ANGLE));
         }
         let value = value * factor;
@@ -205,10 +212,10 @@ impl Context<'_> {
     pub(crate) fn cam_table(&mut self, item: &FindItem) -> Option<Option<FindKind>> {
         let ExprKind::Call { function, args } = &item.value.kind else { return None };
         let [argument] = args.as_slice() else { return None };
-        let parts: &[(&str, CamPart)] = match function.node.as_str() {
-            "profile" => &CAM_PARTS,
-            "pressure_angle" => &CAM_PARTS[9..10],
-            "curvature_radius" => &CAM_PARTS[10..],
+        let parts: &[(&str, CamPart)] = match Function::named(&function.node)? {
+            Function::Profile => &CAM_PARTS,
+            Function::PressureAngle => &CAM_PARTS[9..10],
+            Function::CurvatureRadius => &CAM_PARTS[10..],
             _ => return None,
         };
         let plate = self.cam_of(&argument.value)?;

@@ -7,7 +7,7 @@ use assur_model::model::{Cycle, CycleFunction, Expr, Query};
 
 impl Context<'_> {
     /// `max`, `min`, `mean`, `integral`, `argmax` of one number.
-    pub(crate) fn over_sweep(&mut self, call: Call<'_>) -> Option<Typed> {
+    pub(crate) fn over_sweep(&mut self, call: Call<'_>, how: CycleFunction) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let t = self.read(args[0])?;
         let Type::Number(dim) = t.ty else {
@@ -16,12 +16,10 @@ impl Context<'_> {
             self.shape(&what, "a number", t.ty, args[0].span, help);
             return None;
         };
-        let (how, dim) = match call.name.node.as_str() {
-            "max" => (CycleFunction::Max, dim),
-            "min" => (CycleFunction::Min, dim),
-            "mean" => (CycleFunction::Mean, dim),
-            "integral" => (CycleFunction::Integral, dim.times(Dim::Of(self.only_drive(call)?))),
-            _ => (CycleFunction::Argmax, Dim::Of(self.only_drive(call)?)),
+        let dim = match how {
+            CycleFunction::Max | CycleFunction::Min | CycleFunction::Mean => dim,
+            CycleFunction::Integral => dim.times(Dim::Of(self.only_drive(call)?)),
+            CycleFunction::Argmax => Dim::Of(self.only_drive(call)?),
         };
         let ty = Type::Number(dim);
         if t.pending {

@@ -13,21 +13,22 @@ use assur_text::units::Dimension;
 
 impl Context<'_> {
     /// `fluctuation`, `work`, `reduced_torque`, `reduced_inertia`
-    pub(crate) fn of_flywheel(&mut self, call: Call<'_>) -> Option<Typed> {
-        let (part, dimension) = match call.name.node.as_str() {
-            "fluctuation" => (FlywheelPart::Fluctuation, Dimension::TORQUE),
-            "work" => (FlywheelPart::Work, Dimension::TORQUE),
-            "reduced_torque" => (FlywheelPart::Torque, Dimension::TORQUE),
-            "reduced_inertia" => (FlywheelPart::LinksInertia, Dimension::INERTIA),
-            _ => {
-                self.flywheel(call)?;
-                let help = Some("ask for `rim(J).width`, `rim(J).height` or `rim(J).mass`".to_owned());
-                self.error(RequestError::NoValue { path: "rim(…)".to_owned(), span: call.span, help });
-                return None;
-            }
-        };
+    pub(crate) fn of_flywheel(
+        &mut self,
+        call: Call<'_>,
+        part: FlywheelPart,
+        dimension: Dimension,
+    ) -> Option<Typed> {
         let index = self.flywheel(call)?;
         Some(Typed::new(Expr::Query(Query::Flywheel(index, part)), Type::number(dimension)))
+    }
+
+    /// `rim(J)` without one of its parts.
+    pub(super) fn rim_alone(&mut self, call: Call<'_>) -> Option<Typed> {
+        self.flywheel(call)?;
+        let help = Some("ask for `rim(J).width`, `rim(J).height` or `rim(J).mass`".to_owned());
+        self.error(RequestError::NoValue { path: "rim(…)".to_owned(), span: call.span, help });
+        None
     }
 
     /// `rim(J).width`

@@ -10,6 +10,7 @@ use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query, TransmissionKind};
 use assur_syntax::document::{Expr, Member, Name, Statement};
+use assur_text::language::Function;
 use assur_text::units::Dimension;
 
 fn number(query: Query, dimension: Dimension) -> Typed {
@@ -20,9 +21,28 @@ const fn may_have_mass(member: &Member) -> bool {
     matches!(member, Member::Mass(_) | Member::Weight(_) | Member::Inertia(_) | Member::Bad(_))
 }
 
+/// The force that a transmission of another kind has.
+const fn other_force(kind: TransmissionKind) -> &'static str {
+    match kind {
+        TransmissionKind::Rope => "ask for the pull in it: `tension(…)`",
+        TransmissionKind::Screw => "ask for its torque: `moment(…, …)`",
+        TransmissionKind::Mesh
+        | TransmissionKind::Belt
+        | TransmissionKind::Chain
+        | TransmissionKind::Rack
+        | TransmissionKind::Worm => "ask for the force along its circles: `tangential_force(…)`",
+    }
+}
+
 impl Context<'_> {
-    /// `reaction`, `moment`, `normal`, `friction` of a pair on a link
-    pub(crate) fn reaction(&mut self, call: Call<'_>) -> Option<Typed> {
+    /// `reaction`, `moment`, `normal`, `friction` of a pair that has it, on a link
+    pub(crate) fn reaction(
+        &mut self,
+        call: Call<'_>,
+        has: fn(&PairKind) -> bool,
+        query: fn(PairId, LinkId) -> Query,
+        ty: Type,
+    ) -> Option<Typed> {
         if self.link_before_pair(call) {
             return None;
         }
@@ -33,31 +53,15 @@ impl Context<'_> {
             None => None,
         };
         let pair = pair?;
-        let function = call.name.node.as_str();
-        let fits = match &self.builder.mech.pair(pair).kind {
-            PairKind::Prismatic(_) => true,
-            PairKind::Revolute(_) => matches!(function, "reaction" | "moment"),
-            PairKind::Slot(_) | PairKind::Contact { .. } => function != "moment",
-            PairKind::Cylinder { .. } => function == "reaction",
-            PairKind::Transmission(_) => matches!(function, "reaction" | "moment"),
-        };
-        if !fits {
+        if !has(&self.builder.mech.pair(pair).kind) {
             self.not_of_this_pair(call, pair, Some("`reaction(…)` is defined for every pair"));
             return None;
         }
         let link = match (link, args.get(1)) {
             (Some(link), Some(place)) => self.link_of_pair(pair, link, place)?,
-            _ => self.any_link(call, pair)?,
+            _ => self.any_link(call, pair, ty)?,
         };
-        let typed = match function {
-            "reaction" => {
-                Typed::new(ModelExpr::Query(Query::Reaction(pair, link)), Type::vector(Dimension::FORCE))
-            }
-            "moment" => number(Query::Moment(pair, link), Dimension::TORQUE),
-            "normal" => number(Query::Normal(pair, link), Dimension::FORCE),
-            _ => number(Query::Friction(pair, link), Dimension::FORCE),
-        };
-        Some(typed)
+        Some(Typed::new(ModelExpr::Query(query(pair, link)), ty))
     }
 
     fn link_of_pair(&mut self, pair: PairId, link: LinkId, place: &Expr) -> Option<LinkId> {
@@ -75,7 +79,7 @@ impl Context<'_> {
     }
 
     /// The second link of a pair of two where the sign does not matter; otherwise it must be said.
-    fn any_link(&mut self, call: Call<'_>, pair: PairId) -> Option<LinkId> {
+    fn any_link(&mut self, call: Call<'_>, pair: PairId, ty: Type) -> Option<LinkId> {
         let links = self.builder.mech.pair(pair).kind.links();
         if let ([_, second], Sign::Free) = (&links[..], call.sign) {
             return Some(*second);
@@ -84,10 +88,12 @@ impl Context<'_> {
         let choices =
             self.spelled(&links).iter().map(|l| format!("`{function}({pair}, {l})`")).collect::<Vec<_>>();
         let help = match links.len() {
-            2 => format!("write {}, or `mag({function}({pair}))`", choices.join(" or ")),
+            2 => {
+                let size = if matches!(ty, Type::Vector(_)) { Function::Mag } else { Function::Abs };
+                format!("write {}, or `{}({function}({pair}))`", choices.join(" or "), size.name())
+            }
             _ => format!("write {}", choices.join(" or ")),
         };
-        let help = if function == "reaction" { help } else { help.replace("mag(", "abs(") };
         self.error(RequestError::WhichLink { function, pair, count: links.len(), span: call.span, help });
         None
     }
@@ -110,28 +116,12 @@ impl Context<'_> {
         Some(number(Query::ContactForce(pair, side), Dimension::FORCE))
     }
 
-    pub(crate) fn line_offset(&mut self, call: Call<'_>) -> Option<Typed> {
-        let args = self.arguments(call, 1, 1)?;
-        let pair = self.pair_argument(call, args[0])?;
-        if !matches!(self.builder.mech.pair(pair).kind, PairKind::Prismatic(_)) {
-            self.not_of_this_pair(call, pair, Some("it is defined for prismatic pairs"));
-            return None;
-        }
-        Some(number(Query::LineOffset(pair), Dimension::LENGTH))
-    }
-
     /// `inertia_force`, `inertia_torque`, `inertia_arm`
-    pub(crate) fn inertia(&mut self, call: Call<'_>) -> Option<Typed> {
+    pub(crate) fn inertia(&mut self, call: Call<'_>, query: fn(LinkId) -> Query, ty: Type) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let link = self.link_argument(call, args[0])?;
         self.with_mass(call, link)?;
-        Some(match call.name.node.as_str() {
-            "inertia_force" => {
-                Typed::new(ModelExpr::Query(Query::InertiaForce(link)), Type::vector(Dimension::FORCE))
-            }
-            "inertia_torque" => number(Query::InertiaTorque(link), Dimension::TORQUE),
-            _ => number(Query::InertiaArm(link), Dimension::LENGTH),
-        })
+        Some(Typed::new(ModelExpr::Query(query(link)), ty))
     }
 
     /// Reports a link without mass.
@@ -155,40 +145,56 @@ impl Context<'_> {
         None
     }
 
-    /// `tangential_force(k)`, `normal_force(k)`, `tension(a)`; `tension(a, A)` of the part of a rope that ends at A
-    pub(crate) fn transmission_force(&mut self, call: Call<'_>) -> Option<Typed> {
-        let function = call.name.node.as_str();
-        let args = self.arguments(call, 1, if function == "tension" { 2 } else { 1 })?;
-        let pair = self.pair_argument(call, args[0])?;
+    /// `tangential_force(k)`
+    pub(crate) fn tangential_force(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let (pair, kind) = self.transmission(call, args[0])?;
+        if matches!(kind, TransmissionKind::Rope | TransmissionKind::Screw) {
+            self.not_of_this_pair(call, pair, Some(other_force(kind)));
+            return None;
+        }
+        Some(number(Query::TangentialForce(pair), Dimension::FORCE))
+    }
+
+    /// `normal_force(k)`
+    pub(crate) fn normal_force(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let (pair, kind) = self.transmission(call, args[0])?;
+        let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else { return None };
+        if !matches!(kind, TransmissionKind::Mesh | TransmissionKind::Rack) {
+            self.not_of_this_pair(call, pair, Some(other_force(kind)));
+            return None;
+        }
+        if t.pressure_angle.is_none() {
+            let help = "the line of action is not known: add `{ pressure_angle 20 deg }` to it";
+            self.not_of_this_pair(call, pair, Some(help));
+            return None;
+        }
+        Some(number(Query::ToothForce(pair), Dimension::FORCE))
+    }
+
+    /// `tension(a)`; `tension(a, A)` of the part of a rope that ends at A
+    pub(crate) fn tension(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 2)?;
+        let (pair, kind) = self.transmission(call, args[0])?;
+        let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else { return None };
+        let parts = t.laws.len();
+        if kind != TransmissionKind::Rope {
+            self.not_of_this_pair(call, pair, Some(other_force(kind)));
+            return None;
+        }
+        let part = self.part_of_rope(call, pair, args.get(1).copied(), parts)?;
+        Some(number(Query::Tension(pair, part), Dimension::FORCE))
+    }
+
+    /// An argument that names a transmission, and its kind.
+    fn transmission(&mut self, call: Call<'_>, expr: &Expr) -> Option<(PairId, TransmissionKind)> {
+        let pair = self.pair_argument(call, expr)?;
         let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else {
             self.not_of_this_pair(call, pair, Some("it is defined for meshes, ropes and their like"));
             return None;
         };
-        let (kind, angle, parts) = (t.kind, t.pressure_angle, t.laws.len());
-        let fits = match function {
-            "tension" => kind == TransmissionKind::Rope,
-            "normal_force" => matches!(kind, TransmissionKind::Mesh | TransmissionKind::Rack),
-            _ => !matches!(kind, TransmissionKind::Rope | TransmissionKind::Screw),
-        };
-        let help = match kind {
-            _ if fits && function == "normal_force" && angle.is_none() => {
-                Some("the line of action is not known: add `{ pressure_angle 20 deg }` to it")
-            }
-            _ if fits => None,
-            TransmissionKind::Rope => Some("ask for the pull in it: `tension(…)`"),
-            TransmissionKind::Screw => Some("ask for its torque: `moment(…, …)`"),
-            _ => Some("ask for the force along its circles: `tangential_force(…)`"),
-        };
-        if help.is_some() {
-            self.not_of_this_pair(call, pair, help);
-            return None;
-        }
-        let query = match function {
-            "normal_force" => Query::ToothForce(pair),
-            "tangential_force" => Query::TangentialForce(pair),
-            _ => Query::Tension(pair, self.part_of_rope(call, pair, args.get(1).copied(), parts)?),
-        };
-        Some(number(query, Dimension::FORCE))
+        Some((pair, t.kind))
     }
 
     /// Which part of a rope is meant: the one that ends at what is named.

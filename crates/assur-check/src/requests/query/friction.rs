@@ -9,17 +9,12 @@ use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr, Query};
 use assur_syntax::document::ExprKind;
 use assur_text::source::Spanned;
-use assur_text::units::Dimension;
 
 impl Context<'_> {
     /// `efficiency()`, `locked()`
-    pub(crate) fn verdict(&mut self, call: Call<'_>) -> Option<Typed> {
+    pub(crate) fn verdict(&mut self, call: Call<'_>, query: Query, ty: Type) -> Option<Typed> {
         self.arguments(call, 0, 0)?;
-        Some(if call.name.node == "locked" {
-            Typed::new(Expr::Query(Query::Locked), Type::Truth)
-        } else {
-            Typed::new(Expr::Query(Query::Efficiency), Type::number(Dimension::NUMBER))
-        })
+        Some(Typed::new(Expr::Query(query), ty))
     }
 
     /// `critical(al)`: a `given`.

@@ -1,5 +1,6 @@
 //! What is asked of a pair of gears: `table(z12).da1`, `contact_ratio(z12)`, `tooth_force(z12, M).Ft`.
 
+use assur_text::language::Function;
 /// A number of the pair, or one of each wheel.
 enum Number {
     Pair(fn(&GearPair) -> f64),
@@ -69,6 +70,46 @@ fn part_list() -> String {
     format!("its parts are {}", ROWS.iter().map(name).collect::<Vec<_>>().join(", "))
 }
 
+/// A part of it, with its factor.
+type RatePart = (&'static str, fn(&GearPair) -> f64);
+
+/// What is proportional to a value given of wheel 1.
+#[derive(Clone, Copy)]
+pub(crate) enum GearRate {
+    /// Forces between the teeth, for a torque.
+    ToothForce,
+    /// Sliding at the tips, for a speed.
+    SlidingVelocity,
+}
+
+impl GearRate {
+    /// Of what is given, and of what comes out.
+    const fn dimensions(self) -> (Dimension, Dimension) {
+        match self {
+            Self::ToothForce => (Dimension::TORQUE, Dimension::FORCE),
+            Self::SlidingVelocity => (Dimension::ANGULAR_VELOCITY, Dimension::VELOCITY),
+        }
+    }
+
+    /// Its parts, each with the factor.
+    fn parts(self) -> &'static [RatePart] {
+        match self {
+            Self::ToothForce => {
+                &[("Ft", |p| p.forces()[0]), ("Fr", |p| p.forces()[1]), ("Fn", |p| p.forces()[2])]
+            }
+            Self::SlidingVelocity => &[("v1", |p| p.sliding(0)), ("v2", |p| p.sliding(1))],
+        }
+    }
+
+    fn part_list(self) -> String {
+        let parts = match self {
+            Self::ToothForce => "`.Ft`, `.Fr`, `.Fn`",
+            Self::SlidingVelocity => "`.v1` (at the tip of wheel 1), `.v2`",
+        };
+        format!("its parts are {parts}")
+    }
+}
+
 impl Context<'_> {
     /// The pair of gears that an argument names.
     fn mesh_argument(&mut self, call: Call<'_>, expr: &Expr) -> Option<GearPair> {
@@ -112,32 +153,19 @@ impl Context<'_> {
     }
 
     /// `tooth_force(z12, M1).Ft` for a torque on wheel 1; `sliding_velocity(z12, omega1).v1` for its speed.
-    pub(crate) fn gear_rate(&mut self, call: Call<'_>, part: &Name) -> Option<Typed> {
+    pub(crate) fn gear_rate(&mut self, call: Call<'_>, rate: GearRate, part: &Name) -> Option<Typed> {
         let args = self.arguments(call, 2, 2)?;
         let pair = self.mesh_argument(call, args[0]);
         let given = self.read(args[1]);
-        let forces = call.name.node == "tooth_force";
-        let (from, to) = if forces {
-            (Dimension::TORQUE, Dimension::FORCE)
-        } else {
-            (Dimension::ANGULAR_VELOCITY, Dimension::VELOCITY)
-        };
+        let (from, to) = rate.dimensions();
         let given = self.fit(given?, from, "what is given of wheel 1", args[1])?;
         let pair = pair?;
-        let factor = match (forces, part.node.as_str()) {
-            (true, "Ft") => pair.forces()[0],
-            (true, "Fr") => pair.forces()[1],
-            (true, "Fn") => pair.forces()[2],
-            (false, "v1") => pair.sliding(0),
-            (false, "v2") => pair.sliding(1),
-            _ => {
-                let parts =
-                    if forces { "`.Ft`, `.Fr`, `.Fn`" } else { "`.v1` (at the tip of wheel 1), `.v2`" };
-                let help = Some(format!("its parts are {parts}"));
-                self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
-                return None;
-            }
+        let Some((_, of)) = rate.parts().iter().find(|(name, _)| *name == part.node) else {
+            let help = Some(rate.part_list());
+            self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
+            return None;
         };
+        let factor = of(&pair);
         if given.pending {
             return Some(Typed::pending(Type::number(to)));
         }
@@ -145,13 +173,17 @@ impl Context<'_> {
         Some(Typed::new(expr, Type::number(to)))
     }
 
-    /// A table of gears, or a force, without one of its parts.
-    pub(crate) fn gear_alone(&mut self, call: Call<'_>) -> Option<Typed> {
-        let help = match call.name.node.as_str() {
-            "table" => part_list(),
-            "tooth_force" => "its parts are `.Ft`, `.Fr`, `.Fn`".to_owned(),
-            _ => "its parts are `.v1` (at the tip of wheel 1), `.v2`".to_owned(),
-        };
+    /// A table of gears without one of its parts.
+    pub(crate) fn gear_table_alone(&mut self, call: Call<'_>) -> Option<Typed> {
+        self.gear_alone(call, part_list())
+    }
+
+    /// Forces or velocities of teeth without one of their parts.
+    pub(crate) fn gear_rate_alone(&mut self, call: Call<'_>, rate: GearRate) -> Option<Typed> {
+        self.gear_alone(call, rate.part_list())
+    }
+
+    fn gear_alone(&mut self, call: Call<'_>, help: String) -> Option<Typed> {
         let path = format!("{}(…)", call.name.node);
         self.error(RequestError::NoValue { path, span: call.span, help: Some(help) });
         None
@@ -160,7 +192,11 @@ impl Context<'_> {
     /// `find table(z12)`; `None` where the item asks no table of gears.
     pub(crate) fn gear_table(&mut self, item: &FindItem) -> Option<Option<FindKind>> {
         let ExprKind::Call { function, args } = &item.value.kind else { return None };
-        if function.node != "table" || item.name.is_some() || item.steps.is_some() || item.unit.is_some() {
+        if Function::named(&function.node) != Some(Function::Table)
+            || item.name.is_some()
+            || item.steps.is_some()
+            || item.unit.is_some()
+        {
             return None;
         }
         let sign = crate::expr::sign::Sign::Matters;

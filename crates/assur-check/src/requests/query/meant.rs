@@ -3,31 +3,34 @@
 use crate::error::{NameError, RequestError};
 use crate::expr::context::Context;
 use crate::expr::results::Call;
-use crate::names::functions::FUNCTIONS;
 use crate::statements::written::written;
 use crate::values::typed::Type;
 use assur_model::model::LinkId;
 use assur_syntax::document::{Arg, Expr, ExprKind, Statement};
 use assur_text::diagnostic::did_you_mean;
+use assur_text::language::{FUNCTIONS, Function};
 use assur_text::source::{Span, Spanned};
 
 /// Functions by other names that people give them.
-const ALSO: &[(&str, &[&str])] = &[
-    ("velocity", &["v", "vel", "speed", "velocities"]),
-    ("acceleration", &["a", "acc", "accel"]),
-    ("position", &["pos", "point", "coordinates", "location", "path", "trajectory", "locus", "displacement"]),
-    ("omega", &["w", "angular_velocity", "angular_speed", "angvel", "rate", "velocity"]),
-    ("alpha", &["eps", "epsilon", "angular_acceleration", "acceleration"]),
-    ("angle", &["phi", "theta", "rotation", "orientation", "position"]),
-    ("displacement", &["s", "x", "coordinate"]),
-    ("effort", &["torque", "force", "driving_torque", "moment", "motor_torque", "M"]),
-    ("reaction", &["force", "joint_force", "R"]),
-    ("mag", &["norm", "magnitude", "length", "len", "abs"]),
-    ("dir", &["direction", "arg"]),
-    ("mean", &["average", "avg"]),
-    ("max", &["maximum", "amax"]),
-    ("min", &["minimum", "amin"]),
-    ("sqrt", &["root"]),
+const ALSO: &[(Function, &[&str])] = &[
+    (Function::Velocity, &["v", "vel", "speed", "velocities"]),
+    (Function::Acceleration, &["a", "acc", "accel"]),
+    (
+        Function::Position,
+        &["pos", "point", "coordinates", "location", "path", "trajectory", "locus", "displacement"],
+    ),
+    (Function::Omega, &["w", "angular_velocity", "angular_speed", "angvel", "rate", "velocity"]),
+    (Function::Alpha, &["eps", "epsilon", "angular_acceleration", "acceleration"]),
+    (Function::Angle, &["phi", "theta", "rotation", "orientation", "position"]),
+    (Function::Displacement, &["s", "x", "coordinate"]),
+    (Function::Effort, &["torque", "force", "driving_torque", "moment", "motor_torque", "M"]),
+    (Function::Reaction, &["force", "joint_force", "R"]),
+    (Function::Mag, &["norm", "magnitude", "length", "len", "abs"]),
+    (Function::Dir, &["direction", "arg"]),
+    (Function::Mean, &["average", "avg"]),
+    (Function::Max, &["maximum", "amax"]),
+    (Function::Min, &["minimum", "amin"]),
+    (Function::Sqrt, &["root"]),
 ];
 
 impl Context<'_> {
@@ -57,7 +60,8 @@ impl Context<'_> {
             candidates.push(apart(a, b, call.span));
         }
         if let ("range" | "span", [_]) = (name, call.args) {
-            let [most, least] = ["max", "min"].map(|f| written(&called(f, call.args, call.span)));
+            let [most, least] =
+                [Function::Max, Function::Min].map(|f| written(&called(f, call.args, call.span)));
             return Some(format!("write `{} - {}`", most?, least?));
         }
         if matches!(name, "torque" | "moment" | "driving_torque")
@@ -152,7 +156,7 @@ impl Context<'_> {
 
     /// Reports a vector of which the magnitude is meant, `speed(C)` of a point. Whether it was.
     pub(crate) fn speed_of_point(&mut self, call: Call<'_>) -> bool {
-        let velocity = called("velocity", call.args, call.span);
+        let velocity = called(Function::Velocity, call.args, call.span);
         let read = self.quietly(|cx| cx.read(&velocity));
         let (Some(text), Some([arg])) = (written(&velocity), Some(call.args)) else { return false };
         if !read.is_some_and(|t| matches!(t.ty, Type::Vector(_))) {
@@ -167,17 +171,17 @@ impl Context<'_> {
 }
 
 /// A call of another function with the same arguments.
-fn called(function: &str, args: &[Arg], span: Span) -> Expr {
-    let function = Spanned::new(function.to_owned(), span);
+fn called(function: Function, args: &[Arg], span: Span) -> Expr {
+    let function = Spanned::new(function.name().to_owned(), span);
     Expr { kind: ExprKind::Call { function, args: args.to_vec() }, span }
 }
 
 /// `mag(position(A) - position(C))`
 fn apart(a: &Arg, b: &Arg, span: Span) -> Expr {
-    let position = |arg: &Arg| called("position", std::slice::from_ref(arg), span);
+    let position = |arg: &Arg| called(Function::Position, std::slice::from_ref(arg), span);
     let minus = Spanned::new(assur_syntax::document::BinaryOp::Subtract, span);
     let kind = ExprKind::Chain(Box::new(position(a)), vec![(minus, position(b))]);
-    called("mag", &[Arg { name: None, value: Expr { kind, span } }], span)
+    called(Function::Mag, &[Arg { name: None, value: Expr { kind, span } }], span)
 }
 
 /// `did you mean …?`, functions with which the name shares more than a few letters.

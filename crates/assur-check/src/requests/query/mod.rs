@@ -12,69 +12,135 @@ mod gear;
 mod meant;
 mod motion;
 mod own_usage;
+mod pair_kinds;
 mod substitution;
 
 use crate::expr::context::Context;
 use crate::expr::results::{Call, Results};
-use crate::values::typed::Typed;
-use assur_model::model::CamPart;
+use crate::values::typed::{Type, Typed};
+use assur_model::model::{self, CamPart, CycleFunction, FlywheelPart, Query};
+use assur_text::language::Function;
+use assur_text::units::Dimension;
+use bearing::Bearing;
+use gear::GearRate;
+use pair_kinds::{ALONG_LINE, GUIDE, has_moment, has_normal};
 
 /// What expressions ask of this folder.
 pub const RESULTS: Results = Results {
-    call: |cx, call| cx.result(call),
+    call: |cx, call| cx.function(call),
     part: |cx, whole, base, part| cx.part_of_result(whole, base, part),
     unknown: |cx, name| cx.no_quantity(name),
     usage: |cx, call| cx.own_usage(call),
 };
 
 impl Context<'_> {
-    /// A function of results, or an error if there is no such function.
-    pub(crate) fn result(&mut self, call: Call<'_>) -> Option<Typed> {
-        if matches!(call.name.node.as_str(), "max" | "min" | "argmax")
-            && let Some(found) = self.over_cam(call)
-        {
+    /// A call of any function, or an error if there is no such function.
+    pub(crate) fn function(&mut self, call: Call<'_>) -> Option<Typed> {
+        let Some(function) = Function::named(&call.name.node) else {
+            self.no_function(call);
+            return None;
+        };
+        self.answer(call, function)
+    }
+
+    /// A function by its kind: one arm for each in the table of the language.
+    fn answer(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
+        use Function as F;
+        match function {
+            F::Sqrt => self.root(call),
+            F::Abs => self.absolute(call),
+            F::Sin => self.of_angle(call, model::Function::Sin),
+            F::Cos => self.of_angle(call, model::Function::Cos),
+            F::Tan => self.of_angle(call, model::Function::Tan),
+            F::Asin => self.angle_of(call, model::Function::Asin),
+            F::Acos => self.angle_of(call, model::Function::Acos),
+            F::Atan => self.angle_of(call, model::Function::Atan),
+            F::Atan2 => self.atan2(call),
+            F::Mag => self.magnitude(call),
+            F::Unit => self.unit_vector(call),
+            F::Dir if self.names.is_result(F::Dir.name(), call.args) => {
+                self.link_motion(call, Query::LinkDirection, Type::vector(Dimension::NUMBER))
+            }
+            F::Dir => self.direction(call),
+            F::Dot => self.product(call, model::Function::Dot),
+            F::Cross => self.product(call, model::Function::Cross),
+            F::Max if call.args.len() != 1 => self.extreme(call, model::Function::Max),
+            F::Min if call.args.len() != 1 => self.extreme(call, model::Function::Min),
+            F::Max => self.over_cam_or_sweep(call, CycleFunction::Max),
+            F::Min => self.over_cam_or_sweep(call, CycleFunction::Min),
+            F::Argmax => self.over_cam_or_sweep(call, CycleFunction::Argmax),
+            F::Mean => self.over_sweep(call, CycleFunction::Mean),
+            F::Integral => self.over_sweep(call, CycleFunction::Integral),
+            F::Position => self.point_motion(call, Dimension::LENGTH, Query::Position, Query::Displacement),
+            F::Velocity => {
+                self.point_motion(call, Dimension::VELOCITY, Query::Velocity, Query::RelativeVelocity)
+            }
+            F::Acceleration => {
+                let of_slider = Query::RelativeAcceleration;
+                self.point_motion(call, Dimension::ACCELERATION, Query::Acceleration, of_slider)
+            }
+            F::Angle => self.link_motion(call, Query::Angle, Type::number(Dimension::ANGLE)),
+            F::Omega => self.link_motion(call, Query::Omega, Type::number(Dimension::ANGULAR_VELOCITY)),
+            F::Alpha => self.link_motion(call, Query::Alpha, Type::number(Dimension::ANGULAR_ACCELERATION)),
+            F::Displacement => self.of_coordinate(call, Query::Displacement, 0),
+            F::RelativeVelocity => self.of_coordinate(call, Query::RelativeVelocity, 1),
+            F::RelativeAcceleration => self.of_coordinate(call, Query::RelativeAcceleration, 2),
+            F::Travel => self.of_coordinate(call, Query::Travel, 0),
+            F::Stroke => self.of_coordinate(call, Query::Stroke, 0),
+            F::TimeRatio => self.time_ratio(call),
+            F::Dead => self.dead(call),
+            F::Coriolis => {
+                self.of_pair(call, ALONG_LINE, Query::Coriolis, Type::vector(Dimension::ACCELERATION))
+            }
+            F::TransmissionAngle => self.transmission_angle(call),
+            F::PressureAngle if self.asks_cam(call.args) => self.of_cam(call, CamPart::PressureAngle),
+            F::PressureAngle => {
+                self.of_pair(call, (has_normal, None), Query::PressureAngle, Type::number(Dimension::ANGLE))
+            }
+            F::CurvatureRadius => self.of_cam(call, CamPart::CurvatureRadius),
+            F::Profile => self.profile_alone(call),
+            F::Start => self.cam_start(call),
+            F::SmallestBaseRadius => self.smallest_base_radius(call),
+            F::ContactRatio => self.contact_ratio(call),
+            F::Table => self.gear_table_alone(call),
+            F::ToothForce => self.gear_rate_alone(call, GearRate::ToothForce),
+            F::SlidingVelocity => self.gear_rate_alone(call, GearRate::SlidingVelocity),
+            F::Reaction => self.reaction(call, |_| true, Query::Reaction, Type::vector(Dimension::FORCE)),
+            F::Moment => self.reaction(call, has_moment, Query::Moment, Type::number(Dimension::TORQUE)),
+            F::Normal => self.reaction(call, has_normal, Query::Normal, Type::number(Dimension::FORCE)),
+            F::Friction => self.reaction(call, has_normal, Query::Friction, Type::number(Dimension::FORCE)),
+            F::ContactForce => self.contact_force(call),
+            F::LineOffset => self.of_pair(call, GUIDE, Query::LineOffset, Type::number(Dimension::LENGTH)),
+            F::InertiaForce => self.inertia(call, Query::InertiaForce, Type::vector(Dimension::FORCE)),
+            F::InertiaTorque => self.inertia(call, Query::InertiaTorque, Type::number(Dimension::TORQUE)),
+            F::InertiaArm => self.inertia(call, Query::InertiaArm, Type::number(Dimension::LENGTH)),
+            F::StaticSubstitution | F::DynamicSubstitution => self.substitution_alone(call),
+            F::Effort => self.effort(call),
+            F::Power => self.power(call),
+            F::Efficiency => self.verdict(call, Query::Efficiency, Type::number(Dimension::NUMBER)),
+            F::Locked => self.verdict(call, Query::Locked, Type::Truth),
+            F::Critical => self.critical(call),
+            F::Frictionless => self.frictionless(call),
+            F::Speed => self.speed(call),
+            F::Radius => self.radius_of_wheel(call),
+            F::TangentialForce => self.tangential_force(call),
+            F::NormalForce => self.normal_force(call),
+            F::Tension => self.tension(call),
+            F::JournalTorque => self.bearing(call, Bearing::Journal),
+            F::ThrustTorque => self.bearing(call, Bearing::Thrust),
+            F::Fluctuation => self.of_flywheel(call, FlywheelPart::Fluctuation, Dimension::TORQUE),
+            F::Work => self.of_flywheel(call, FlywheelPart::Work, Dimension::TORQUE),
+            F::ReducedTorque => self.of_flywheel(call, FlywheelPart::Torque, Dimension::TORQUE),
+            F::ReducedInertia => self.of_flywheel(call, FlywheelPart::LinksInertia, Dimension::INERTIA),
+            F::Rim => self.rim_alone(call),
+        }
+    }
+
+    /// `max`, `min`, `argmax` of one value: over the turn of a cam, else over the sweep.
+    fn over_cam_or_sweep(&mut self, call: Call<'_>, how: CycleFunction) -> Option<Typed> {
+        if let Some(found) = self.over_cam(call, how) {
             return found;
         }
-        match call.name.node.as_str() {
-            "position" | "velocity" | "acceleration" => self.point_motion(call),
-            "angle" | "omega" | "alpha" | "dir" => self.link_motion(call),
-            "displacement"
-            | "relative_velocity"
-            | "relative_acceleration"
-            | "coriolis"
-            | "travel"
-            | "stroke"
-            | "time_ratio"
-            | "dead" => self.pair_motion(call),
-            "transmission_angle" => self.transmission_angle(call),
-            "pressure_angle" if self.asks_cam(call.args) => self.of_cam(call, CamPart::PressureAngle),
-            "pressure_angle" => self.pressure_angle(call),
-            "curvature_radius" => self.of_cam(call, CamPart::CurvatureRadius),
-            "profile" => self.profile_alone(call),
-            "contact_ratio" => self.contact_ratio(call),
-            "table" | "tooth_force" | "sliding_velocity" => self.gear_alone(call),
-            "start" => self.cam_start(call),
-            "smallest_base_radius" => self.smallest_base_radius(call),
-            "reaction" | "moment" | "normal" | "friction" => self.reaction(call),
-            "contact_force" => self.contact_force(call),
-            "line_offset" => self.line_offset(call),
-            "inertia_force" | "inertia_torque" | "inertia_arm" => self.inertia(call),
-            "static_substitution" | "dynamic_substitution" => self.substitution_alone(call),
-            "effort" => self.effort(call),
-            "power" => self.power(call),
-            "efficiency" | "locked" => self.verdict(call),
-            "critical" => self.critical(call),
-            "frictionless" => self.frictionless(call),
-            "speed" => self.speed(call),
-            "radius" => self.radius_of_wheel(call),
-            "tangential_force" | "normal_force" | "tension" => self.transmission_force(call),
-            "journal_torque" | "thrust_torque" => self.bearing(call),
-            "max" | "min" | "mean" | "integral" | "argmax" => self.over_sweep(call),
-            "fluctuation" | "rim" | "work" | "reduced_torque" | "reduced_inertia" => self.of_flywheel(call),
-            _ => {
-                self.no_function(call);
-                None
-            }
-        }
+        self.over_sweep(call, how)
     }
 }

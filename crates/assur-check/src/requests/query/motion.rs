@@ -7,7 +7,7 @@ use crate::names::declared::ThingKind;
 use crate::requests::query::args::{Mover, path};
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{Expr as ModelExpr, Function, PairId, PairKind, PointRef, Query};
+use assur_model::model::{Expr as ModelExpr, Function, LinkId, PairId, PairKind, PointRef, Query};
 use assur_syntax::document::{Drive, Expr, ExprKind, JointKind, Statement};
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
@@ -21,23 +21,19 @@ fn vector(query: Query, dimension: Dimension) -> Typed {
 }
 
 impl Context<'_> {
-    /// `position`, `velocity`, `acceleration`
-    pub(crate) fn point_motion(&mut self, call: Call<'_>) -> Option<Typed> {
-        let dimension = match call.name.node.as_str() {
-            "position" => Dimension::LENGTH,
-            "velocity" => Dimension::VELOCITY,
-            _ => Dimension::ACCELERATION,
-        };
+    /// `position`, `velocity`, `acceleration`: of a point, or of a slider on a rope
+    pub(crate) fn point_motion(
+        &mut self,
+        call: Call<'_>,
+        dimension: Dimension,
+        of_point: fn(PointRef) -> Query,
+        of_slider: fn(PairId) -> Query,
+    ) -> Option<Typed> {
         let args = self.arguments(call, 1, 2)?;
         let point = match args[..] {
             [one] => {
                 if let Some(pair) = self.slider(one) {
-                    let query = match call.name.node.as_str() {
-                        "position" => Query::Displacement(pair),
-                        "velocity" => Query::RelativeVelocity(pair),
-                        _ => Query::RelativeAcceleration(pair),
-                    };
-                    return Some(number(query, dimension));
+                    return Some(number(of_slider(pair), dimension));
                 }
                 let (link, at) = self.point_argument(call, one)?;
                 PointRef::Fixed(link, at)
@@ -55,12 +51,7 @@ impl Context<'_> {
             }
             _ => return None,
         };
-        let query = match call.name.node.as_str() {
-            "position" => Query::Position(point),
-            "velocity" => Query::Velocity(point),
-            _ => Query::Acceleration(point),
-        };
-        Some(vector(query, dimension))
+        Some(vector(of_point(point), dimension))
     }
 
     /// The pair of a slider on a rope.
@@ -95,7 +86,12 @@ impl Context<'_> {
     }
 
     /// `angle`, `omega`, `alpha`, `dir` of a link
-    pub(crate) fn link_motion(&mut self, call: Call<'_>) -> Option<Typed> {
+    pub(crate) fn link_motion(
+        &mut self,
+        call: Call<'_>,
+        query: fn(LinkId) -> Query,
+        ty: Type,
+    ) -> Option<Typed> {
         if self.link_by_points(call).is_some() {
             return None;
         }
@@ -103,16 +99,8 @@ impl Context<'_> {
         if self.not_of_a_link(call, args[0]) {
             return None;
         }
-        let mover = self.mover(call, args[0])?;
-        let (dimension, query): (_, fn(_) -> Query) = match call.name.node.as_str() {
-            "angle" => (Dimension::ANGLE, Query::Angle),
-            "omega" => (Dimension::ANGULAR_VELOCITY, Query::Omega),
-            "alpha" => (Dimension::ANGULAR_ACCELERATION, Query::Alpha),
-            _ => (Dimension::NUMBER, Query::LinkDirection),
-        };
-        match mover {
-            Mover::Link(link) if call.name.node == "dir" => Some(vector(query(link), dimension)),
-            Mover::Link(link) => Some(number(query(link), dimension)),
+        match self.mover(call, args[0])? {
+            Mover::Link(link) => Some(Typed::new(ModelExpr::Query(query(link)), ty)),
             Mover::Slider => {
                 self.wrong_argument(call, "what turns, and not a slider,", args[0].span);
                 None
@@ -120,30 +108,35 @@ impl Context<'_> {
         }
     }
 
-    /// Functions of a pair's coordinate.
-    pub(crate) fn pair_motion(&mut self, call: Call<'_>) -> Option<Typed> {
-        let count = if call.name.node == "dead" { 2 } else { 1 };
-        let args = self.arguments(call, count, count)?;
+    /// A function of a pair's coordinate that is so many times its rate.
+    pub(crate) fn of_coordinate(
+        &mut self,
+        call: Call<'_>,
+        query: fn(PairId) -> Query,
+        rates: i8,
+    ) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
         let pair = self.pair_argument(call, args[0])?;
-        if call.name.node == "coriolis" {
-            return self.coriolis(call, pair);
-        }
         let coordinate = self.coordinate(call, pair)?;
-        Some(match call.name.node.as_str() {
-            "displacement" => number(Query::Displacement(pair), coordinate),
-            "relative_velocity" => number(Query::RelativeVelocity(pair), per_time(coordinate, 1)),
-            "relative_acceleration" => number(Query::RelativeAcceleration(pair), per_time(coordinate, 2)),
-            "travel" => number(Query::Travel(pair), coordinate),
-            "stroke" => number(Query::Stroke(pair), coordinate),
-            "time_ratio" => {
-                self.only_drive(call)?;
-                number(Query::TimeRatio(pair), Dimension::NUMBER)
-            }
-            _ => {
-                let drive = self.only_drive(call)?;
-                number(Query::Dead(pair, self.one_or_two(call, args[1])?), drive)
-            }
-        })
+        Some(number(query(pair), per_time(coordinate, rates)))
+    }
+
+    /// `time_ratio(G)`
+    pub(super) fn time_ratio(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let pair = self.pair_argument(call, args[0])?;
+        self.coordinate(call, pair)?;
+        self.only_drive(call)?;
+        Some(number(Query::TimeRatio(pair), Dimension::NUMBER))
+    }
+
+    /// `dead(G, 1)`
+    pub(super) fn dead(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 2, 2)?;
+        let pair = self.pair_argument(call, args[0])?;
+        self.coordinate(call, pair)?;
+        let drive = self.only_drive(call)?;
+        Some(number(Query::Dead(pair, self.one_or_two(call, args[1])?), drive))
     }
 
     /// `1` or `2`, as written.
@@ -158,16 +151,21 @@ impl Context<'_> {
         }
     }
 
-    fn coriolis(&mut self, call: Call<'_>, pair: PairId) -> Option<Typed> {
-        match self.builder.mech.pair(pair).kind {
-            PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => {
-                Some(vector(Query::Coriolis(pair), Dimension::ACCELERATION))
-            }
-            PairKind::Revolute(_) | PairKind::Contact { .. } | PairKind::Transmission(_) => {
-                self.not_of_this_pair(call, pair, Some("it is defined where a point slides along a line"));
-                None
-            }
+    /// What some kinds of pairs have: those of which `has` holds.
+    pub(crate) fn of_pair(
+        &mut self,
+        call: Call<'_>,
+        (has, help): (fn(&PairKind) -> bool, Option<&str>),
+        query: fn(PairId) -> Query,
+        ty: Type,
+    ) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let pair = self.pair_argument(call, args[0])?;
+        if has(&self.builder.mech.pair(pair).kind) {
+            return Some(Typed::new(ModelExpr::Query(query(pair)), ty));
         }
+        self.not_of_this_pair(call, pair, help);
+        None
     }
 
     /// The dimension of a pair's coordinate.
@@ -237,20 +235,6 @@ impl Context<'_> {
         };
         let group = self.group(&Spanned::new(name.clone(), args[0].span))?;
         Some(number(Query::TransmissionAngle(group), Dimension::ANGLE))
-    }
-
-    pub(crate) fn pressure_angle(&mut self, call: Call<'_>) -> Option<Typed> {
-        let args = self.arguments(call, 1, 1)?;
-        let pair = self.pair_argument(call, args[0])?;
-        match self.builder.mech.pair(pair).kind {
-            PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Contact { .. } => {
-                Some(number(Query::PressureAngle(pair), Dimension::ANGLE))
-            }
-            PairKind::Revolute(_) | PairKind::Cylinder { .. } | PairKind::Transmission(_) => {
-                self.not_of_this_pair(call, pair, None);
-                None
-            }
-        }
     }
 }
 

@@ -4,9 +4,10 @@ use crate::error::RequestError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::names::declared::ThingKind;
-use crate::names::functions::{FUNCTIONS, usage};
+use crate::names::functions::{of_things, usage};
 use crate::statements::written::written;
 use assur_syntax::document::{Arg, Expr, ExprKind, Number};
+use assur_text::language::Function;
 use assur_text::source::{Span, Spanned};
 
 /// Most calls that a help proposes.
@@ -19,7 +20,7 @@ impl Context<'_> {
     /// none is found, how it is written anywhere.
     pub(crate) fn own_usage(&mut self, call: Call<'_>) -> String {
         let known = usage(&call.name.node);
-        let asks = FUNCTIONS.iter().any(|f| f.name == call.name.node && f.result && !f.values);
+        let asks = of_things(&call.name.node).is_some();
         let trying = ("trial", String::new());
         // a call that is tried has no trials of its own
         if !asks || self.problems.reported.contains(&trying) {
@@ -89,13 +90,14 @@ impl Context<'_> {
 
     /// What may be meant by a function's name that stands alone.
     pub(crate) fn function_alone(&mut self, name: &str, span: Span) -> Option<String> {
-        let function = FUNCTIONS.iter().find(|f| f.name == name && f.result && !f.values)?;
-        let name = Spanned::new(function.name.to_owned(), span);
+        let function = of_things(name)?;
+        let name = Spanned::new(function.name().to_owned(), span);
         let call = Call { name: &name, args: &[], span, sign: crate::expr::sign::Sign::Matters };
         let calls = self.own_usage(call);
-        Some(match function.name {
-            "reaction" => format!("write `reactions` for all of them, or `{calls}`"),
-            _ => format!("write `{calls}`"),
+        Some(if function == Function::Reaction {
+            format!("write `reactions` for all of them, or `{calls}`")
+        } else {
+            format!("write `{calls}`")
         })
     }
 }

@@ -1,5 +1,6 @@
 //! Masses that stand for a link's mass, and parts of results in general.
 
+use super::gear::GearRate;
 use crate::error::RequestError;
 use crate::expr::context::Context;
 use crate::expr::results::Call;
@@ -7,6 +8,7 @@ use crate::expr::sign::Sign;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr as ModelExpr, Query, SubstitutionPart};
 use assur_syntax::document::{Expr, ExprKind, Name};
+use assur_text::language::Function;
 use assur_text::source::Spanned;
 use assur_text::units::Dimension;
 
@@ -32,12 +34,14 @@ impl Context<'_> {
         match &base.kind {
             ExprKind::Call { function, args } => {
                 let call = Call { name: function, args, span: base.span, sign: Sign::Matters };
-                match function.node.as_str() {
-                    "static_substitution" | "dynamic_substitution" => Some(self.substitution(call, part)),
-                    "profile" => Some(self.profile_part(call, part)),
-                    "table" => Some(self.gear_part(call, part)),
-                    "tooth_force" | "sliding_velocity" => Some(self.gear_rate(call, part)),
-                    "rim" => Some(self.rim(call, part)),
+                match Function::named(&function.node)? {
+                    Function::StaticSubstitution => Some(self.substitution(call, 2, part)),
+                    Function::DynamicSubstitution => Some(self.substitution(call, 1, part)),
+                    Function::Profile => Some(self.profile_part(call, part)),
+                    Function::Table => Some(self.gear_part(call, part)),
+                    Function::ToothForce => Some(self.gear_rate(call, GearRate::ToothForce, part)),
+                    Function::SlidingVelocity => Some(self.gear_rate(call, GearRate::SlidingVelocity, part)),
+                    Function::Rim => Some(self.rim(call, part)),
                     _ => None,
                 }
             }
@@ -70,10 +74,9 @@ impl Context<'_> {
         None
     }
 
-    fn substitution(&mut self, call: Call<'_>, part: &Name) -> Option<Typed> {
-        let is_static = call.name.node == "static_substitution";
-        let count = if is_static { 3 } else { 2 };
-        let args = self.arguments(call, count, count)?;
+    /// The masses at so many points that are named.
+    fn substitution(&mut self, call: Call<'_>, count: usize, part: &Name) -> Option<Typed> {
+        let args = self.arguments(call, count + 1, count + 1)?;
         let link = self.link_argument(call, args[0])?;
         let mut points = Vec::new();
         for arg in &args[1..] {
@@ -94,7 +97,7 @@ impl Context<'_> {
         };
         let query = match points[..] {
             [Some(a), Some(b)] => Query::StaticSubstitution(link, a, b, *which),
-            [Some(a)] if !is_static => Query::DynamicSubstitution(link, a, *which),
+            [Some(a)] => Query::DynamicSubstitution(link, a, *which),
             _ => return None,
         };
         Some(Typed::new(ModelExpr::Query(query), *ty))

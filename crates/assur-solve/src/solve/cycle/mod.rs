@@ -18,7 +18,6 @@ use super::error::SolveError;
 use super::positions::Sweep;
 use crate::answer::{CycleAnswer, Statics};
 use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
-use crate::plan::needs_forces;
 use crate::position::Scene;
 use panels::Piecewise;
 use sampler::Sampler;
@@ -101,7 +100,7 @@ fn hangs_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
             Expr::Query(Query::Cycle(index)) => {
                 mechanism.cycles.get(*index).is_some_and(|c| hangs_on_forces(mechanism, &c.expr))
             }
-            Expr::Query(query) => needs_forces(query),
+            Expr::Query(query) => query.facts().forces,
             _ => false,
         };
     });
@@ -206,9 +205,7 @@ fn counts_turns(mechanism: &Mechanism, expr: &Expr) -> bool {
             Expr::Quantity(id) => {
                 mechanism.quantities.get(id.index()).is_some_and(|q| counts_turns(mechanism, &q.expr))
             }
-            Expr::Query(query) => {
-                matches!(query, Query::Angle(_) | Query::Displacement(_) | Query::Travel(_))
-            }
+            Expr::Query(query) => query.facts().continuous.is_some(),
             _ => false,
         };
     });

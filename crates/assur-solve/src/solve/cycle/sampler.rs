@@ -11,7 +11,7 @@ use super::hangs_on_forces;
 use super::undefined::Undefined;
 use super::way::Way;
 use crate::answer::{Statics, View, balanced, every_query};
-use crate::model::{Expr, LoadId, LoadKind, Mechanism, PairKind, Query, Value};
+use crate::model::{About, Expr, LoadId, Mechanism, PairKind, Query, Value};
 use crate::plan::{Level, Settings};
 use crate::position::{BodyState, Branch, Scene, State};
 use std::collections::HashMap;
@@ -311,26 +311,16 @@ fn names_quantity(expr: &Expr) -> bool {
 
 /// Whether a load hangs on quantities of the file.
 pub(in super::super) fn loads_name_quantities(mechanism: &Mechanism) -> bool {
-    mechanism.loads.iter().any(|load| {
-        let value = match &load.kind {
-            LoadKind::Force { value, .. }
-            | LoadKind::ForceAgainstMotion { value, .. }
-            | LoadKind::Torque { value, .. }
-            | LoadKind::InPair { value, .. } => value,
-        };
-        names_quantity(value) || load.when.as_ref().is_some_and(names_quantity)
-    })
+    mechanism.loads.iter().any(|load| load.expressions().any(names_quantity))
 }
 
 /// Whether the file asks anywhere for angles, which are carried on from place to place.
 fn asks_for_angles(mechanism: &Mechanism) -> bool {
-    let turns = |pair: &crate::model::PairId| matches!(mechanism.pair(*pair).kind, PairKind::Revolute(_));
     let mut asked = false;
     every_query(mechanism, &mut |query, _| {
-        asked |= match query {
-            Query::Angle(_) => true,
-            Query::Displacement(pair) | Query::Travel(pair) => turns(pair),
-            _ => false,
+        asked |= match query.facts().continuous {
+            Some(About::Pair(pair)) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
+            about => about.is_some(),
         };
     });
     asked

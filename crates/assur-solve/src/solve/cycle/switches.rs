@@ -10,7 +10,6 @@ use crate::model::{
     Axis, BinaryOp, Expr, Function, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, PointRef,
     QuantityId, Query, Value,
 };
-use crate::plan::needs_forces;
 use crate::position::Scene;
 
 /// Roots nearer than this to the sweep's ends, or to one another, are one with them.
@@ -116,7 +115,7 @@ impl<'a> Switches<'a> {
             Query::InertiaArm(link) => self.add(number(Query::InertiaTorque(*link))),
             _ => {}
         }
-        if needs_forces(query) && !self.forces {
+        if query.facts().forces && !self.forces {
             self.forces = true;
             (0..self.mechanism.loads.len()).for_each(|i| self.load(i));
             if self.friction {

@@ -6,11 +6,11 @@ use std::f64::consts::PI;
 /// A unit of one word without power.
 #[derive(Debug)]
 pub struct Symbol {
-    /// Its spelling.
+    /// How it is written.
     pub text: &'static str,
     /// How many SI units it is.
     pub factor: f64,
-    /// Its dimension.
+    /// What it measures.
     pub dimension: Dimension,
     /// What people write for it.
     pub also: &'static [&'static str],
@@ -28,8 +28,8 @@ const LB: f64 = 0.453_592_37;
 const FT: f64 = 0.3048;
 const INCH: f64 = 0.0254;
 
-/// All of them.
-pub const SYMBOLS: &[Symbol] = &[
+/// All units of one word without power.
+pub const UNITS: &[Symbol] = &[
     row("m", 1.0, Dimension::LENGTH, &["meter", "metre", "meters", "metres", "м"]),
     row("mm", 1e-3, Dimension::LENGTH, &["millimeter", "millimetre", "millimeters", "millimetres", "мм"]),
     row("um", 1e-6, Dimension::LENGTH, &["micron", "microns", "micrometer", "micrometre", "мкм"]),
@@ -77,6 +77,7 @@ pub const SYMBOLS: &[Symbol] = &[
 ];
 
 /// The unit of that spelling.
-pub(super) fn symbol(text: &str) -> Option<&'static Symbol> {
-    SYMBOLS.iter().find(|s| s.text == text)
+#[must_use]
+pub fn symbol(text: &str) -> Option<&'static Symbol> {
+    UNITS.iter().find(|s| s.text == text)
 }

@@ -1,0 +1,191 @@
+//! What the table of functions says of each.
+
+use super::{Dimension, FUNCTIONS, Function};
+use std::fmt;
+
+/// A function of the language.
+#[derive(Clone, Copy, Debug)]
+pub struct FunctionRow {
+    /// Which.
+    pub function: Function,
+    /// Its name.
+    pub name: &'static str,
+    /// What it belongs to.
+    pub group: FunctionGroup,
+    /// A call that can be read, with names that are usual.
+    pub usage: &'static str,
+    /// The ways to call it, at least one.
+    pub forms: &'static [Form],
+}
+
+/// One way to call a function.
+#[derive(Clone, Copy, Debug)]
+pub struct Form {
+    /// Its arguments.
+    pub takes: &'static [Argument],
+    /// What comes out.
+    pub gives: Gives,
+    /// What it is, in one sentence without its full stop.
+    pub means: &'static str,
+}
+
+/// An argument.
+#[derive(Clone, Copy, Debug)]
+pub struct Argument {
+    /// What the reference calls it; the name before `=` where it is written with one.
+    pub name: &'static str,
+    /// What it is.
+    pub takes: Takes,
+    /// It may be left out.
+    pub optional: bool,
+    /// It is written with its name: `load = 5 kN`.
+    pub named: bool,
+}
+
+/// What an argument is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Takes {
+    /// A value, of this dimension where only one will do.
+    Value(Option<Dimension>),
+    /// A constant angle.
+    Angle,
+    /// `1` or `2`.
+    OneOrTwo,
+    /// A word: how the pressure in a bearing is spread.
+    Fit,
+    /// A point: `L.P`, or the name of a point shared only by links joined there.
+    Point,
+    /// A point of the link named before it.
+    OwnPoint,
+    /// A link, a shaft, or a wheel on it.
+    Link,
+    /// A pair or a transmission.
+    Pair,
+    /// A slider.
+    Slider,
+    /// A wheel.
+    Wheel,
+    /// A mesh.
+    Mesh,
+    /// A rope.
+    Rope,
+    /// An end of a rope.
+    RopeEnd,
+    /// A named group.
+    Group,
+    /// What a drive moves.
+    Drive,
+    /// A load, an unknown effort, or what a drive moves.
+    Effort,
+    /// A `given`.
+    Given,
+    /// A designed cam.
+    Cam,
+    /// A flywheel.
+    Flywheel,
+}
+
+/// What comes out of a function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Gives {
+    /// A number of this dimension.
+    Number(Dimension),
+    /// A vector of this dimension.
+    Vector(Dimension),
+    /// A condition, true or false.
+    Condition,
+    /// What depends on the arguments.
+    Varies(&'static str),
+    /// Several values, one of which is asked for by its name: `rim(F).width`.
+    Parts(&'static str),
+}
+
+/// What a function belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FunctionGroup {
+    /// Mathematics.
+    Math,
+    /// Formulas for bearings.
+    Bearing,
+    /// Motion.
+    Motion,
+    /// Forces.
+    Force,
+    /// Inertia.
+    Inertia,
+    /// Friction and losses.
+    Friction,
+    /// The whole cycle.
+    Cycle,
+    /// Designed cams.
+    Cam,
+    /// Pairs of gears.
+    Gear,
+    /// Wheels, ropes, trains.
+    Train,
+    /// Flywheels.
+    Flywheel,
+}
+
+impl FunctionRow {
+    /// Whether it asks for something that is known only once the mechanism is solved.
+    #[must_use]
+    pub const fn is_result(&self) -> bool {
+        !matches!(self.group, FunctionGroup::Math | FunctionGroup::Bearing)
+    }
+
+    /// Whether its arguments are values, not names of things.
+    #[must_use]
+    pub fn takes_values(&self) -> bool {
+        self.forms.iter().flat_map(|f| f.takes).any(|a| matches!(a.takes, Takes::Value(_)))
+    }
+}
+
+impl Function {
+    /// What the table says of it.
+    #[must_use]
+    pub const fn row(self) -> &'static FunctionRow {
+        &FUNCTIONS[self as usize]
+    }
+
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// The function of that name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        FUNCTIONS.iter().find(|row| row.name == name).map(|row| row.function)
+    }
+}
+
+impl fmt::Display for Gives {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(dimension) => f.write_str(&word(*dimension)),
+            Self::Vector(dimension) => write!(f, "{}, a vector", word(*dimension)),
+            Self::Condition => f.write_str("true or false"),
+            Self::Varies(text) | Self::Parts(text) => f.write_str(text),
+        }
+    }
+}
+
+/// A dimension without its article.
+fn word(dimension: Dimension) -> String {
+    match dimension {
+        Dimension::NUMBER => "number".to_owned(),
+        Dimension::TORQUE => "torque".to_owned(),
+        other => {
+            let name = other.to_string();
+            name.split_once(' ').map_or_else(|| name.clone(), |(_, rest)| rest.to_owned())
+        }
+    }
+}
+
+impl fmt::Display for Argument {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.named { write!(f, "{} = …", self.name) } else { f.write_str(self.name) }
+    }
+}

@@ -1,0 +1,280 @@
+//! The functions, as data.
+
+use super::{Argument, Dimension, Form, FunctionGroup, FunctionRow, Gives, Takes};
+use Gives::{Condition, Number, Parts, Varies, Vector};
+
+/// The functions and their table. Adding a row here, the compiler asks for the rest.
+macro_rules! functions {
+    ($($function:ident $name:literal $group:ident $usage:literal [$($form:expr),* $(,)?],)*) => {
+        /// The functions of the language.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Function {
+            $(#[doc = $usage] $function,)*
+        }
+
+        /// What there is to know of every function.
+        pub const FUNCTIONS: &[FunctionRow] = &[$(FunctionRow {
+            function: Function::$function,
+            name: $name,
+            group: FunctionGroup::$group,
+            usage: $usage,
+            forms: &[$($form),*],
+        },)*];
+    };
+}
+
+const fn form(takes: &'static [Argument], gives: Gives, means: &'static str) -> Form {
+    Form { takes, gives, means }
+}
+
+const fn arg(name: &'static str, takes: Takes) -> Argument {
+    Argument { name, takes, optional: false, named: false }
+}
+
+const fn optional(argument: Argument) -> Argument {
+    Argument { optional: true, ..argument }
+}
+
+const fn named(name: &'static str, takes: Takes) -> Argument {
+    Argument { name, takes, optional: false, named: true }
+}
+
+const fn value(name: &'static str) -> Argument {
+    arg(name, Takes::Value(None))
+}
+
+const fn value_of(name: &'static str, dimension: Dimension) -> Argument {
+    arg(name, Takes::Value(Some(dimension)))
+}
+
+const X: Argument = value("x");
+const NUMBER: Argument = value_of("x", Dimension::NUMBER);
+const ANGLE: Argument = value_of("a", Dimension::ANGLE);
+const P: Argument = arg("P", Takes::Point);
+const L: Argument = arg("L", Takes::Link);
+const KP: Argument = arg("K.P", Takes::Point);
+const J: Argument = arg("J", Takes::Pair);
+const ON: Argument = optional(L);
+const SLIDER: Argument = arg("A", Takes::Slider);
+const CAM: Argument = arg("cam", Takes::Cam);
+const PHI: Argument = optional(arg("phi", Takes::Angle));
+const MESH: Argument = arg("mesh", Takes::Mesh);
+const F: Argument = arg("F", Takes::Flywheel);
+const LOAD: Argument = named("load", Takes::Value(Some(Dimension::FORCE)));
+const COEFFICIENT: Argument = named("friction", Takes::Value(Some(Dimension::NUMBER)));
+const FIT: Argument = optional(named("fit", Takes::Fit));
+const RADIUS: Argument = named("radius", Takes::Value(Some(Dimension::LENGTH)));
+const OUTER: Argument = named("outer", Takes::Value(Some(Dimension::LENGTH)));
+const INNER: Argument = optional(named("inner", Takes::Value(Some(Dimension::LENGTH))));
+
+const COORDINATE: Gives = Varies("length or angle");
+const OF_X: Gives = Varies("that of x");
+const OF_DRIVE: Gives = Varies("that of the drive");
+
+functions! {
+    Sqrt "sqrt" Math "sqrt(x)" [form(&[X], Varies("half the powers of x"), "square root")],
+    Abs "abs" Math "abs(x)" [form(&[X], OF_X, "absolute value")],
+    Sin "sin" Math "sin(phi)" [form(&[ANGLE], Number(Dimension::NUMBER), "sine")],
+    Cos "cos" Math "cos(phi)" [form(&[ANGLE], Number(Dimension::NUMBER), "cosine")],
+    Tan "tan" Math "tan(phi)" [form(&[ANGLE], Number(Dimension::NUMBER), "tangent")],
+    Asin "asin" Math "asin(x)" [form(&[NUMBER], Number(Dimension::ANGLE), "angle of a sine")],
+    Acos "acos" Math "acos(x)" [form(&[NUMBER], Number(Dimension::ANGLE), "angle of a cosine")],
+    Atan "atan" Math "atan(x)" [form(&[NUMBER], Number(Dimension::ANGLE), "angle of a tangent")],
+    Atan2 "atan2" Math "atan2(y, x)"
+        [form(&[value("y"), X], Number(Dimension::ANGLE), "direction of (x, y)")],
+    Mag "mag" Math "mag(velocity(C))" [form(&[value("v")], Varies("that of v"), "magnitude of a vector")],
+    Dot "dot" Math "dot(a, b)"
+        [form(&[value("a"), value("b")], Varies("product"), "scalar product of vectors")],
+    Cross "cross" Math "cross(a, b)"
+        [form(&[value("a"), value("b")], Varies("product"), "vector product, a number")],
+    Unit "unit" Math "unit(v)" [form(&[value("v")], Vector(Dimension::NUMBER), "unit vector")],
+    Dir "dir" Math "dir(velocity(C))" [
+        form(&[value("v")], Number(Dimension::ANGLE), "direction of a vector"),
+        form(&[L], Vector(Dimension::NUMBER), "unit vector along the x axis of a link"),
+    ],
+    Max "max" Math "max(a, b)" [
+        form(&[value("a"), value("b")], Varies("that of the values"), "greatest of two or more values"),
+        form(&[X], OF_X, "greatest value over the sweep, see Cycles"),
+    ],
+    Min "min" Math "min(a, b)" [
+        form(&[value("a"), value("b")], Varies("that of the values"), "least of two or more values"),
+        form(&[X], OF_X, "least value over the sweep, see Cycles"),
+    ],
+    Position "position" Motion "position(rod.C)" [
+        form(&[P], Vector(Dimension::LENGTH), "position of a point; of a slider a signed number"),
+        form(&[L, KP], Vector(Dimension::LENGTH), "of the point of L that lies under K.P now"),
+    ],
+    Velocity "velocity" Motion "velocity(rod.C)" [
+        form(&[P], Vector(Dimension::VELOCITY), "velocity of a point; of a slider a signed number"),
+        form(&[L, KP], Vector(Dimension::VELOCITY), "of the point of L that lies under K.P now"),
+    ],
+    Acceleration "acceleration" Motion "acceleration(rod.C)" [
+        form(&[P], Vector(Dimension::ACCELERATION), "acceleration of a point; of a slider a signed number"),
+        form(&[L, KP], Vector(Dimension::ACCELERATION), "of the point of L that lies under K.P now"),
+    ],
+    Angle "angle" Motion "angle(rod)" [form(&[L], Number(Dimension::ANGLE), "direction of the x axis")],
+    Omega "omega" Motion "omega(rod)"
+        [form(&[L], Number(Dimension::ANGULAR_VELOCITY), "angular velocity")],
+    Alpha "alpha" Motion "alpha(rod)"
+        [form(&[L], Number(Dimension::ANGULAR_ACCELERATION), "angular acceleration")],
+    Displacement "displacement" Motion "displacement(D)" [form(&[J], COORDINATE, "coordinate of the pair")],
+    RelativeVelocity "relative_velocity" Motion "relative_velocity(D)"
+        [form(&[J], Varies("that of the coordinate per time"), "rate of the coordinate")],
+    RelativeAcceleration "relative_acceleration" Motion "relative_acceleration(D)"
+        [form(&[J], Varies("that of the coordinate per time²"), "second rate of the coordinate")],
+    Coriolis "coriolis" Motion "coriolis(D)"
+        [form(&[J], Vector(Dimension::ACCELERATION), "Coriolis acceleration in the pair")],
+    Travel "travel" Motion "travel(D)" [form(&[J], COORDINATE, "coordinate above its least value")],
+    Stroke "stroke" Cycle "stroke(D)" [form(&[J], COORDINATE, "greatest less least coordinate")],
+    TimeRatio "time_ratio" Cycle "time_ratio(D)"
+        [form(&[J], Number(Dimension::NUMBER), "ratio of the longer to the shorter drive travel")],
+    Dead "dead" Cycle "dead(D, 1)" [form(
+        &[J, arg("1", Takes::OneOrTwo)],
+        OF_DRIVE,
+        "drive value at the least coordinate, with 2 at the greatest",
+    )],
+    TransmissionAngle "transmission_angle" Motion "transmission_angle(bc)"
+        [form(&[arg("group", Takes::Group)], Number(Dimension::ANGLE), "of a named group")],
+    PressureAngle "pressure_angle" Motion "pressure_angle(K)" [
+        form(
+            &[J],
+            Number(Dimension::ANGLE),
+            "between the normal and the path of the follower's point (centre of its circle), also at rest",
+        ),
+        form(&[CAM, PHI], Number(Dimension::ANGLE), "of a designed cam, see Cams"),
+    ],
+    Reaction "reaction" Force "reaction(B, rod)"
+        [form(&[J, ON], Vector(Dimension::FORCE), "force on L")],
+    Moment "moment" Force "moment(D, piston)"
+        [form(&[J, ON], Number(Dimension::TORQUE), "couple on L about the pair's reference point")],
+    Normal "normal" Force "normal(D, piston)" [form(
+        &[J, ON],
+        Number(Dimension::FORCE),
+        "part on L along the left normal; for a contact along the common normal into L",
+    )],
+    Friction "friction" Force "friction(D, piston)" [form(
+        &[J, ON],
+        Number(Dimension::FORCE),
+        "friction force on L along the line; for a contact across the common normal",
+    )],
+    ContactForce "contact_force" Force "contact_force(D, 1)" [form(
+        &[J, arg("1", Takes::OneOrTwo)],
+        Number(Dimension::FORCE),
+        "at the first of the ends given by `contacts`, with 2 at the second",
+    )],
+    LineOffset "line_offset" Force "line_offset(D)" [form(
+        &[J],
+        Number(Dimension::LENGTH),
+        "where the resultant crosses the guide, in the pair's coordinate",
+    )],
+    InertiaForce "inertia_force" Inertia "inertia_force(rod)"
+        [form(&[L], Vector(Dimension::FORCE), "−m a of the mass centre")],
+    InertiaTorque "inertia_torque" Inertia "inertia_torque(rod)"
+        [form(&[L], Number(Dimension::TORQUE), "−J α")],
+    InertiaArm "inertia_arm" Inertia "inertia_arm(rod)"
+        [form(&[L], Number(Dimension::LENGTH), "magnitude of the torque over that of the force")],
+    StaticSubstitution "static_substitution" Inertia "static_substitution(rod, B, C).m1" [form(
+        &[L, arg("B", Takes::OwnPoint), arg("C", Takes::OwnPoint)],
+        Parts("see below"),
+        "masses at B and C that stand for the link's; with a part",
+    )],
+    DynamicSubstitution "dynamic_substitution" Inertia "dynamic_substitution(rod, B).m1" [form(
+        &[L, arg("B", Takes::OwnPoint)],
+        Parts("see below"),
+        "masses at B and a second point that stand for the link's; with a part",
+    )],
+    Effort "effort" Force "effort(crank)" [form(
+        &[arg("D", Takes::Drive)],
+        Varies("force or torque"),
+        "effort of a drive where there is no balance",
+    )],
+    Power "power" Force "power(Mb)"
+        [form(&[arg("M", Takes::Effort)], Number(Dimension::POWER), "power of a load, balance or drive")],
+    Speed "speed" Train "speed(A)"
+        [form(&[SLIDER], Number(Dimension::VELOCITY), "magnitude of a slider's velocity")],
+    Efficiency "efficiency" Friction "efficiency()"
+        [form(&[], Number(Dimension::NUMBER), "ideal over actual effort, see Friction")],
+    Locked "locked" Friction "locked()" [form(&[], Condition, "self-locking, see Friction")],
+    Critical "critical" Friction "critical(al)" [form(
+        &[arg("al", Takes::Given)],
+        Varies("that of the given"),
+        "value of a `given` at which locking begins, see Friction",
+    )],
+    Profile "profile" Cam "profile(plate, 30 deg).point"
+        [form(&[CAM, PHI], Parts("see Cams"), "profile and motion at a cam angle; with a part")],
+    CurvatureRadius "curvature_radius" Cam "curvature_radius(plate, 30 deg)"
+        [form(&[CAM, PHI], Number(Dimension::LENGTH), "radius of curvature, see Cams")],
+    Start "start" Cam "start(plate)" [form(
+        &[CAM],
+        COORDINATE,
+        "where the follower is at lift zero: angle of its arm (face) against the line from pivot to centre, or distance of its tip (face) along its path",
+    )],
+    SmallestBaseRadius "smallest_base_radius" Cam "smallest_base_radius(plate, 30 deg)" [form(
+        &[CAM, arg("30 deg", Takes::Angle)],
+        Number(Dimension::LENGTH),
+        "least base radius at which no pressure angle exceeds this one",
+    )],
+    Table "table" Gear "table(z12).da1"
+        [form(&[MESH], Parts("see Gear pairs"), "geometry of a pair of gears; with a part")],
+    ToothForce "tooth_force" Gear "tooth_force(z12, 100 N*m).Ft" [form(
+        &[MESH, value_of("M", Dimension::TORQUE)],
+        Parts("force"),
+        "forces between the teeth for a torque on wheel 1; with a part",
+    )],
+    SlidingVelocity "sliding_velocity" Gear "sliding_velocity(z12, 20 rad/s).v1" [form(
+        &[MESH, value_of("omega", Dimension::ANGULAR_VELOCITY)],
+        Parts("velocity"),
+        "sliding at the tips for a speed of wheel 1; with a part",
+    )],
+    ContactRatio "contact_ratio" Gear "contact_ratio(z12)"
+        [form(&[MESH], Number(Dimension::NUMBER), "contact ratio of a pair of gears")],
+    Fluctuation "fluctuation" Flywheel "fluctuation(J)"
+        [form(&[F], Number(Dimension::TORQUE), "of a flywheel: greatest less least work")],
+    Rim "rim" Flywheel "rim(J).width" [form(
+        &[F],
+        Parts("length, length, mass"),
+        "rim of a flywheel; with `.width`, `.height` or `.mass`",
+    )],
+    Work "work" Flywheel "work(J)" [form(
+        &[F],
+        Number(Dimension::TORQUE),
+        "work of the torque less its mean, from the first pose on",
+    )],
+    ReducedTorque "reduced_torque" Flywheel "reduced_torque(J)"
+        [form(&[F], Number(Dimension::TORQUE), "the torque, reduced to the flywheel's shaft")],
+    ReducedInertia "reduced_inertia" Flywheel "reduced_inertia(J)" [form(
+        &[F],
+        Number(Dimension::INERTIA),
+        "moment of inertia of all moving links, reduced to the flywheel's shaft",
+    )],
+    Radius "radius" Train "radius(w1)" [form(
+        &[arg("w", Takes::Wheel)],
+        Number(Dimension::LENGTH),
+        "of a wheel, of a gear wheel that of its pitch circle",
+    )],
+    TangentialForce "tangential_force" Train "tangential_force(k)"
+        [form(&[J], Number(Dimension::FORCE), "of a mesh, rack, belt, chain or worm")],
+    NormalForce "normal_force" Train "normal_force(k)"
+        [form(&[J], Number(Dimension::FORCE), "along the line of action of a mesh or rack")],
+    Tension "tension" Train "tension(a)" [form(
+        &[arg("a", Takes::Rope), optional(arg("A", Takes::RopeEnd))],
+        Number(Dimension::FORCE),
+        "pull in a rope; with A in its part that ends there",
+    )],
+    Frictionless "frictionless" Friction "frictionless(Mb)" [form(&[X], OF_X, "x without friction")],
+    Mean "mean" Cycle "mean(Mb)" [form(&[X], OF_X, "mean over the sweep, see Cycles")],
+    Integral "integral" Cycle "integral(Mb)" [form(
+        &[X],
+        Varies("that of x times that of the drive"),
+        "over the drive's value along the sweep",
+    )],
+    Argmax "argmax" Cycle "argmax(Mb)"
+        [form(&[X], OF_DRIVE, "value of the drive where x is greatest")],
+    JournalTorque "journal_torque" Bearing "journal_torque(load = 5 kN, radius = 40 mm, friction = 0.1)"
+        [form(&[LOAD, RADIUS, COEFFICIENT, FIT], Number(Dimension::TORQUE), "friction torque of a journal, k f F r")],
+    ThrustTorque "thrust_torque" Bearing "thrust_torque(load = 5 kN, outer = 40 mm, inner = 0, friction = 0.1)" [form(
+        &[LOAD, OUTER, INNER, COEFFICIENT, FIT],
+        Number(Dimension::TORQUE),
+        "friction torque of a thrust bearing",
+    )],
+}

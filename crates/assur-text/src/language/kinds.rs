@@ -1,0 +1,71 @@
+//! Words that stand for one kind each: pairs, and laws of cams.
+
+use super::Word;
+
+/// An enum of kinds with the table of their words.
+macro_rules! kinds {
+    ($(#[$of_kind:meta])* $kind:ident, $(#[$of_table:meta])* $table:ident:
+     $($variant:ident $word:literal $means:literal $example:literal,)*) => {
+        $(#[$of_kind])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum $kind {
+            $(#[doc = $means] $variant,)*
+        }
+
+        $(#[$of_table])*
+        pub const $table: &[Word] = &[$(Word { word: $word, means: $means, example: $example },)*];
+
+        impl $kind {
+            /// Every kind.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// Its word.
+            #[must_use]
+            pub const fn word(self) -> &'static str {
+                $table[self as usize].word
+            }
+
+            /// The kind of that word.
+            #[must_use]
+            pub fn named(word: &str) -> Option<Self> {
+                Self::ALL.iter().copied().find(|kind| kind.word() == word)
+            }
+        }
+    };
+}
+
+kinds! {
+    /// The kinds of pairs and transmissions.
+    JointKind,
+    /// The words of pairs and transmissions.
+    PAIRS:
+    Revolute "revolute" "a pin: two links turn on each other" "revolute B: crank - rod",
+    Prismatic "prismatic" "a slide: two links move along each other" "prismatic D: piston.C - ground.guide",
+    Slot "slot" "a pin in a slot" "slot K: crank.B - bar.slot",
+    Contact "contact" "two profiles that touch" "contact N: cam.c - lever.roller",
+    Cylinder "cylinder" "barrel and rod of a hydraulic cylinder" "cylinder c1: ground.G1 - boom.K1",
+    Mesh "mesh" "two gear wheels" "mesh k: w2 - w3",
+    Rope "rope" "a rope over wheels and sliders" "rope a: A - over(C) - w1",
+    Belt "belt" "a belt between two wheels" "belt b: w4 - w5",
+    Chain "chain" "a chain between two wheels" "chain c: w4 - w5",
+    Rack "rack" "a gear wheel on a toothed line" "rack r: w3 - bar.line1",
+    Worm "worm" "a worm and its wheel" "worm s: screw - w5 { starts 2 }",
+    Screw "screw" "a spindle and its nut" "screw n: spindle - nut { lead 5 mm }",
+}
+
+kinds! {
+    /// The laws of a follower's motion.
+    CamLaw,
+    /// The words of the laws of cams.
+    LAWS:
+    Uniform "uniform" "constant speed" "rise 60 deg through 18 mm uniform",
+    Parabolic "parabolic" "constant acceleration, then constant deceleration" "rise 60 deg through 18 mm parabolic",
+    Harmonic "harmonic" "a half cosine" "rise 60 deg through 18 mm harmonic",
+    Cycloidal "cycloidal" "the acceleration is a whole sine" "rise 60 deg through 18 mm cycloidal",
+    Poly345 "poly345" "a polynomial of the powers 3 to 5" "rise 60 deg through 18 mm poly345",
+    Poly4567 "poly4567" "a polynomial of the powers 4 to 7" "rise 60 deg through 18 mm poly4567",
+    ModifiedTrapezoid "modified_trapezoid" "the acceleration is a trapezoid with rounded flanks"
+        "rise 60 deg through 18 mm modified_trapezoid",
+    ModifiedSine "modified_sine" "the acceleration is a sine with stretched middle"
+        "rise 60 deg through 18 mm modified_sine",
+}

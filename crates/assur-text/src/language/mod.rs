@@ -1,0 +1,21 @@
+//! The language as data: what the checker, suggestions, completions and the reference read.
+
+mod codes;
+mod dimension;
+mod function;
+mod functions;
+mod kinds;
+mod properties;
+mod property;
+mod units;
+mod words;
+
+pub use codes::{CODES, Code, explain};
+pub use dimension::{Dimension, Kind};
+pub use function::{Argument, Form, FunctionGroup, FunctionRow, Gives, Takes};
+pub use functions::{FUNCTIONS, Function};
+pub use kinds::{CamLaw, JointKind, LAWS, PAIRS};
+pub use properties::{CAM, FLYWHEEL, FOLLOWER, PROPERTIES, RIM, SPRING, properties_of_pair};
+pub use property::{Property, PropertyValue};
+pub use units::{Symbol, UNITS, symbol};
+pub use words::{CAM_MEMBERS, CONNECTING, CONTEXTUAL, MEMBERS, Place, STATEMENTS, WORDS, Word, words_of};

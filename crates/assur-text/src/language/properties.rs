@@ -1,0 +1,192 @@
+//! The properties, as data.
+
+use super::{Dimension, JointKind, Property, PropertyValue};
+use PropertyValue::{Any, Block, Flag, NotNegative, Positive, Two, Word};
+
+const fn row(
+    name: &'static str,
+    takes: PropertyValue,
+    example: &'static str,
+    means: &'static str,
+) -> Property {
+    Property { name, takes, example, means }
+}
+
+const FRICTION: Property =
+    row("friction", NotNegative(Dimension::NUMBER), "friction 0.1", "coefficient of friction");
+const FIT: Property = row(
+    "fit",
+    Word(&["line", "even", "worn"], Dimension::NUMBER),
+    "fit even",
+    "how the pressure is spread: the factor k, see Friction",
+);
+const EFFICIENCY: Property =
+    row("efficiency", Positive(Dimension::NUMBER), "efficiency 0.98", "part of the power that gets through");
+const PRESSURE_ANGLE: Property =
+    row("pressure_angle", Positive(Dimension::ANGLE), "pressure_angle 20 deg", "angle of the line of action");
+const INTERNAL: Property = row("internal", Flag, "internal", "one lies inside the other");
+
+const REVOLUTE: &[Property] = &[
+    row("radius", Positive(Dimension::LENGTH), "radius 20 mm", "radius of the pin"),
+    FRICTION,
+    FIT,
+    row(
+        "friction_circle",
+        NotNegative(Dimension::LENGTH),
+        "friction_circle 3 mm",
+        "radius of the friction circle",
+    ),
+    row(
+        "equivalent_friction",
+        NotNegative(Dimension::NUMBER),
+        "equivalent_friction 0.18",
+        "radius of the friction circle over that of the pin",
+    ),
+];
+
+const PRISMATIC: &[Property] = &[
+    row("angle", Any(Dimension::ANGLE), "angle 90 deg", "constant angle between slider and line"),
+    row("contacts", Two(Dimension::LENGTH), "contacts -20 mm, 25 mm", "the two ends of the slider"),
+    FRICTION,
+    row(
+        "groove",
+        Word(&["round"], Dimension::ANGLE),
+        "groove 35 deg",
+        "half-angle of a V-groove, or a round one",
+    ),
+    FIT,
+];
+
+const SLOT: &[Property] = &[FRICTION];
+const CONTACT: &[Property] = &[FRICTION, INTERNAL];
+
+const MESH: &[Property] = &[
+    INTERNAL,
+    EFFICIENCY,
+    PRESSURE_ANGLE,
+    row("addendum", Positive(Dimension::NUMBER), "addendum 1", "of the basic rack, in modules"),
+    row("clearance", NotNegative(Dimension::NUMBER), "clearance 0.25", "of the basic rack, in modules"),
+    row("shift", Two(Dimension::NUMBER), "shift 0.3, -0.3", "profile shift of each wheel, in modules"),
+];
+
+const BELT: &[Property] =
+    &[row("crossed", Flag, "crossed", "the belt turns the sense of rotation"), EFFICIENCY];
+const LOSSES: &[Property] = &[EFFICIENCY];
+const RACK: &[Property] = &[EFFICIENCY, PRESSURE_ANGLE];
+const WORM: &[Property] =
+    &[row("starts", Positive(Dimension::NUMBER), "starts 2", "number of starts"), EFFICIENCY];
+const SCREW: &[Property] =
+    &[row("lead", Any(Dimension::LENGTH), "lead 5 mm", "travel of the nut per turn"), EFFICIENCY];
+
+/// The properties of a spring.
+pub const SPRING: &[Property] = &[
+    row("stiffness", Positive(Dimension::STIFFNESS), "stiffness 4530 N/m", "force per elongation"),
+    row("free_length", NotNegative(Dimension::LENGTH), "free_length 80 mm", "length without force"),
+    row("damping", NotNegative(Dimension::DAMPING), "damping 20 N*s/m", "force per rate of elongation"),
+];
+
+/// The properties of a cam.
+pub const CAM: &[Property] = &[
+    row(
+        "base_radius",
+        Positive(Dimension::LENGTH),
+        "base_radius 50 mm",
+        "least radius of the pitch curve, or least distance of a flat face",
+    ),
+    row(
+        "speed",
+        Positive(Dimension::ANGULAR_VELOCITY),
+        "speed 80 rpm",
+        "speed of the cam, for rates by time of the design itself",
+    ),
+];
+
+/// The properties of a follower.
+pub const FOLLOWER: &[Property] = &[
+    row("arm", Positive(Dimension::LENGTH), "arm 130 mm", "distance of its tip or roller from the pivot"),
+    row(
+        "pivot_distance",
+        Positive(Dimension::LENGTH),
+        "pivot_distance 140 mm",
+        "distance of the pivot from the cam's centre",
+    ),
+    row("radius", Positive(Dimension::LENGTH), "radius 15 mm", "radius of the roller"),
+    row("offset", Any(Dimension::LENGTH), "offset 10 mm", "distance of its path or face, see Cams"),
+    row("with_cam", Flag, "with_cam", "the rise turns it in the sense of the cam"),
+    row("against_cam", Flag, "against_cam", "the rise turns it against the cam"),
+];
+
+/// The properties of the rim of a flywheel.
+pub const RIM: &[Property] = &[
+    row("diameter", Positive(Dimension::LENGTH), "diameter 0.5 m", "at which its mass counts"),
+    row(
+        "weight_density",
+        Positive(Dimension::WEIGHT_DENSITY),
+        "weight_density 7.0e4 N/m^3",
+        "weight per volume; needs `gravity`",
+    ),
+    row("density", Positive(Dimension::DENSITY), "density 7200 kg/m^3", "mass per volume"),
+    row(
+        "height_to_width",
+        Positive(Dimension::NUMBER),
+        "height_to_width 1.5",
+        "proportion of its cross section",
+    ),
+];
+
+/// The properties of a flywheel.
+pub const FLYWHEEL: &[Property] = &[
+    row(
+        "fluctuation",
+        Positive(Dimension::NUMBER),
+        "fluctuation 1/30",
+        "the greatest less the least speed, over the mean speed",
+    ),
+    row("rim", Block(RIM), "rim { diameter 0.5 m }", "the rim, to be sized"),
+    row(
+        "speed",
+        Positive(Dimension::ANGULAR_VELOCITY),
+        "speed 80 rpm",
+        "mean speed of its shaft, where no drive gives it",
+    ),
+    row("ratio", Positive(Dimension::NUMBER), "ratio 3", "speed of its shaft over that of the link named"),
+    row("with_links", Flag, "with_links", "the moving links count too"),
+];
+
+/// The properties that a pair or a transmission may have.
+#[must_use]
+pub const fn properties_of_pair(kind: JointKind) -> &'static [Property] {
+    match kind {
+        JointKind::Revolute => REVOLUTE,
+        JointKind::Prismatic => PRISMATIC,
+        JointKind::Slot => SLOT,
+        JointKind::Contact => CONTACT,
+        JointKind::Cylinder => &[],
+        JointKind::Mesh => MESH,
+        JointKind::Belt => BELT,
+        JointKind::Rope | JointKind::Chain => LOSSES,
+        JointKind::Rack => RACK,
+        JointKind::Worm => WORM,
+        JointKind::Screw => SCREW,
+    }
+}
+
+/// All properties, by the word in whose braces they stand.
+pub const PROPERTIES: &[(&str, &[Property])] = &[
+    ("revolute", REVOLUTE),
+    ("prismatic", PRISMATIC),
+    ("slot", SLOT),
+    ("contact", CONTACT),
+    ("mesh", MESH),
+    ("rope", LOSSES),
+    ("belt", BELT),
+    ("chain", LOSSES),
+    ("rack", RACK),
+    ("worm", WORM),
+    ("screw", SCREW),
+    ("spring", SPRING),
+    ("cam", CAM),
+    ("follower", FOLLOWER),
+    ("flywheel", FLYWHEEL),
+    ("rim", RIM),
+];

@@ -1,0 +1,168 @@
+//! The words of the language, by where they may be written.
+
+use super::{LAWS, PAIRS};
+
+/// A word with what it is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// As it is written.
+    pub word: &'static str,
+    /// What it is for, in one sentence without its full stop.
+    pub means: &'static str,
+    /// A line that can be read; empty for a word that only connects others.
+    pub example: &'static str,
+}
+
+/// Where a word may be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// At the head of a statement.
+    Statement,
+    /// At the head of a statement, and behind `all`: a pair or a transmission.
+    Pair,
+    /// At the head of a member of a link.
+    Member,
+    /// At the head of a member of a cam.
+    CamMember,
+    /// Behind the angle of a phase of a cam.
+    Law,
+    /// Between other words; it cannot be a name.
+    Connecting,
+    /// Between other words; it may be a name elsewhere.
+    Contextual,
+}
+
+/// All words by their places.
+pub const WORDS: &[(Place, &[Word])] = &[
+    (Place::Statement, STATEMENTS),
+    (Place::Pair, PAIRS),
+    (Place::Member, MEMBERS),
+    (Place::CamMember, CAM_MEMBERS),
+    (Place::Law, LAWS),
+    (Place::Connecting, CONNECTING),
+    (Place::Contextual, CONTEXTUAL),
+];
+
+/// The words of a place, in the order of its table.
+pub fn words_of(place: Place) -> impl Iterator<Item = &'static str> {
+    let tables = WORDS.iter().filter(move |(at, _)| *at == place);
+    tables.flat_map(|(_, table)| table.iter()).map(|row| row.word)
+}
+
+const fn row(word: &'static str, means: &'static str, example: &'static str) -> Word {
+    Word { word, means, example }
+}
+
+const fn small(word: &'static str, means: &'static str) -> Word {
+    row(word, means, "")
+}
+
+/// What a statement begins with, apart from pairs.
+pub const STATEMENTS: &[Word] = &[
+    row("mech", "the edition of the language", "mech 1"),
+    row("mechanism", "the title", "mechanism \"Engine crank-slider\""),
+    row("given", "a value from outside, which `--set` may replace", "given r = 100 mm"),
+    row("let", "a derived value", "let l = 3.5 * r"),
+    row("gravity", "the acceleration of free fall, downwards", "gravity 9.81 m/s^2"),
+    row("ground", "the fixed link", "ground { A (0, 0); line guide through A along 0 deg }"),
+    row("link", "a rigid link", "link rod B-C 350 mm { S (100 mm, 0); mass 2.5 kg at S }"),
+    row("shaft", "a link that turns on the ground or on a carrier", "shaft I { wheel w1 radius 0.2 m }"),
+    row("slider", "a link that moves along a line", "slider A"),
+    row(
+        "spring",
+        "a spring with a damper between two points",
+        "spring k: ground.C - bar.D { stiffness 4530 N/m; free_length 77.85 mm }",
+    ),
+    row("all", "properties of every pair of a kind", "all revolute { friction_circle 5 mm }"),
+    row("group", "a structural group, asserted and named", "group rod_piston: rod, piston"),
+    row("drive", "a motion that is given", "drive crank = 0 deg .. 360 deg in 12 steps at 80 rpm"),
+    row("pose", "one more position, with a name", "pose 4' at crank = 90 deg"),
+    row("assemble", "which assembly is meant", "assemble C left of B-D"),
+    row("balance", "an unknown force or torque", "balance torque Mb on crank"),
+    row("force", "a force that acts", "force P on ram at E = 1000 N @ 180 deg"),
+    row("torque", "a torque that acts", "torque M on rocker = 60 N*m cw"),
+    row(
+        "cam",
+        "the design of a plate cam",
+        "cam plate { base_radius 50 mm; turning cw; rise 60 deg through 18 deg parabolic }",
+    ),
+    row("flywheel", "a flywheel to be sized", "flywheel J on O1 for Mb { fluctuation 1/30 }"),
+    row("find", "what is to be found", "find v_C = velocity(C) as m/s"),
+    row("expect", "an answer that is expected", "expect Mb = 26 N*m within 1 %"),
+    row(
+        "variants",
+        "a table of values, a problem per row",
+        "variants { then a header and rows, each on a line of its own }",
+    ),
+    row("start", "the state that motion under loads starts from", "start OF = 5 deg at 0 rad/s"),
+    row("simulate", "the time of motion under loads", "simulate 0 s .. 0.03 s within 1e-9"),
+    row("until", "where motion under loads ends", "until angle(crank) = 360 deg"),
+    row("ignore", "an effect that is left out", "ignore inertia"),
+];
+
+/// What a member of a link begins with, unless it is a point.
+pub const MEMBERS: &[Word] = &[
+    row("line", "a directed line of the link", "line guide through A along 0 deg"),
+    row("circle", "a circular profile", "circle roller centre D radius 15 mm"),
+    row("profile", "the profile of a designed cam", "profile rim of plate centre O"),
+    row("mass", "mass, with the mass centre", "mass 2.5 kg at S"),
+    row("weight", "mass by its weight", "weight 21 N at C"),
+    row("inertia", "moment of inertia", "inertia 0.0425 kg*m^2"),
+    row("wheel", "a wheel, pulley or drum", "wheel z1 teeth 18 module 16 mm"),
+];
+
+/// What a member of a cam begins with, unless it is a property.
+pub const CAM_MEMBERS: &[Word] = &[
+    row("turning", "the sense in which the cam turns", "turning cw"),
+    row("follower", "the follower", "follower translating roller { radius 15 mm }"),
+    row("rise", "a phase of rising", "rise 60 deg through 18 deg parabolic"),
+    row("dwell", "a phase of rest", "dwell 10 deg"),
+    row("fall", "a phase of falling", "fall 60 deg parabolic"),
+];
+
+/// The connecting words, which are reserved.
+pub const CONNECTING: &[Word] = &[
+    small("accelerating", "before the acceleration of a drive"),
+    small("against", "before `motion`: opposite to the velocity"),
+    small("along", "before a direction"),
+    small("and", "both conditions hold"),
+    small("as", "before the unit of an answer"),
+    small("at", "before a point, a speed or a position"),
+    small("between", "reserved"),
+    small("ccw", "counter-clockwise"),
+    small("cw", "clockwise"),
+    small("for", "before the effort that a flywheel evens out"),
+    small("from", "before a point from which a distance is taken"),
+    small("in", "before a pair, a link whose axes are meant, or a number of steps"),
+    small("module", "before the module of a gear wheel"),
+    small("moving", "before `forward` or `back`"),
+    small("near", "before the place that picks an assembly"),
+    small("not", "the condition does not hold"),
+    small("of", "joins a word with what it belongs to"),
+    small("on", "before the link on which a load acts"),
+    small("or", "one of the conditions holds"),
+    small("steps", "after the number of steps"),
+    small("through", "before the point of a line, or the lift of a phase"),
+    small("to", "before the second point of a line"),
+    small("turning", "before `cw` or `ccw`"),
+    small("when", "before the condition of a load"),
+    small("within", "before a tolerance"),
+];
+
+/// Connecting words that are not reserved.
+pub const CONTEXTUAL: &[Word] = &[
+    small("about", "before the point that a moment of inertia is about"),
+    small("ahead", "before `of`: further along the guide"),
+    small("behind", "further back along the guide"),
+    small("centre", "before the centre of a circle or profile"),
+    small("diameter", "before the diameter of a wheel"),
+    small("forward", "along the positive sense of a pair"),
+    small("back", "against the positive sense of a pair"),
+    small("left", "to the left, seen along the direction"),
+    small("right", "to the right, seen along the direction"),
+    small("motion", "after `against`"),
+    small("over", "a rope over an idler"),
+    small("radius", "before the radius of a circle or wheel"),
+    small("teeth", "before the number of teeth"),
+    small("under", "a rope under a movable pulley"),
+];
