@@ -12,7 +12,7 @@ pub use assur_math::{element, force, group, math};
 pub use assur_model::{model, structure};
 pub use assur_solve::{answer, measure, plan, position, reference, solve};
 pub use assur_syntax as syntax;
-pub use assur_text::{diagnostic, source, units};
+pub use assur_text::{diagnostic, language, source, units};
 pub use measure::accuracy;
 
 pub use front::{Answer, Diagnostics, Expectation, Options, Pose, Problem, Quantity, Solution, solve};

@@ -4,4 +4,5 @@ mod architecture;
 mod docs;
 #[path = "../folder/mod.rs"]
 mod folder;
+mod language_tables;
 mod reference_scripts;
