@@ -1,6 +1,6 @@
 //! A file that is solved with one row of variants after another: what hangs on no value is done once.
 
-use crate::check::{self, Overrides, Resident, Row};
+use crate::check::{self, Overrides, Row, Template};
 use crate::diagnostic::Problems;
 use crate::source::Source;
 use crate::structure::Structure;
@@ -12,7 +12,7 @@ pub struct Family<'a> {
     source: &'a Source,
     document: &'a Document,
     overrides: &'a Overrides,
-    resident: Option<Resident<'a>>,
+    resident: Option<Template<'a>>,
     /// The structure of the last row, where nothing was to be said of it.
     structure: Option<Structure>,
     /// The accuracy that is wanted.
@@ -23,7 +23,7 @@ impl<'a> Family<'a> {
     /// A document that could be read, with values that replace those of all rows.
     #[must_use]
     pub fn new(source: &'a Source, document: &'a Document, overrides: &'a Overrides) -> Self {
-        let resident = Resident::new(document, overrides);
+        let resident = Template::new(document, overrides);
         Self { source, document, overrides, resident, structure: None, within: None }
     }
 

@@ -16,7 +16,7 @@ impl Context<'_> {
     pub(crate) fn verdict(&mut self, call: Call<'_>) -> Option<Typed> {
         self.arguments(call, 0, 0)?;
         Some(if call.name.node == "locked" {
-            Typed::new(Expr::Query(Query::Locked), Type::Truth)
+            Typed::new(Expr::Query(Query::Locked), Type::Bool)
         } else {
             Typed::new(Expr::Query(Query::Efficiency), Type::number(Dimension::NUMBER))
         })
