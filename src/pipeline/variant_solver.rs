@@ -2,7 +2,7 @@
 
 use super::compile::{Compiled, Origin, plan_mechanism};
 use super::solved::{Solved, solve_within};
-use crate::check::{self, Overrides, Resident, Row};
+use crate::check::{self, Overrides, Row, Template};
 use crate::diagnostic::Problems;
 use crate::structure::Structure;
 use crate::syntax::document::Document;
@@ -12,7 +12,7 @@ use std::sync::Arc;
 pub struct VariantSolver<'a> {
     document: &'a Arc<Document>,
     overrides: &'a Overrides,
-    resident: Option<Resident<'a>>,
+    template: Option<Template<'a>>,
     /// The structure of the last row, where nothing was to be said of it.
     structure: Option<Structure>,
     /// The accuracy that is wanted.
@@ -23,8 +23,8 @@ impl<'a> VariantSolver<'a> {
     /// A document that could be read, with values that replace those of all rows.
     #[must_use]
     pub fn new(document: &'a Arc<Document>, overrides: &'a Overrides) -> Self {
-        let resident = Resident::new(document, overrides);
-        Self { document, overrides, resident, structure: None, within: None }
+        let template = Template::new(document, overrides);
+        Self { document, overrides, template, structure: None, within: None }
     }
 
     /// With settings that keep an accuracy, row by row.
@@ -36,8 +36,8 @@ impl<'a> VariantSolver<'a> {
     /// The mechanism of a row with its structure and its plan, and all that was found on the way.
     pub fn compile(&mut self, row: &Row) -> (Option<Compiled>, Problems) {
         let origin = Overrides { values: self.overrides.values.clone(), row: row.clone() };
-        let (mechanism, problems) = match &mut self.resident {
-            Some(resident) => resident.check(row),
+        let (mechanism, problems) = match &mut self.template {
+            Some(template) => template.check(row),
             None => check::check(self.document, &origin),
         };
         let Some(mechanism) = mechanism else { return (None, problems) };

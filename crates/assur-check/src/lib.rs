@@ -20,7 +20,7 @@ mod trains;
 mod values;
 
 pub use requests::variants::{FileRow, file_rows, table};
-pub use template::Resident;
+pub use template::Template;
 pub use values::overrides::Overrides;
 pub use values::row::{ColumnUse, Row, RowCell, RowColumn};
 

@@ -1,6 +1,6 @@
 //! A document that is checked again and again, with one row of variants after another.
 //!
-//! Names, the order of the definitions and the units of the file hang on no value: they are found once. All else is
+//! Names, the order of the definitions and the units of the file depend on no value: they are found once. All else is
 //! checked by the same code as ever, so that a row comes out as the file with these values would.
 
 use crate::expr::context::Context;
@@ -18,7 +18,7 @@ use assur_text::diagnostic::Problems;
 use indexmap::IndexMap;
 
 /// A document with its names found.
-pub struct Resident<'a> {
+pub struct Template<'a> {
     doc: &'a Document,
     overrides: &'a Overrides,
     names: Names<'a>,
@@ -33,7 +33,7 @@ pub struct Resident<'a> {
     bad: usize,
 }
 
-impl<'a> Resident<'a> {
+impl<'a> Template<'a> {
     /// Finds the names of a document; `None` where something is to be said of them: then every row is checked as a
     /// whole.
     #[must_use]

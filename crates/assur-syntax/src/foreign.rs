@@ -41,15 +41,15 @@ pub(super) fn report(text: &str, changes: &[Change], problems: &mut Problems) {
         let line = Line::around(text, first.span.start);
         let count = rest.iter().take_while(|c| c.span.start < line.end.max(first.span.end)).count();
         let (here, later) = rest.split_at(count);
-        let mut mended = String::new();
+        let mut corrected = String::new();
         let mut from = line.start;
         for change in here {
-            mended.push_str(text.get(from..change.span.start).unwrap_or_default());
-            mended.push_str(change.with);
+            corrected.push_str(text.get(from..change.span.start).unwrap_or_default());
+            corrected.push_str(change.with);
             from = change.span.end;
         }
-        mended.push_str(text.get(from..line.end).unwrap_or_default());
-        let help = format!("write: {}", mended.trim());
+        corrected.push_str(text.get(from..line.end).unwrap_or_default());
+        let help = format!("write: {}", corrected.trim());
         for kind in [Kind::FullWidth, Kind::Quote, Kind::Sign, Kind::Invisible] {
             if let Some(problem) = describe(text, here, kind, &help) {
                 problems.push(problem);

@@ -24,7 +24,7 @@ impl Line {
 }
 
 /// The lines of a span with the span replaced, without the blanks around them.
-pub(super) fn mended(text: &str, span: Span, with: &str) -> String {
+pub(super) fn corrected(text: &str, span: Span, with: &str) -> String {
     let start = Line::around(text, span.start).start;
     let end = Line::around(text, span.end).end;
     let before = text.get(start..span.start).unwrap_or_default();

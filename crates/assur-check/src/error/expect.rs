@@ -28,7 +28,7 @@ pub enum ExpectError {
         code("mech::expect::truth"),
         help("remove the right-hand side; to expect the opposite, write `not …`")
     )]
-    Truth {
+    ConditionWithValue {
         /// What is expected, as written.
         text: String,
         /// Its place.
@@ -38,7 +38,7 @@ pub enum ExpectError {
     /// A tolerance on what has none.
     #[error("a condition has no tolerance")]
     #[diagnostic(code("mech::expect::tolerance_of_truth"), help("leave out `within …`"))]
-    ToleranceOfTruth {
+    ToleranceOfCondition {
         /// The tolerance.
         #[label(primary, "nothing to be within")]
         span: Span,

@@ -108,7 +108,7 @@ pub enum NameError {
         /// What to write, and which letters differ.
         help: String,
     },
-    /// A definition that hangs on itself.
+    /// A definition that depends on itself.
     #[error("`{name}` is defined in terms of itself: {chain}")]
     #[diagnostic(code("mech::name::cycle"), help("give one of them a value of its own"))]
     Cycle {

@@ -4,10 +4,10 @@ use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// What can be wrong with a question, or with an expression that hangs on results.
+/// What can be wrong with a question, or with an expression that depends on results.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum RequestError {
-    /// A value that must be known beforehand hangs on results.
+    /// A value that must be known beforehand depends on results.
     #[error("{what} must be a constant, but it depends on {result}")]
     #[diagnostic(
         code("mech::request::not_constant"),
@@ -16,7 +16,7 @@ pub enum RequestError {
     NotConstant {
         /// What it is for.
         what: String,
-        /// The result it hangs on.
+        /// The result it depends on.
         result: String,
         /// Where that stands.
         #[label(primary, "known only once the mechanism is solved")]

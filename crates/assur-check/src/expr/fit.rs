@@ -4,7 +4,7 @@ use crate::error::UnitsError;
 use crate::expr::context::Context;
 use crate::expr::number::with_unit;
 use crate::statements::written::written;
-use crate::values::typed::{Dim, Type, Typed, mend, phrase};
+use crate::values::typed::{Dim, Type, Typed, correction, phrase};
 use assur_syntax::document::{Expr, ExprKind};
 use assur_text::language::Function;
 use assur_text::source::Span;
@@ -20,7 +20,7 @@ impl Context<'_> {
                 self.shape(what, "a number", t.ty, expr.span, help);
                 None
             }
-            Type::Truth => {
+            Type::Bool => {
                 self.shape(what, "a number", t.ty, expr.span, None);
                 None
             }
@@ -41,9 +41,9 @@ impl Context<'_> {
         }
     }
 
-    /// The expression, if it is a truth.
-    pub(crate) fn fit_truth(&mut self, t: Typed, what: &str, expr: &Expr) -> Option<Typed> {
-        if t.ty == Type::Truth || (t.pending && t.ty == Type::Number(Dim::Any)) {
+    /// The expression, if it is a condition.
+    pub(crate) fn fit_condition(&mut self, t: Typed, what: &str, expr: &Expr) -> Option<Typed> {
+        if t.ty == Type::Bool || (t.pending && t.ty == Type::Number(Dim::Any)) {
             return Some(t);
         }
         let help = Some("compare it with something: `a < b`".to_owned());
@@ -87,7 +87,7 @@ impl Context<'_> {
     }
 
     /// What would make two quantities fit each other.
-    pub(crate) fn mend_operands(&mut self, a: Type, b: Type, left: &Expr, right: &Expr) -> Option<String> {
+    pub(crate) fn correct_operands(&mut self, a: Type, b: Type, left: &Expr, right: &Expr) -> Option<String> {
         let (Type::Number(x), Type::Number(y)) = (a, b) else {
             return match (a, b) {
                 (Type::Vector(_), Type::Number(_)) | (Type::Number(_), Type::Vector(_)) => {
@@ -117,7 +117,7 @@ impl Context<'_> {
         };
         name(y, right, x)
             .or_else(|| name(x, left, y))
-            .or_else(|| mend(x, y).map(|text| text.replacen("by", "the second by", 1)))
+            .or_else(|| correction(x, y).map(|text| text.replacen("by", "the second by", 1)))
     }
 }
 

@@ -124,7 +124,7 @@ impl Context<'_> {
         match t.ty {
             Type::Vector(dim) => Some(apply(Function::Mag, Type::Number(dim), [t])),
             Type::Number(_) => Some(apply(Function::Abs, t.ty, [t])),
-            Type::Truth => {
+            Type::Bool => {
                 self.shape("the argument of `mag`", "a vector", t.ty, expr.span, None);
                 None
             }

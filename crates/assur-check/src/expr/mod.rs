@@ -43,23 +43,23 @@ impl Context<'_> {
         fold::vector(&t.expr)
     }
 
-    /// A number that may hang on results of the pose. What is known already is folded to `Expr::Constant`.
+    /// A number that may depend on results of the pose. What is known already is folded to `Expr::Constant`.
     /// `None` where there is an error or something that cannot be solved yet; both are noted.
     pub fn scalar(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<model::Expr> {
         let t = self.read(expr)?;
         self.fit(t, want.0, what, expr).and_then(solvable)
     }
 
-    /// A vector that may hang on results of the pose.
+    /// A vector that may depend on results of the pose.
     pub fn vector(&mut self, expr: &Expr, want: &Want, what: &str) -> Option<model::Expr> {
         let t = self.read(expr)?;
         self.fit_vector(t, want.0, what, expr).and_then(solvable)
     }
 
-    /// A truth that may hang on results of the pose.
-    pub fn truth(&mut self, expr: &Expr, what: &str) -> Option<model::Expr> {
+    /// A condition that may depend on results of the pose.
+    pub fn condition(&mut self, expr: &Expr, what: &str) -> Option<model::Expr> {
         let t = self.read(expr)?;
-        self.fit_truth(t, what, expr).and_then(solvable)
+        self.fit_condition(t, what, expr).and_then(solvable)
     }
 
     /// As `scalar`, but made of nothing that needs a pose: constants, `dead`, `stroke`, `time_ratio`. For drives and

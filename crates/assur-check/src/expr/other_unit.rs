@@ -6,7 +6,7 @@ use crate::names::declared::QuantityKind;
 use crate::statements::walk;
 use crate::statements::written::written;
 use crate::values::definition::Settled;
-use crate::values::typed::{Type, mend};
+use crate::values::typed::{Type, correction};
 use assur_syntax::document::{Expr, ExprKind, Number, Statement, UnaryOp};
 use assur_text::units::{Dimension, Kind, lookup};
 
@@ -32,14 +32,14 @@ impl Context<'_> {
                 ));
             }
             let bare = without_units(expr).filter(|_| !(angle && argument));
-            return bare.map(|text| format!("write `{text}`")).or_else(|| mend(want, found));
+            return bare.map(|text| format!("write `{text}`")).or_else(|| correction(want, found));
         }
         let angles = || self.names_of(want).map(|names| format!("write an angle, as {names}"));
         weight(expr, want)
             .or_else(|| self.mass_of_weight(want, found, expr))
             .or_else(|| self.same_number(want, expr).map(|text| format!("write `{text}`")))
             .or_else(|| self.definition_of(want, expr))
-            .or_else(|| if argument && want == Dimension::ANGLE { angles() } else { mend(want, found) })
+            .or_else(|| if argument && want == Dimension::ANGLE { angles() } else { correction(want, found) })
     }
 
     /// The number with a unit of the dimension that is due: `9.81 m/s^2` for `9.81 m/s`.

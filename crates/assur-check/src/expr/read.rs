@@ -115,13 +115,13 @@ impl Context<'_> {
     fn unary(&mut self, op: UnaryOp, inner: &Expr, sign: Sign) -> Option<Typed> {
         let t = self.read_signed(inner, sign)?;
         match (op, t.ty) {
-            (UnaryOp::Not, Type::Truth) => Some(Typed { expr: fold::not(t.expr), ..t }),
+            (UnaryOp::Not, Type::Bool) => Some(Typed { expr: fold::not(t.expr), ..t }),
             (UnaryOp::Not, _) => {
                 let help = Some("compare it with something: `not (a < b)`".to_owned());
                 self.shape("what stands behind `not`", "a truth", t.ty, inner.span, help);
                 None
             }
-            (_, Type::Truth) => {
+            (_, Type::Bool) => {
                 self.shape("what stands behind a sign", "a number or a vector", t.ty, inner.span, None);
                 None
             }
@@ -137,7 +137,7 @@ impl Context<'_> {
         span: Span,
         sign: Sign,
     ) -> Option<Typed> {
-        // A factor changes the sign of a product as the sign of the whole; a sum's sign hangs on its terms.
+        // A factor changes the sign of a product as the sign of the whole; a sum's sign depends on its terms.
         let product = rest.iter().all(|(op, _)| matches!(op.node, BinaryOp::Multiply | BinaryOp::Divide));
         let sign = if product { sign } else { Sign::Matters };
         let mut left = self.read_signed(first, sign);
@@ -174,13 +174,13 @@ impl Context<'_> {
         let ty = match op {
             BinaryOp::And | BinaryOp::Or => {
                 for (t, span) in [(&a, a_span), (&b, b_span)] {
-                    if t.ty != Type::Truth {
+                    if t.ty != Type::Bool {
                         self.shape("what `and` and `or` join", "a truth", t.ty, span, None);
                         return None;
                     }
                 }
                 let join = if op == BinaryOp::And { fold::and } else { fold::or };
-                return Some(Typed { expr: join(a.expr, b.expr), ty: Type::Truth, pending });
+                return Some(Typed { expr: join(a.expr, b.expr), ty: Type::Bool, pending });
             }
             BinaryOp::Add | BinaryOp::Subtract => {
                 let verb = if op == BinaryOp::Add { "added" } else { "subtracted" };
@@ -227,7 +227,7 @@ impl Context<'_> {
         };
         if unified.is_none() {
             let left = if a_span == first.span { first } else { operand };
-            let help = self.mend_operands(a.ty, b.ty, left, operand);
+            let help = self.correct_operands(a.ty, b.ty, left, operand);
             self.error(UnitsError::Operands {
                 verb,
                 left: a.ty.phrase(),
@@ -285,7 +285,7 @@ impl Context<'_> {
     }
 
     fn comparison(&mut self, first: &Expr, rest: &[(Spanned<CompareOp>, Expr)]) -> Option<Typed> {
-        let mut all = Some(Typed::new(model::Expr::Constant(Value::Truth(true)), Type::Truth));
+        let mut all = Some(Typed::new(model::Expr::Constant(Value::Truth(true)), Type::Bool));
         let mut left = self.read(first);
         let mut left_expr = first;
         for (op, operand) in rest {
@@ -297,7 +297,7 @@ impl Context<'_> {
             all = match (all, holds) {
                 (Some(a), Some(b)) => Some(Typed {
                     expr: fold::and(a.expr, b.expr),
-                    ty: Type::Truth,
+                    ty: Type::Bool,
                     pending: a.pending || b.pending,
                 }),
                 _ => None,
@@ -312,14 +312,14 @@ impl Context<'_> {
             && x.unify(y).is_some()
         {
             let expr = fold::compare(comparison_of(op), a.expr.clone(), b.expr.clone());
-            return Some(Typed { expr, ty: Type::Truth, pending: a.pending || b.pending });
+            return Some(Typed { expr, ty: Type::Bool, pending: a.pending || b.pending });
         }
         self.operands("compared", a, b, left, right);
         None
     }
 
     pub(crate) fn operands(&mut self, verb: &'static str, a: &Typed, b: &Typed, left: &Expr, right: &Expr) {
-        let help = self.mend_operands(a.ty, b.ty, left, right);
+        let help = self.correct_operands(a.ty, b.ty, left, right);
         self.error(UnitsError::Operands {
             verb,
             left: a.ty.phrase(),

@@ -144,33 +144,33 @@ fn height(l: f64, r1: f64, r2: f64) -> f64 {
 }
 
 fn does_not_close(cx: &mut Context<'_>, point: &PointFrom, l: f64, r1: f64, r2: f64) {
-    let told = |x: f64| format_value_like(&cx.names, x, Dimension::LENGTH, &point.first_distance);
+    let length = |x: f64| format_value_like(&cx.names, x, Dimension::LENGTH, &point.first_distance);
     let (p, first, second) = (&point.name.node, &point.first.node, &point.second.node);
-    let (reason, by, too, mend) = if l > r1 + r2 {
+    let (reason, by, too, correction) = if l > r1 + r2 {
         let reason =
-            format!("{first}{second} is {} but {first}{p} + {p}{second} = {}", told(l), told(r1 + r2));
-        let mend = format!("the two distances must add up to at least {}", told(l));
-        (reason, l - (r1 + r2), "short", mend)
+            format!("{first}{second} is {} but {first}{p} + {p}{second} = {}", length(l), length(r1 + r2));
+        let correction = format!("the two distances must add up to at least {}", length(l));
+        (reason, l - (r1 + r2), "short", correction)
     } else {
         let (long, short, far, near) =
             if r1 > r2 { (r1, r2, first, second) } else { (r2, r1, second, first) };
         let reason =
-            format!("{far}{p} is {} but {first}{second} + {p}{near} = {}", told(long), told(l + short));
-        let mend = format!("{far}{p} can be at most {}", told(l + short));
-        (reason, long - (l + short), "long", mend)
+            format!("{far}{p} is {} but {first}{second} + {p}{near} = {}", length(long), length(l + short));
+        let correction = format!("{far}{p} can be at most {}", length(l + short));
+        (reason, long - (l + short), "long", correction)
     };
     let error = LinkError::PointDoesNotClose {
         point: p.clone(),
         reason,
-        by: told(by),
+        by: length(by),
         too,
-        sides: format!("{}, {} and {}", told(l), told(r1), told(r2)),
-        mend,
+        sides: format!("{}, {} and {}", length(l), length(r1), length(r2)),
+        correction,
         span: point.name.span,
         first: point.first_distance.span,
-        first_distance: format!("from {first}: {}", told(r1)),
+        first_distance: format!("from {first}: {}", length(r1)),
         second: point.second_distance.span,
-        second_distance: format!("from {second}: {}", told(r2)),
+        second_distance: format!("from {second}: {}", length(r2)),
     };
     cx.error(error);
 }

@@ -38,8 +38,8 @@ fn load(cx: &mut Context<'_>, load: &Load, span: Span) -> Option<model::Load> {
     };
     let when = match &load.when {
         Some(when) => {
-            let truth = cx.truth(when, "the condition of a load");
-            truth.filter(|t| no_forces(cx, t, "the condition", when.span)).map(Some)
+            let condition = cx.condition(when, "the condition of a load");
+            condition.filter(|t| no_forces(cx, t, "the condition", when.span)).map(Some)
         }
         None => Some(None),
     };
@@ -47,7 +47,7 @@ fn load(cx: &mut Context<'_>, load: &Load, span: Span) -> Option<model::Load> {
     Some(model::Load { name, span, kind: kind?, when: when? })
 }
 
-/// A value that hangs on no force.
+/// A value that depends on no force.
 fn value(cx: &mut Context<'_>, load: &Load, vector: bool, dimension: Dimension) -> Option<Expr> {
     let what = described(load);
     let want = Want(dimension);
@@ -355,7 +355,7 @@ pub(crate) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span
     cx.error(LoadError::Form { message, help: help.into(), span });
 }
 
-/// Whether an expression hangs on no force that is yet to be found; reports one that does.
+/// Whether an expression depends on no force that is yet to be found; reports one that does.
 fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
     let mut on = None;
     behind::queries(&cx.builder.mech, expr, &mut |query| on = on.or(query.facts().from_loads));

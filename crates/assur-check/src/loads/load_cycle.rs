@@ -1,4 +1,4 @@
-//! Loads that hang on one another.
+//! Loads that depend on one another.
 
 use crate::error::NameError;
 use crate::expr::context::Context;
@@ -7,7 +7,7 @@ use crate::values::order::way_round;
 use assur_model::model::{Expr, LoadId, Query};
 use miette::LabeledSpan;
 
-/// Reports loads that hang on themselves. Only where nothing else is wrong: then loads have their ids.
+/// Reports loads that depend on themselves. Only where nothing else is wrong: then loads have their ids.
 pub(crate) fn load_cycles(cx: &mut Context<'_>) {
     if cx.problems.has_errors() || !cx.builder.mech.unsupported.is_empty() {
         return;

@@ -244,14 +244,14 @@ fn steiner(
     if left >= 0.0 || -left <= ROUNDING * least {
         return Some(left.max(0.0));
     }
-    let told_inertia = |x| format_value_like(&cx.names, x, Dimension::INERTIA, &stated.value);
+    let inertia_text = |x| format_value_like(&cx.names, x, Dimension::INERTIA, &stated.value);
     let error = LinkError::InertiaTooSmall {
         point: name.node.clone(),
-        inertia: told_inertia(inertia),
+        inertia: inertia_text(inertia),
         mass: format_value(mass, Dimension::MASS),
         distance: format_value(arm.norm(), Dimension::LENGTH),
-        least: told_inertia(least),
-        left: told_inertia(left),
+        least: inertia_text(least),
+        left: inertia_text(left),
         span: stated.value.span,
         mass_span: mass_stated.span,
     };

@@ -30,11 +30,11 @@ pub(crate) fn look_alikes(cx: &mut Scope<'_, '_>) {
 fn compare(cx: &mut Scope<'_, '_>, list: &[(String, Span)]) {
     let mut seen: IndexMap<String, Vec<(&str, Span)>> = IndexMap::new();
     for (name, span) in list {
-        let alike = seen.entry(skeleton(name)).or_default();
-        if alike.iter().any(|(n, _)| n == name) {
+        let lookalikes = seen.entry(skeleton(name)).or_default();
+        if lookalikes.iter().any(|(n, _)| n == name) {
             continue;
         }
-        if let Some(&(first, first_span)) = alike.first() {
+        if let Some(&(first, first_span)) = lookalikes.first() {
             // of a Latin name and another, the other is the slip
             let (odd, odd_span, other, other_span) = if name.is_ascii() {
                 (first, first_span, name.as_str(), *span)
@@ -46,7 +46,7 @@ fn compare(cx: &mut Scope<'_, '_>, list: &[(String, Span)]) {
             // What is not found because of this is no second mistake.
             cx.names.bad.extend([first.to_owned(), name.clone()]);
         }
-        alike.push((name, *span));
+        lookalikes.push((name, *span));
     }
 }
 

@@ -14,11 +14,11 @@ pub fn suggestion(name: &str, all: &[&str], kind: &str) -> Option<String> {
         return Some(format!("the {kind} are {}, …", quoted(&all[..8]).join(", ")));
     }
     // names of ASCII look like themselves alone
-    let alike =
+    let lookalike =
         |n: &&&str| **n != name && !(n.is_ascii() && name.is_ascii()) && skeleton(n) == skeleton(name);
-    if let Some(alike) = all.iter().find(alike) {
-        let how = difference(alike, name, "there", "here");
-        return Some(format!("`{alike}` is declared, and only looks the same: {how}"));
+    if let Some(lookalike) = all.iter().find(lookalike) {
+        let how = difference(lookalike, name, "there", "here");
+        return Some(format!("`{lookalike}` is declared, and only looks the same: {how}"));
     }
     let near = did_you_mean(name, all.iter().copied());
     if !near.is_empty() {

@@ -3,7 +3,7 @@
 use assur_model::model::{self, Mechanism, QuantityId};
 use indexmap::IndexSet;
 
-/// Calls `visit` on every result the expression hangs on, those behind other quantities included.
+/// Calls `visit` on every result the expression depends on, those behind other quantities included.
 pub fn queries(mech: &Mechanism, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
     let mut found = Behind::default();
     found.look(expr, visit);
@@ -28,7 +28,7 @@ pub fn queries(mech: &Mechanism, expr: &model::Expr, visit: &mut dyn FnMut(&mode
     }
 }
 
-/// What an expression hangs on: quantities and functions over the sweep.
+/// What an expression depends on: quantities and functions over the sweep.
 #[derive(Default)]
 struct Behind {
     quantities: IndexSet<QuantityId>,

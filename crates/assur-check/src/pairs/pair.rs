@@ -176,7 +176,7 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     }
     let inside = &cx.names.inside[end.link.index()];
     let link = cx.builder.mech.link(end.link).name.clone();
-    let alike = inside.points.keys().find(|p| skeleton(p) == skeleton(name)).cloned();
+    let lookalike = inside.points.keys().find(|p| skeleton(p) == skeleton(name)).cloned();
     let elsewhere = (what == "point").then(|| meant(cx, joint)).flatten();
     let all = inside.points.keys().map(|p| format!("`{link}.{p}`")).collect::<Vec<_>>();
     let choices = match all.len() {
@@ -184,7 +184,7 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
         1 => format!("write {}, or give `{link}` a point `{name} (0, 0)`", all[0]),
         n => format!("say which point is meant: {}", all[..n.min(8)].join(" or ")),
     };
-    let help = match &alike {
+    let help = match &lookalike {
         Some(point) => {
             let how =
                 crate::names::lookalikes::difference(name, point, "here", &format!("in `{link}.{point}`"));
@@ -195,7 +195,7 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     let name = name.clone();
     cx.problems.reported.insert(("point", format!("{link}.{name}")));
     // what is not found because of this is no second mistake
-    cx.names.bad.extend(alike);
+    cx.names.bad.extend(lookalike);
     cx.error(PairError::NothingToJoin {
         link,
         what: what.into(),

@@ -7,7 +7,7 @@ use crate::values::typed::Typed;
 use assur_model::model::{Display, Quantity, QuantityId};
 use assur_text::source::Span;
 
-/// Reads the definitions that hang on results. Only once the pairs are in the mechanism.
+/// Reads the definitions that depend on results. Only once the pairs are in the mechanism.
 pub fn results(cx: &mut Context<'_>) {
     for name in cx.values.definitions.order.clone() {
         let Some((kind, span)) = cx.names.quantities.get(&name).map(|d| (d.what, d.span)) else { continue };

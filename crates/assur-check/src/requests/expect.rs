@@ -35,7 +35,7 @@ struct Claim {
 }
 
 fn one(cx: &mut Context<'_>, expect: &document::Expect, span: Span) -> Option<Expect> {
-    let claim = if expect.values.is_empty() { truth(cx, expect) } else { equality(cx, expect) };
+    let claim = if expect.values.is_empty() { condition(cx, expect) } else { equality(cx, expect) };
     let at = match &expect.at {
         Some(at) => place(cx, expect, at, span).map(Some),
         None => Some(None),
@@ -58,7 +58,7 @@ fn one(cx: &mut Context<'_>, expect: &document::Expect, span: Span) -> Option<Ex
     let d = claim.ty.dimension();
     let angle = matches!(claim.ty, Type::Number(_)) && d == Dimension::ANGLE;
     let display = match claim.ty {
-        Type::Truth => Display { factor: 1.0, ..Display::default() },
+        Type::Bool => Display { factor: 1.0, ..Display::default() },
         ty => cx.expect_display(&expect.text, ty),
     };
     let (text, Claim { expr, relation, tolerance, .. }) = (expect.text.clone(), claim);
@@ -66,12 +66,12 @@ fn one(cx: &mut Context<'_>, expect: &document::Expect, span: Span) -> Option<Ex
 }
 
 /// `expect locked()`, `expect a > b`
-fn truth(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
+fn condition(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
     if let Some(within) = &expect.within {
-        cx.error(ExpectError::ToleranceOfTruth { span: within.span });
+        cx.error(ExpectError::ToleranceOfCondition { span: within.span });
     }
     let t = cx.read(&expect.what)?;
-    if t.ty != Type::Truth && !t.pending {
+    if t.ty != Type::Bool && !t.pending {
         let (text, is) = (expect.text.clone(), t.ty.phrase());
         cx.error(ExpectError::NoValue { text, is, span: expect.what.span });
         return None;
@@ -88,7 +88,7 @@ fn truth(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
         let ty = unified(left.ty, right.ty);
         return Some(Claim { expr: left.expr, relation, tolerance: Tolerance::None, ty, pending: false });
     }
-    let (pending, ty) = (t.pending, Type::Truth);
+    let (pending, ty) = (t.pending, Type::Bool);
     Some(Claim { expr: t.expr, relation: Relation::Truth, tolerance: Tolerance::None, ty, pending })
 }
 
@@ -107,9 +107,9 @@ fn equality(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
     let what = cx.read(&expect.what);
     let values = expect.values.iter().map(|v| (cx.read(v), v)).collect::<Vec<_>>();
     let what = what?;
-    if what.ty == Type::Truth {
+    if what.ty == Type::Bool {
         let (text, span) = (expect.text.clone(), expect.what.span);
-        cx.error(ExpectError::Truth { text, span });
+        cx.error(ExpectError::ConditionWithValue { text, span });
         return None;
     }
     let open = what.pending && what.ty == Type::Number(Dim::Any);

@@ -102,14 +102,14 @@ impl Context<'_> {
             Type::Number(dim) | Type::Vector(dim) => {
                 dim.unify(crate::values::typed::Dim::Of(unit.dimension)).is_some()
             }
-            Type::Truth => false,
+            Type::Bool => false,
         };
         if fits {
             return Some(());
         }
         let span = item.unit.as_ref().map_or(item.span, |u| u.span);
         let (found, help) = match t.ty {
-            Type::Truth => ("a truth".to_owned(), Some("leave out `as …`".to_owned())),
+            Type::Bool => ("a truth".to_owned(), Some("leave out `as …`".to_owned())),
             ty => {
                 let usual = self.values.usual_unit(ty.dimension());
                 (phrase(ty.dimension()), (!usual.is_empty()).then(|| format!("write `{usual}`")))

@@ -7,7 +7,7 @@ use crate::names::suggestion::suggestion;
 use crate::requests::tolerance;
 use crate::values::definition::Settled;
 use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
-use crate::values::typed::{Dim, Type, mend, phrase};
+use crate::values::typed::{Dim, Type, correction, phrase};
 use assur_model::model::{Expr, Value};
 use assur_syntax::document::{Column, Document, ExprKind, Number, Statement, Variants};
 use assur_text::source::Span;
@@ -178,9 +178,9 @@ fn unit_of_given(cx: &Context<'_>, name: &str) -> Option<String> {
 
 fn unknown(cx: &mut Context<'_>, column: &Column) {
     let name = &column.name;
-    let told =
+    let reported =
         cx.names.bad.contains(&name.node) || cx.problems.reported.contains(&("quantity", name.node.clone()));
-    if told || !cx.problems.reported.insert(("given", name.node.clone())) {
+    if reported || !cx.problems.reported.insert(("given", name.node.clone())) {
         return;
     }
     let given = cx.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
@@ -209,7 +209,7 @@ fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<
         return None;
     }
     let column =
-        mend(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.values.usual_unit(want)));
+        correction(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.values.usual_unit(want)));
     // a torque that was given in newtons, or a force with a column for a torque
     let is_torque = want == Dimension::FORCE && unit.dimension == Dimension::TORQUE;
     let given = is_torque.then(|| cx.completed_given(name, unit.dimension)).flatten();

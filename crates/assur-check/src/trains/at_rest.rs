@@ -24,7 +24,7 @@ pub(crate) fn at_rest(cx: &mut Context<'_>) {
     }
 }
 
-/// Whether anything that is asked hangs on the motion.
+/// Whether anything that is asked depends on the motion.
 fn asks_of_motion(cx: &Context<'_>) -> bool {
     let mut found = false;
     let mut look = |expr: &Expr| expr.queries(&mut |_| found = true);

@@ -1,5 +1,5 @@
 //! Sizes of wheels: radius, diameter, teeth with their module. What the file leaves open is assumed, and noted as a scale
-//! that no answer may hang on.
+//! that no answer may depend on.
 
 use crate::error::{NameError, PairError, RequestError, TrainError};
 use crate::expr::context::Context;
@@ -18,7 +18,7 @@ use assur_text::source::Span;
 use assur_text::units::Dimension;
 use miette::LabeledSpan;
 
-/// What is assumed of a size that is left open, and what instead to see what hangs on it.
+/// What is assumed of a size that is left open, and what instead to see what depends on it.
 const ASSUMED: [f64; 2] = [1.0, 1.75];
 /// A number of teeth may miss a whole number by this.
 const WHOLE: f64 = 1e-6;

@@ -17,21 +17,21 @@ pub enum Settled {
     Failed,
 }
 
-/// Definitions and what they hang on.
+/// Definitions and what they depend on.
 #[derive(Debug, Default)]
 pub struct Definitions {
-    /// Each after those it hangs on.
+    /// Each after those it depends on.
     pub order: Vec<String>,
-    /// For each that hangs on results: on which, in words.
+    /// For each that depends on results: on which, in words.
     pub results: IndexMap<String, String>,
     /// Those that have been read.
     pub settled: IndexMap<String, Settled>,
-    /// For each quantity of the mechanism, whether it needs no pose, and its size with all it hangs on written out.
+    /// For each quantity of the mechanism, whether it needs no pose, and its size with all it depends on written out.
     pub kept: Vec<(bool, usize)>,
 }
 
 impl Definitions {
-    /// What hangs on no value: the order, and what hangs on results.
+    /// What depends on no value: the order, and what depends on results.
     pub fn into_names(self) -> (Vec<String>, IndexMap<String, String>) {
         (self.order, self.results)
     }
@@ -72,7 +72,7 @@ impl Definitions {
         self.kept.get(id.index()).is_some_and(|(poseless, _)| *poseless)
     }
 
-    /// How many parts the expression has with all that it hangs on written out.
+    /// How many parts the expression has with all that it depends on written out.
     pub fn size(&self, expr: &model::Expr) -> usize {
         let mut size = 0_usize;
         expr.parts(&mut |part| {

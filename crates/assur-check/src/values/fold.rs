@@ -19,7 +19,7 @@ pub fn vector(e: &Expr) -> Option<Vec2> {
     }
 }
 
-fn truth(e: &Expr) -> Option<bool> {
+fn boolean(e: &Expr) -> Option<bool> {
     match e {
         Expr::Constant(Value::Truth(t)) => Some(*t),
         _ => None,
@@ -111,7 +111,7 @@ pub fn compare(op: Comparison, a: Expr, b: Expr) -> Expr {
 
 /// Both.
 pub fn and(a: Expr, b: Expr) -> Expr {
-    match (truth(&a), truth(&b)) {
+    match (boolean(&a), boolean(&b)) {
         (Some(true), _) => b,
         (_, Some(true)) => a,
         (Some(false), _) | (_, Some(false)) => truth_of(false),
@@ -121,7 +121,7 @@ pub fn and(a: Expr, b: Expr) -> Expr {
 
 /// Either.
 pub fn or(a: Expr, b: Expr) -> Expr {
-    match (truth(&a), truth(&b)) {
+    match (boolean(&a), boolean(&b)) {
         (Some(false), _) => b,
         (_, Some(false)) => a,
         (Some(true), _) | (_, Some(true)) => truth_of(true),
@@ -131,7 +131,7 @@ pub fn or(a: Expr, b: Expr) -> Expr {
 
 /// Not.
 pub fn not(e: Expr) -> Expr {
-    match truth(&e) {
+    match boolean(&e) {
         Some(t) => truth_of(!t),
         None => Expr::Not(Box::new(e)),
     }

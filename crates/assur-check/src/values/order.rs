@@ -10,7 +10,7 @@ use assur_text::source::Span;
 use indexmap::IndexSet;
 use miette::LabeledSpan;
 
-/// Finds the order of the definitions; reports those that hang on themselves.
+/// Finds the order of the definitions; reports those that depend on themselves.
 pub fn order(names: &Names<'_>, definitions: &mut Definitions, problems: &mut Problems) {
     // By the place of a name among the quantities; nothing where it is no definition.
     let expressions = names.quantities.values().map(|d| definition(d.what));

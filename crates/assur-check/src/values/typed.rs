@@ -54,8 +54,8 @@ pub enum Type {
     Number(Dim),
     /// A vector.
     Vector(Dim),
-    /// A truth.
-    Truth,
+    /// A condition: true or false.
+    Bool,
 }
 
 impl Type {
@@ -74,15 +74,15 @@ impl Type {
         match self {
             Self::Number(_) => "a number",
             Self::Vector(_) => "a vector",
-            Self::Truth => "a truth",
+            Self::Bool => "a truth",
         }
     }
 
-    /// The dimension of the number, or of the vector's components; a plain number for a truth.
+    /// The dimension of the number, or of the vector's components; a plain number for a condition.
     pub fn dimension(self) -> Dimension {
         match self {
             Self::Number(d) | Self::Vector(d) => d.known(),
-            Self::Truth => Dimension::NUMBER,
+            Self::Bool => Dimension::NUMBER,
         }
     }
 
@@ -92,7 +92,7 @@ impl Type {
             Self::Number(d) => phrase(d.known()),
             Self::Vector(d) if d.known() == Dimension::NUMBER => "a vector of plain numbers".into(),
             Self::Vector(d) => format!("a vector in {}", d.known().si_text()),
-            Self::Truth => "a truth".into(),
+            Self::Bool => "a truth".into(),
         }
     }
 }
@@ -145,7 +145,7 @@ impl Typed {
 }
 
 /// What would make one dimension of another: `multiply by a length`.
-pub fn mend(want: Dimension, found: Dimension) -> Option<String> {
+pub fn correction(want: Dimension, found: Dimension) -> Option<String> {
     let exponents = |d: Dimension| (d.length, d.mass, d.time);
     if exponents(want) == exponents(found) {
         return match (want.kind, found.kind) {

@@ -14,7 +14,7 @@ pub struct PlateCam {
     pub span: Span,
     /// Its geometry.
     pub cam: Cam,
-    /// Its speed, rad/s, > 0, where given: rates of the follower by time hang on it.
+    /// Its speed, rad/s, > 0, where given: rates of the follower by time depend on it.
     pub speed: Option<f64>,
 }
 

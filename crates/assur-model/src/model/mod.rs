@@ -80,7 +80,7 @@ pub struct Mechanism {
     pub finds: Vec<Find>,
     /// What the answer key expects.
     pub expects: Vec<Expect>,
-    /// Functions over the sweep, each after those it hangs on.
+    /// Functions over the sweep, each after those it depends on.
     pub cycles: Vec<Cycle>,
     /// Flywheels that are to be found.
     pub flywheels: Vec<Flywheel>,

@@ -13,7 +13,7 @@ pub struct Drive {
     pub span: Span,
     /// What is driven.
     pub target: DriveTarget,
-    /// Its positions, rad, m, or a vector in m for a point. Expressions hang on nothing but `dead`, `stroke`.
+    /// Its positions, rad, m, or a vector in m for a point. Expressions depend on nothing but `dead`, `stroke`.
     pub positions: Positions,
     /// The positions as written: `phi`, `0 deg .. 360 deg in 12 steps`. `None` where they cannot be written again.
     pub written: Option<String>,

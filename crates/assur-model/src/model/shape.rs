@@ -6,7 +6,7 @@ impl Mechanism {
     /// For each quantity, whether it is a vector.
     #[must_use]
     pub fn vector_quantities(&self) -> Vec<bool> {
-        // they stand in the order in which one hangs on another
+        // they stand in the order in which one depends on another
         let mut known = Vec::with_capacity(self.quantities.len());
         for quantity in &self.quantities {
             let vector = self.is_vector(&quantity.expr, &known);
@@ -15,7 +15,7 @@ impl Mechanism {
         known
     }
 
-    /// Whether the value of an expression is a vector; `known` says it of the quantities that it hangs on.
+    /// Whether the value of an expression is a vector; `known` says it of the quantities that it depends on.
     #[must_use]
     pub fn is_vector(&self, expr: &Expr, known: &[bool]) -> bool {
         let is = |e: &Expr| self.is_vector(e, known);

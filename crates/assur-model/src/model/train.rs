@@ -22,7 +22,7 @@ pub struct Wheel {
     pub teeth: Option<f64>,
 }
 
-/// A size that the file leaves open and that is assumed: no answer may hang on it.
+/// A size that the file leaves open and that is assumed: no answer may depend on it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scale {
     /// The wheel.

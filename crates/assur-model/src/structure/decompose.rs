@@ -19,9 +19,9 @@ use super::matching::{Matching, components, match_all};
 /// Which of the two dual problems is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
-    /// Known: the drives. A group follows those it hangs on.
+    /// Known: the drives. A group follows those it depends on.
     Motion,
-    /// Unknown: the efforts. A group follows those that hang on it.
+    /// Unknown: the efforts. A group follows those that depend on it.
     Forces,
 }
 

@@ -50,7 +50,7 @@ pub enum GroupKind {
     Train,
     /// Laws between rates together with closed chains of links: not solved yet.
     MixedTrain,
-    /// A link with three revolutes to bodies each of which hangs on one outer pair, at least one of these a revolute.
+    /// A link with three revolutes to bodies each of which depends on one outer pair, at least one of these a revolute.
     /// Joints: outer, outer, outer, inner, inner, inner, leg by leg, those with an outer revolute first.
     Triad,
     /// Anything else.

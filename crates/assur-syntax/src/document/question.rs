@@ -30,11 +30,11 @@ pub struct FindItem {
 /// `expect Mb = 26 N*m within 1 % at crank = 90 deg`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expect {
-    /// What is expected: a quantity where `values` follow, otherwise a truth.
+    /// What is expected: a quantity where `values` follow, otherwise a condition.
     pub what: Expr,
     /// That as written, with single blanks.
     pub text: String,
-    /// The values behind `=`; empty for a truth such as `locked()` or `a > b`.
+    /// The values behind `=`; empty for a condition such as `locked()` or `a > b`.
     pub values: Vec<Expr>,
     /// The tolerance.
     pub within: Option<Expr>,

@@ -8,7 +8,7 @@ use crate::document::{
 };
 use crate::error::SyntaxError;
 use crate::grammar::Rule;
-use crate::line::mended;
+use crate::line::corrected;
 use crate::recover::What;
 use assur_text::source::{Span, Spanned};
 
@@ -135,7 +135,7 @@ impl Lower<'_> {
             return None;
         }
         let gap = Span::new(word.span.start, function.span.start);
-        let help = format!("write: {}", mended(self.text, gap, ""));
+        let help = format!("write: {}", corrected(self.text, gap, ""));
         self.problems.push(SyntaxError::NeedlessSign { found: word.node.clone(), at: word.span, help });
         let span = Span::new(function.span.end, at.span.end);
         let kind = ExprKind::Vector(Box::new(x.value.clone()), Box::new(y.value.clone()));

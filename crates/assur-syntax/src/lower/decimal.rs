@@ -4,7 +4,7 @@ use super::state::Lower;
 use crate::comma;
 use crate::document::{Expr, ExprKind, Number};
 use crate::error::SyntaxError;
-use crate::line::mended;
+use crate::line::corrected;
 use assur_text::source::Span;
 
 impl Lower<'_> {
@@ -26,7 +26,7 @@ impl Lower<'_> {
         left.span = whole_at;
         let number = self.text.get(whole_at.start..whole_at.end).unwrap_or_default();
         let lines = comma::readings(number, &comma::between_digits(number));
-        let lines = lines.iter().map(|new| mended(self.text, whole_at, new));
+        let lines = lines.iter().map(|new| corrected(self.text, whole_at, new));
         self.problems.push(SyntaxError::comma_in_number(at, lines.collect()));
         true
     }

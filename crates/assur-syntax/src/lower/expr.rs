@@ -5,7 +5,7 @@ use super::walk::{P, Parts, name, nfc, span};
 use crate::document::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, Path, Sensed, Turn, UnaryOp};
 use crate::error::SyntaxError;
 use crate::grammar::Rule;
-use crate::line::mended;
+use crate::line::corrected;
 use assur_text::source::{Span, Spanned};
 use assur_text::units;
 
@@ -35,15 +35,15 @@ impl Lower<'_> {
     }
 
     fn conjunction(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
-        let first = self.truth(parts)?;
+        let first = self.condition(parts)?;
         let mut rest = Vec::new();
         while let Some(op) = parts.take_as(Rule::joining, |op| (op == "and").then_some(BinaryOp::And)) {
-            rest.push((op, self.truth(parts)?));
+            rest.push((op, self.condition(parts)?));
         }
         Some(chain(first, rest))
     }
 
-    fn truth(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
+    fn condition(&mut self, parts: &mut Parts<'_>) -> Option<Expr> {
         let mut signs = Vec::new();
         while let Some(word) = parts.take(Rule::w_not) {
             signs.push(Spanned::new(UnaryOp::Not, span(&word)));
@@ -225,7 +225,7 @@ impl Lower<'_> {
         };
         let Some([first, again]) = factors.windows(2).find(blank) else { return word };
         let at = Span::new(start + again.start, start + again.end);
-        let help = format!("write: {}", mended(self.text, Span::new(start + first.end, at.end), ""));
+        let help = format!("write: {}", corrected(self.text, Span::new(start + first.end, at.end), ""));
         self.problems.push(SyntaxError::NeedlessSign { found: again.symbol.to_owned(), at, help });
         &word[..first.end]
     }

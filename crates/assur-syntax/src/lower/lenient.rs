@@ -5,7 +5,7 @@ use super::state::Lower;
 use super::walk::{P, span};
 use crate::error::SyntaxError;
 use crate::grammar::Rule;
-use crate::line::{Line, mended};
+use crate::line::{Line, corrected};
 use assur_text::source::Span;
 use pest::iterators::Pairs;
 
@@ -33,13 +33,13 @@ pub(super) fn report(lower: &mut Lower<'_>, pairs: Pairs<'_, Rule>) {
             Rule::x_late_brace => lower.problems.push(late_brace(lower.text, &pair)),
             Rule::x_colon_for_equals => {
                 let at = span(&pair);
-                let help = format!("write: {}", mended(lower.text, at, " =").replace("  ", " "));
+                let help = format!("write: {}", corrected(lower.text, at, " =").replace("  ", " "));
                 let found = pair.as_str().to_owned();
                 lower.problems.push(SyntaxError::EqualsExpected { found, at, help });
             }
             Rule::x_equals_for_colon => {
                 let at = span(&pair);
-                let help = format!("write: {}", mended(lower.text, at, ":").replace(" :", ":"));
+                let help = format!("write: {}", corrected(lower.text, at, ":").replace(" :", ":"));
                 let found = pair.as_str().to_owned();
                 lower.problems.push(SyntaxError::ColonExpected { found, at, help });
             }
@@ -78,5 +78,5 @@ fn bare_point(text: &str, number: &str, at: Span) -> SyntaxError {
         Some(whole) => ("behind", format!("{whole}.0")),
         None => ("before", format!("0{number}")),
     };
-    SyntaxError::BareDecimalPoint { at, side, help: format!("write: {}", mended(text, at, &fixed)) }
+    SyntaxError::BareDecimalPoint { at, side, help: format!("write: {}", corrected(text, at, &fixed)) }
 }

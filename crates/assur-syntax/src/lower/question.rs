@@ -8,7 +8,7 @@ use crate::document::{
 };
 use crate::error::SyntaxError;
 use crate::grammar::Rule;
-use crate::line::mended;
+use crate::line::corrected;
 use crate::recover::What;
 use assur_text::source::{Span, Spanned};
 use pest::iterators::Pair;
@@ -74,7 +74,7 @@ impl Lower<'_> {
         let written = self.read.get(values.start..values.end).unwrap_or_default();
         let Some(start) = written.find("+-").map(|at| values.start + at) else { return false };
         let at = Span::new(start, start + 2);
-        let help = format!("write: {}", mended(self.text, at, "within"));
+        let help = format!("write: {}", corrected(self.text, at, "within"));
         let (found, wanted) = ("+-".to_owned(), "within".to_owned());
         self.problems.push(SyntaxError::OtherWord { found, wanted, at, help });
         true
@@ -134,7 +134,7 @@ impl Lower<'_> {
         if let Some(unit) = quantity.any() {
             let unit = span(&unit);
             let help =
-                format!("the header names the unit, the row is: {}", mended(self.text, unit, "").trim());
+                format!("the header names the unit, the row is: {}", corrected(self.text, unit, "").trim());
             self.problems.push(SyntaxError::UnitInRow { at: unit, help });
         }
         if negative {

@@ -11,7 +11,7 @@ use unicode_normalization::UnicodeNormalization;
 /// A pair of the grammar.
 pub(super) type P<'i> = Pair<'i, Rule>;
 
-/// The parts of a pair, without punctuation and without slips that were mended.
+/// The parts of a pair, without punctuation and without slips that were corrected.
 pub(super) struct Parts<'i> {
     pairs: Peekable<Pairs<'i, Rule>>,
 }

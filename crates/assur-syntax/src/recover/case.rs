@@ -3,7 +3,7 @@
 use super::what::What;
 use crate::grammar::Grammar;
 use crate::grammar::Rule;
-use crate::line::mended;
+use crate::line::corrected;
 use crate::prepare::whole_end;
 use crate::words;
 use crate::words::is_name_char;
@@ -67,7 +67,7 @@ impl<'a> Case<'a> {
 
     /// The author's lines with a part of the piece replaced.
     pub(super) fn line(&self, start: usize, end: usize, new: &str) -> String {
-        mended(self.text, self.span(start, end - start), new)
+        corrected(self.text, self.span(start, end - start), new)
     }
 
     /// The place of some bytes of the piece.

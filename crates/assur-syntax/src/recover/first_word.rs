@@ -4,7 +4,7 @@ use super::case::Case;
 use super::what::What;
 use crate::error::SyntaxError;
 use crate::grammar::{Grammar, Rule};
-use crate::line::{Line, mended};
+use crate::line::{Line, corrected};
 use crate::words::{self, is_name_char};
 use assur_text::diagnostic::did_you_mean;
 use assur_text::language::{Place, words_of};
@@ -232,5 +232,5 @@ fn list_goes_on(case: &Case<'_>) -> Option<String> {
     let new = format!("{}, {}", statement.trim(), case.slice);
     let list = statement.trim_start().starts_with("find ") && case.reads(&new);
     let start = line.start + before.trim_end().len();
-    list.then(|| mended(case.text, Span::new(start, case.offset), ", "))
+    list.then(|| corrected(case.text, Span::new(start, case.offset), ", "))
 }

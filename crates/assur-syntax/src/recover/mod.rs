@@ -20,7 +20,7 @@ pub(super) use what::What;
 
 use super::document::{Bad, Name};
 use super::error::SyntaxError;
-use super::line::{Line, mended};
+use super::line::{Line, corrected};
 use super::words::{self, Expected, is_name_char, is_reserved};
 use assur_text::diagnostic::{Problems, did_you_mean};
 use assur_text::language::{Place, words_of};
@@ -107,7 +107,7 @@ pub(super) fn point_without_coordinates(text: &str, name: &Name, at: Span) -> Sy
             found: name.node.clone(),
             at: name.span,
             wanted: (*wanted).to_owned(),
-            help: Some(format!("write: {}", mended(text, name.span, wanted))),
+            help: Some(format!("write: {}", corrected(text, name.span, wanted))),
         },
         None => without_coordinates(&name.node, at),
     }

@@ -73,8 +73,8 @@ fn missing_operator(case: &Case<'_>) -> Option<SyntaxError> {
     let here = case.token(case.fail);
     let closes = before.ends_with(')') || before.ends_with(is_name_char);
     let opens = here == "(" || (before.ends_with(')') && here.starts_with(is_name_char));
-    let mended = case.with(before.len(), case.fail, " * ");
-    (closes && opens && !is_reserved(here) && case.reads(&mended)).then(|| SyntaxError::MissingOperator {
+    let corrected = case.with(before.len(), case.fail, " * ");
+    (closes && opens && !is_reserved(here) && case.reads(&corrected)).then(|| SyntaxError::MissingOperator {
         at: case.span(case.fail, here.len()),
         help: case.help(before.len(), case.fail, "*"),
     })

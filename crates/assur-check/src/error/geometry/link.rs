@@ -50,7 +50,7 @@ pub enum LinkError {
     #[error("point `{point}` does not close: {reason}, {by} too {too}")]
     #[diagnostic(
         code("mech::geometry::point_does_not_close"),
-        help("the three sides {sides} make no triangle; {mend}")
+        help("the three sides {sides} make no triangle; {correction}")
     )]
     PointDoesNotClose {
         /// The point.
@@ -64,7 +64,7 @@ pub enum LinkError {
         /// The three lengths.
         sides: String,
         /// Bounds for one of them.
-        mend: String,
+        correction: String,
         /// The point's name.
         #[label(primary, "no such point")]
         span: Span,

@@ -69,7 +69,7 @@ pub enum LoadError {
         #[label("{given}")]
         kind: Span,
     },
-    /// A load hangs on a force that is found only with the loads known.
+    /// A load depends on a force that is found only with the loads known.
     #[error("{what} hangs on {on}")]
     #[diagnostic(
         code("mech::geometry::depends_on_forces"),

@@ -118,7 +118,7 @@ impl Context<'_> {
             F::Effort => self.effort(call),
             F::Power => self.power(call),
             F::Efficiency => self.verdict(call, Query::Efficiency, Type::number(Dimension::NUMBER)),
-            F::Locked => self.verdict(call, Query::Locked, Type::Truth),
+            F::Locked => self.verdict(call, Query::Locked, Type::Bool),
             F::Critical => self.critical(call),
             F::Frictionless => self.frictionless(call),
             F::Speed => self.speed(call),
