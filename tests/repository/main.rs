@@ -2,6 +2,7 @@
 
 mod architecture;
 mod docs;
+mod floors;
 #[path = "../folder/mod.rs"]
 mod folder;
 mod language_tables;
