@@ -1,6 +1,8 @@
 //! What the language means and what comes out: values, answers and the rules by which they are judged.
 
 mod accuracy;
+#[path = "../busy/mod.rs"]
+mod busy;
 mod cycle;
 mod effects;
 mod expectations;

@@ -1,9 +1,10 @@
 //! No text makes the reader panic, overflow its stack or take more than linear time.
 
+use crate::busy::Busy;
 use assur::source::Source;
 use assur::syntax::{SyntaxError, parse};
 use proptest::prelude::*;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Far more than needed in a debug build on a busy machine, far less than quadratic time would take.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -11,7 +12,7 @@ const PATIENCE: Duration = Duration::from_secs(20);
 /// The number of statements and of errors.
 fn read(text: &str) -> (usize, usize) {
     let source = Source::new("text.mech", text);
-    let start = Instant::now();
+    let start = Busy::start();
     let (document, problems) = parse(&source);
     let took = start.elapsed();
     let head = text.chars().take(40).collect::<String>();

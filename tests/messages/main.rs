@@ -1,5 +1,7 @@
 //! What is reported about wrong files, and that no file does harm.
 
+#[path = "../busy/mod.rs"]
+mod busy;
 mod case;
 mod first_attempts;
 mod fixits;

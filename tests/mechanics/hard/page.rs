@@ -39,7 +39,7 @@ const TAIL: &str = "
   only where |σ| truly vanishes on the way (below 3e-7): a four-bar that misses its change point by 1e-12 of its lengths turns
   back as it should. Nearer than that the rounding of the lengths decides, and the change is told.
 - 10,000 turns of a four-bar and of a parallelogram end on their branch and at their angle, to the rounding of the angle
-  itself (`tests/hard/long.rs`). A way of more than 11,111 turns between two positions is refused.
+  itself (`tests/mechanics/hard/long.rs`). A way of more than 11,111 turns between two positions is refused.
 - In a chain of 1,000 dyads what one dyad loses is carried on by the next: the bound grows with their number.
 - Groups in series multiply what they lose: σ in the report is the least of all groups, and a group that hangs on another
   one near its dead position may lose more than ε/σ^k (up to 3e8 times that in positions, over the random cases below). The

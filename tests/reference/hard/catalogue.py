@@ -252,7 +252,7 @@ def passive():
 
 
 def chain():
-    """1000 dyads, each joined to the rocker before: tests/hard/long.rs writes the same lengths."""
+    """1000 dyads, each joined to the rocker before: tests/mechanics/hard/long.rs writes the same lengths."""
     w = mpf(2)
     r0 = mpf("0.05")
     p0 = 60 * deg
