@@ -2,13 +2,13 @@
 
 use super::cycle::loads_name_quantities;
 use super::inputs::Rates;
-use super::solution::{Pose, PoseOrigin, Solution, Solved};
+use super::solution::{Pose, Solution, Solved};
 use super::steps::step_before;
 use super::track::Tracker;
 use crate::answer::{Statics, balanced};
 use crate::model::{LoadId, Value};
 use crate::plan::Plan;
-use crate::position::{BodyState, Branch, DriveInput, Scene, State};
+use crate::position::{BodyState, Branch, DriveInput, PoseOrigin, Scene, State};
 use crate::reference::{Reference, reference};
 
 /// Where a position is come from, and what it is asked for.

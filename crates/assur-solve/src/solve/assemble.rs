@@ -1,19 +1,14 @@
 //! Finds the assembly of the first position: all of them are tried, group by group, and `assemble` chooses.
 
-use super::choices::{ambiguous, not_met, point_of};
-use super::error::SolveError;
-use super::gap::gap_text;
-use super::words::{labels, links};
 use crate::answer::View;
 use crate::math::Vec2;
+use crate::message::{SolveError, ambiguous, does_not_close, not_met};
 use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
-use crate::position::{BodyState, Branch, STARTS, Scene, State, Workspace, is_never_regular};
+use crate::position::{BodyState, Branch, SAME, STARTS, Scene, State, Workspace, extent};
 
 /// More assemblies than this are not followed: without a word on the first groups their number doubles with each.
 const MOST: usize = 256;
-/// Assemblies nearer than this, relative to the mechanism's extent, are one.
-pub(super) const SAME: f64 = 1e-9;
 
 /// An assembly as far as it is built, with the sum of squared distances that `near` asks for.
 #[derive(Clone)]
@@ -76,7 +71,7 @@ pub(crate) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
 pub(super) fn assemble_from(scene: &Scene<'_>, start: State, starts: usize) -> Result<State, SolveError> {
     let mut start = start;
     start.start(scene.plan);
-    let extent = super::steps::extent(scene);
+    let extent = extent(scene);
     let hints = hints_by_group(scene);
     let mut candidates = vec![Candidate { state: start, far: 0.0 }];
     for (index, hints) in hints.iter().enumerate() {
@@ -287,7 +282,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
 /// The one candidate, or that with the least sum of squared distances.
 fn nearest(scene: &Scene<'_>, candidates: Vec<Candidate>) -> Result<State, SolveError> {
     let least = candidates.iter().map(|c| c.far).fold(f64::INFINITY, f64::min);
-    let close = super::steps::extent(scene) * SAME;
+    let close = extent(scene) * SAME;
     let mut best: Vec<Candidate> =
         candidates.into_iter().filter(|c| c.far.sqrt() <= least.sqrt() + close || c.far.is_nan()).collect();
     if best.len() == 1 { Ok(best.swap_remove(0).state) } else { Err(ambiguous(scene, &states(&best))) }
@@ -295,29 +290,4 @@ fn nearest(scene: &Scene<'_>, candidates: Vec<Candidate>) -> Result<State, Solve
 
 fn states(candidates: &[Candidate]) -> Vec<&State> {
     candidates.iter().map(|c| &c.state).collect()
-}
-
-/// What to say of a group that does not close.
-pub(super) fn does_not_close(scene: &Scene<'_>, state: State, index: usize, pose: &str) -> SolveError {
-    let mut state = state;
-    let step = &scene.plan.motion[index];
-    let group = &scene.structure.motion[index];
-    let labels = labels(scene, group, "does not close");
-    if let MotionStep::General { problem, .. } = step {
-        let help = match point_of(scene, group) {
-            _ if is_never_regular(&state, *problem, &scene.plan.general[*problem]) => {
-                "change a direction or a length: wherever these links stand, their pairs let them move or are too many, as \
-                 with two parallel guides"
-                    .to_owned()
-            }
-            Some(point) => format!(
-                "say where its points are about, as in `assemble {point} near (200 mm, 100 mm)`, or check the lengths"
-            ),
-            None => "check the lengths".to_owned(),
-        };
-        return SolveError::NotFound { pose: pose.to_owned(), links: links(scene, group), help, labels };
-    }
-    state.step::<0>(scene.plan, step);
-    let (gap, help) = gap_text(scene, &state, index);
-    SolveError::DoesNotClose { pose: pose.to_owned(), gap, help, labels }
 }

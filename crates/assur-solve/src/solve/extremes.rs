@@ -1,18 +1,17 @@
 //! Dead positions, strokes and time ratios: the extremes of a pair's coordinate over one turn of the drive.
 
-use super::error::{SolveError, label};
 use super::turn::{Failure, Turn};
-use super::words::four;
 use crate::answer::{Statics, every_query};
+use crate::message::{SolveError, four, label};
 use crate::model::{Mechanism, PairId, Query};
-use crate::position::Scene;
+use crate::position::{Scene, turns};
 
 /// Finds the extremes of every pair whose `dead`, `stroke`, `travel` or `time_ratio` the file names.
 pub(crate) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
     let wanted = wanted(scene.mechanism);
     let Some(first) = wanted.first() else { return Ok(Statics::EMPTY) };
     let drive = match scene.mechanism.drives.as_slice() {
-        [drive] if super::positions::turns(scene, drive) => drive,
+        [drive] if turns(scene, drive) => drive,
         [drive] => {
             let why = format!("it takes a drive that turns, and `{}` slides", drive.name);
             let help =

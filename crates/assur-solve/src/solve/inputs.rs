@@ -1,10 +1,9 @@
 //! From drive values to what the steps of motion read: directions, coordinates, rates.
 
-use super::solution::DriveValue;
 use crate::answer::{Statics, constant};
 use crate::math::Vec2;
 use crate::model::{Drive, Value};
-use crate::position::{DriveInput, Scene};
+use crate::position::{DriveInput, DriveValue, Scene};
 
 /// Rates of the drives: the same at every position.
 #[derive(Clone, Debug)]

@@ -1,14 +1,13 @@
 //! All assemblies of every group at the first position, each with the line that chooses it.
 
-use super::assemble::{Way, assemble, does_not_close, every_way};
-use super::choices::{lines, near_lines};
-use super::error::SolveError;
+use super::assemble::{Way, assemble, every_way};
 use super::extremes::statics;
 use super::inputs::Rates;
 use super::positions::Sweep;
-use super::refused;
-use super::words::place;
-use crate::position::{Scene, State};
+use crate::message::{
+    SolveError, does_not_close, lines, missing_speeds, near_lines, not_supported, place, with_pose,
+};
+use crate::position::{Scene, State, extent};
 use crate::structure::GroupKind;
 
 /// The assemblies at the first position.
@@ -49,8 +48,8 @@ pub struct Mode {
 /// # Errors
 /// Constructs not supported yet, requests without the speeds they need, strokes that do not exist.
 pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
-    let mut errors = refused::not_supported(scene.mechanism);
-    errors.extend(refused::missing_speeds(scene));
+    let mut errors = not_supported(scene.mechanism);
+    errors.extend(missing_speeds(scene));
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -67,12 +66,12 @@ pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
         Ok(whole) => Some(whole),
         Err(SolveError::Ambiguous { .. }) => None,
         Err(error) => {
-            out.problem = Some(super::sweep::with_pose(error, &out.pose));
+            out.problem = Some(with_pose(error, &out.pose));
             None
         }
     };
     state.start(scene.plan);
-    let extent = super::steps::extent(scene);
+    let extent = extent(scene);
     for (index, group) in scene.structure.motion.iter().enumerate() {
         let ways = every_way(scene, &mut state, index, extent);
         let Some(first) = ways.first() else {

@@ -1,11 +1,8 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
-use super::error::SolveError;
-use super::notes;
-use super::out_of_scale::out_of_scale;
-use super::positions::Wanted;
 use crate::answer::{View, balanced};
-use crate::position::{Residuals, State, residuals};
+use crate::message::{SolveError, cannot_hold, dead, not_finite, out_of_scale};
+use crate::position::{DEAD, Residuals, State, Wanted, residuals};
 use crate::reference::exact;
 
 use super::solution::Solved;
@@ -14,8 +11,6 @@ use super::track::Tracker;
 use crate::model::{PairId, PairKind, Query, TransmissionKind, Value};
 use crate::plan::{ForceStep, Level, Numbers};
 
-/// At and below this condition velocities and forces do not exist.
-pub(super) const DEAD: f64 = 1e-12;
 /// A group below this σ loses digits that the groups behind it lose again: what is left of one that hangs on others goes by
 /// the product.
 const LOSES: f64 = 0.05;
@@ -49,7 +44,7 @@ impl Run<'_, '_> {
         }
         if state.forces.locked {
             state.forget_forces();
-        } else if let Some(error) = notes::not_finite(scene, &state, pose) {
+        } else if let Some(error) = not_finite(scene, &state, pose) {
             return Err(error);
         }
         let mut residuals = residuals(scene, &state);
@@ -69,7 +64,8 @@ impl Run<'_, '_> {
         solved.quantities = View { frictionless: ideal, ..view }.all_quantities();
         self.note_contacts(&solved, pose);
         self.note_trains(&solved, pose);
-        self.note_friction(&solved, pose);
+        let view = solved.view(scene, &self.statics);
+        self.friction.look(scene, &view, pose);
         Ok(solved)
     }
 
@@ -115,7 +111,7 @@ impl Run<'_, '_> {
             let before = group.joints.iter().map(|j| carried[j.base.0]).fold(1.0, f64::min);
             group.bodies.iter().for_each(|b| carried[b.0] = before * (condition / LOSES).min(1.0));
             if level > Level::Positions && condition <= DEAD {
-                return Err(notes::dead(scene, group, condition, pose));
+                return Err(dead(scene, group, condition, pose));
             }
             let (what, power) = match level {
                 Level::Positions => ("positions", 1),
@@ -140,7 +136,7 @@ impl Run<'_, '_> {
             let condition = sine.abs();
             least = least.min(condition);
             if condition <= DEAD {
-                return Err(notes::cannot_hold(scene, group, condition, pose));
+                return Err(cannot_hold(scene, group, condition, pose));
             }
             self.notes.condition(scene, group, (condition, "forces", 2), pose);
         }

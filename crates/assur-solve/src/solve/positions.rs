@@ -1,17 +1,8 @@
 //! Which positions are asked for: sweeps, named poses, and those an `expect … at` adds.
 
-use super::solution::{DriveValue, PoseOrigin};
 use crate::answer::{Statics, constant};
-use crate::model::{At, Drive, DriveId, DriveTarget, Expr, Positions, Value};
-use crate::position::Scene;
-
-/// A position to be solved.
-#[derive(Clone, Debug)]
-pub(crate) struct Wanted {
-    pub name: String,
-    pub origin: PoseOrigin,
-    pub drives: Vec<DriveValue>,
-}
+use crate::model::{At, Drive, DriveId, Expr, Positions, Value};
+use crate::position::{DriveValue, PoseOrigin, Scene, Wanted, turns};
 
 fn drive_value(value: Value) -> DriveValue {
     match value {
@@ -69,17 +60,6 @@ impl Values {
                 DriveValue::Scalar(from + (to - from) * (i as f64 / *steps as f64))
             }
         }
-    }
-}
-
-/// Whether a drive's value is an angle.
-pub(crate) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
-    match drive.target {
-        DriveTarget::Link(_) => true,
-        DriveTarget::Pair(pair) => {
-            matches!(scene.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_))
-        }
-        DriveTarget::Point(..) => false,
     }
 }
 

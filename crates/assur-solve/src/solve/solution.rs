@@ -1,11 +1,9 @@
 //! What solving gives: one state per position, with residuals and condition.
 
-use super::error::SolveError;
-use super::friction_error::FrictionError;
 use crate::answer::{Statics, View};
-use crate::math::Vec2;
+use crate::message::{FrictionError, SolveError};
 use crate::model::Value;
-use crate::position::{Residuals, Scene, State};
+use crate::position::{DriveValue, PoseOrigin, Residuals, Scene, State};
 
 /// All positions of a file.
 #[derive(Debug, Default)]
@@ -49,40 +47,6 @@ pub struct Pose {
     pub drives: Vec<DriveValue>,
     /// The state, or why there is none.
     pub outcome: Result<Solved, SolveError>,
-}
-
-/// Where a pose comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PoseOrigin {
-    /// The drives' own values; counted from 0.
-    Sweep(usize),
-    /// A `pose` statement: index into [`Mechanism::poses`].
-    Named(usize),
-    /// An `expect … at`: index into [`Mechanism::expects`].
-    Expected(usize),
-}
-
-/// Value of a drive.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum DriveValue {
-    /// Angle, rad, or coordinate, m.
-    Scalar(f64),
-    /// Place of a driven point, m.
-    Point(Vec2),
-    /// Rates only.
-    None,
-}
-
-impl DriveValue {
-    /// As a value of the language; `None` for rates only.
-    #[must_use]
-    pub const fn value(&self) -> Option<Value> {
-        match self {
-            Self::Scalar(x) => Some(Value::Scalar(*x)),
-            Self::Point(p) => Some(Value::Vector(*p)),
-            Self::None => None,
-        }
-    }
 }
 
 /// A solved position.

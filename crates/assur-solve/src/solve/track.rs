@@ -7,11 +7,10 @@
 //! of the root stays.
 
 use super::inputs::Rates;
-use super::solution::DriveValue;
-use super::steps::{MOST_STEPS, between, extent, length, steps, ways};
+use super::steps::{MOST_STEPS, between, length, steps, ways};
 use crate::math::Vec2;
 use crate::plan::MotionStep;
-use crate::position::{Scene, State};
+use crate::position::{DriveValue, Scene, State, extent};
 use crate::structure::BodyId;
 use std::rc::Rc;
 

@@ -1,13 +1,12 @@
 //! One turn of the drive: where the coordinates of pairs turn back.
 
 use super::assemble::assemble;
-use super::error::SolveError;
 use super::inputs::Rates;
-use super::solution::DriveValue;
 use super::track::Tracker;
 use crate::answer::{Extremes, Statics, View};
+use crate::message::SolveError;
 use crate::model::PairId;
-use crate::position::{BodyState, Branch, Scene, State};
+use crate::position::{BodyState, Branch, DriveValue, Scene, State};
 use std::f64::consts::TAU;
 
 /// Why there is no turn.

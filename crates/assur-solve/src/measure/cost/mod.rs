@@ -8,9 +8,10 @@ mod ladder;
 mod places;
 
 use crate::answer::balanced;
+use crate::message::SolveError;
 use crate::model::{LoadId, Value};
 use crate::position::{Scene, State, residuals};
-use crate::solve::{Rates, SolveError, Statics, Sweep, View, can_be_solved, cycles, statics};
+use crate::solve::{Rates, Statics, Sweep, View, can_be_solved, cycles, statics};
 use ladder::Trial;
 pub use places::Over;
 use places::Place;

@@ -1,7 +1,8 @@
 //! Places to run a plan at: assembled and followed once, before anything is measured.
 
-use crate::position::{Scene, State};
-use crate::solve::{DriveValue, Rates, SolveError, Statics, Sweep, Tracker, assemble, turns};
+use crate::message::SolveError;
+use crate::position::{DriveValue, Scene, State, turns};
+use crate::solve::{Rates, Statics, Sweep, Tracker, assemble};
 
 /// So many places are enough; more would leave the nearest memory.
 const ENOUGH: usize = 64;

@@ -7,17 +7,15 @@
 //! links; the flywheel alone keeps δ = e_max − e_min with J = [W]/(ω_m² δ). With `with_links` the mean of J_r takes its
 //! share of it.
 
-use super::super::error::{SolveError, label};
-use super::super::positions::turns;
-use super::super::words::{four, short, with_unit};
 use super::panels::{Piecewise, piecewise};
 use super::sampler::Sampler;
 use super::switches::breaks;
 use super::undefined::Undefined;
 use crate::answer::{FlywheelAnswer, Statics, constant};
 use crate::math::chebyshev::Series;
+use crate::message::{SolveError, four, label, short, with_unit};
 use crate::model::{BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, Query, Value};
-use crate::position::Scene;
+use crate::position::{Scene, turns};
 use crate::structure::EffortSource;
 use crate::units::Dimension;
 

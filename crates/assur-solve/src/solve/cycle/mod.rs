@@ -14,9 +14,9 @@ mod way;
 
 pub(super) use sampler::loads_name_quantities;
 
-use super::error::SolveError;
 use super::positions::Sweep;
 use crate::answer::{CycleAnswer, Statics};
+use crate::message::SolveError;
 use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
 use crate::plan::needs_forces;
 use crate::position::Scene;

@@ -1,19 +1,17 @@
 //! Solves the mechanism anywhere on the sweep.
 
 use super::super::assemble::assemble;
-use super::super::error::SolveError;
 use super::super::inputs::Rates;
-use super::super::pose::DEAD;
-use super::super::solution::DriveValue;
-use super::super::steps::{extent, steps};
+use super::super::steps::steps;
 use super::super::track::{Tracker, continued};
 use super::hangs_on_forces;
 use super::undefined::Undefined;
 use super::way::Way;
 use crate::answer::{Statics, View, balanced, every_query};
+use crate::message::SolveError;
 use crate::model::{Expr, LoadId, LoadKind, Mechanism, PairKind, Query, Value};
 use crate::plan::{Level, Settings};
-use crate::position::{BodyState, Branch, Scene, State};
+use crate::position::{BodyState, Branch, DEAD, DriveValue, Scene, State, extent};
 use std::collections::HashMap;
 
 /// The fewest intervals between places where the mechanism is known beforehand.

@@ -1,8 +1,8 @@
 //! Why a function over the sweep has no value.
 
-use super::super::words::{four, short};
 use super::way::Way;
-use crate::position::Scene;
+use crate::message::{four, short};
+use crate::position::{Scene, turns};
 
 /// Why a function over the sweep has no value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub(super) enum Undefined {
 impl Undefined {
     pub(super) fn text(self, scene: &Scene<'_>, way: &Way) -> String {
         let place = |s: f64| match scene.mechanism.drives.as_slice() {
-            [drive] if super::super::positions::turns(scene, drive) => {
+            [drive] if turns(scene, drive) => {
                 format!(" at {} = {} deg", drive.name, short(way.value(s).to_degrees()))
             }
             [drive] => format!(" at {} = {} mm", drive.name, four(way.value(s) * 1e3)),

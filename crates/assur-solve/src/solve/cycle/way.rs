@@ -1,12 +1,11 @@
 //! The sweep as an interval: s from 0 to 1.
 
-use super::super::error::{SolveError, label};
-use super::super::positions::{Sweep, turns};
-use super::super::solution::DriveValue;
-use super::super::steps::{between, extent, ways};
+use super::super::positions::Sweep;
+use super::super::steps::{between, ways};
 use crate::answer::{Statics, constant};
+use crate::message::{SolveError, label};
 use crate::model::Positions;
-use crate::position::Scene;
+use crate::position::{DriveValue, Scene, extent, turns};
 use std::f64::consts::TAU;
 
 /// The longest way, in largest steps: each is a place that is kept.
