@@ -1,40 +1,11 @@
 //! The steps of forces.
 
 use super::formed::Formed;
-use super::friction::RubbingGroup;
+use super::friction_step::RubbingGroup;
+use super::joint::{Hinge, OuterJoint, Way};
 use super::step::Arm;
-use super::triad::TriadForces;
+use super::triad_step::TriadForces;
 use crate::math::Vec2;
-
-/// Where a reaction acts and where it is kept.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hinge {
-    /// Slot of the body it acts on.
-    pub body: usize,
-    /// The pin in the body's frame.
-    pub pin: Arm,
-    /// Slot of the body it comes from.
-    pub base: usize,
-    /// Slot of the reaction: force on `body`.
-    pub slot: usize,
-}
-
-/// A prismatic joint on the side of forces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Way {
-    /// Slot of the body the reaction is counted on.
-    pub body: usize,
-    /// Slot of the other body.
-    pub base: usize,
-    /// Slot of the sliding body.
-    pub slider: usize,
-    /// Its point in its frame, m: couples are taken about it.
-    pub point: Vec2,
-    /// Its direction along the line, in its frame.
-    pub direction: Vec2,
-    /// Slot of the reaction: force and couple on `body`.
-    pub slot: usize,
-}
 
 /// One unknown effort on the side of forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -160,15 +131,6 @@ pub enum ForceStep {
         /// What rubs in it.
         group: Box<RubbingGroup>,
     },
-}
-
-/// The second outer joint of a dyad on the side of forces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum OuterJoint {
-    /// A revolute.
-    Hinge(Hinge),
-    /// A guide.
-    Way(Way),
 }
 
 /// The far half of a link with an unknown effort inside: solved like one body with one joint and one effort.

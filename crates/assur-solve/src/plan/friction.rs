@@ -1,82 +1,11 @@
 //! Which joints rub, and how: one element per sliding or turning contact, each in the group that finds its reaction.
 
-use super::Plan;
-use super::force_step::{EffortLine, ForceStep, Way};
+use super::force_step::{EffortLine, ForceStep};
+use super::friction_step::{FrictionElement, Rub, RubbingGroup};
+use super::geometry::way;
+use super::planned::Plan;
 use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
 use crate::structure::{BodyId, Group, JointKind, Structure};
-
-/// Friction in one joint: an effort that opposes the relative motion, in proportion to the reaction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FrictionElement {
-    /// The pair.
-    pub pair: PairId,
-    /// Slot of the body the effort is counted on.
-    pub body: usize,
-    /// Slot of the other body.
-    pub base: usize,
-    /// Slot of the body through which the effort reaches `body`: the block that stands for a pin in a slot, or `body`
-    /// itself. The link of the pin may have been solved before the block.
-    pub through: usize,
-    /// Slot of the reaction.
-    pub slot: usize,
-    /// The law.
-    pub kind: Rub,
-    /// Hinge of several links that its own link does not carry: the force on `body` is the sum of these reactions, a range
-    /// of [`Plan::pin_slots`], instead of the one in `slot`.
-    pub pin: Option<(usize, usize)>,
-}
-
-/// Laws of friction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Rub {
-    /// A torque ρ |f| about a hinge.
-    Circle {
-        /// Radius of the friction circle, m.
-        radius: f64,
-    },
-    /// A force f |N| along a guide.
-    Guide {
-        /// Equivalent coefficient.
-        coefficient: f64,
-        /// The guide.
-        way: Way,
-    },
-    /// A force f (|N_1| + |N_2|) along a guide with two contact points.
-    BothEnds {
-        /// Coefficient.
-        coefficient: f64,
-        /// The guide.
-        way: Way,
-        /// Coordinates of the contact points relative to the pair's point, m.
-        contacts: [f64; 2],
-    },
-    /// A force f |N| along the tangent of a contact, or along a slot. `slot` holds the normal force.
-    Contact {
-        /// Coefficient.
-        coefficient: f64,
-        /// The profile on `body`.
-        first: ProfileShape,
-        /// The profile on `base`.
-        second: ProfileShape,
-        /// One circle lies inside the other.
-        internal: bool,
-    },
-}
-
-/// The bodies whose loads a group's step reads or changes, and the elements inside it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RubbingGroup {
-    /// Slots of the group's bodies.
-    pub bodies: Vec<usize>,
-    /// Slots of the bodies that carry it.
-    pub bases: Vec<usize>,
-    /// Its elements: indices into [`Plan::friction`].
-    pub elements: Vec<usize>,
-    /// Slots of its reactions.
-    pub slots: Vec<usize>,
-    /// The elements in its joints, where the laws reduce to the force in the inner hinge of a dyad, or to nothing unknown.
-    pub reduced: Option<[Option<usize>; 3]>,
-}
 
 /// The elements by joint where [`RubbingGroup::reduced`] holds: circles in the hinges of a dyad RRR, or of a dyad RRP whose
 /// guide rubs by its normal force; the one joint of a link whose effort acts in that joint.
@@ -245,7 +174,7 @@ fn element(
             (radius > 0.0).then(|| at(joint.body, joint.base, Rub::Circle { radius }))
         }
         (PairKind::Prismatic(guide), friction) => {
-            let way = super::forces::way(structure, *joint, slot);
+            let way = way(structure, *joint, slot);
             let kind = match friction {
                 Friction::Coefficient(coefficient) => Rub::Guide { coefficient, way },
                 Friction::BothEnds(coefficient) => {
@@ -281,19 +210,5 @@ fn element(
             (friction.coefficient() > 0.0).then(|| at(body(first.link), body(second.link), kind))
         }
         _ => None,
-    }
-}
-
-impl Rub {
-    /// The law with its radius or coefficient multiplied.
-    #[must_use]
-    pub const fn scaled(mut self, by: f64) -> Self {
-        match &mut self {
-            Self::Circle { radius: factor }
-            | Self::Guide { coefficient: factor, .. }
-            | Self::BothEnds { coefficient: factor, .. }
-            | Self::Contact { coefficient: factor, .. } => *factor *= by,
-        }
-        self
     }
 }

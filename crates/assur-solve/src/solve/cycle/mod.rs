@@ -5,6 +5,7 @@
 //! integrated. Between them a quantity is a Chebyshev series per panel, halved until it has converged; a quantity that
 //! is smooth over whole turns has its mean from equally spaced samples, of which the fewest suffice.
 
+mod depends;
 mod flywheel;
 mod panels;
 mod sampler;
@@ -12,15 +13,15 @@ mod switches;
 mod undefined;
 mod way;
 
-pub(super) use sampler::loads_name_quantities;
+pub(super) use depends::loads_name_quantities;
 
 use super::positions::Sweep;
 use crate::answer::{CycleAnswer, Statics};
 use crate::message::SolveError;
-use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
-use crate::plan::needs_forces;
+use crate::model::{CycleFunction, Expr, FlywheelPart, Query};
 use crate::position::Scene;
-use panels::Piecewise;
+use depends::{counts_turns, hangs_on_forces, hangs_on_nothing_else};
+use panels::{COARSE, Piecewise};
 use sampler::Sampler;
 use undefined::Undefined;
 use way::Way;
@@ -29,8 +30,6 @@ use way::Way;
 const MOST_SAMPLES: usize = 128;
 /// The fewest; half of them where few digits are wanted.
 const FEWEST_SAMPLES: usize = 16;
-/// More digits than this are not few.
-const COARSE: f64 = 1e-9;
 
 /// Finds the functions over the sweep and the flywheels of a file.
 pub(crate) fn cycles(
@@ -78,34 +77,6 @@ pub fn over_cycle(scene: &Scene<'_>, found: &Statics) -> Result<Statics, SolveEr
     let sweep = Sweep::of(scene, &statics);
     cycles(scene, &mut statics, &sweep)?;
     Ok(statics)
-}
-
-/// Whether an expression can be computed before any function over the sweep and any flywheel is known. Quantities may
-/// hang on them.
-fn hangs_on_nothing_else(expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| {
-        found |= matches!(part, Expr::Query(Query::Cycle(_) | Query::Flywheel(..)) | Expr::Quantity(_));
-    });
-    !found
-}
-
-/// Whether an expression hangs on forces, through quantities and other functions over the sweep too.
-fn hangs_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| {
-        found |= match part {
-            Expr::Quantity(id) => {
-                mechanism.quantities.get(id.index()).is_some_and(|q| hangs_on_forces(mechanism, &q.expr))
-            }
-            Expr::Query(Query::Cycle(index)) => {
-                mechanism.cycles.get(*index).is_some_and(|c| hangs_on_forces(mechanism, &c.expr))
-            }
-            Expr::Query(query) => needs_forces(query),
-            _ => false,
-        };
-    });
-    found
 }
 
 fn cycle(scene: &Scene<'_>, statics: &Statics, sampler: &mut Sampler<'_>, index: usize) -> CycleAnswer {
@@ -196,23 +167,6 @@ fn comes_again(
     let (first, last) = (sampler.sample(statics, 0.0, expr)?, sampler.sample(statics, 1.0, expr)?);
     let between = sampler.sample(statics, 0.3, expr)?;
     Ok((first - last).abs() <= 1e-9 * first.abs().max(last.abs()).max(between.abs()))
-}
-
-/// Whether an expression asks for angles, which are continuous over the sweep.
-fn counts_turns(mechanism: &Mechanism, expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| {
-        found |= match part {
-            Expr::Quantity(id) => {
-                mechanism.quantities.get(id.index()).is_some_and(|q| counts_turns(mechanism, &q.expr))
-            }
-            Expr::Query(query) => {
-                matches!(query, Query::Angle(_) | Query::Displacement(_) | Query::Travel(_))
-            }
-            _ => false,
-        };
-    });
-    found
 }
 
 /// The mean of a smooth quantity over whole turns; `None` where samples do not converge.

@@ -1,11 +1,13 @@
 //! Quantities as Chebyshev series, panel by panel.
 
-use super::COARSE;
 use super::sampler::Sampler;
 use super::undefined::Undefined;
 use crate::answer::Statics;
 use crate::math::chebyshev::{NODES, Nodes, Series};
 use crate::model::Expr;
+
+/// More digits than this are not few.
+pub(super) const COARSE: f64 = 1e-9;
 
 /// Panels per turn of the drive at the start.
 const PER_TURN: f64 = 8.0;

@@ -4,12 +4,14 @@ use super::super::assemble::assemble;
 use super::super::inputs::Rates;
 use super::super::steps::steps;
 use super::super::track::{Tracker, continued};
-use super::hangs_on_forces;
+use super::depends::{
+    asks_for_angles, asks_for_ideal, hangs_on_forces, loads_name_quantities, names_quantity,
+};
 use super::undefined::Undefined;
 use super::way::Way;
-use crate::answer::{Statics, View, balanced, every_query};
+use crate::answer::{Statics, View, balanced};
 use crate::message::SolveError;
-use crate::model::{Expr, LoadId, LoadKind, Mechanism, PairKind, Query, Value};
+use crate::model::{Expr, LoadId, Value};
 use crate::plan::{Level, Settings};
 use crate::position::{BodyState, Branch, DEAD, DriveValue, Scene, State, extent};
 use std::collections::HashMap;
@@ -299,49 +301,4 @@ impl<'a> Sampler<'a> {
             *angle = continued(*before, old.u, body.u);
         }
     }
-}
-
-fn names_quantity(expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| found |= matches!(part, Expr::Quantity(_)));
-    found
-}
-
-/// Whether a load hangs on quantities of the file.
-pub(in super::super) fn loads_name_quantities(mechanism: &Mechanism) -> bool {
-    mechanism.loads.iter().any(|load| {
-        let value = match &load.kind {
-            LoadKind::Force { value, .. }
-            | LoadKind::ForceAgainstMotion { value, .. }
-            | LoadKind::Torque { value, .. }
-            | LoadKind::InPair { value, .. } => value,
-        };
-        names_quantity(value) || load.when.as_ref().is_some_and(names_quantity)
-    })
-}
-
-/// Whether the file asks anywhere for angles, which are carried on from place to place.
-fn asks_for_angles(mechanism: &Mechanism) -> bool {
-    let turns = |pair: &crate::model::PairId| matches!(mechanism.pair(*pair).kind, PairKind::Revolute(_));
-    let mut asked = false;
-    every_query(mechanism, &mut |query, _| {
-        asked |= match query {
-            Query::Angle(_) => true,
-            Query::Displacement(pair) | Query::Travel(pair) => turns(pair),
-            _ => false,
-        };
-    });
-    asked
-}
-
-/// Whether the file asks anywhere for what it would be without friction.
-fn asks_for_ideal(mechanism: &Mechanism) -> bool {
-    let exprs = mechanism.quantities.iter().map(|q| &q.expr).chain(mechanism.cycles.iter().map(|c| &c.expr));
-    let mut asked = false;
-    for expr in exprs {
-        expr.parts(&mut |part| {
-            asked |= matches!(part, Expr::Frictionless(_) | Expr::Query(Query::Efficiency | Query::Locked));
-        });
-    }
-    asked
 }
