@@ -1,7 +1,7 @@
 //! Position, velocity, acceleration, all reactions and the balancing torque over a revolution of 360 positions. Items are
 //! positions: divan's throughput is positions per second. `cargo bench --bench kinetostatics`.
 
-#[path = "../tests/properties/machines.rs"]
+#[path = "../tests/mechanics/support/machines.rs"]
 mod machines;
 
 use assur::math::Vec2;

@@ -2,7 +2,8 @@
 //! without reading and writing. Items are rows. `cargo bench --bench variants`.
 
 use assur::check::{Overrides, Row, RowCell, RowColumn, columns};
-use assur::exercise::{Family, table::Table};
+use assur::exercise::table::Table;
+use assur::pipeline::VariantSolver;
 use assur::source::Source;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
@@ -19,6 +20,7 @@ fn main() {
 fn crank_slider(bencher: Bencher<'_, '_>) {
     let source = Source::new("crank-slider.mech", include_str!("../examples/variants/crank-slider.mech"));
     let (document, _) = assur::syntax::parse(&source);
+    let document = Arc::new(document);
     let none = Overrides::none();
     let header =
         Table::open("rows.csv", HEADER.as_bytes()).expect("read").unwrap_or_else(|_| panic!("a header"));
@@ -30,7 +32,7 @@ fn crank_slider(bencher: Bencher<'_, '_>) {
         Row::new(found.clone(), found.iter().zip(values).map(cell).collect())
     };
     let rows: Vec<Row> = (0..ROWS).map(row).collect();
-    let mut family = Family::new(&source, &document, &none);
+    let mut family = VariantSolver::new(&document, &none);
     bencher
         .counter(ItemsCount::new(ROWS))
         .bench_local(|| rows.iter().filter(|row| black_box(family.solve(row)).0.is_some()).count());

@@ -32,7 +32,7 @@ fn holds(path: &Path, name: &str) -> Result<(), Failed> {
     let (compiled, mut problems) = assur::compile(&source, &Overrides::none());
     let mut stages = compiled.as_ref().map(|c| structure(&source, c)).unwrap_or_default();
     let (solved, found) = match compiled.filter(|_| !problems.has_errors()) {
-        Some(compiled) => assur::solve(compiled),
+        Some(compiled) => assur::pipeline::solve(compiled),
         None => return stands(path, &shown(FAILED, &stages, &problems, &source)),
     };
     problems.append(found);
@@ -75,8 +75,9 @@ fn list(problems: &Problems, source: &Source) -> String {
 /// Every row of a table of variants is solved, and meets its expectations.
 fn rows_hold(source: &Source) -> Result<(), Failed> {
     let (document, _) = assur::syntax::parse(source);
+    let document = std::sync::Arc::new(document);
     let overrides = Overrides::none();
-    let rows = match assur::exercise::OwnRows::of(source, &document, &overrides) {
+    let rows = match assur::pipeline::FileVariants::of(&document, &overrides) {
         None => return Ok(()),
         Some(rows) => rows.map_err(|_| "the table of variants has an error")?,
     };

@@ -1,6 +1,6 @@
 //! The loop over positions takes no memory: motion, loads and forces of machines with closed forms and without.
 
-#[path = "properties/machines.rs"]
+#[path = "mechanics/support/machines.rs"]
 mod machines;
 
 use assur::math::Vec2;

@@ -9,8 +9,10 @@ mod explain;
 mod files;
 mod grade;
 mod profile;
-mod reply;
-mod screen;
+#[doc(hidden)]
+pub mod reply;
+#[doc(hidden)]
+pub mod screen;
 mod solve;
 mod stream;
 mod test;

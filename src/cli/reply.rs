@@ -126,7 +126,7 @@ pub fn for_each_file(
 }
 
 /// An error of our own ends one file, not the program.
-fn guarded(source: &Source, screen: &Screen, work: impl FnOnce(&Source) -> Reply) -> Reply {
+pub fn guarded(source: &Source, screen: &Screen, work: impl FnOnce(&Source) -> Reply) -> Reply {
     match catch_unwind(AssertUnwindSafe(|| work(source))) {
         Ok(reply) => reply,
         Err(payload) => {
@@ -142,26 +142,5 @@ fn guarded(source: &Source, screen: &Screen, work: impl FnOnce(&Source) -> Reply
 pub fn quiet_panics() {
     if std::env::var_os("RUST_BACKTRACE").is_none() {
         std::panic::set_hook(Box::new(|_| {}));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::args::Args;
-    use super::super::screen::Screen;
-    use super::{Status, guarded};
-    use crate::source::Source;
-    use clap::Parser;
-
-    #[test]
-    fn an_error_of_our_own_is_reported() {
-        let source = Source::new("a.mech", "");
-        let args = Args::try_parse_from(["assur", "check", "a.mech", "--color=never"]).unwrap();
-        let reply = guarded(&source, &Screen::new(&args), |_| panic!("out of luck"));
-        assert_eq!(reply.status, Status::Unusable);
-        let (said, version) = (reply.diagnostics, env!("CARGO_PKG_VERSION"));
-        for part in ["internal error", "a.mech", "out of luck", version] {
-            assert!(said.contains(part), "{part}: {said}");
-        }
     }
 }

@@ -6,7 +6,7 @@ use super::screen::Screen;
 use super::stream;
 use crate::check::RowColumn;
 use crate::diagnostic::Problems;
-use crate::exercise::{OwnRows, SolvedRow, file_row_words, is_long};
+use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words, is_long};
 use crate::report::document::{Column, Table};
 use crate::report::json::Variant;
 use crate::report::{self, Answers, Precision};
@@ -14,6 +14,7 @@ use crate::source::Source;
 use crate::syntax;
 use crate::units::significant;
 use crate::{Compiled, Solved};
+use std::sync::Arc;
 
 /// Prints the answers.
 pub fn run(args: &Solve, screen: &Screen) -> Status {
@@ -25,7 +26,8 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
     };
     for_each_file(&args.problem.files, screen, apart, |source, printer| {
         let (document, found) = syntax::parse(source);
-        match OwnRows::of(source, &document, &overrides) {
+        let document = Arc::new(document);
+        match FileVariants::of(&document, &overrides) {
             Some(Ok(rows)) if !found.has_errors() => {
                 return of_rows(args.format, apart, source, rows.within(args.within), found, screen);
             }
@@ -36,7 +38,7 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
             }
             _ => {}
         }
-        let (compiled, mut problems) = crate::compile(source, &overrides);
+        let (compiled, mut problems) = compile_document(source, &document, found, &overrides);
         let compiled = match compiled {
             Some(compiled) if !problems.has_errors() && by_position(args, &compiled) => {
                 return stream::positions(args.format, source, compiled, problems, screen, printer);
@@ -72,7 +74,7 @@ fn of_rows(
     format: Format,
     apart: &str,
     source: &Source,
-    rows: OwnRows<'_>,
+    rows: FileVariants<'_>,
     mut problems: Problems,
     screen: &Screen,
 ) -> Reply {

@@ -4,9 +4,11 @@ use super::args::Problem;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
 use crate::diagnostic::Problems;
-use crate::exercise::{Outcome, OwnRows};
+use crate::exercise::Outcome;
+use crate::pipeline::{FileVariants, test_document};
 use crate::source::{Source, shown_in_line};
 use crate::syntax;
+use std::sync::Arc;
 
 /// The code of expectations that are not met; they are counted apart.
 const MISMATCH: &str = "mech::expect::mismatch";
@@ -16,10 +18,11 @@ pub fn run(args: &Problem, screen: &Screen) -> Status {
     let overrides = args.overrides();
     for_each_file(&args.files, screen, "", |source, _| {
         let (document, found) = syntax::parse(source);
-        if let (false, Some(Ok(rows))) = (found.has_errors(), OwnRows::of(source, &document, &overrides)) {
+        let document = Arc::new(document);
+        if let (false, Some(Ok(rows))) = (found.has_errors(), FileVariants::of(&document, &overrides)) {
             return of_rows(rows, source, found, screen);
         }
-        let (solved, problems) = crate::test_source(source, &overrides);
+        let (solved, problems) = test_document(source, &document, found, &overrides);
         let outcomes = solved.as_ref().map_or(&[][..], |s| &s.outcomes);
         let errors = problems.errors() - problems.errors_of(MISMATCH);
         let line =
@@ -29,7 +32,7 @@ pub fn run(args: &Problem, screen: &Screen) -> Status {
 }
 
 /// One line for all rows of a table of variants.
-fn of_rows(rows: OwnRows<'_>, source: &Source, mut problems: Problems, screen: &Screen) -> Reply {
+fn of_rows(rows: FileVariants<'_>, source: &Source, mut problems: Problems, screen: &Screen) -> Reply {
     let (mut met, mut failed, mut unsolved, mut errors, mut count) = (0, 0, 0, 0, 0);
     for row in rows.solve(true) {
         count += 1;

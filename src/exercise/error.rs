@@ -163,7 +163,7 @@ impl ExpectError {
     }
 
     /// The same, where all expectations are met in another assembly; `more` of them are not met besides this one.
-    pub(super) fn of_assembly(self, more: usize, line: &str) -> Self {
+    pub fn of_assembly(self, more: usize, line: &str) -> Self {
         let Self::Mismatch { message, difference, span, .. } = self.and_more(more) else { return self };
         let help = Some(format!("in the other assembly (`{line}`) all are met"));
         Self::Mismatch { message, difference, span, help }

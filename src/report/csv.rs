@@ -32,22 +32,3 @@ pub fn field(text: &str) -> Cow<'_, str> {
         text
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::document::{Column, Table};
-
-    #[test]
-    fn formulas_are_texts() {
-        assert_eq!(super::field("=1+1"), "'=1+1");
-        assert_eq!(super::field("=HYPERLINK(\"a\",\"b\")"), "\"'=HYPERLINK(\"\"a\"\",\"\"b\"\")\"");
-        assert_eq!(super::field("-0.125"), "-0.125");
-    }
-
-    #[test]
-    fn fields_with_commas_and_quotes_are_quoted() {
-        let mut table = Table::new(vec![Column::words("pose"), Column::numbers("reaction(B, rod).x [N]")], 1);
-        table.row(vec!["the \"first\"".into(), "1.5".into()]);
-        assert_eq!(super::render(&table), "pose,\"reaction(B, rod).x [N]\"\r\n\"the \"\"first\"\"\",1.5\r\n");
-    }
-}

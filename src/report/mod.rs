@@ -27,7 +27,8 @@ mod replacement;
 mod results;
 pub mod rows;
 mod scale;
-mod symbols;
+#[doc(hidden)]
+pub mod symbols;
 pub mod text;
 mod tradeoff;
 mod train;

@@ -134,7 +134,37 @@ impl AnswerColumns {
         (digits, key): (usize, bool),
         out: &mut String,
     ) {
-        let shown = &self.answers[if key { self.drives } else { 0 }..];
+        let from = if key { self.drives } else { 0 };
+        self.each_value(from, answers, pose, whole, |answer, value| answer.write(value, digits, out));
+    }
+
+    /// The names of the answers, drives first.
+    pub fn names(&self) -> impl Iterator<Item = String> {
+        self.answers.iter().map(|a| a.name.clone())
+    }
+
+    /// How each is printed.
+    pub fn displays(&self) -> impl Iterator<Item = &Display> {
+        self.answers.iter().map(|a| &a.display)
+    }
+
+    /// The answers at a pose, SI, with what needs no pose known; `None` where one does not exist.
+    #[must_use]
+    pub fn values(&self, answers: &Answers<'_>, pose: &Pose, whole: &[Option<Value>]) -> Vec<Option<Value>> {
+        let mut values = Vec::with_capacity(self.answers.len());
+        self.each_value(0, answers, pose, whole, |_, value| values.push(value));
+        values
+    }
+
+    fn each_value(
+        &self,
+        from: usize,
+        answers: &Answers<'_>,
+        pose: &Pose,
+        whole: &[Option<Value>],
+        mut each: impl FnMut(&Answer, Option<Value>),
+    ) {
+        let shown = &self.answers[from..];
         let solved = pose.outcome.as_ref().ok();
         let entries = match solved {
             Some(solved) if shown.iter().any(|a| matches!(a.content, Content::Reaction(..))) => {
@@ -143,20 +173,20 @@ impl AnswerColumns {
             _ => Vec::new(),
         };
         let view = solved.map(|solved| answers.solution.view(&answers.scene, solved));
-        for (answer, whole) in shown.iter().zip(&whole[self.answers.len() - shown.len()..]) {
-            let value = match &answer.content {
-                Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
-                Content::Find { index, poseless: false } => {
-                    view.as_ref().and_then(|view| found(answers, view, *index))
-                }
-                Content::Find { poseless: true, .. } => *whole,
-                Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
-                Content::Reaction(pair, on) => entry(&entries, *pair, *on).map(|e| Value::Vector(e.force)),
-                Content::Moment(pair, on) => {
-                    entry(&entries, *pair, *on).and_then(|e| e.moment).map(Value::Scalar)
-                }
-            };
-            answer.write(value, digits, out);
+        let value = |(answer, whole): (&Answer, &Option<Value>)| match &answer.content {
+            Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
+            Content::Find { index, poseless: false } => {
+                view.as_ref().and_then(|view| found(answers, view, *index))
+            }
+            Content::Find { poseless: true, .. } => *whole,
+            Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
+            Content::Reaction(pair, on) => entry(&entries, *pair, *on).map(|e| Value::Vector(e.force)),
+            Content::Moment(pair, on) => {
+                entry(&entries, *pair, *on).and_then(|e| e.moment).map(Value::Scalar)
+            }
+        };
+        for pair in shown.iter().zip(&whole[from..]) {
+            each(pair.0, value(pair));
         }
     }
 

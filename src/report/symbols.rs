@@ -3,7 +3,8 @@
 use crate::model::{Expr, Find, FindKind, LinkId, Mechanism, Query};
 
 /// `R12`: the reaction of link 1 on link 2; `None` where one of them has no number. The ground is 0 unless it says otherwise.
-pub(super) fn reaction(mechanism: &Mechanism, from: LinkId, on: LinkId) -> Option<String> {
+#[must_use]
+pub fn reaction(mechanism: &Mechanism, from: LinkId, on: LinkId) -> Option<String> {
     let (from, on) = (number(mechanism, from)?, number(mechanism, on)?);
     let between = if from.len() + on.len() > 2 { "," } else { "" };
     Some(format!("R{from}{between}{on}"))
@@ -35,24 +36,4 @@ fn number(mechanism: &Mechanism, link: LinkId) -> Option<&str> {
     let taken = || mechanism.links.iter().any(|l| l.number.as_deref() == Some("0"));
     let ground = (link == LinkId::GROUND && !taken()).then_some("0");
     mechanism.link(link).number.as_deref().or(ground)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::Link;
-
-    fn symbols(numbers: &[Option<&str>]) -> Vec<Option<String>> {
-        let link = |n: &Option<&str>| Link { number: n.map(str::to_owned), ..Link::default() };
-        let mechanism = Mechanism { links: numbers.iter().map(link).collect(), ..Mechanism::default() };
-        (1..numbers.len()).map(|on| reaction(&mechanism, LinkId::GROUND, LinkId::at(on))).collect()
-    }
-
-    #[test]
-    fn the_ground_is_0_unless_another_link_is() {
-        let some = |text: &str| Some(text.to_owned());
-        assert_eq!(symbols(&[None, Some("1"), Some("12"), None]), [some("R01"), some("R0,12"), None]);
-        assert_eq!(symbols(&[Some("4"), Some("1")]), [some("R41")]);
-        assert_eq!(symbols(&[None, Some("0")]), [None]);
-    }
 }

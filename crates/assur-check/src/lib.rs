@@ -29,7 +29,8 @@ mod lookup;
 mod machine;
 mod mass;
 mod names;
-mod overrides;
+#[doc(hidden)]
+pub mod overrides;
 mod pair;
 mod pair_meant;
 mod pair_property;
@@ -47,7 +48,8 @@ mod row;
 mod simulation;
 mod spring;
 mod taken;
-mod tolerance;
+#[doc(hidden)]
+pub mod tolerance;
 mod too_wide;
 mod train;
 mod unit_choice;

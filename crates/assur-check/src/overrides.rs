@@ -88,8 +88,8 @@ pub(super) fn replaced(cx: &mut Context<'_>, name: &str, written: Typed) -> Opti
 
 type Why = (String, Option<String>);
 
-/// `120mm`, `-30 deg`, `0.1`
-fn value(name: &str, text: &str, ty: Type, usual: &str) -> Result<Typed, Why> {
+/// Reads `120mm`, `-30 deg`, `0.1`.
+pub fn value(name: &str, text: &str, ty: Type, usual: &str) -> Result<Typed, Why> {
     let Type::Number(want) = ty else {
         return Err((
             format!("it is {} in the file, and only numbers can be set from outside", ty.shape()),
@@ -151,34 +151,4 @@ fn split(text: &str) -> (&str, &str) {
     };
     let end = ends.into_iter().find(is_number).unwrap_or(0);
     (&text[..end], text[end..].trim())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_with_and_without_blanks() {
-        for (text, si) in [("120mm", 0.12), ("-30 mm", -0.03), ("1.5e2 cm", 1.5), ("−2 m", -2.0), ("0", 0.0)]
-        {
-            let t = value("r", text, Type::number(Dimension::LENGTH), "mm").unwrap();
-            assert_eq!(t, Typed::constant(si, Dimension::LENGTH), "{text}");
-        }
-    }
-
-    #[test]
-    fn what_is_wrong_is_said() {
-        let length = Type::number(Dimension::LENGTH);
-        for (text, says) in [
-            ("120", "needs a unit"),
-            ("2 kg", "a mass"),
-            ("2 mn", "not a unit"),
-            ("mm", "not a number"),
-            ("1,5 mm", "decimal point"),
-            ("1,500 mm", "thousands"),
-        ] {
-            let (why, _) = value("r", text, length, "mm").unwrap_err();
-            assert!(why.contains(says), "{text}: {why}");
-        }
-    }
 }

@@ -159,7 +159,7 @@ fn last_digit(cx: &Context<'_>, expr: &Expr, depth: usize) -> Option<f64> {
 }
 
 /// `0.350` mm is good to 0.001 mm, `1.5e3` to 100.
-pub(super) fn digit_of(number: &Number) -> Option<f64> {
+pub fn digit_of(number: &Number) -> Option<f64> {
     let (mantissa, exponent) = match number.text.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
         None => (number.text.as_str(), 0),
@@ -169,21 +169,5 @@ pub(super) fn digit_of(number: &Number) -> Option<f64> {
     match &number.unit {
         Some(word) => lookup(&word.node).ok().map(|unit| unit.to_si(digit)),
         None => Some(digit),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_last_digit_written() {
-        let of = |text: &str| {
-            digit_of(&Number { value: text.parse().unwrap(), text: text.into(), unit: None }).unwrap()
-        };
-        for (text, digit) in [("26", 1.0), ("0.350", 1e-3), ("1.5e3", 100.0), ("2e-3", 1e-3), ("100.0", 0.1)]
-        {
-            assert_eq!(of(text), digit, "{text}");
-        }
     }
 }

@@ -14,9 +14,6 @@ mod trivia;
 mod whole;
 mod words;
 
-#[cfg(test)]
-mod tests;
-
 pub mod document;
 
 pub use comma::{between_digits, readings};

@@ -21,8 +21,8 @@ use super::stop;
 use super::tally::{Kind, Tally};
 use crate::check::{self, ColumnUse, Overrides, RowColumn};
 use crate::diagnostic::Problems;
-use crate::exercise::Family;
 use crate::exercise::table::{Fault, Lines, Table};
+use crate::pipeline::VariantSolver;
 use crate::report::rows::AnswerColumns;
 use crate::source::Source;
 use crate::syntax::{self, document::Document};
@@ -47,7 +47,7 @@ pub struct Job {
     /// Its text.
     pub source: Source,
     /// What it says.
-    pub document: Document,
+    pub document: Arc<Document>,
     /// What replaces the values of all rows.
     pub overrides: Overrides,
     /// The accuracy that is wanted.
@@ -92,6 +92,7 @@ impl Job {
         screen: &Screen,
     ) -> Result<Result<Self, Status>, CliError> {
         let (document, problems) = syntax::parse(&source);
+        let document = Arc::new(document);
         tell(&problems, &source, screen);
         if problems.has_errors() {
             return Ok(Err(Status::Wrong));
@@ -129,7 +130,7 @@ impl Job {
         let overrides = overrides.clone();
         let Some(columns) = columns else {
             // where the table is fine, the `given` that it replaces is not
-            tell(&crate::check_source(&source, &overrides).1, &source, screen);
+            tell(&check::check(&document, &overrides).1, &source, screen);
             return Ok(Err(Status::Wrong));
         };
         let columns = Arc::from(columns);
@@ -152,8 +153,8 @@ impl Job {
     }
 
     /// Solves its rows one after another.
-    pub fn family(&self) -> Family<'_> {
-        Family::new(&self.source, &self.document, &self.overrides).within(self.within)
+    pub fn family(&self) -> VariantSolver<'_> {
+        VariantSolver::new(&self.document, &self.overrides).within(self.within)
     }
 
     /// The headers of its lines.
@@ -327,7 +328,7 @@ impl<'r> Run<'r> {
         all.map_init(|| self.job.family(), |family, range| self.piece(family, chunk, range)).collect()
     }
 
-    fn piece(&self, family: &mut Family<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece {
+    fn piece(&self, family: &mut VariantSolver<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece {
         let mut piece = Piece { whole: true, ..Piece::default() };
         for index in range {
             if stop::wanted() {

@@ -10,8 +10,9 @@ use super::rows::Input;
 use crate::Solved;
 use crate::accuracy::Reached;
 use crate::diagnostic::Problems;
+use crate::exercise::ForRow;
 use crate::exercise::table::Fault;
-use crate::exercise::{Family, InRow, row_words};
+use crate::pipeline::{VariantSolver, row_words};
 use crate::report::csv::LINE_END;
 use crate::report::json::{self, Variant};
 use crate::report::rows::{AnswerColumns, FULL, write_text};
@@ -54,7 +55,7 @@ pub struct Said {
 pub fn write_row<'f>(
     job: &'f Job,
     written: &mut Written<'_>,
-    family: &mut Family<'f>,
+    family: &mut VariantSolver<'f>,
     input: Result<Input<'_>, (usize, Fault)>,
 ) -> Said {
     let input = match input {
@@ -96,7 +97,7 @@ impl Written<'_> {
             let problems = if words.is_empty() {
                 problems
             } else {
-                InRow::all(problems, &row_words(input.number, input.label.as_deref(), &words), input.span)
+                ForRow::all(problems, &row_words(input.number, input.label.as_deref(), &words), input.span)
             };
             said.problems = Some((None, problems));
         }

@@ -2,5 +2,6 @@
 
 pub mod cam;
 pub mod gear;
-mod search;
+#[doc(hidden)]
+pub mod search;
 pub mod synthesis;

@@ -9,7 +9,7 @@ const SHARE: f64 = 0.618_033_988_749_894_9;
 
 /// Where `f` is greatest on `[from, to]`, and its value there. Both ends are looked at; inside, the best sample is
 /// refined until rounding hides the rest, and its place by a root of the derivative.
-pub(super) fn greatest(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> (f64, f64) {
+pub fn greatest(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> (f64, f64) {
     let width = to - from;
     let at = |i: usize| if i == SAMPLES { to } else { from + width * i as f64 / SAMPLES as f64 };
     let mut best = (from, f(from));

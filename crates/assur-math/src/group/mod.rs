@@ -28,9 +28,6 @@ pub mod rrp;
 pub mod rrr;
 pub mod triad;
 
-#[cfg(test)]
-mod testing;
-
 /// Why a group does not close, and by how much.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gap {

@@ -6,7 +6,8 @@ mod dense;
 mod double;
 mod factors;
 mod lanes;
-mod magnitudes;
+#[doc(hidden)]
+pub mod magnitudes;
 pub mod periodic;
 pub mod ratio;
 mod rigid;

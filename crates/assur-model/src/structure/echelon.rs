@@ -3,10 +3,10 @@
 use super::field::Number;
 
 /// A row: columns in falling order, each once, with coefficients other than zero.
-pub(super) type Row = Vec<(usize, Number)>;
+pub type Row = Vec<(usize, Number)>;
 
 /// Puts the terms of a row in order and adds up those of one column.
-pub(super) fn row(mut terms: Vec<(usize, Number)>) -> Row {
+pub fn row(mut terms: Vec<(usize, Number)>) -> Row {
     terms.sort_by_key(|t| std::cmp::Reverse(t.0));
     let mut out: Row = Vec::with_capacity(terms.len());
     for (column, x) in terms {
@@ -20,17 +20,20 @@ pub(super) fn row(mut terms: Vec<(usize, Number)>) -> Row {
 }
 
 /// Rows in echelon form: each begins with 1 in a column of its own, the highest in which it has a coefficient.
-pub(super) struct Echelon {
+pub struct Echelon {
     pivots: Vec<Option<Row>>,
     rank: usize,
 }
 
 impl Echelon {
-    pub(super) fn new(columns: usize) -> Self {
+    /// No rows.
+    #[must_use]
+    pub fn new(columns: usize) -> Self {
         Self { pivots: vec![None; columns], rank: 0 }
     }
 
-    pub(super) fn of<'a>(columns: usize, rows: impl IntoIterator<Item = &'a Row>) -> Self {
+    /// These rows.
+    pub fn of<'a>(columns: usize, rows: impl IntoIterator<Item = &'a Row>) -> Self {
         let mut echelon = Self::new(columns);
         for row in rows {
             echelon.add(row.clone());
@@ -38,12 +41,14 @@ impl Echelon {
         echelon
     }
 
-    pub(super) const fn rank(&self) -> usize {
+    /// Number of independent rows.
+    #[must_use]
+    pub const fn rank(&self) -> usize {
         self.rank
     }
 
     /// Adds a row. `false` where it depends on those before it.
-    pub(super) fn add(&mut self, mut row: Row) -> bool {
+    pub fn add(&mut self, mut row: Row) -> bool {
         while let Some(&(column, x)) = row.first() {
             let Some(pivot) = &self.pivots[column] else {
                 let scale = x.inverse();
@@ -58,12 +63,12 @@ impl Echelon {
     }
 
     /// Whether no row begins in this column.
-    pub(super) fn is_free(&self, column: usize) -> bool {
+    pub fn is_free(&self, column: usize) -> bool {
         self.pivots[column].is_none()
     }
 
     /// The vector that all rows take to zero and that has these values in the free columns.
-    pub(super) fn null_vector(&self, free: impl Fn(usize) -> Number) -> Vec<Number> {
+    pub fn null_vector(&self, free: impl Fn(usize) -> Number) -> Vec<Number> {
         let mut x = vec![Number::ZERO; self.pivots.len()];
         for (column, pivot) in self.pivots.iter().enumerate() {
             x[column] = match pivot {
@@ -94,36 +99,6 @@ fn less(row: &Row, pivot: &Row, x: Number) -> Row {
         b.next_if(|t| t.0 == column);
         if !value.is_zero() {
             out.push((column, value));
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn some(columns: &[usize], seed: u64) -> Row {
-        row(columns.iter().map(|&c| (c, Number::random(seed + c as u64))).collect())
-    }
-
-    #[test]
-    fn a_sum_of_rows_depends_on_them() {
-        let (a, b) = (some(&[0, 2, 3], 10), some(&[1, 2], 20));
-        let sum = row(a.iter().chain(&b).copied().collect());
-        let mut echelon = Echelon::of(4, [&a, &b]);
-        assert!(!echelon.add(sum));
-        assert_eq!(echelon.rank(), 2);
-        assert!(echelon.add(some(&[0, 1], 30)));
-    }
-
-    #[test]
-    fn null_vectors_are_taken_to_zero() {
-        let rows = [some(&[0, 2, 3], 1), some(&[1, 2, 4], 2), some(&[0, 3, 4], 3)];
-        let x = Echelon::of(5, &rows).null_vector(|c| Number::random(c as u64));
-        assert!(x.iter().any(|x| !x.is_zero()));
-        for row in &rows {
-            let sum = row.iter().fold(Number::ZERO, |sum, t| sum + t.1 * x[t.0]);
-            assert!(sum.is_zero());
         }
     }
 }

@@ -2,13 +2,13 @@
 
 /// A scalar condition (or, on the side of forces, a scalar unknown) and the freedoms it can take.
 #[derive(Clone, Debug)]
-pub(super) struct Condition {
+pub struct Condition {
     /// Nodes it touches.
     pub nodes: Vec<usize>,
 }
 
 /// A matching of conditions to nodes of limited capacity.
-pub(super) struct Matching {
+pub struct Matching {
     /// The node each condition is matched to.
     pub node_of: Vec<Option<usize>>,
     /// The conditions matched to each node.
@@ -16,7 +16,7 @@ pub(super) struct Matching {
 }
 
 /// Matches as many conditions as possible, earlier ones first. `capacity` is the number of freedoms of each node.
-pub(super) fn match_all(conditions: &[Condition], capacity: &[usize]) -> Matching {
+pub fn match_all(conditions: &[Condition], capacity: &[usize]) -> Matching {
     let mut m = Matching { node_of: vec![None; conditions.len()], held: vec![Vec::new(); capacity.len()] };
     let mut found_by = vec![usize::MAX; capacity.len()];
     let mut touched = Vec::new();
@@ -70,13 +70,13 @@ impl Matching {
     }
 
     /// Whether every condition has a node and no node has room left.
-    pub(super) fn is_complete(&self, capacity: &[usize]) -> bool {
+    pub fn is_complete(&self, capacity: &[usize]) -> bool {
         self.node_of.iter().all(Option::is_some) && self.held.iter().zip(capacity).all(|(h, c)| h.len() == *c)
     }
 }
 
 /// Strongly connected components of a directed graph, each after those it points to (Tarjan, without recursion).
-pub(super) fn components(successors: &[Vec<usize>]) -> Vec<Vec<usize>> {
+pub fn components(successors: &[Vec<usize>]) -> Vec<Vec<usize>> {
     const NEW: usize = usize::MAX;
     let n = successors.len();
     let (mut index, mut low) = (vec![NEW; n], vec![0; n]);
@@ -125,22 +125,4 @@ pub(super) fn components(successors: &[Vec<usize>]) -> Vec<Vec<usize>> {
         }
     }
     out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_later_condition_moves_an_earlier_one_on() {
-        let conditions = [Condition { nodes: vec![0, 1] }, Condition { nodes: vec![0] }];
-        let m = match_all(&conditions, &[1, 1]);
-        assert_eq!(m.node_of, vec![Some(1), Some(0)]);
-    }
-
-    #[test]
-    fn components_come_after_what_they_point_to() {
-        let successors = vec![vec![1], vec![2], vec![1, 3], vec![]];
-        assert_eq!(components(&successors), vec![vec![3], vec![1, 2], vec![0]]);
-    }
 }

@@ -9,10 +9,12 @@ mod count;
 mod decompose;
 mod defect;
 mod diagnose;
-mod echelon;
+#[doc(hidden)]
+pub mod echelon;
 mod effort;
 mod error;
-mod field;
+#[doc(hidden)]
+pub mod field;
 mod floating;
 mod generic;
 mod group;
@@ -20,7 +22,8 @@ mod immobile;
 mod incidence;
 mod joint;
 mod leave_out;
-mod matching;
+#[doc(hidden)]
+pub mod matching;
 mod repeated;
 mod replace;
 mod roller;

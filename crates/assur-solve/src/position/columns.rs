@@ -59,8 +59,9 @@ impl DriveColumns {
     }
 
     /// All drives at one position.
+    #[doc(hidden)]
     #[inline]
-    pub(super) fn read(&self, position: usize, out: &mut [DriveInput]) {
+    pub fn read(&self, position: usize, out: &mut [DriveInput]) {
         self.read_by(out, |column, out| {
             if let Some(x) = column.get(position) {
                 *out = *x;
@@ -69,8 +70,9 @@ impl DriveColumns {
     }
 
     /// All drives at `N` positions from the `first` on.
+    #[doc(hidden)]
     #[inline(always)]
-    pub(super) fn read_lanes<const N: usize>(&self, first: usize, out: &mut [DriveInput<Lanes<N>>]) {
+    pub fn read_lanes<const N: usize>(&self, first: usize, out: &mut [DriveInput<Lanes<N>>]) {
         self.read_by(out, |column, out| {
             if let Some(row) = column.get(first..first + N) {
                 out.0.copy_from_slice(row);
@@ -94,52 +96,5 @@ impl DriveColumns {
                 vector(acceleration, &mut out.point_acceleration);
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::math::Vec2;
-
-    /// Drive `k` at position `i`, all quantities different.
-    fn given(i: usize, k: usize) -> DriveInput {
-        let x = (10 * i + k) as f64;
-        let point = if k == 1 { Vec2::new(x + 0.5, -x) } else { Vec2::zero() };
-        DriveInput {
-            place: Vec2::new(x, 2.0 * x),
-            value: 3.0 * x,
-            rate: 4.0 * x,
-            acceleration: 5.0 * x,
-            velocity: point,
-            point_acceleration: point * 2.0,
-        }
-    }
-
-    #[test]
-    fn what_goes_in_comes_out() {
-        let inputs: Vec<DriveInput> = (0..5).flat_map(|i| (0..2).map(move |k| given(i, k))).collect();
-        let columns = DriveColumns::of(&inputs, 2);
-        assert_eq!(columns.len(), 5);
-        let (mut one, mut lanes) = ([DriveInput::default(); 2], [DriveInput::default(); 2]);
-        columns.read_lanes::<3>(1, &mut lanes);
-        for i in 0..5 {
-            columns.read(i, &mut one);
-            for k in 0..2 {
-                assert_eq!(format!("{:?}", one[k]), format!("{:?}", inputs[2 * i + k]));
-                if (1..4).contains(&i) {
-                    let lane = lanes[k];
-                    let lane = [lane.value, lane.place.y, lane.velocity.x, lane.point_acceleration.y]
-                        .map(|l| l.0[i - 1]);
-                    let want = one[k];
-                    assert_eq!(lane, [want.value, want.place.y, want.velocity.x, want.point_acceleration.y]);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn nothing_without_drives() {
-        assert!(DriveColumns::of(&[], 0).is_empty());
     }
 }

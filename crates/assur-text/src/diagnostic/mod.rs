@@ -11,9 +11,6 @@ mod render;
 mod suggest;
 mod view;
 
-#[cfg(test)]
-mod tests;
-
 pub use codes::{CODES, Code, explain};
 pub use problems::{AnyDiagnostic, Problems};
 pub use render::{Style, render, render_most};

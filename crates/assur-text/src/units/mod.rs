@@ -7,11 +7,9 @@ mod error;
 mod lookup;
 mod number;
 mod spelling;
-mod table;
+#[doc(hidden)]
+pub mod table;
 mod unit;
-
-#[cfg(test)]
-mod tests;
 
 pub use dimension::{Dimension, Kind};
 pub use error::UnitError;

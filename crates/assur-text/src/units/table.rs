@@ -4,13 +4,16 @@ use super::Dimension;
 use std::f64::consts::PI;
 
 /// A unit of one word without power.
-pub(super) struct Symbol {
-    pub(super) text: &'static str,
+#[derive(Debug)]
+pub struct Symbol {
+    /// Its spelling.
+    pub text: &'static str,
     /// How many SI units it is.
-    pub(super) factor: f64,
-    pub(super) dimension: Dimension,
+    pub factor: f64,
+    /// Its dimension.
+    pub dimension: Dimension,
     /// What people write for it.
-    pub(super) also: &'static [&'static str],
+    pub also: &'static [&'static str],
 }
 
 const fn row(text: &'static str, factor: f64, dimension: Dimension, also: &'static [&'static str]) -> Symbol {
@@ -25,7 +28,8 @@ const LB: f64 = 0.453_592_37;
 const FT: f64 = 0.3048;
 const INCH: f64 = 0.0254;
 
-pub(super) const SYMBOLS: &[Symbol] = &[
+/// All of them.
+pub const SYMBOLS: &[Symbol] = &[
     row("m", 1.0, Dimension::LENGTH, &["meter", "metre", "meters", "metres", "м"]),
     row("mm", 1e-3, Dimension::LENGTH, &["millimeter", "millimetre", "millimeters", "millimetres", "мм"]),
     row("um", 1e-6, Dimension::LENGTH, &["micron", "microns", "micrometer", "micrometre", "мкм"]),

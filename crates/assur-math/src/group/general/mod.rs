@@ -39,8 +39,6 @@ mod certificate;
 mod constraint;
 mod newton;
 mod rates;
-#[cfg(test)]
-mod tests;
 
 pub use assemblies::{assemblies, is_never_regular};
 pub use constraint::{Constraint, Law, Line, Point};

@@ -37,7 +37,7 @@ pub enum Failure {
 #[derive(Clone, Debug)]
 pub struct General {
     /// Number of bodies whose motion is sought.
-    pub(super) moving: usize,
+    pub moving: usize,
     /// The constraints; drives change their values from position to position.
     pub constraints: Vec<Constraint>,
     /// Length that weighs rotations against translations, m.

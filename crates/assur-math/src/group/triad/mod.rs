@@ -39,8 +39,6 @@
 mod gap;
 pub mod modes;
 pub mod position;
-#[cfg(test)]
-mod tests;
 
 pub use gap::{Miss, gap};
 pub use modes::modes;

@@ -8,7 +8,8 @@
 //! given the system is linear. It may have one solution, several, or none.
 
 mod follow;
-mod newton;
+#[doc(hidden)]
+pub mod newton;
 mod search;
 mod simplex;
 

@@ -11,7 +11,8 @@ const ROUNDED: f64 = 4e-16;
 const RESTLESS: f64 = 1e-11;
 
 /// A solution.
-pub(super) struct Found {
+pub struct Found {
+    /// The unknowns.
     pub x: Vec<f64>,
     /// Determinant of the system with the directions of the solution; 1 with all weights zero.
     pub determinant: f64,
@@ -19,7 +20,9 @@ pub(super) struct Found {
 
 impl Magnitudes {
     /// Newton's method; `None` where it does not settle.
-    pub(super) fn newton(&self, start: &[f64]) -> Option<Found> {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn newton(&self, start: &[f64]) -> Option<Found> {
         let n = self.len();
         let width = n + 1;
         let (mut x, mut last) = (start.to_vec(), f64::INFINITY);

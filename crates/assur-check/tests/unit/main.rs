@@ -1,0 +1,4 @@
+//! Unit tests, one module per source file.
+
+mod overrides;
+mod tolerance;

@@ -1,0 +1,5 @@
+//! Machine elements.
+
+mod involute;
+mod law;
+mod synthesis;

@@ -1,0 +1,11 @@
+//! Numbers, vectors and linear systems.
+
+mod chebyshev;
+mod dense;
+mod double;
+mod factors;
+mod lanes;
+mod magnitudes;
+mod periodic;
+mod ratio;
+mod root;

@@ -1,0 +1,5 @@
+//! Unit tests, one module per source file.
+
+mod echelon;
+mod field;
+mod matching;

@@ -1,0 +1,3 @@
+//! Unit tests, one module per source file.
+
+mod columns;

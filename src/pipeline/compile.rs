@@ -1,0 +1,132 @@
+//! Text → mechanism, structure and plan. A text is read once, however often it is checked.
+
+use crate::check::{self, Overrides};
+use crate::diagnostic::{DiagnosticView, Problems};
+use crate::model::Mechanism;
+use crate::plan::{self, Plan};
+use crate::solve::Scene;
+use crate::source::Source;
+use crate::structure::{self, Structure};
+use crate::syntax::{self, document::Document};
+use std::sync::Arc;
+
+/// A checked mechanism with its structure and its plan.
+#[derive(Debug)]
+pub struct Compiled {
+    /// The mechanism.
+    pub mechanism: Mechanism,
+    /// What it is built from.
+    pub structure: Structure,
+    /// How it is solved.
+    pub plan: Plan,
+    /// What it was compiled from, where its answers take other solutions: see [`Mechanism::asks_again`].
+    pub origin: Option<Origin>,
+}
+
+/// A document with the values that replace some of its own.
+#[derive(Clone, Debug)]
+pub struct Origin {
+    /// The document.
+    pub document: Arc<Document>,
+    /// The values.
+    pub overrides: Overrides,
+}
+
+impl Compiled {
+    /// As the solver sees it.
+    #[must_use]
+    pub fn scene(&self) -> Scene<'_> {
+        Scene { mechanism: &self.mechanism, structure: &self.structure, plan: &self.plan }
+    }
+}
+
+/// Text → [`Mechanism`], with all that was found on the way. No mechanism comes out where there is an error.
+#[must_use]
+pub fn check_source(source: &Source, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
+    let (document, mut problems) = syntax::parse(source);
+    let (mechanism, found) = check::check(&document, overrides);
+    problems.append_later(found);
+    (mechanism.filter(|_| !problems.has_errors()), problems)
+}
+
+/// Text → [`Compiled`]: checked, decomposed into structural groups, planned. Nothing is solved. What is compiled can be
+/// looked at even where the problems hold an error: that forces are asked for which are not determined.
+#[must_use]
+pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Problems) {
+    let (document, found) = syntax::parse(source);
+    compile_document(source, &Arc::new(document), found, overrides)
+}
+
+/// As [`compile`], of a document in which `found` was found on reading.
+#[must_use]
+pub fn compile_document(
+    source: &Source,
+    document: &Arc<Document>,
+    mut found: Problems,
+    overrides: &Overrides,
+) -> (Option<Compiled>, Problems) {
+    let (mechanism, checked) = check::check(document, overrides);
+    let is_read = !found.has_errors();
+    let Some(mechanism) = mechanism.filter(|_| is_read && !checked.has_errors()) else {
+        match if is_read { structural_cause(source, document, overrides, &checked) } else { None } {
+            Some(defects) => found.append(defects),
+            None => found.append_later(checked),
+        }
+        return (None, found);
+    };
+    found.append_later(checked);
+    let origin = mechanism
+        .asks_again()
+        .then(|| Origin { document: Arc::clone(document), overrides: overrides.clone() });
+    plan_mechanism(mechanism, None, found, origin)
+}
+
+/// The defects of the structure, where the errors of the check all follow from them: names of a pair that is missing, and
+/// guides that no pair makes.
+fn structural_cause(
+    source: &Source,
+    document: &Document,
+    overrides: &Overrides,
+    checked: &Problems,
+) -> Option<Problems> {
+    let defects = structure::structure(&check::sound_part(document, overrides)).err()?;
+    let mut structural = Problems::new();
+    structural.extend(defects);
+    let proposed = structural.views(source).iter().flat_map(proposed_names).collect::<Vec<_>>();
+    let follows = |d: &DiagnosticView| {
+        d.severity != "error"
+            || d.code.as_deref() == Some("mech::geometry::no_guide")
+            // a pair that is there and has an error is not missing
+            || d.code.as_deref().is_some_and(|code| code.starts_with("mech::name::"))
+                && proposed.iter().any(|name| d.message.contains(&format!("`{name}`")))
+    };
+    (checked.has_errors() && checked.views(source).iter().all(follows)).then_some(structural)
+}
+
+/// The names of the pairs that a help proposes to add.
+fn proposed_names(defect: &DiagnosticView) -> Vec<String> {
+    let lines = defect.help.iter().flat_map(|help| help.lines()).filter(|line| line.starts_with("  "));
+    lines.filter_map(|line| Some(line.trim().split_once(':')?.0.split_once(' ')?.1.to_owned())).collect()
+}
+
+/// Structure and plan of a mechanism; the structure is known where another row of the same text has the same.
+pub(super) fn plan_mechanism(
+    mechanism: Mechanism,
+    known: Option<Structure>,
+    mut problems: Problems,
+    origin: Option<Origin>,
+) -> (Option<Compiled>, Problems) {
+    let found = known.map_or_else(|| structure::structure(&mechanism), |known| Ok((known, Vec::new())));
+    match found {
+        Ok((structure, warnings)) => {
+            problems.extend(warnings);
+            let plan = plan::plan(&mechanism, &structure);
+            problems.extend(structure.force_defect.clone().filter(|_| plan.effects.forces));
+            (Some(Compiled { mechanism, structure, plan, origin }), problems)
+        }
+        Err(errors) => {
+            problems.extend(errors);
+            (None, problems)
+        }
+    }
+}

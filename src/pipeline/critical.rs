@@ -1,0 +1,158 @@
+//! `critical(al)`: the value of a `given` at which locking begins.
+//!
+//! The file is checked again with other values of the `given`, and its first pose solved. From the file's value the search
+//! goes outwards to both sides in growing steps until the verdict changes, and bisects that step to the last digit. A side
+//! ends where the file has an error or no pose, and where the ideal power changes its sign: there the balance no longer
+//! drives where it drove, or resists where it resisted, which is another question.
+
+use super::compile::Origin;
+use crate::check::{self, Overrides};
+use crate::model::{Display, Expr, Find, FindKind, Mechanism, Positions, Query, Value};
+use crate::solve::{self, Scene};
+use crate::source::Span;
+use crate::syntax::document::Document;
+use crate::{plan, structure};
+
+/// First step, relative to the value.
+const FIRST: f64 = 1e-2;
+/// First step where the value is zero, SI.
+const FIRST_FROM_ZERO: f64 = 1e-3;
+/// Growth of the steps.
+const GROWTH: f64 = 1.25;
+/// Steps to each side: they reach a hundred times the value.
+const STEPS: i32 = 42;
+/// Halvings down to the last digit.
+const HALVINGS: usize = 100;
+/// Halvings towards the end of a side.
+const TO_THE_END: usize = 40;
+
+/// The values of all givens whose critical value is asked for, SI; NaN where locking neither begins nor ends.
+#[must_use]
+pub fn criticals(scene: &Scene<'_>, origin: &Origin) -> Vec<f64> {
+    let (document, overrides) = (&*origin.document, &origin.overrides);
+    let names = &scene.mechanism.criticals;
+    names.iter().map(|name| Search { document, overrides, name }.critical(scene.mechanism)).collect()
+}
+
+/// What a value of the given makes of the first pose.
+#[derive(Clone, Copy, PartialEq)]
+struct Verdict {
+    locked: bool,
+    drives: bool,
+}
+
+struct Search<'a> {
+    document: &'a Document,
+    overrides: &'a Overrides,
+    name: &'a str,
+}
+
+impl Search<'_> {
+    fn critical(&self, mechanism: &Mechanism) -> f64 {
+        let here = mechanism.values.iter().find(|v| v.name == self.name).map(|v| v.value);
+        let Some(Value::Scalar(here)) = here else { return f64::NAN };
+        let Some(verdict) = self.verdict(here) else { return f64::NAN };
+        let first = if here == 0.0 { FIRST_FROM_ZERO } else { FIRST * here.abs() };
+        let mut sides = [Some(here), Some(here)];
+        for step in 0..STEPS {
+            let reach = first * libm::pow(GROWTH, f64::from(step));
+            let mut found: Option<f64> = None;
+            for (side, sign) in sides.iter_mut().zip([1.0, -1.0]) {
+                let Some(from) = *side else { continue };
+                let to = here + sign * reach;
+                let change = match self.same(to, verdict) {
+                    Some(true) => {
+                        *side = Some(to);
+                        None
+                    }
+                    Some(false) => Some((from, to)),
+                    None => {
+                        *side = None;
+                        self.before_the_end(from, to, verdict)
+                    }
+                };
+                if let Some((from, to)) = change {
+                    let at = self.bisected(from, to, verdict);
+                    if found.is_none_or(|other| (at - here).abs() < (other - here).abs()) {
+                        found = Some(at);
+                    }
+                }
+            }
+            if let Some(at) = found {
+                return at;
+            }
+        }
+        f64::NAN
+    }
+
+    /// Whether the verdict at a value is the same as that given; `None` where there is none, or on another question.
+    fn same(&self, value: f64, verdict: Verdict) -> Option<bool> {
+        let there = self.verdict(value).filter(|v| v.drives == verdict.drives)?;
+        Some(there.locked == verdict.locked)
+    }
+
+    /// The side ends somewhere in this step: the part before its end where the verdict changes, if any.
+    fn before_the_end(&self, mut from: f64, mut to: f64, verdict: Verdict) -> Option<(f64, f64)> {
+        for _ in 0..TO_THE_END {
+            let middle = 0.5 * (from + to);
+            match self.same(middle, verdict) {
+                Some(true) => from = middle,
+                Some(false) => return Some((from, middle)),
+                None => to = middle,
+            }
+        }
+        None
+    }
+
+    fn bisected(&self, mut from: f64, mut to: f64, verdict: Verdict) -> f64 {
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (from + to);
+            if middle == from || middle == to {
+                break;
+            }
+            if self.same(middle, verdict) == Some(true) {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        0.5 * (from + to)
+    }
+
+    /// The first pose with this value of the given.
+    fn verdict(&self, value: f64) -> Option<Verdict> {
+        let (mechanism, _) = check::check_at(self.document, self.overrides, self.name, value);
+        let mechanism = first_pose_alone(mechanism?);
+        let (structure, _) = structure::structure(&mechanism).ok()?;
+        let plan = plan::plan(&mechanism, &structure);
+        let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
+        let solution = solve::solve(&scene).ok()?;
+        let solved = solution.poses.first()?.outcome.as_ref().ok()?;
+        let view = solution.view(&scene, solved);
+        let (ideal, efficiency) = (view.without_friction().power_of_efforts(), view.efficiency());
+        let known = ideal != 0.0 && !efficiency.is_nan();
+        known.then_some(Verdict { locked: efficiency <= 0.0, drives: ideal > 0.0 })
+    }
+}
+
+/// The mechanism at its first pose, of which nothing but the efficiency is asked.
+fn first_pose_alone(mut mechanism: Mechanism) -> Mechanism {
+    for drive in &mut mechanism.drives {
+        drive.positions = match &drive.positions {
+            Positions::None => Positions::None,
+            Positions::List(list) => Positions::List(list.iter().take(1).cloned().collect()),
+            Positions::Range { from, .. } => Positions::List(vec![from.clone()]),
+        };
+    }
+    mechanism.poses.clear();
+    mechanism.expects.clear();
+    mechanism.cycles.clear();
+    mechanism.flywheels.clear();
+    let kind = FindKind::Value {
+        expr: Expr::Query(Query::Efficiency),
+        display: Display::default(),
+        poseless: false,
+    };
+    mechanism.finds = vec![Find { name: String::new(), span: Span::default(), kind }];
+    mechanism
+}

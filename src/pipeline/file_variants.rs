@@ -1,0 +1,101 @@
+//! The rows of a file's own table of variants.
+
+use super::solved::Solved;
+use super::variant_solver::VariantSolver;
+use crate::check::{self, FileRow, Overrides, RowColumn};
+use crate::diagnostic::Problems;
+use crate::exercise::{ForRow, mismatches};
+use crate::solve::refusals;
+use crate::syntax::document::Document;
+use std::sync::Arc;
+
+/// A file with a table of variants.
+pub struct FileVariants<'a> {
+    solver: VariantSolver<'a>,
+    rows: Vec<FileRow>,
+    columns: Arc<[RowColumn]>,
+}
+
+/// A row of it, solved or not, with all that is to be said of it.
+pub struct SolvedRow {
+    /// The row.
+    pub row: FileRow,
+    /// Counted from 1.
+    pub number: usize,
+    /// Its solution.
+    pub solved: Option<Solved>,
+    /// What was found on the way; it names the row.
+    pub problems: Problems,
+}
+
+impl<'a> FileVariants<'a> {
+    /// Reads the table of a document; `None` where it has none. What is wrong with the table stands in its place.
+    #[must_use]
+    pub fn of(document: &'a Arc<Document>, overrides: &'a Overrides) -> Option<Result<Self, Problems>> {
+        let table = check::table(document)?;
+        let (columns, problems) = check::columns(document, overrides, table);
+        let Some(columns) = columns else {
+            // where the table is fine, the `given` that it replaces is not
+            let whole = || check::check(document, overrides).1;
+            return Some(Err(if problems.is_empty() { whole() } else { problems }));
+        };
+        let columns: Arc<[RowColumn]> = columns.into();
+        let rows = check::file_rows(table, &columns);
+        let mut solver = VariantSolver::new(document, overrides);
+        if let Some(problems) = of_every_row(&mut solver, &rows) {
+            return Some(Err(problems));
+        }
+        Some(Ok(Self { solver, rows, columns }))
+    }
+
+    /// With settings that keep an accuracy, row by row.
+    #[must_use]
+    pub fn within(self, within: Option<f64>) -> Self {
+        Self { solver: self.solver.within(within), ..self }
+    }
+
+    /// Its columns.
+    #[must_use]
+    pub fn columns(&self) -> &[RowColumn] {
+        &self.columns
+    }
+
+    /// Solves all rows in order. Where they are tested, an expectation that is not met is a problem.
+    pub fn solve(mut self, test: bool) -> impl Iterator<Item = SolvedRow> + use<'a> {
+        self.rows.into_iter().enumerate().map(move |(i, row)| {
+            let (solved, mut problems) = self.solver.solve(&row.row);
+            if test {
+                problems.extend(solved.iter().flat_map(|s| mismatches(&s.outcomes)));
+            }
+            let problems = ForRow::all(problems, &file_row_words(&row, i + 1), Some(row.span));
+            SolvedRow { row, number: i + 1, solved, problems }
+        })
+    }
+}
+
+/// What is wrong with the file whatever the row: the first and the last row have the same errors.
+fn of_every_row(solver: &mut VariantSolver<'_>, rows: &[FileRow]) -> Option<Problems> {
+    let [first, .., last] = rows else { return None };
+    let mut refused = |row: &FileRow| {
+        let (compiled, mut problems) = solver.compile(&row.row);
+        if let Some(compiled) = compiled.filter(|_| !problems.has_errors()) {
+            problems.extend(refusals(&compiled.scene()));
+        }
+        problems
+    };
+    let problems = refused(first);
+    (problems.has_errors() && problems.is_alike(&refused(last))).then_some(problems)
+}
+
+/// A row of a file in words: `row 3 (r = 120 mm)`, `row 3, variant 7 (r = 120 mm)`.
+#[must_use]
+pub fn file_row_words(row: &FileRow, number: usize) -> String {
+    row_words(number, row.label.as_deref(), &row.row.words())
+}
+
+/// A row in words.
+#[must_use]
+pub fn row_words(number: usize, label: Option<&str>, values: &str) -> String {
+    let label = label.map_or_else(String::new, |label| format!(", variant {label}"));
+    format!("row {number}{label} ({values})")
+}

@@ -1,0 +1,137 @@
+//! A motion followed position by position: each is handed out, and only those stay that are few or that an expectation
+//! names.
+
+use super::compile::Origin;
+use super::critical::criticals;
+use super::open_sizes::open_sizes;
+use crate::diagnostic::Problems;
+use crate::model::{At, Mechanism, Positions, Relation};
+use crate::solve::{Following, Pose, PoseOrigin, Scene, Solution};
+use miette::{Diagnostic, LabeledSpan};
+use thiserror::Error;
+
+/// Positions that are kept at once.
+const MOST: usize = 20_000;
+/// The same, counted in bodies.
+const MOST_BODIES: usize = 400_000;
+/// So many are kept of the largest mechanism.
+const FEWEST: usize = 360;
+/// Failing positions are reported up to this number, and counted beyond.
+const TOLD: usize = 1000;
+
+/// What is done with a position of a solution that holds none yet; says whether to go on.
+pub type Each<'e> = &'e mut dyn FnMut(&Solution, &Pose) -> bool;
+
+/// The solution with all that is to be said of it; `None` where it was stopped; else what makes all positions meaningless.
+pub type Followed = Result<Option<(Solution, Problems)>, Problems>;
+
+/// What is wrong with the number of positions.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum SizeError {
+    /// More than are kept at once.
+    #[error("there are {positions} positions, and {most} of this mechanism can be kept at once")]
+    #[diagnostic(
+        code(mech::request::too_many_positions),
+        help(
+            "print one position after another, with `assur solve FILE --format csv` or `--format jsonl`, or take fewer steps"
+        )
+    )]
+    TooManyPositions {
+        /// How many there are.
+        positions: usize,
+        /// How many are kept.
+        most: usize,
+        /// The drives.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+}
+
+/// How many positions of a mechanism are kept at once.
+#[must_use]
+pub fn most_positions(scene: &Scene<'_>) -> usize {
+    (MOST_BODIES / scene.plan.bodies.max(1)).clamp(FEWEST, MOST)
+}
+
+/// Whether a file has, or may have, more positions than are kept at once.
+#[must_use]
+pub fn is_long(scene: &Scene<'_>) -> bool {
+    let mechanism = scene.mechanism;
+    let swept = mechanism.drives.iter().map(|d| match &d.positions {
+        Positions::None => 1,
+        Positions::List(list) => list.len(),
+        Positions::Range { steps, .. } => steps + 1,
+    });
+    let beside = mechanism.poses.len() + mechanism.expects.len();
+    swept.max().unwrap_or(1) + beside > most_positions(scene)
+}
+
+/// Solves all positions of a file. Without something that is done with each, all of them are kept, or it is an error that
+/// they are too many. `None` where it was stopped.
+///
+/// # Errors
+/// What makes all positions meaningless.
+pub fn followed(scene: &Scene<'_>, origin: Option<&Origin>, each: Option<Each<'_>>) -> Followed {
+    let critical = origin.map(|o| criticals(scene, o)).unwrap_or_default();
+    let Some(mut following) = Following::new(scene, critical).map_err(Problems::of)? else {
+        return Ok(Some((Solution::default(), Problems::new())));
+    };
+    let (positions, most) = (following.positions(), most_positions(scene));
+    let keeps_all = positions <= most;
+    if !keeps_all && (each.is_none() || names_all(scene.mechanism, following.swept())) {
+        let labels = scene.mechanism.drives.iter().map(|d| LabeledSpan::underline(d.span)).collect();
+        return Err(Problems::of([SizeError::TooManyPositions { positions, most, labels }]));
+    }
+    let mut head = Solution { statics: following.statics().clone(), ..Solution::default() };
+    if let Some(origin) = origin {
+        head.open = open_sizes(scene, origin).map_err(Problems::of)?;
+    }
+    let (mut poses, mut problems) = (Vec::new(), Problems::new());
+    let mut each = each;
+    let (mut failed, mut ambiguous) = (0, false);
+    while let Some(pose) = following.next() {
+        let pose = pose.map_err(|e| Problems::of([e]))?;
+        if let Some(each) = &mut each
+            && !matches!(pose.origin, PoseOrigin::Expected(_))
+            && !each(&head, &pose)
+        {
+            return Ok(None);
+        }
+        // one line of `assemble` chooses for the whole sweep
+        let again = pose.is_ambiguous() && std::mem::replace(&mut ambiguous, true);
+        if let Some(failure) = pose.failure().filter(|_| !again) {
+            failed += 1;
+            if failed <= TOLD || keeps_all {
+                problems.push(failure.clone());
+            } else {
+                problems.count_errors(1);
+            }
+        }
+        if keeps_all || is_named(scene.mechanism, &pose) {
+            poses.push(pose);
+        }
+    }
+    let mut solution = Solution { poses, ..following.end() };
+    let mut said = Problems::new();
+    said.extend(std::mem::take(&mut solution.warnings));
+    said.count_warnings(std::mem::take(&mut solution.unlisted));
+    said.extend(std::mem::take(&mut solution.friction));
+    said.append(problems);
+    solution.open = head.open;
+    Ok(Some((solution, said)))
+}
+
+/// Whether an expectation gives a value for every position of a sweep.
+fn names_all(mechanism: &Mechanism, swept: usize) -> bool {
+    let values = |relation: &Relation| match relation {
+        Relation::Equal(list) => list.len(),
+        Relation::Compare(..) | Relation::Truth => 1,
+    };
+    mechanism.expects.iter().any(|e| e.at.is_none() && !e.poseless && values(&e.relation) == swept)
+}
+
+/// Whether an expectation may speak of a pose.
+fn is_named(mechanism: &Mechanism, pose: &Pose) -> bool {
+    let names = |at: &Option<At>| matches!(at, Some(At::Pose(name, _)) if *name == pose.name);
+    !matches!(pose.origin, PoseOrigin::Sweep(_)) || mechanism.expects.iter().any(|e| names(&e.at))
+}

@@ -1,0 +1,19 @@
+//! Read, compile, solve, and solve again with other values.
+
+mod compile;
+mod critical;
+mod file_variants;
+mod followed;
+mod open_sizes;
+mod other_assembly;
+mod solved;
+mod test;
+mod variant_solver;
+
+pub use compile::{Compiled, Origin, check_source, compile, compile_document};
+pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
+pub use followed::{Each, Followed, SizeError, is_long, most_positions};
+pub use open_sizes::ScaleError;
+pub use solved::{Solved, solve, solve_each, solve_source, solve_within};
+pub use test::{diagnose, test_document, test_source};
+pub use variant_solver::VariantSolver;

@@ -1,0 +1,214 @@
+//! Wheels whose size the file leaves open: answers may not hang on it.
+//!
+//! The file is checked and solved again with another size of each such wheel. What comes out the same does not hang on
+//! it; what does not is an error where it is asked, and is left out where it is not.
+
+use super::compile::Origin;
+use crate::model::{Expr, FindKind, Mechanism, Relation, Scale, Value};
+use crate::solve::{self, Following, OpenSizes, Pose, Scene, Statics};
+use crate::source::Span;
+use crate::{check, plan, structure};
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// Numbers that differ by more than this part hang on what was changed.
+const EQUAL: f64 = 1e-9;
+
+/// An answer that hangs on a size that is not given.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum ScaleError {
+    /// On the radius of a wheel, or the module of its teeth.
+    #[error("`{what}` hangs on the {size} of `{wheel}`, which is not given")]
+    #[diagnostic(code(mech::train::missing_radius))]
+    MissingRadius {
+        /// What is asked.
+        what: String,
+        /// The wheel.
+        wheel: String,
+        /// `radius`, `module`
+        size: &'static str,
+        /// What to write.
+        #[help]
+        help: String,
+        /// Where it is asked.
+        #[label(primary, "hangs on it")]
+        span: miette::SourceSpan,
+        /// The wheel's place.
+        #[label("no {size}")]
+        wheel_span: miette::SourceSpan,
+    },
+}
+
+/// Finds what depends on open sizes.
+///
+/// # Errors
+/// What is asked and depends on them.
+pub fn open_sizes(scene: &Scene<'_>, origin: &Origin) -> Result<OpenSizes, Vec<ScaleError>> {
+    let mut open = OpenSizes::default();
+    if scene.mechanism.scales.is_empty() {
+        return Ok(open);
+    }
+    let mut errors: Vec<ScaleError> = Vec::new();
+    for scale in &scene.mechanism.scales {
+        let (mechanism, _) = check::check_stretched(&origin.document, &origin.overrides, &scale.wheel);
+        let Some(mechanism) = mechanism else { continue };
+        let Ok((structure, _)) = structure::structure(&mechanism) else { continue };
+        let plan = plan::plan(&mechanism, &structure);
+        let other = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
+        let Some(compared) = Compared::of(scene, &other) else { continue };
+        for (name, span) in compared.questions() {
+            if !errors
+                .iter()
+                .any(|e| matches!(e, ScaleError::MissingRadius { span: s, .. } if *s == span.into()))
+            {
+                errors.push(error(scale, name, span));
+            }
+        }
+        compared.note(&mut open);
+    }
+    if errors.is_empty() { Ok(open) } else { Err(errors) }
+}
+
+fn error(scale: &Scale, what: String, span: Span) -> ScaleError {
+    let wheel = &scale.wheel;
+    let (size, example) = if scale.teeth {
+        ("module", format!("wheel {wheel} teeth … module 2 mm"))
+    } else {
+        ("radius", format!("wheel {wheel} radius 100 mm"))
+    };
+    ScaleError::MissingRadius {
+        what,
+        wheel: wheel.clone(),
+        size,
+        help: format!("give it: `{example}`, or ask for something that the ratios alone determine"),
+        span: span.into(),
+        wheel_span: scale.span.into(),
+    }
+}
+
+/// An expression of the file, and the same where the size is another.
+type Pair<'a> = (&'a Expr, &'a Expr);
+
+/// What is asked: its name, its place, its expressions, and whether one of them comes out differently.
+struct Question<'a> {
+    name: &'a str,
+    span: Span,
+    asked: Vec<Pair<'a>>,
+    differs: bool,
+}
+
+/// The same file with two sizes of a wheel.
+struct Compared<'a> {
+    scene: &'a Scene<'a>,
+    other: &'a Scene<'a>,
+    questions: Vec<Question<'a>>,
+    links: Vec<bool>,
+    efforts: Vec<bool>,
+    laws: Vec<bool>,
+}
+
+impl<'a> Compared<'a> {
+    /// Both solved, position by position; `None` where one cannot be.
+    fn of(scene: &'a Scene<'a>, other: &'a Scene<'a>) -> Option<Self> {
+        let mut compared = Self {
+            scene,
+            other,
+            questions: questions(scene.mechanism, other.mechanism),
+            links: vec![false; scene.mechanism.links.len()],
+            efforts: vec![false; scene.structure.efforts.len()],
+            laws: vec![false; scene.plan.laws.len()],
+        };
+        let constants = |(a, b): &Pair<'_>| match (a, b) {
+            (Expr::Constant(a), Expr::Constant(b)) => !alike(*a, *b),
+            _ => false,
+        };
+        for question in &mut compared.questions {
+            question.differs = question.asked.iter().any(constants);
+        }
+        let mut here = Following::new(scene, Vec::new()).ok()?;
+        let mut there = Following::new(other, Vec::new()).ok()?;
+        while let (Some(a), Some(b)) = (&mut here, &mut there) {
+            let (Some(first), Some(second)) = (a.next(), b.next()) else { break };
+            compared.look((a.statics(), &first.ok()?), (b.statics(), &second.ok()?));
+        }
+        Some(compared)
+    }
+
+    /// Looks at one position of both.
+    fn look(&mut self, (statics, a): (&Statics, &Pose), (changed, b): (&Statics, &Pose)) {
+        let (Ok(here), Ok(there)) = (&a.outcome, &b.outcome) else { return };
+        let (view, other) = (here.view(self.scene, statics), there.view(self.other, changed));
+        for question in self.questions.iter_mut().filter(|q| !q.differs) {
+            let both_constant = |(a, b): &Pair<'_>| matches!((a, b), (Expr::Constant(_), Expr::Constant(_)));
+            let mut asked = question.asked.iter().filter(|pair| !both_constant(pair));
+            question.differs = asked.any(|(a, b)| !alike(view.value(a), other.value(b)));
+        }
+        let same = |x: f64, y: f64| alike(Value::Scalar(x), Value::Scalar(y));
+        let (x, y) = (&here.state, &there.state);
+        for (differs, (p, q)) in self.links.iter_mut().zip(x.motion.bodies.iter().zip(&y.motion.bodies)) {
+            let equal = same(p.omega, q.omega) && same(p.alpha, q.alpha);
+            *differs |= !(equal && alike(Value::Vector(p.v), Value::Vector(q.v)));
+        }
+        for (differs, (p, q)) in self.efforts.iter_mut().zip(x.forces.efforts.iter().zip(&y.forces.efforts)) {
+            *differs |= !same(*p, *q);
+        }
+        for (i, differs) in self.laws.iter_mut().enumerate() {
+            let force = |plan: &plan::Plan, state: &solve::State| {
+                state.forces.law_forces[i].multiplier * plan.laws[i].force
+            };
+            *differs |= !same(force(self.scene.plan, x), force(self.other.plan, y));
+        }
+    }
+
+    /// What is asked and comes out differently.
+    fn questions(&self) -> Vec<(String, Span)> {
+        self.questions.iter().filter(|q| q.differs).map(|q| (q.name.to_owned(), q.span)).collect()
+    }
+
+    /// Results that come out differently, asked or not.
+    fn note(&self, open: &mut OpenSizes) {
+        let add = |list: &mut Vec<usize>, differ: &[bool]| {
+            for (i, _) in differ.iter().enumerate().filter(|(_, differs)| **differs) {
+                if !list.contains(&i) {
+                    list.push(i);
+                }
+            }
+        };
+        add(&mut open.links, &self.links);
+        add(&mut open.efforts, &self.efforts);
+        add(&mut open.laws, &self.laws);
+    }
+}
+
+/// What a file asks and expects, in both.
+fn questions<'a>(here: &'a Mechanism, there: &'a Mechanism) -> Vec<Question<'a>> {
+    let question = |name, span, asked| Question { name, span, asked, differs: false };
+    let finds = here.finds.iter().zip(&there.finds).filter_map(|(a, b)| match (&a.kind, &b.kind) {
+        (FindKind::Value { expr, .. }, FindKind::Value { expr: changed, .. }) => {
+            Some(question(a.name.as_str(), a.span, vec![(expr, changed)]))
+        }
+        _ => None,
+    });
+    let expects = here.expects.iter().zip(&there.expects).map(|(a, b)| {
+        let bounds: Vec<Pair<'a>> = match (&a.relation, &b.relation) {
+            (Relation::Equal(x), Relation::Equal(y)) => x.iter().zip(y).collect(),
+            (Relation::Compare(_, x), Relation::Compare(_, y)) => vec![(x, y)],
+            _ => Vec::new(),
+        };
+        let asked = std::iter::once((&a.expr, &b.expr)).chain(bounds).collect();
+        question(a.text.as_str(), a.span, asked)
+    });
+    finds.chain(expects).collect()
+}
+
+fn alike(a: Value, b: Value) -> bool {
+    match (a, b) {
+        (Value::Scalar(x), Value::Scalar(y)) => {
+            x.is_nan() && y.is_nan() || (x - y).abs() <= EQUAL * x.abs().max(y.abs())
+        }
+        (Value::Vector(x), Value::Vector(y)) => {
+            (x - y).norm() <= EQUAL * x.norm().max(y.norm()) || x.norm().is_nan() && y.norm().is_nan()
+        }
+        (a, b) => a == b,
+    }
+}

@@ -1,0 +1,112 @@
+//! Compiled → solved, compared with its answer key.
+
+use super::compile::{Compiled, compile_document};
+use super::followed::{Followed, followed};
+use crate::accuracy::{self, Reached};
+use crate::check::Overrides;
+use crate::diagnostic::Problems;
+use crate::exercise::{self, Outcome};
+use crate::report;
+use crate::solve::{Pose, Scene, Solution};
+use crate::source::Source;
+use crate::syntax;
+use std::sync::Arc;
+
+/// A compiled mechanism, solved, with what became of its expectations.
+#[derive(Debug)]
+pub struct Solved {
+    /// What was solved.
+    pub compiled: Compiled,
+    /// Its poses.
+    pub solution: Solution,
+    /// Its expectations, one per pose.
+    pub outcomes: Vec<Outcome>,
+    /// What accuracy was wanted and reached, where one was.
+    pub reached: Option<Reached>,
+}
+
+impl Solved {
+    /// As a report sees it.
+    #[must_use]
+    pub fn answers(&self, precision: report::Precision) -> report::Answers<'_> {
+        let scene = self.compiled.scene();
+        let reached = self.reached.as_ref();
+        report::Answers { scene, solution: &self.solution, outcomes: &self.outcomes, reached, precision }
+    }
+}
+
+/// Solves what was compiled and holds it against its answer key. A failed expectation is an outcome, not a problem; one
+/// that cannot be evaluated is a problem, and so are more positions than can be kept: see [`solve_each`].
+pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
+    let found = followed(&compiled.scene(), compiled.origin.as_ref(), None);
+    evaluated(compiled, found)
+}
+
+/// As [`solve()`], however many positions there are: each is handed out, with the answers to what needs none, and of many
+/// those alone are kept that an expectation names. Nothing comes out, and nothing is said, where `each` stops it.
+pub fn solve_each(
+    compiled: Compiled,
+    each: &mut dyn FnMut(&report::Answers<'_>, &Pose) -> bool,
+) -> (Result<Solved, Compiled>, Problems) {
+    let (mechanism, structure, plan) = (&compiled.mechanism, &compiled.structure, &compiled.plan);
+    let scene = Scene { mechanism, structure, plan };
+    let precision = report::Precision::READABLE;
+    let mut answered = |solution: &Solution, pose: &Pose| {
+        each(&report::Answers { scene, solution, outcomes: &[], reached: None, precision }, pose)
+    };
+    let found = followed(&scene, compiled.origin.as_ref(), Some(&mut answered));
+    evaluated(compiled, found)
+}
+
+/// Holds a solution against its answer key.
+fn evaluated(compiled: Compiled, found: Followed) -> (Result<Solved, Compiled>, Problems) {
+    match found {
+        Err(problems) => (Err(compiled), problems),
+        Ok(None) => (Err(compiled), Problems::new()),
+        Ok(Some((solution, mut problems))) => {
+            let (outcomes, errors) = exercise::evaluate(&compiled.scene(), &solution);
+            problems.extend(errors);
+            (Ok(Solved { compiled, solution, outcomes, reached: None }), problems)
+        }
+    }
+}
+
+/// As [`solve()`], with the cheapest settings whose answers keep a wanted accuracy, see [`accuracy::candidates`]. Where none
+/// do, the finest answer comes out beside an error.
+pub fn solve_within(mut compiled: Compiled, within: Option<f64>) -> (Result<Solved, Compiled>, Problems) {
+    let Some(wanted) = within else { return solve(compiled) };
+    let mut candidates = accuracy::candidates(&compiled.scene(), wanted);
+    candidates.reverse();
+    while let Some(settings) = candidates.pop() {
+        compiled.plan.settings = settings;
+        let is_last = candidates.is_empty();
+        let (found, mut problems) = solve(compiled);
+        compiled = match found {
+            Ok(mut solved) => {
+                let reached = accuracy::reached(&solved.compiled.scene(), &solved.solution, wanted);
+                if reached.is_kept() || is_last {
+                    let missed = (!reached.is_kept()).then(|| reached.missed(&solved.compiled.mechanism));
+                    problems.extend(missed);
+                    solved.reached = Some(reached);
+                    return (Ok(solved), problems);
+                }
+                solved.compiled
+            }
+            Err(compiled) if is_last => return (Err(compiled), problems),
+            Err(compiled) => compiled,
+        };
+    }
+    (Err(compiled), Problems::new())
+}
+
+/// Text → [`Solved`], with all that was found on the way. A solution comes out even where an expectation cannot be
+/// evaluated.
+#[must_use]
+pub fn solve_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {
+    let (document, found) = syntax::parse(source);
+    let (compiled, mut problems) = compile_document(source, &Arc::new(document), found, overrides);
+    let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
+    let (solved, found) = solve(compiled);
+    problems.append(found);
+    (solved.ok(), problems)
+}

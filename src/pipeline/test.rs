@@ -1,0 +1,62 @@
+//! A file compared with its own answer key.
+
+use super::compile::compile_document;
+use super::file_variants::FileVariants;
+use super::other_assembly::in_other_assembly;
+use super::solved::{Solved, solve_each};
+use crate::check::Overrides;
+use crate::diagnostic::{self, Problems};
+use crate::exercise;
+use crate::source::Source;
+use crate::syntax::{self, document::Document};
+use std::sync::Arc;
+
+/// Text → [`Solved`], with all that was found on the way, failed expectations among it. A text with variants is tested
+/// with every row; the solution is that of the first row that has one.
+#[must_use]
+pub fn test_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {
+    let (document, mut problems) = syntax::parse(source);
+    let document = Arc::new(document);
+    if let (false, Some(rows)) = (problems.has_errors(), FileVariants::of(&document, overrides)) {
+        let mut first = None;
+        match rows {
+            Ok(rows) => rows.solve(true).for_each(|row| {
+                problems.append(row.problems);
+                first = first.take().or(row.solved);
+            }),
+            Err(found) => problems.append(found),
+        }
+        return (first, problems);
+    }
+    test_document(source, &document, problems, overrides)
+}
+
+/// As [`test_source`], of a document without variants in which `found` was found on reading.
+#[must_use]
+pub fn test_document(
+    source: &Source,
+    document: &Arc<Document>,
+    found: Problems,
+    overrides: &Overrides,
+) -> (Option<Solved>, Problems) {
+    let (compiled, mut problems) = compile_document(source, document, found, overrides);
+    let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
+    let (solved, found) = solve_each(compiled, &mut |_, _| true);
+    problems.append(found);
+    let solved = solved.ok();
+    if let Some(solved) = &solved {
+        let failed = exercise::mismatches(&solved.outcomes);
+        let opens = problems.has("mech::assembly::partial_sweep");
+        let failed = if opens { exercise::in_one(failed) } else { failed };
+        problems.extend(in_other_assembly(solved, (source, document), overrides, failed));
+    }
+    (solved, problems)
+}
+
+/// What the author of a text is told about it, failed expectations included, without colour, 100 columns wide; empty
+/// where nothing is wrong.
+#[must_use]
+pub fn diagnose(source: &Source) -> String {
+    let (_, problems) = test_source(source, &Overrides::none());
+    diagnostic::render(&problems, source, diagnostic::Style::PLAIN)
+}

@@ -1,0 +1,65 @@
+//! A file that is solved with one row of variants after another: what hangs on no value is done once.
+
+use super::compile::{Compiled, Origin, plan_mechanism};
+use super::solved::{Solved, solve_within};
+use crate::check::{self, Overrides, Resident, Row};
+use crate::diagnostic::Problems;
+use crate::structure::Structure;
+use crate::syntax::document::Document;
+use std::sync::Arc;
+
+/// A document that many rows of variants are solved for. Every row comes out as the file with these values would.
+pub struct VariantSolver<'a> {
+    document: &'a Arc<Document>,
+    overrides: &'a Overrides,
+    resident: Option<Resident<'a>>,
+    /// The structure of the last row, where nothing was to be said of it.
+    structure: Option<Structure>,
+    /// The accuracy that is wanted.
+    within: Option<f64>,
+}
+
+impl<'a> VariantSolver<'a> {
+    /// A document that could be read, with values that replace those of all rows.
+    #[must_use]
+    pub fn new(document: &'a Arc<Document>, overrides: &'a Overrides) -> Self {
+        let resident = Resident::new(document, overrides);
+        Self { document, overrides, resident, structure: None, within: None }
+    }
+
+    /// With settings that keep an accuracy, row by row.
+    #[must_use]
+    pub fn within(self, within: Option<f64>) -> Self {
+        Self { within, ..self }
+    }
+
+    /// The mechanism of a row with its structure and its plan, and all that was found on the way.
+    pub fn compile(&mut self, row: &Row) -> (Option<Compiled>, Problems) {
+        let origin = Overrides { values: self.overrides.values.clone(), row: row.clone() };
+        let (mechanism, problems) = match &mut self.resident {
+            Some(resident) => resident.check(row),
+            None => check::check(self.document, &origin),
+        };
+        let Some(mechanism) = mechanism else { return (None, problems) };
+        let alike = self.structure.as_ref().and_then(|s| s.with_numbers_of(&mechanism));
+        let origin =
+            mechanism.asks_again().then(|| Origin { document: Arc::clone(self.document), overrides: origin });
+        let known = alike.is_some();
+        let (compiled, problems) = plan_mechanism(mechanism, alike, problems, origin);
+        if let Some(compiled) = &compiled
+            && !known
+        {
+            self.structure = problems.is_empty().then(|| compiled.structure.clone());
+        }
+        (compiled, problems)
+    }
+
+    /// The solution of a row, and all that was found on the way.
+    pub fn solve(&mut self, row: &Row) -> (Option<Solved>, Problems) {
+        let (compiled, mut problems) = self.compile(row);
+        let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
+        let (solved, found) = solve_within(compiled, self.within);
+        problems.append(found);
+        (solved.ok(), problems)
+    }
+}

@@ -1,0 +1,15 @@
+//! What the language means and what comes out: values, answers and the rules by which they are judged.
+
+mod accuracy;
+mod cycle;
+mod effects;
+mod expectations;
+mod expressions;
+#[path = "../folder/mod.rs"]
+mod folder;
+mod geometry;
+mod large;
+mod number_cases;
+mod positions;
+mod unit;
+mod variants;

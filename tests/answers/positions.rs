@@ -1,0 +1,80 @@
+//! Positions one after another: the same answers as all at once, in memory that does not grow with their number.
+
+#![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
+
+use assur::check::Overrides;
+use assur::report::lines::CsvLines;
+use assur::report::{Precision, csv, json, table_of_poses};
+use assur::source::Source;
+use std::path::Path;
+
+fn compiled(source: &Source) -> Option<assur::Compiled> {
+    let (compiled, problems) = assur::compile(source, &Overrides::none());
+    compiled.filter(|_| !problems.has_errors())
+}
+
+#[test]
+fn every_example_comes_out_the_same() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let (mut files, mut lines) = (0, 0);
+    for path in crate::folder::files(&root, "mech") {
+        let source = Source::new(path.display().to_string(), std::fs::read_to_string(&path).unwrap());
+        let (Some(first), Some(second)) = (compiled(&source), compiled(&source)) else { continue };
+        let (Ok(all), _) = assur::pipeline::solve(first) else { continue };
+        let answers = all.answers(Precision::READABLE);
+        let mut rows = CsvLines::of(&second.scene());
+        let (mut text, mut objects) = (rows.header(), Vec::new());
+        let (solved, _) = assur::solve_each(second, &mut |answers, pose| {
+            rows.add(answers, pose, &mut text);
+            objects.push(json::render_position("a", None, answers, Some(pose)));
+            true
+        });
+        let solved = solved.unwrap();
+        if objects.is_empty() {
+            rows.add_without_pose(&solved.answers(Precision::READABLE), &mut text);
+        }
+        let mut table = csv::render(&table_of_poses(&answers));
+        if answers.poses().next().is_none() && table.lines().count() == 1 {
+            table += "\r\n";
+        }
+        assert_eq!(text, table, "{}", source.name);
+        for (pose, object) in answers.poses().zip(&objects) {
+            assert_eq!(*object, json::render_position("a", None, &answers, Some(pose)), "{}", source.name);
+        }
+        assert_eq!(solved.outcomes.len(), all.outcomes.len(), "{}", source.name);
+        files += 1;
+        lines += objects.len();
+    }
+    assert!(files > 100 && lines > 600, "{files} files, {lines} positions");
+}
+
+/// The greatest number of bytes in use while a sweep is printed.
+fn peak(name: &str, steps: usize) -> u64 {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/hostile").join(name);
+    let text = std::fs::read_to_string(path).unwrap().replace("1000000 steps", &format!("{steps} steps"));
+    let source = Source::new(name, text);
+    let mut lines = 0;
+    let info = allocation_counter::measure(|| {
+        let compiled = compiled(&source).unwrap();
+        let mut rows = CsvLines::of(&compiled.scene());
+        let mut text = String::new();
+        let (solved, _) = assur::solve_each(compiled, &mut |answers, pose| {
+            text.clear();
+            rows.add(answers, pose, &mut text);
+            lines += 1;
+            true
+        });
+        assert!(solved.is_ok(), "{name}");
+    });
+    assert!(lines >= steps, "{lines} of {steps}");
+    info.bytes_max
+}
+
+#[test]
+fn memory_does_not_grow_with_the_number_of_positions() {
+    for name in ["steps1e6.mech", "steps1e6-few.mech", "hang-113626.mech", "hang-46872.mech"] {
+        let (some, many) = (peak(name, 25_000), peak(name, 75_000));
+        assert!(many < some + some / 10 + 10_000, "{name}: {some} and {many} bytes");
+        assert!(many < 20_000_000, "{name}: {many} bytes");
+    }
+}

@@ -1,0 +1,19 @@
+//! Mechanisms, random and known, against independent computations.
+//!
+//! One module per subject: `cargo test --test mechanics friction`.
+
+mod cams;
+mod friction;
+mod gears;
+mod hard;
+mod lanes_avx2;
+mod legs;
+mod no_silent_errors;
+mod power_residual;
+mod precise;
+mod properties;
+mod reference_position;
+mod structure;
+mod support;
+mod train_losses;
+mod trains;

@@ -1,0 +1,152 @@
+//! Every position of every example against the reference of 30 digits, which is solved from the equations of all bodies at
+//! once: what `f64` and its closed forms lose stays below the bound of docs/stability.md.
+
+use crate::support::digits::{closed_form_errors, force_error, motion_errors};
+use assur::check::Overrides;
+use assur::math::{Double, Scalar, V2};
+use assur::plan::Level;
+use assur::solve::{Reference, Scene, Solved, precise};
+use assur::source::Source;
+use assur::structure::{EffortKind, JointKind};
+use std::path::{Path, PathBuf};
+
+/// The constant of docs/stability.md.
+const BOUND: f64 = 64.0;
+
+fn files(folder: &Path, out: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
+        let path = entry.path();
+        if path.is_dir() {
+            files(&path, out);
+        } else if path.extension().is_some_and(|e| e == "mech") {
+            out.push(path);
+        }
+    }
+}
+
+/// Rounding adds up along a chain of groups: how many times that of four. Forces count twice: on n groups in a row they are
+/// sums of n loads, whose places are off by up to n times as much as that of the first.
+fn chain(scene: &Scene<'_>) -> f64 {
+    (scene.plan.motion.len() as f64 / 4.0).max(1.0)
+}
+
+/// Calls `judge` with every position that the examples solve.
+fn each_position(mut judge: impl FnMut(&str, &Scene<'_>, &Solved, &Reference)) -> usize {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut paths = Vec::new();
+    files(&root.join("examples"), &mut paths);
+    paths.sort();
+    let mut count = 0;
+    for path in paths {
+        let name = path.strip_prefix(root).expect("below the root").display().to_string();
+        let source = Source::new(&name, std::fs::read_to_string(&path).expect("a file"));
+        // files that are variants of others are none by themselves
+        let (Some(solved), _) = assur::solve_source(&source, &Overrides::none()) else { continue };
+        let scene = solved.compiled.scene();
+        for pose in &solved.solution.poses {
+            let Ok(at) = &pose.outcome else { continue };
+            let reference = solved.solution.reference(&scene, at);
+            let name = format!("{name}, {}", pose.name);
+            judge(&name, &scene, at, &reference.unwrap_or_else(|| panic!("{name} has no reference")));
+            count += 1;
+        }
+    }
+    count
+}
+
+#[test]
+fn answers_lose_no_more_than_the_bound() {
+    let mut worst = 0.0_f64;
+    let count = each_position(|name, scene, solved, exact| {
+        assert!(exact.closure < 1e-29 && exact.equilibrium < 1e-28, "{name}: {exact:?}");
+        let sigma = solved.condition;
+        let [p, v, a] = motion_errors(solved, exact);
+        let f = if exact.reactions.is_empty() { 0.0 } else { force_error(scene, solved, exact) };
+        let lost = [(p, 1), (v, 2), (a, 3), (f / chain(scene), 2)];
+        for (kind, (error, power)) in ["positions", "velocities", "accelerations", "forces"].iter().zip(lost)
+        {
+            let c = error * sigma.powi(power) / (chain(scene) * f64::EPSILON);
+            assert!(c <= BOUND, "{name}: {kind} lose {error:e}, condition {sigma:e}");
+            worst = worst.max(c);
+        }
+    });
+    println!("{count} positions, c = {worst}");
+    assert!(count > 500, "{count} positions");
+}
+
+/// Powers of loads, inertia forces and efforts: reactions do none where nothing rubs.
+fn powers(scene: &Scene<'_>, exact: &Reference) -> (Double, f64) {
+    let mut sum = Double::zero();
+    let mut add = |power: Double| sum = sum + power;
+    // in a dwell nothing moves but by rounding: the greatest force times the greatest velocity
+    let (mut force, mut moment) = (0.0_f64, 0.0_f64);
+    let (mut speed, mut turning) = (0.0_f64, 0.0_f64);
+    for (body, load) in exact.bodies.iter().zip(&exact.applied) {
+        add(load.force.dot(body.v));
+        add(load.moment * body.omega);
+        force = force.max(load.force.norm().high);
+        moment = moment.max(load.moment.high.abs());
+        speed = speed.max(body.v.norm().high);
+        turning = turning.max(body.omega.high.abs());
+    }
+    let most = (force * speed + moment * turning).max(f64::MIN_POSITIVE);
+    for (effort, value) in scene.structure.efforts.iter().zip(&exact.efforts) {
+        add(*value
+            * match effort.kind {
+                EffortKind::Angle(b) => exact.bodies[b.0].omega,
+                EffortKind::RelativeAngle { first, second, .. } => {
+                    exact.bodies[second.0].omega - exact.bodies[first.0].omega
+                }
+                EffortKind::Coordinate(joint) => {
+                    let JointKind::Prismatic { slider, point, direction, guide, .. } =
+                        scene.structure.replaced.joint(joint).kind
+                    else {
+                        panic!("a coordinate of a prismatic joint")
+                    };
+                    let (s, g) = (&exact.bodies[slider.0], &exact.bodies[guide.0]);
+                    let under = g.v + (s.position(point) - g.p).perp() * g.omega;
+                    let along = V2::of(direction) / V2::<Double>::of(direction).norm();
+                    (s.velocity(point) - under).dot(along.turned(s.u))
+                }
+                EffortKind::Line(_) | EffortKind::Point(_) => panic!("not counted here"),
+            });
+    }
+    (sum, most)
+}
+
+#[test]
+fn powers_add_up_to_nothing() {
+    let mut count = 0;
+    each_position(|name, scene, _, exact| {
+        let plan = scene.plan;
+        let counted = plan.effects.level >= Level::Velocities && !exact.reactions.is_empty();
+        if counted
+            && plan.friction.is_empty()
+            && !plan.effects.losses
+            && plan.lines.is_empty()
+            && plan.outer.is_empty()
+        {
+            let (sum, most) = powers(scene, exact);
+            assert!(sum.high.abs() <= 1e-27 * most, "{name}: {sum:?} of {most:e}");
+            count += 1;
+        }
+    });
+    assert!(count > 200, "{count} positions");
+}
+
+#[test]
+fn closed_forms_with_as_many_digits_agree() {
+    let mut count = 0;
+    each_position(|name, scene, solved, exact| {
+        let Some(closed) = precise(scene.plan, &solved.state) else { return };
+        let mut errors = closed_form_errors(&closed, exact);
+        errors[3] /= chain(scene);
+        for (error, power) in errors.into_iter().zip([1, 2, 3, 3]) {
+            let bound = 1e-29 * chain(scene) / solved.condition.powi(power);
+            assert!(error <= bound, "{name}: {errors:?}, condition {:e}", solved.condition);
+        }
+        count += 1;
+    });
+    println!("{count} positions");
+    assert!(count > 200, "{count} positions");
+}

@@ -1,0 +1,8 @@
+//! Verdicts on structure: the files of use with what is wanted of each, and random linkages against the rank of the
+//! equations of velocity at random dimensions.
+
+mod cases;
+mod help;
+mod linkage;
+mod oracle;
+mod random_linkages;

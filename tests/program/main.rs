@@ -1,0 +1,11 @@
+//! The program as run from a shell.
+
+mod batch;
+mod cli;
+#[path = "../folder/mod.rs"]
+mod folder;
+mod grade;
+mod output;
+mod reply;
+mod run;
+mod schema;

@@ -1,0 +1,98 @@
+//! Every folder uses only those that ARCHITECTURE.md lets it use, and every test is named there.
+
+use std::path::{Path, PathBuf};
+
+/// A row of the table.
+#[derive(Debug)]
+struct Row {
+    /// What others call it.
+    name: String,
+    /// Where it is.
+    path: PathBuf,
+    /// What it may use.
+    uses: Vec<String>,
+}
+
+fn page() -> String {
+    std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md")
+}
+
+fn table() -> Vec<Row> {
+    let text = page();
+    let mut rows: Vec<Row> = Vec::new();
+    for line in text.lines().filter(|l| l.starts_with("| `") && l.contains("src")) {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let path = cells[1].trim_matches('`');
+        let (parent, last) = path.rsplit_once('/').expect("a folder below another");
+        // a crate that is one floor is called by its own name
+        let name = if last == "src" { parent.trim_start_matches("crates/assur-") } else { last };
+        let uses = if cells[3] == "everything above" {
+            rows.iter().map(|r| r.name.clone()).collect()
+        } else {
+            cells[3].split(", ").filter(|s| !s.is_empty()).map(str::to_owned).collect()
+        };
+        rows.push(Row { name: name.to_owned(), path: root().join(path), uses });
+    }
+    rows
+}
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+#[test]
+fn every_folder_uses_only_those_before_it() {
+    let rows = table();
+    assert!(rows.len() > 10, "the table is read: {rows:?}");
+    let mut wrong = Vec::new();
+    for row in &rows {
+        let files = crate::folder::files(&row.path, "rs");
+        assert!(!files.is_empty(), "{}", row.path.display());
+        for path in files {
+            let text = std::fs::read_to_string(&path).expect("a source file");
+            for part in text.split("crate::").skip(1) {
+                let used: String = part.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+                let known = rows.iter().any(|r| r.name == used);
+                if known && used != row.name && !row.uses.contains(&used) {
+                    wrong.push(format!("{} uses {used}", path.display()));
+                }
+            }
+        }
+    }
+    wrong.dedup();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The paths in the first column of the table of tests.
+fn tests_named() -> Vec<String> {
+    let text = page();
+    let (_, tests) = text.split_once("\n## Tests\n").expect("a heading");
+    let first = |line: &str| line.strip_prefix("| `")?.split(" | ").next().map(str::to_owned);
+    let cells = tests.lines().filter_map(first).collect::<Vec<_>>();
+    cells.iter().flat_map(|cell| cell.split(", ")).map(|path| path.trim_matches('`').to_owned()).collect()
+}
+
+/// `tests/mechanics/friction` of `tests/mechanics/friction/fixed_point.rs`, `tests/mechanics` of its `main.rs`.
+fn module_of(file: &Path) -> String {
+    let path = file.strip_prefix(root()).expect("below the root").with_extension("");
+    let parts = path.iter().map(|part| part.to_string_lossy()).take(3);
+    parts.filter(|part| part != "main" && part != "mod").collect::<Vec<_>>().join("/")
+}
+
+#[test]
+fn every_test_is_named() {
+    let named = tests_named();
+    assert!(named.len() > 40, "the table is read: {named:?}");
+    let files = crate::folder::files(&root().join("tests"), "rs");
+    let mut wrong =
+        files.iter().map(|file| module_of(file)).filter(|m| !named.contains(m)).collect::<Vec<_>>();
+    wrong.dedup();
+    assert!(wrong.is_empty(), "not in the table: {wrong:?}");
+    let is_there = |path: &String| root().join(path).exists() || root().join(format!("{path}.rs")).exists();
+    let gone = named.iter().filter(|path| !is_there(path)).collect::<Vec<_>>();
+    assert!(gone.is_empty(), "in the table alone: {gone:?}");
+    for krate in std::fs::read_dir(root().join("crates")).expect("crates").flatten() {
+        let unit = format!("crates/{}/tests/unit", krate.file_name().to_string_lossy());
+        assert!(named.contains(&unit) || !root().join(&unit).exists(), "not in the table: {unit}");
+    }
+}
