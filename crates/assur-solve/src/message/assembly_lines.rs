@@ -2,7 +2,7 @@
 
 use super::error::{SolveError, label};
 use super::format::{labels, length, short};
-use crate::answer::View;
+use crate::answer::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, PairKind};
 use crate::position::{SAME, Scene, State, extent};
@@ -148,7 +148,7 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
 
 fn coordinate(scene: &Scene<'_>, state: &State, pair: crate::model::PairId) -> f64 {
     let angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
-    View { angles: &angles, ..View::bare(scene, state) }.displacement(pair)
+    PoseAnswers { angles: &angles, ..PoseAnswers::bare(scene, state) }.displacement(pair)
 }
 
 /// The points of a group that a clause can name, with their bodies.

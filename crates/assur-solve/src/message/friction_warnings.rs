@@ -3,7 +3,7 @@
 use super::error::label;
 use super::format::place;
 use super::friction_error::FrictionError;
-use crate::answer::{Locked, View};
+use crate::answer::{Locked, PoseAnswers};
 use crate::model::{FindKind, Friction, Mechanism, PairId, Value};
 use crate::position::{PoseOrigin, Scene, Wanted};
 use crate::units::{Dimension, significant};
@@ -24,7 +24,7 @@ pub(crate) struct FrictionNotes {
 
 impl FrictionNotes {
     /// Looks at the friction of a position.
-    pub(crate) fn look(&mut self, scene: &Scene<'_>, view: &View<'_>, pose: &Wanted) {
+    pub(crate) fn look(&mut self, scene: &Scene<'_>, view: &PoseAnswers<'_>, pose: &Wanted) {
         if !scene.plan.effects.friction || matches!(pose.origin, PoseOrigin::Expected(_)) {
             return;
         }
@@ -82,7 +82,7 @@ fn and_more(count: usize) -> String {
     }
 }
 
-fn locked(view: &View<'_>, place: &str) -> FrictionError {
+fn locked(view: &PoseAnswers<'_>, place: &str) -> FrictionError {
     let scene = Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
     let mechanism = view.mechanism;
     let ideal = view.without_friction().power_of_efforts();
@@ -164,7 +164,7 @@ fn limit_of_given(mechanism: &Mechanism, name: &str, critical: f64) -> Option<St
 }
 
 /// What the file asks for that does not exist at a locked position.
-fn without_effort(view: &View<'_>, place: &str) -> Option<FrictionError> {
+fn without_effort(view: &PoseAnswers<'_>, place: &str) -> Option<FrictionError> {
     let missing = |kind: &FindKind| match kind {
         FindKind::Reactions => true,
         FindKind::Table(_) => false,

@@ -1,8 +1,8 @@
 //! The steps of forces.
 
 use super::formed::Formed;
-use super::friction_step::RubbingGroup;
-use super::joint::{Hinge, OuterJoint, Way};
+use super::friction_step::FrictionGroup;
+use super::joint::{Guide, Hinge, OuterJoint};
 use super::step::Arm;
 use super::triad_step::TriadForces;
 use crate::math::Vec2;
@@ -25,7 +25,7 @@ pub enum EffortLine {
         line: usize,
     },
     /// A force on the slider of a prismatic joint along its line, with the opposite on the guide.
-    Along(Way),
+    Along(Guide),
 }
 
 /// One step of forces.
@@ -44,7 +44,7 @@ pub enum ForceStep {
     /// One body on a guide with one unknown effort.
     Shift {
         /// The guide.
-        way: Way,
+        way: Guide,
         /// The effort.
         effort: EffortLine,
         /// Slot of the effort, and the sign with which it acts on the body.
@@ -67,7 +67,7 @@ pub enum ForceStep {
         /// Inner revolute.
         inner: Inner,
         /// Guide of the slider.
-        way: Way,
+        way: Guide,
         /// The step of motion of the same group.
         motion: Option<usize>,
     },
@@ -87,12 +87,12 @@ pub enum ForceStep {
         /// Outer revolutes.
         outer: [Hinge; 2],
         /// The inner guide.
-        way: Way,
+        way: Guide,
     },
     /// Dyad PRP.
     Prp {
         /// The guides.
-        ways: [Way; 2],
+        ways: [Guide; 2],
         /// The inner revolute.
         inner: Inner,
     },
@@ -101,14 +101,14 @@ pub enum ForceStep {
         /// Outer revolute of the first body.
         outer: Hinge,
         /// The inner guide.
-        inner: Way,
+        inner: Guide,
         /// Guide of the second body.
-        way: Way,
+        way: Guide,
     },
     /// A body between two guides; the couples are not determined.
     Translation {
         /// The guides.
-        ways: [Way; 2],
+        ways: [Guide; 2],
     },
     /// Bodies held by laws between their rates.
     Train {
@@ -125,11 +125,11 @@ pub enum ForceStep {
     /// Steps of the groups from the first on, solved as one since friction couples them; none where a later step does it.
     Sequence(Vec<ForceStep>),
     /// A group with friction.
-    Rubbing {
+    Friction {
         /// The step without friction.
         plain: Box<ForceStep>,
         /// What rubs in it.
-        group: Box<RubbingGroup>,
+        group: Box<FrictionGroup>,
     },
 }
 

@@ -132,7 +132,7 @@ fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dy
             })?;
             let (line, sign) = effort_line(structure, effort, joint.body.0, Some((joint, slot)))?;
             let at = if joint.prismatic {
-                OuterJoint::Way(way(structure, joint, slot))
+                OuterJoint::Guide(way(structure, joint, slot))
             } else {
                 OuterJoint::Hinge(hinge(structure, joint, slot))
             };
@@ -140,7 +140,7 @@ fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dy
         }
     };
     let outer = if kind == Dyad::Rrp {
-        OuterJoint::Way(way(structure, second, first_slot + 2))
+        OuterJoint::Guide(way(structure, second, first_slot + 2))
     } else {
         OuterJoint::Hinge(hinge(structure, second, first_slot + 2))
     };

@@ -1,6 +1,6 @@
 //! Friction in the joints of a group.
 
-use super::joint::Way;
+use super::joint::Guide;
 use crate::model::{PairId, ProfileShape};
 
 /// Friction in one joint: an effort that opposes the relative motion, in proportion to the reaction.
@@ -18,7 +18,7 @@ pub struct FrictionElement {
     /// Slot of the reaction.
     pub slot: usize,
     /// The law.
-    pub kind: Rub,
+    pub kind: FrictionLaw,
     /// Hinge of several links that its own link does not carry: the force on `body` is the sum of these reactions, a range
     /// of [`super::Plan::pin_slots`], instead of the one in `slot`.
     pub pin: Option<(usize, usize)>,
@@ -26,7 +26,7 @@ pub struct FrictionElement {
 
 /// Laws of friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Rub {
+pub enum FrictionLaw {
     /// A torque ρ |f| about a hinge.
     Circle {
         /// Radius of the friction circle, m.
@@ -37,14 +37,14 @@ pub enum Rub {
         /// Equivalent coefficient.
         coefficient: f64,
         /// The guide.
-        way: Way,
+        way: Guide,
     },
     /// A force f (|N_1| + |N_2|) along a guide with two contact points.
     BothEnds {
         /// Coefficient.
         coefficient: f64,
         /// The guide.
-        way: Way,
+        way: Guide,
         /// Coordinates of the contact points relative to the pair's point, m.
         contacts: [f64; 2],
     },
@@ -61,7 +61,7 @@ pub enum Rub {
     },
 }
 
-impl Rub {
+impl FrictionLaw {
     /// The law with its radius or coefficient multiplied.
     #[must_use]
     pub const fn scaled(mut self, by: f64) -> Self {
@@ -77,7 +77,7 @@ impl Rub {
 
 /// The bodies whose loads a group's step reads or changes, and the elements inside it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RubbingGroup {
+pub struct FrictionGroup {
     /// Slots of the group's bodies.
     pub bodies: Vec<usize>,
     /// Slots of the bodies that carry it.

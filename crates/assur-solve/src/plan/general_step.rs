@@ -1,6 +1,6 @@
 //! Groups that have no closed form.
 
-use super::joint::{Hinge, Way};
+use super::joint::{Guide, Hinge};
 use crate::group::general::General;
 
 /// A group of motion. Bodies are slots: those of the group first, then those of known motion that it hangs on.
@@ -46,9 +46,9 @@ pub enum UnknownForce {
         hinge: Hinge,
     },
     /// The couple of a prismatic joint on its slider.
-    Couple(Way),
+    Couple(Guide),
     /// The normal force of a prismatic joint on its slider.
-    Normal(Way),
+    Normal(Guide),
     /// A torque of `base` on `body`: slot of the effort.
     Torque {
         /// Slot of the effort.
@@ -63,7 +63,7 @@ pub enum UnknownForce {
         /// Slot of the effort.
         effort: usize,
         /// The joint.
-        way: Way,
+        way: Guide,
     },
     /// A force on a body along the line of an effort: its slot.
     Line(usize),

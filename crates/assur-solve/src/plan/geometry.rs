@@ -1,7 +1,7 @@
 //! From joints to the numbers of the steps.
 
 use super::formed::Formed;
-use super::joint::{Hinge, Way};
+use super::joint::{Guide, Hinge};
 use super::step::{Anchor, Arm, Leg, Slide};
 use crate::math::Vec2;
 use crate::structure::{BodyId, GroupJoint, JointKind, Replaced, Structure};
@@ -106,10 +106,10 @@ pub(super) fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hi
     }
 }
 
-pub(super) fn way(structure: &Structure, joint: GroupJoint, slot: usize) -> Way {
+pub(super) fn way(structure: &Structure, joint: GroupJoint, slot: usize) -> Guide {
     let (slider, point, direction) = match structure.replaced.joint(joint.joint).kind {
         JointKind::Prismatic { slider, point, direction, .. } => (slider, point, direction),
         JointKind::Revolute(_) | JointKind::Law(_) => (joint.body, Vec2::zero(), Vec2::new(1.0, 0.0)),
     };
-    Way { body: joint.body.0, base: joint.base.0, slider: slider.0, point, direction, slot }
+    Guide { body: joint.body.0, base: joint.base.0, slider: slider.0, point, direction, slot }
 }

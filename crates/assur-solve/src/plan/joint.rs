@@ -18,7 +18,7 @@ pub struct Hinge {
 
 /// A prismatic joint on the side of forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Way {
+pub struct Guide {
     /// Slot of the body the reaction is counted on.
     pub body: usize,
     /// Slot of the other body.
@@ -39,5 +39,5 @@ pub enum OuterJoint {
     /// A revolute.
     Hinge(Hinge),
     /// A guide.
-    Way(Way),
+    Guide(Guide),
 }

@@ -71,7 +71,7 @@ impl Plan {
                 ForceStep::Triad(_)
                     | ForceStep::General { .. }
                     | ForceStep::Sequence(_)
-                    | ForceStep::Rubbing { .. }
+                    | ForceStep::Friction { .. }
             )
         };
         let followed = |step: &MotionStep| matches!(step, MotionStep::Triad { .. });

@@ -1,6 +1,6 @@
 //! Trains: groups with laws of transmissions.
 
-use super::joint::{Hinge, Way};
+use super::joint::{Guide, Hinge};
 use super::step::{Anchor, Arm, Slide};
 use crate::model::{Meeting, PairId};
 
@@ -72,7 +72,7 @@ pub enum LawSite {
     /// A couple on a body: its slot.
     Turn(usize),
     /// A force along a guide, on its slider and back on its base.
-    Slide(Way),
+    Slide(Guide),
 }
 
 /// A train group of forces.
@@ -98,7 +98,7 @@ pub enum TrainSupport {
     /// By a revolute. The member that carries it, if one does.
     Turn(Hinge, Option<usize>),
     /// By a guide; +1 where the body is the slider, −1 where it carries the line.
-    Shift(Way, f64),
+    Shift(Guide, f64),
 }
 
 /// An unknown effort of a train.
@@ -107,5 +107,5 @@ pub enum TrainEffort {
     /// A torque: slot, the body, the other body.
     Torque(usize, usize, usize),
     /// A force along a guide: slot, guide.
-    Along(usize, Way),
+    Along(usize, Guide),
 }

@@ -89,7 +89,7 @@ pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize) ->
             }
         };
         let outer_joint = if outer.prismatic {
-            OuterJoint::Way(way(structure, outer, first_slot + i))
+            OuterJoint::Guide(way(structure, outer, first_slot + i))
         } else {
             OuterJoint::Hinge(hinge(structure, outer, first_slot + i))
         };

@@ -1,6 +1,6 @@
 //! A link on three legs.
 
-use super::joint::{OuterJoint, Way};
+use super::joint::{Guide, OuterJoint};
 use super::step::{Arm, Leg, Slide};
 use crate::group::triad::Plate;
 use crate::math::Vec2;
@@ -73,5 +73,5 @@ pub enum TriadHold {
         inverse: f64,
     },
     /// A guide.
-    Guide(Way),
+    Guide(Guide),
 }

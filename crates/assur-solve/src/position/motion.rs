@@ -196,12 +196,12 @@ impl<S: Scalar> State<S> {
                     direction.turned(carrier.u),
                     carrier.omega + sign * input.rate,
                     carrier.alpha + sign * input.acceleration,
-                    carrier.way + sign * input.value,
+                    carrier.turned + sign * input.value,
                 )
             }
         };
         let body = &mut self.motion.bodies[body];
-        body.way = way;
+        body.turned = way;
         place::<S, LEVEL>(body, pin, hinge, u, omega, alpha);
     }
 

@@ -1,6 +1,6 @@
 //! Finds the assembly of the first position: all of them are tried, group by group, and `assemble` chooses.
 
-use crate::answer::View;
+use crate::answer::PoseAnswers;
 use crate::math::Vec2;
 use crate::message::{SolveError, ambiguous, does_not_close, not_met};
 use crate::model::{Hint, HintKind, LinkId, PairKind};
@@ -19,7 +19,7 @@ struct Candidate {
 
 /// A way in which a group can stand.
 #[derive(Clone)]
-pub(super) struct Way {
+pub(super) struct Assembly {
     branch: Branch,
     /// Signed condition figure.
     pub sine: f64,
@@ -29,7 +29,7 @@ pub(super) struct Way {
     work: Option<(usize, Workspace)>,
 }
 
-impl Way {
+impl Assembly {
     pub(crate) fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
         let work = match &scene.plan.motion[index] {
             MotionStep::General { problem, .. } => {
@@ -75,7 +75,7 @@ pub(super) fn assemble_from(scene: &Scene<'_>, start: State, starts: usize) -> R
     let hints = hints_by_group(scene);
     let mut candidates = vec![Candidate { state: start, far: 0.0 }];
     for (index, hints) in hints.iter().enumerate() {
-        let mut ways: Vec<(usize, Way)> = Vec::new();
+        let mut ways: Vec<(usize, Assembly)> = Vec::new();
         for (i, candidate) in candidates.iter_mut().enumerate() {
             ways.extend(
                 ways_from(scene, &mut candidate.state, index, extent, starts).into_iter().map(|way| (i, way)),
@@ -99,12 +99,18 @@ pub(super) fn assemble_from(scene: &Scene<'_>, start: State, starts: usize) -> R
 }
 
 /// All ways in which a group can stand, each once.
-pub(super) fn every_way(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64) -> Vec<Way> {
+pub(super) fn every_way(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64) -> Vec<Assembly> {
     ways_from(scene, state, index, extent, STARTS)
 }
 
-fn ways_from(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64, starts: usize) -> Vec<Way> {
-    let mut ways: Vec<Way> = Vec::new();
+fn ways_from(
+    scene: &Scene<'_>,
+    state: &mut State,
+    index: usize,
+    extent: f64,
+    starts: usize,
+) -> Vec<Assembly> {
+    let mut ways: Vec<Assembly> = Vec::new();
     for way in assemblies(scene, state, index, starts) {
         if !ways.iter().any(|w| w.is_same(&way, extent)) {
             ways.push(way);
@@ -114,17 +120,17 @@ fn ways_from(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64, st
 }
 
 /// All ways in which a group can stand; leaves it in one of them.
-fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize) -> Vec<Way> {
+fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize) -> Vec<Assembly> {
     let step = &scene.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
         let group = &scene.plan.general[*problem];
         let mut found = crate::position::general_assemblies(state, index, *problem, group, starts);
         found.retain(|state| cylinders_are_positive(scene, state, index));
-        return found.iter().map(|state| Way::of(scene, state, index)).collect();
+        return found.iter().map(|state| Assembly::of(scene, state, index)).collect();
     }
     if let MotionStep::Triad { triad, .. } = step {
         let found = crate::position::triad_assemblies(state, index, triad);
-        return found.iter().map(|state| Way::of(scene, state, index)).collect();
+        return found.iter().map(|state| Assembly::of(scene, state, index)).collect();
     }
     let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
     let round = radii(step).map(|r| r != 0.0);
@@ -137,7 +143,7 @@ fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize)
                 state.motion.open = None;
                 state.step::<0>(scene.plan, step);
                 if state.motion.open.is_none() && cylinders_are_positive(scene, state, index) {
-                    out.push(Way::of(scene, state, index));
+                    out.push(Assembly::of(scene, state, index));
                 }
             }
         }
@@ -154,7 +160,7 @@ fn cylinders_are_positive(scene: &Scene<'_>, state: &State, index: usize) -> boo
         .map(|j| scene.structure.replaced.joint(j.joint).pair);
     pairs
         .filter(|p| matches!(scene.mechanism.pair(*p).kind, PairKind::Cylinder { .. }))
-        .all(|p| View::bare(scene, state).displacement(p) >= 0.0)
+        .all(|p| PoseAnswers::bare(scene, state).displacement(p) >= 0.0)
 }
 
 /// Radii of the round profiles of a step's prismatic joints.
@@ -210,10 +216,10 @@ fn choose(
     scene: &Scene<'_>,
     hints: &[&Hint],
     mut candidates: Vec<Candidate>,
-    mut ways: Vec<(usize, Way)>,
+    mut ways: Vec<(usize, Assembly)>,
     index: usize,
 ) -> Result<Vec<Candidate>, SolveError> {
-    let built = |candidates: &[Candidate], ways: &[(usize, Way)]| -> Vec<Candidate> {
+    let built = |candidates: &[Candidate], ways: &[(usize, Assembly)]| -> Vec<Candidate> {
         let each = ways.iter().map(|(i, way)| {
             let mut candidate = candidates[*i].clone();
             way.put(scene, &mut candidate.state, index);
@@ -261,7 +267,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             if *left { side >= 0.0 } else { side <= 0.0 }
         }
         HintKind::Along { point, other, pair, ahead } => {
-            let view = View::bare(scene, state);
+            let view = PoseAnswers::bare(scene, state);
             let Some(guide) = view.guide(*pair) else { return true };
             let along = (at(point) - at(other)).dot(view.along(&guide));
             if *ahead { along >= 0.0 } else { along <= 0.0 }
@@ -271,7 +277,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             let revolute = matches!(scene.mechanism.pair(*pair).kind, PairKind::Revolute(_));
             let angles: Vec<f64> =
                 if revolute { state.motion.bodies.iter().map(|b| b.u.angle()).collect() } else { Vec::new() };
-            let view = View { angles: &angles, ..View::bare(scene, state) };
+            let view = PoseAnswers { angles: &angles, ..PoseAnswers::bare(scene, state) };
             let value = view.displacement(*pair);
             if *greater { value >= *bound } else { value <= *bound }
         }

@@ -1,15 +1,15 @@
 //! Dead positions, strokes and time ratios: the extremes of a pair's coordinate over one turn of the drive.
 
 use super::turn::{Failure, Turn};
-use crate::answer::{Statics, every_query};
+use crate::answer::{WholeCycle, every_query};
 use crate::message::{SolveError, four, label};
 use crate::model::{Mechanism, PairId, Query};
 use crate::position::{Scene, turns};
 
 /// Finds the extremes of every pair whose `dead`, `stroke`, `travel` or `time_ratio` the file names.
-pub(crate) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
+pub(crate) fn statics(scene: &Scene<'_>) -> Result<WholeCycle, SolveError> {
     let wanted = wanted(scene.mechanism);
-    let Some(first) = wanted.first() else { return Ok(Statics::EMPTY) };
+    let Some(first) = wanted.first() else { return Ok(WholeCycle::EMPTY) };
     let drive = match scene.mechanism.drives.as_slice() {
         [drive] if turns(scene, drive) => drive,
         [drive] => {
@@ -52,7 +52,7 @@ pub(crate) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
         })?;
         out.push((ask.pair, extremes));
     }
-    Ok(Statics { extremes: out, ..Statics::EMPTY })
+    Ok(WholeCycle { extremes: out, ..WholeCycle::EMPTY })
 }
 
 fn none(

@@ -1,35 +1,35 @@
 //! Plan × positions → Solution.
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
-mod again;
 mod assemble;
+mod assemblies;
 mod cycle;
 mod digits;
 mod extremes;
 mod inputs;
-mod modes;
 mod pose;
 mod positions;
+mod replay;
 mod solution;
 mod steps;
 mod sweep;
 mod track;
 mod turn;
 
-pub use crate::answer::{CycleAnswer, FlywheelAnswer, Rubbing, Statics, View, compare};
+pub use crate::answer::{CycleAnswer, FlywheelAnswer, PairFriction, PoseAnswers, WholeCycle, compare};
 pub use crate::message::{ConsistentError, FrictionError, SolveError, TrainError, unplaced_reactions};
 #[cfg(target_arch = "x86_64")]
 pub use crate::position::block_in_avx2;
 pub use crate::position::{
-    BodyState, Branch, Consistent, DriveColumns, DriveInput, Edge, LawForce, Place, Reaction, Residuals,
-    RubbingWork, Scene, Searched, SideBySide, State, TrainWork, WIDTH, Wrench, in_scalar, instructions,
+    BodyState, Branch, Consistent, DriveColumns, DriveInput, Edge, FrictionWork, LawForce, Place, Reaction,
+    Residuals, Scene, Searched, SideBySide, State, TrainWork, WIDTH, Wrench, in_scalar, instructions,
     precise, residuals,
 };
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
-pub use again::Again;
+pub use assemblies::{Assemblies, AssemblyLine, GroupAssemblies, assemblies};
 pub use cycle::over_cycle;
-pub use modes::{GroupModes, Mode, Modes, modes};
+pub use replay::Replay;
 pub use solution::{OpenSizes, Pose, Solution, Solved};
 pub use sweep::{Following, refusals, solve, solve_with};
 

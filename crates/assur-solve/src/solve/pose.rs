@@ -1,6 +1,6 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
-use crate::answer::{View, balanced};
+use crate::answer::{PoseAnswers, balanced};
 use crate::message::{SolveError, cannot_hold, dead, not_finite, out_of_scale};
 use crate::position::{DEAD, Residuals, State, Wanted, residuals};
 use crate::reference::exact;
@@ -36,7 +36,7 @@ impl Run<'_, '_> {
         let frictionless = scene.plan.effects.loses().then(|| {
             let mut state = state.clone();
             state.run_again_without_friction(scene.plan);
-            let values = View::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
+            let values = PoseAnswers::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
             Box::new((state.answer(), values))
         });
         if let (Some(free), false) = (&frictionless, state.forces.locked) {
@@ -60,8 +60,8 @@ impl Run<'_, '_> {
         let mut solved =
             Solved { state: answer, frictionless, quantities: Vec::new(), angles, residuals, condition };
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
-        let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
-        solved.quantities = View { frictionless: ideal, ..view }.all_quantities();
+        let view = PoseAnswers::new(scene, &solved.state, &solved.angles, &self.statics);
+        solved.quantities = PoseAnswers { frictionless: ideal, ..view }.all_quantities();
         self.note_contacts(&solved, pose);
         self.note_trains(&solved, pose);
         let view = solved.view(scene, &self.statics);
@@ -93,7 +93,7 @@ impl Run<'_, '_> {
         }
         let scene = self.scene;
         let mut groups = scene.structure.forces.iter().zip(&scene.plan.forces);
-        if let Some((group, _)) = groups.find(|(_, step)| matches!(step, ForceStep::Rubbing { .. })) {
+        if let Some((group, _)) = groups.find(|(_, step)| matches!(step, ForceStep::Friction { .. })) {
             self.notes.condition(scene, group, (share, "forces near self-locking", 1), pose);
         }
         share
@@ -149,8 +149,8 @@ impl Run<'_, '_> {
             return;
         }
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
-        let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
-        let view = View { frictionless: ideal, ..view };
+        let view = PoseAnswers::new(self.scene, &solved.state, &solved.angles, &self.statics);
+        let view = PoseAnswers { frictionless: ideal, ..view };
         let mut ropes: Vec<(PairId, f64)> = Vec::new();
         let greatest = solved.state.forces.law_forces.iter().map(|f| f.multiplier.abs()).fold(0.0, f64::max);
         for law in &self.scene.plan.laws {
@@ -175,7 +175,7 @@ impl Run<'_, '_> {
         }
         for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
             let PairKind::Contact { first, .. } = &pair.kind else { continue };
-            let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
+            let view = PoseAnswers::new(self.scene, &solved.state, &solved.angles, &self.statics);
             let Value::Scalar(normal) = view.query(&Query::Normal(PairId::at(i), first.link)) else {
                 continue;
             };

@@ -1,6 +1,6 @@
 //! What solving gives: one state per position, with residuals and condition.
 
-use crate::answer::{Statics, View};
+use crate::answer::{PoseAnswers, WholeCycle};
 use crate::message::{FrictionError, SolveError};
 use crate::model::Value;
 use crate::position::{DriveValue, PoseOrigin, Residuals, Scene, State};
@@ -14,7 +14,7 @@ pub struct Solution {
     /// How many positions the sweep has.
     pub positions: usize,
     /// Dead positions and strokes of the pairs asked for.
-    pub statics: Statics,
+    pub statics: WholeCycle,
     /// What deserves a warning.
     pub warnings: Vec<SolveError>,
     /// How many warnings more there are than are kept.
@@ -91,17 +91,17 @@ impl Pose {
 impl Solved {
     /// The position, seen from the language.
     #[must_use]
-    pub fn view<'a>(&'a self, scene: &Scene<'a>, statics: &'a Statics) -> View<'a> {
-        let view = View::new(scene, &self.state, &self.angles, statics);
+    pub fn view<'a>(&'a self, scene: &Scene<'a>, statics: &'a WholeCycle) -> PoseAnswers<'a> {
+        let view = PoseAnswers::new(scene, &self.state, &self.angles, statics);
         let frictionless = self.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
-        View { quantities: &self.quantities, frictionless, ..view }
+        PoseAnswers { quantities: &self.quantities, frictionless, ..view }
     }
 }
 
 impl Solution {
     /// One of its positions, seen from the language.
     #[must_use]
-    pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> View<'a> {
+    pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> PoseAnswers<'a> {
         solved.view(scene, &self.statics)
     }
 }

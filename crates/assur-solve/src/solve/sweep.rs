@@ -7,7 +7,7 @@ use super::inputs::Rates;
 use super::positions::{Sweep, beside};
 use super::solution::{Pose, Solution, Solved};
 use super::track::{Switch, Tracker};
-use crate::answer::Statics;
+use crate::answer::WholeCycle;
 use crate::message::{
     Closing, FrictionNotes, Notes, SolveError, cams, does_not_close, free_rollers, friction_beside,
     friction_couples, label, missing_speeds, not_supported, place, unit_speeds, with_pose, without_place,
@@ -105,7 +105,7 @@ impl<'a, 's> Following<'a, 's> {
 
     /// Dead positions, strokes, functions over the sweep.
     #[must_use]
-    pub const fn statics(&self) -> &Statics {
+    pub const fn statics(&self) -> &WholeCycle {
         &self.run.statics
     }
 
@@ -145,7 +145,7 @@ impl<'a, 's> Following<'a, 's> {
     fn swept_pose(&mut self, pose: Wanted) -> Result<Pose, SolveError> {
         let run = &mut self.run;
         let came = match self.current.take() {
-            None => run.assembled(&pose).map(|t| (t, Way::Followed(Vec::new()))),
+            None => run.assembled(&pose).map(|t| (t, Arrival::Followed(Vec::new()))),
             Some(mut tracker) => run.moved(&mut tracker, &pose).map(|way| (tracker, way)),
         };
         let outcome = match came {
@@ -233,7 +233,7 @@ struct Stuck {
 }
 
 /// How a position was reached.
-enum Way {
+enum Arrival {
     /// From the one before, with the changes of assembly on the way.
     Followed(Vec<Switch>),
     /// The way does not close beyond these values, the position itself does.
@@ -243,7 +243,7 @@ enum Way {
 pub(super) struct Run<'a, 's> {
     pub scene: &'s Scene<'a>,
     pub rates: Rates,
-    pub statics: Statics,
+    pub statics: WholeCycle,
     pub evaluated: Vec<(LoadId, Value)>,
     pub loads_name_quantities: bool,
     /// Memory for the steps at one position.
@@ -281,7 +281,7 @@ impl Run<'_, '_> {
     }
 
     /// What is to be said of the way from the position before.
-    fn note_way(&mut self, way: Way, tracker: &Tracker, pose: &Wanted) {
+    fn note_way(&mut self, way: Arrival, tracker: &Tracker, pose: &Wanted) {
         let Some((name, drives)) = &self.last else { return };
         let back = || tracker.clone().limit(self.scene, &self.rates, drives);
         if self.notes.in_gap() {
@@ -290,12 +290,12 @@ impl Run<'_, '_> {
             return;
         }
         match way {
-            Way::Followed(switched) => {
+            Arrival::Followed(switched) => {
                 for switch in switched {
                     self.notes.switched(self.scene, (switch.group, &switch.at), name, &pose.name);
                 }
             }
-            Way::Blocked(limit) => {
+            Arrival::Blocked(limit) => {
                 let end = back();
                 self.notes.gap_begins(Some(limit));
                 self.notes.gap_ends(end);
@@ -303,7 +303,7 @@ impl Run<'_, '_> {
         }
     }
 
-    fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Way, Box<Stuck>> {
+    fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Arrival, Box<Stuck>> {
         if tracker.is_too_long(self.scene, &pose.drives) {
             let labels =
                 self.scene.mechanism.drives.iter().map(|d| label("driven that far", d.span)).collect();
@@ -314,12 +314,12 @@ impl Run<'_, '_> {
         before.start_from(tracker);
         if let Ok(switched) = tracker.go(self.scene, &self.rates, &pose.drives) {
             self.before = Some(before);
-            return Ok(Way::Followed(switched));
+            return Ok(Arrival::Followed(switched));
         }
         // the way is closed somewhere; the position itself may not be
         tracker.start_from(&before);
         match tracker.jump(self.scene, &self.rates, &pose.drives) {
-            Ok(()) => Ok(Way::Blocked(before.limit(self.scene, &self.rates, &pose.drives))),
+            Ok(()) => Ok(Arrival::Blocked(before.limit(self.scene, &self.rates, &pose.drives))),
             Err(group) => {
                 let mut state = before.state.clone();
                 self.rates.at(&pose.drives, &mut state.motion.inputs);

@@ -75,7 +75,7 @@ impl Tracker {
             }
         }
         for &body in &scene.plan.turning {
-            angles[body] = state.motion.bodies[body].way;
+            angles[body] = state.motion.bodies[body].turned;
         }
         let spare = state.clone();
         Self { state, spare, angles, values: values.to_vec(), history: Vec::new(), extent: extent(scene) }
@@ -237,7 +237,7 @@ impl Tracker {
         }
         // a train turns further in one step than a direction tells
         for &body in &scene.plan.turning {
-            self.angles[body] = next.motion.bodies[body].way;
+            self.angles[body] = next.motion.bodies[body].turned;
         }
     }
 

@@ -3,7 +3,7 @@
 use super::assemble::assemble;
 use super::inputs::Rates;
 use super::track::Tracker;
-use crate::answer::{Extremes, Statics, View};
+use crate::answer::{Extremes, PoseAnswers, WholeCycle};
 use crate::message::SolveError;
 use crate::model::PairId;
 use crate::position::{BodyState, Branch, DriveValue, Scene, State};
@@ -124,7 +124,7 @@ impl Turn {
 
 /// Coordinate and its derivative with respect to the drive.
 fn seen(scene: &Scene<'_>, state: &State, angles: &[f64], pair: PairId) -> (f64, f64) {
-    let statics = Statics::EMPTY;
-    let view = View::new(scene, state, angles, &statics);
+    let statics = WholeCycle::EMPTY;
+    let view = PoseAnswers::new(scene, state, angles, &statics);
     (view.displacement(pair), view.relative_velocity(pair))
 }

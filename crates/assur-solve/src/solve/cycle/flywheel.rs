@@ -11,7 +11,7 @@ use super::panels::{Piecewise, piecewise};
 use super::sampler::Sampler;
 use super::switches::breaks;
 use super::undefined::Undefined;
-use crate::answer::{FlywheelAnswer, Statics, constant};
+use crate::answer::{FlywheelAnswer, WholeCycle, constant};
 use crate::math::chebyshev::Series;
 use crate::message::{SolveError, four, label, short, with_unit};
 use crate::model::{BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, Query, Value};
@@ -29,7 +29,7 @@ type Found = (FlywheelAnswer, Option<SolveError>);
 /// Finds a flywheel.
 pub(super) fn flywheel(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     index: usize,
 ) -> Result<Found, SolveError> {
@@ -90,7 +90,7 @@ pub(super) fn flywheel(
 /// The speed of the one drive, which goes through whole turns.
 fn one_turning_drive(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &Sampler<'_>,
     wheel: &Flywheel,
 ) -> Result<f64, SolveError> {
@@ -118,7 +118,7 @@ fn one_turning_drive(
 }
 
 /// Speed of the one drive, rad/s, or its sense; zero where it has neither.
-fn rate(scene: &Scene<'_>, statics: &Statics) -> f64 {
+fn rate(scene: &Scene<'_>, statics: &WholeCycle) -> f64 {
     let Some(drive) = scene.mechanism.drives.first() else { return 0.0 };
     let constant = |e: &Expr| match constant(scene, statics, e) {
         Value::Scalar(x) => Some(x),
@@ -128,7 +128,7 @@ fn rate(scene: &Scene<'_>, statics: &Statics) -> f64 {
 }
 
 /// What is followed over the cycle: the effort reduced to the drive, the reduced moment of inertia of the links.
-pub(super) fn numbers(scene: &Scene<'_>, statics: &Statics, index: usize) -> Option<[Expr; 2]> {
+pub(super) fn numbers(scene: &Scene<'_>, statics: &WholeCycle, index: usize) -> Option<[Expr; 2]> {
     let power = power(scene, &scene.mechanism.flywheels[index])?;
     let rate = Expr::number(rate(scene, statics));
     let torque = Expr::Binary(BinaryOp::Div, Box::new(power), Box::new(rate));
@@ -154,7 +154,7 @@ fn power(scene: &Scene<'_>, wheel: &Flywheel) -> Option<Expr> {
 /// The constant ratio of the flywheel's shaft to the drive.
 fn even_ratio(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     wheel: &Flywheel,
     rate: f64,

@@ -7,24 +7,24 @@
 
 mod depends;
 mod flywheel;
+mod interval;
 mod panels;
 mod sampler;
 mod switches;
 mod undefined;
-mod way;
 
 pub(super) use depends::loads_name_quantities;
 
 use super::positions::Sweep;
-use crate::answer::{CycleAnswer, Statics};
+use crate::answer::{CycleAnswer, WholeCycle};
 use crate::message::SolveError;
 use crate::model::{CycleFunction, Expr, FlywheelPart, Query};
 use crate::position::Scene;
 use depends::{counts_turns, hangs_on_forces, hangs_on_nothing_else};
+use interval::Interval;
 use panels::{COARSE, Piecewise};
 use sampler::Sampler;
 use undefined::Undefined;
-use way::Way;
 
 /// The most equally spaced samples.
 const MOST_SAMPLES: usize = 128;
@@ -34,14 +34,14 @@ const FEWEST_SAMPLES: usize = 16;
 /// Finds the functions over the sweep and the flywheels of a file.
 pub(crate) fn cycles(
     scene: &Scene<'_>,
-    statics: &mut Statics,
+    statics: &mut WholeCycle,
     sweep: &Sweep,
 ) -> Result<Vec<SolveError>, SolveError> {
     let mechanism = scene.mechanism;
     if mechanism.cycles.is_empty() && mechanism.flywheels.is_empty() {
         return Ok(Vec::new());
     }
-    let way = Way::of(scene, statics, sweep)?;
+    let way = Interval::of(scene, statics, sweep)?;
     let mut sampler = Sampler::new(scene, statics, &way)?;
     statics.cycles = vec![CycleAnswer::default(); mechanism.cycles.len()];
     // those of motion alone first: loads may hang on them
@@ -71,7 +71,7 @@ pub(crate) fn cycles(
 ///
 /// # Errors
 /// As [`super::solve`]: a flywheel that cannot be found.
-pub fn over_cycle(scene: &Scene<'_>, found: &Statics) -> Result<Statics, SolveError> {
+pub fn over_cycle(scene: &Scene<'_>, found: &WholeCycle) -> Result<WholeCycle, SolveError> {
     let mut statics = found.clone();
     statics.flywheels.clear();
     let sweep = Sweep::of(scene, &statics);
@@ -79,7 +79,7 @@ pub fn over_cycle(scene: &Scene<'_>, found: &Statics) -> Result<Statics, SolveEr
     Ok(statics)
 }
 
-fn cycle(scene: &Scene<'_>, statics: &Statics, sampler: &mut Sampler<'_>, index: usize) -> CycleAnswer {
+fn cycle(scene: &Scene<'_>, statics: &WholeCycle, sampler: &mut Sampler<'_>, index: usize) -> CycleAnswer {
     let asked = &scene.mechanism.cycles[index];
     sampler.begin();
     match found(scene, statics, sampler, asked.how, &asked.expr) {
@@ -90,7 +90,7 @@ fn cycle(scene: &Scene<'_>, statics: &Statics, sampler: &mut Sampler<'_>, index:
 
 fn found(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     how: CycleFunction,
     expr: &Expr,
@@ -128,7 +128,7 @@ fn found(
 }
 
 /// Extremes of a flywheel's work are known with it.
-fn of_work(statics: &Statics, how: CycleFunction, expr: &Expr) -> Option<CycleAnswer> {
+fn of_work(statics: &WholeCycle, how: CycleFunction, expr: &Expr) -> Option<CycleAnswer> {
     let (query, sign) = match expr {
         Expr::Query(query) => (query, 1.0),
         Expr::Negate(inner) => match &**inner {
@@ -154,7 +154,7 @@ fn of_work(statics: &Statics, how: CycleFunction, expr: &Expr) -> Option<CycleAn
 /// Whether the quantity is at the sweep's end what it was at its beginning: an angle that goes round is not.
 fn comes_again(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     expr: &Expr,
 ) -> Result<bool, Undefined> {
@@ -171,7 +171,7 @@ fn comes_again(
 
 /// The mean of a smooth quantity over whole turns; `None` where samples do not converge.
 fn smooth_mean(
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     expr: &Expr,
 ) -> Result<Option<crate::math::periodic::Mean>, Undefined> {
@@ -201,7 +201,7 @@ fn smooth_mean(
 
 /// The greatest value (of the quantity times `sign`): where, and the quantity there.
 fn extreme(
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     expr: &Expr,
     piecewise: &Piecewise,

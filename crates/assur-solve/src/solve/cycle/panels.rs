@@ -2,7 +2,7 @@
 
 use super::sampler::Sampler;
 use super::undefined::Undefined;
-use crate::answer::Statics;
+use crate::answer::WholeCycle;
 use crate::math::chebyshev::{NODES, Nodes, Series};
 use crate::model::Expr;
 
@@ -75,7 +75,7 @@ impl Piecewise {
 /// Numbers over the sweep that are smooth between the breaks.
 pub(super) fn piecewise(
     sampler: &mut Sampler<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     exprs: &[&Expr],
     breaks: &[f64],
 ) -> Result<Vec<Piecewise>, Undefined> {
@@ -154,7 +154,7 @@ type Sampled = Vec<([f64; NODES], Series)>;
 
 fn sample(
     sampler: &mut Sampler<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     exprs: &[&Expr],
     nodes: &Nodes,
     from: f64,

@@ -7,9 +7,9 @@ use super::super::track::{Tracker, continued};
 use super::depends::{
     asks_for_angles, asks_for_ideal, hangs_on_forces, loads_name_quantities, names_quantity,
 };
+use super::interval::Interval;
 use super::undefined::Undefined;
-use super::way::Way;
-use crate::answer::{Statics, View, balanced};
+use crate::answer::{PoseAnswers, WholeCycle, balanced};
 use crate::message::SolveError;
 use crate::model::{Expr, LoadId, Value};
 use crate::plan::{Level, Settings};
@@ -55,7 +55,7 @@ impl Need {
 pub(super) struct Sampler<'a> {
     scene: Scene<'a>,
     /// The sweep.
-    pub way: &'a Way,
+    pub way: &'a Interval,
     rates: Rates,
     anchors: Vec<Anchor>,
     /// Intervals between the anchors of the whole sweep.
@@ -85,7 +85,11 @@ pub(super) struct Sampler<'a> {
 
 impl<'a> Sampler<'a> {
     /// Follows the sweep once, in small steps.
-    pub(crate) fn new(scene: &Scene<'a>, statics: &Statics, way: &'a Way) -> Result<Self, SolveError> {
+    pub(crate) fn new(
+        scene: &Scene<'a>,
+        statics: &WholeCycle,
+        way: &'a Interval,
+    ) -> Result<Self, SolveError> {
         let rates = Rates::of(scene, statics);
         let mut state = State::new(scene.plan);
         rates.at(&way.from, &mut state.motion.inputs);
@@ -185,7 +189,7 @@ impl<'a> Sampler<'a> {
     }
 
     /// The value of a number at a place of the sweep.
-    pub(super) fn sample(&mut self, statics: &Statics, s: f64, expr: &Expr) -> Result<f64, Undefined> {
+    pub(super) fn sample(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<f64, Undefined> {
         let x = match self.shared.iter().position(|e| e == expr) {
             Some(which) => self.together(statics, s, which)?,
             None => match self.value(statics, s, expr)? {
@@ -197,7 +201,7 @@ impl<'a> Sampler<'a> {
     }
 
     /// One of the shared numbers: all are computed at a place that is new.
-    fn together(&mut self, statics: &Statics, s: f64, which: usize) -> Result<f64, Undefined> {
+    fn together(&mut self, statics: &WholeCycle, s: f64, which: usize) -> Result<f64, Undefined> {
         let known = self.kept.get(&s.to_bits()).copied();
         let first = match known {
             Some(first) => {
@@ -219,18 +223,18 @@ impl<'a> Sampler<'a> {
     }
 
     /// The value of an expression at a place of the sweep.
-    pub(super) fn value(&mut self, statics: &Statics, s: f64, expr: &Expr) -> Result<Value, Undefined> {
+    pub(super) fn value(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<Value, Undefined> {
         self.solve(statics, s, Need::of(&self.scene, expr))?;
         Ok(self.view(statics).value(expr))
     }
 
-    fn view<'v>(&'v self, statics: &'v Statics) -> View<'v> {
+    fn view<'v>(&'v self, statics: &'v WholeCycle) -> PoseAnswers<'v> {
         let ideal = self.ideal.as_ref().map(|(state, values)| (state, values.as_slice()));
-        let view = View::new(&self.scene, &self.state, &self.angles, statics);
-        View { quantities: &self.quantities, frictionless: ideal, ..view }
+        let view = PoseAnswers::new(&self.scene, &self.state, &self.angles, statics);
+        PoseAnswers { quantities: &self.quantities, frictionless: ideal, ..view }
     }
 
-    fn solve(&mut self, statics: &Statics, s: f64, need: Need) -> Result<(), Undefined> {
+    fn solve(&mut self, statics: &WholeCycle, s: f64, need: Need) -> Result<(), Undefined> {
         if self.last.is_some_and(|(at, done)| at == s && done.covers(need)) {
             return Ok(());
         }
@@ -272,10 +276,10 @@ impl<'a> Sampler<'a> {
         Ok(())
     }
 
-    fn without_friction(&self, statics: &Statics) -> (State, Vec<Value>) {
+    fn without_friction(&self, statics: &WholeCycle) -> (State, Vec<Value>) {
         let mut state = self.state.clone();
         state.run_again_without_friction(self.scene.plan);
-        let values = View::new(&self.scene, &state, &self.angles, statics).all_quantities();
+        let values = PoseAnswers::new(&self.scene, &state, &self.angles, statics).all_quantities();
         (state, values)
     }
 

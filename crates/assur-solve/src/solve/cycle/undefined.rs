@@ -1,6 +1,6 @@
 //! Why a function over the sweep has no value.
 
-use super::way::Way;
+use super::interval::Interval;
 use crate::message::{four, short};
 use crate::position::{Scene, turns};
 
@@ -18,7 +18,7 @@ pub(super) enum Undefined {
 }
 
 impl Undefined {
-    pub(super) fn text(self, scene: &Scene<'_>, way: &Way) -> String {
+    pub(super) fn text(self, scene: &Scene<'_>, way: &Interval) -> String {
         let place = |s: f64| match scene.mechanism.drives.as_slice() {
             [drive] if turns(scene, drive) => {
                 format!(" at {} = {} deg", drive.name, short(way.value(s).to_degrees()))

@@ -1,6 +1,6 @@
 //! All assemblies of every group at the first position, each with the line that chooses it.
 
-use super::assemble::{Way, assemble, every_way};
+use super::assemble::{Assembly, assemble, every_way};
 use super::extremes::statics;
 use super::inputs::Rates;
 use super::positions::Sweep;
@@ -12,29 +12,29 @@ use crate::structure::GroupKind;
 
 /// The assemblies at the first position.
 #[derive(Debug)]
-pub struct Modes {
+pub struct Assemblies {
     /// ` at pose 1 (crank = 20 deg)`, or empty.
     pub pose: String,
     /// The groups that can stand in several ways or are not driven links, in the order of solution.
-    pub groups: Vec<GroupModes>,
+    pub groups: Vec<GroupAssemblies>,
     /// Why the mechanism is not assembled, where it is not.
     pub problem: Option<SolveError>,
 }
 
 /// The assemblies of one group, the groups before it standing as `assemble` chooses, or in their first way.
 #[derive(Debug)]
-pub struct GroupModes {
+pub struct GroupAssemblies {
     /// Index into [`crate::structure::Structure::motion`].
     pub group: usize,
     /// Its assemblies.
-    pub modes: Vec<Mode>,
+    pub assemblies: Vec<AssemblyLine>,
     /// There is no proof that there are no others.
     pub searched: bool,
 }
 
 /// One assembly.
 #[derive(Debug)]
-pub struct Mode {
+pub struct AssemblyLine {
     /// The line that chooses it; none where there is no other.
     pub line: Option<String>,
     /// Its condition figure, in [0, 1].
@@ -47,13 +47,13 @@ pub struct Mode {
 ///
 /// # Errors
 /// Constructs not supported yet, requests without the speeds they need, strokes that do not exist.
-pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
+pub fn assemblies(scene: &Scene<'_>) -> Result<Assemblies, Vec<SolveError>> {
     let mut errors = not_supported(scene.mechanism);
     errors.extend(missing_speeds(scene));
     if !errors.is_empty() {
         return Err(errors);
     }
-    let mut out = Modes { pose: String::new(), groups: Vec::new(), problem: None };
+    let mut out = Assemblies { pose: String::new(), groups: Vec::new(), problem: None };
     if scene.mechanism.links.len() < 2 {
         return Ok(out);
     }
@@ -78,17 +78,16 @@ pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
             out.problem.get_or_insert_with(|| does_not_close(scene, state, index, &out.pose));
             break;
         };
-        let stands = whole.as_ref().map(|whole| Way::of(scene, whole, index));
-        let chosen = |way: &Way| stands.as_ref().is_some_and(|s| s.is_same(way, extent));
+        let stands = whole.as_ref().map(|whole| Assembly::of(scene, whole, index));
+        let chosen = |way: &Assembly| stands.as_ref().is_some_and(|s| s.is_same(way, extent));
         let next = ways.iter().find(|way| chosen(way)).unwrap_or(first);
         if ways.len() > 1 || group.kind != GroupKind::Driven {
-            let modes = ways.iter().zip(choosing(scene, &state, &ways, index)).map(|(way, line)| Mode {
-                line,
-                condition: way.sine.abs(),
-                chosen: chosen(way),
-            });
+            let modes = ways
+                .iter()
+                .zip(choosing(scene, &state, &ways, index))
+                .map(|(way, line)| AssemblyLine { line, condition: way.sine.abs(), chosen: chosen(way) });
             let searched = matches!(scene.plan.motion[index], crate::plan::MotionStep::General { .. });
-            out.groups.push(GroupModes { group: index, modes: modes.collect(), searched });
+            out.groups.push(GroupAssemblies { group: index, assemblies: modes.collect(), searched });
         }
         next.put(scene, &mut state, index);
     }
@@ -96,7 +95,7 @@ pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
 }
 
 /// A line for every way; none for the only one.
-fn choosing(scene: &Scene<'_>, before: &State, ways: &[Way], index: usize) -> Vec<Option<String>> {
+fn choosing(scene: &Scene<'_>, before: &State, ways: &[Assembly], index: usize) -> Vec<Option<String>> {
     if ways.len() < 2 {
         return vec![None; ways.len()];
     }

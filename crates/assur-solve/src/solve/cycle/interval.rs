@@ -2,7 +2,7 @@
 
 use super::super::positions::Sweep;
 use super::super::steps::{between, ways};
-use crate::answer::{Statics, constant};
+use crate::answer::{WholeCycle, constant};
 use crate::message::{SolveError, label};
 use crate::model::Positions;
 use crate::position::{DriveValue, Scene, extent, turns};
@@ -13,7 +13,7 @@ const LONGEST: f64 = 20_000.0;
 
 /// The way from the sweep's first position to its last.
 #[derive(Clone, Debug)]
-pub(super) struct Way {
+pub(super) struct Interval {
     /// Drive values at its beginning.
     pub from: Vec<DriveValue>,
     /// And at its end.
@@ -24,9 +24,9 @@ pub(super) struct Way {
     pub turns: Option<f64>,
 }
 
-impl Way {
+impl Interval {
     /// The sweep of a file.
-    pub(crate) fn of(scene: &Scene<'_>, statics: &Statics, sweep: &Sweep) -> Result<Self, SolveError> {
+    pub(crate) fn of(scene: &Scene<'_>, statics: &WholeCycle, sweep: &Sweep) -> Result<Self, SolveError> {
         let drives = &scene.mechanism.drives;
         let Some(last) = sweep.len().checked_sub(1) else { return Err(none(scene)) };
         let (from, mut to) = (sweep.values(0), sweep.values(last));
