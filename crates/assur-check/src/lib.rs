@@ -3,80 +3,55 @@
 //! Every mistake of a file is reported in one run. What contains a mistake is left out of the mechanism, and what refers
 //! to something left out is skipped in silence. No mechanism comes out where there is an error.
 
-mod alike;
-mod amount;
-mod assemble;
-mod balance;
-mod contact;
-mod context;
-mod definition;
-mod drive;
-mod drive_kind;
-pub mod error;
-mod expect;
-mod expected_list;
-pub mod expr;
-mod flywheel;
-mod friction;
-mod gear;
-mod gravity;
-mod head;
-mod hinges;
-mod link;
-mod load;
-mod load_cycle;
-mod lookup;
+mod elements;
+mod error;
+mod expr;
+mod links;
+mod loads;
 mod machine;
-mod mass;
+mod motion;
 mod names;
+mod output;
+mod pairs;
+mod requests;
+mod statements;
+mod template;
+mod trains;
+mod values;
+
+pub use requests::variants::{FileRow, file_rows, table};
+pub use template::Resident;
+pub use values::overrides::Overrides;
+pub use values::row::{ColumnUse, Row, RowCell, RowColumn};
+
+/// Parts that the tests look at alone.
 #[doc(hidden)]
-pub mod overrides;
-mod pair;
-mod pair_meant;
-mod pair_property;
-mod plate;
-mod plate_contact;
-mod plate_fault;
-mod point;
-mod pose;
-mod prismatic;
-mod property;
-mod query;
-mod request;
-mod resident;
-mod row;
-mod simulation;
-mod spring;
-mod taken;
-#[doc(hidden)]
-pub mod tolerance;
-mod too_wide;
-mod train;
-mod unit_choice;
-mod unknown;
-mod value;
-mod variants;
-mod walk;
+pub mod parts {
+    pub use crate::requests::tolerance::digit_of;
+    pub use crate::values::replace::value;
+    pub use crate::values::typed::{Type, Typed};
+}
 
-pub use overrides::Overrides;
-pub use resident::Resident;
-pub use row::{ColumnUse, Row, RowCell, RowColumn};
-pub use variants::{FileRow, file_rows, table};
-
-use assur_math::{element, math};
-use assur_model::model;
-use assur_text::{diagnostic, source, units};
-
-use assur_syntax as syntax;
-use context::Context;
-use diagnostic::Problems;
-use model::Mechanism;
-use syntax::document::{Document, Variants};
+use assur_model::model::Mechanism;
+use assur_syntax::document::{Document, Variants};
+use assur_text::diagnostic::Problems;
+use expr::constants::constants;
+use expr::context::Context;
+use loads::load_cycle;
+use machine::machine;
+use names::scope::Scope;
+use names::{declare, head, lookalikes};
+use requests::query::RESULTS;
+use requests::{expect, find, variants};
+use trains::at_rest::at_rest;
+use values::order::order;
+use values::store::Values;
+use values::unit_use;
 
 /// Checks a document. The mechanism is absent where the problems hold an error.
 #[must_use]
 pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
-    run(Context::new(document, overrides))
+    run(start(document, overrides))
 }
 
 /// As [`check`], with one `given` that has this SI value whatever the document and the overrides say.
@@ -87,7 +62,9 @@ pub fn check_at(
     name: &str,
     value: f64,
 ) -> (Option<Mechanism>, Problems) {
-    run(Context { fixed: Some((name, value)), ..Context::new(document, overrides) })
+    let mut cx = start(document, overrides);
+    cx.values.outside.fixed = Some((name, value));
+    run(cx)
 }
 
 /// As [`check`], with another size assumed of a wheel whose own the document leaves open.
@@ -97,7 +74,9 @@ pub fn check_stretched(
     overrides: &Overrides,
     wheel: &str,
 ) -> (Option<Mechanism>, Problems) {
-    run(Context { stretched: Some(wheel), ..Context::new(document, overrides) })
+    let mut cx = start(document, overrides);
+    cx.values.outside.stretched = Some(wheel);
+    run(cx)
 }
 
 /// The columns of a table of variants for a document: its own, or one beside it, whose spans are those of the table's
@@ -108,26 +87,26 @@ pub fn columns(
     overrides: &Overrides,
     table: &Variants,
 ) -> (Option<Vec<RowColumn>>, Problems) {
-    let mut cx = Context::new(document, overrides);
+    let mut cx = start(document, overrides);
     definitions(&mut cx);
-    value::constants(&mut cx);
-    // those are told by `check`
-    cx.problems = Problems::new();
+    constants(&mut cx);
+    // those are reported by `check`
+    cx.problems.clear_found();
     let columns = variants::columns(&mut cx, table);
     if variants::table(document) != Some(table) {
         variants::missing_keys(&mut cx, table);
     }
     variants::rows(&mut cx, table);
-    (columns.filter(|_| !cx.problems.has_errors()), cx.problems)
+    (columns.filter(|_| !cx.problems.has_errors()), cx.problems.into_found())
 }
 
 /// What is left of a document's mechanism without all that contains an error.
 #[must_use]
 pub fn sound_part(document: &Document, overrides: &Overrides) -> Mechanism {
-    let mut cx = Context::new(document, overrides);
+    let mut cx = start(document, overrides);
     definitions(&mut cx);
     meaning(&mut cx);
-    cx.mech
+    cx.builder.mech
 }
 
 fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {
@@ -136,21 +115,28 @@ fn run(mut cx: Context<'_>) -> (Option<Mechanism>, Problems) {
     cx.finish()
 }
 
-/// What hangs on no value.
+/// The state at the start.
+fn start<'a>(document: &'a Document, overrides: &'a Overrides) -> Context<'a> {
+    Context::new(document, Values::new(overrides, unit_use::count(document)), RESULTS)
+}
+
+/// What depends on no value.
 fn definitions(cx: &mut Context<'_>) {
-    names::declare(cx);
-    alike::look_alikes(cx);
-    head::head(cx);
-    definition::order(cx);
+    let Context { doc, names, values, builder, problems, .. } = cx;
+    let mut scope = Scope { doc, names, builder, problems };
+    declare::declare(&mut scope);
+    lookalikes::look_alikes(&mut scope);
+    head::head(&mut scope);
+    order(names, &mut values.definitions, problems);
 }
 
 /// All else.
 fn meaning(cx: &mut Context<'_>) {
-    value::constants(cx);
-    machine::machine(cx);
-    request::finds(cx);
+    constants(cx);
+    machine(cx);
+    find::finds(cx);
     expect::expects(cx);
-    train::at_rest(cx);
+    at_rest(cx);
     variants::variants(cx);
     load_cycle::load_cycles(cx);
 }

@@ -1,24 +1,27 @@
 //! The machine itself: what it is, how it moves, what acts on it.
 
-use super::context::Context;
-use super::{
-    assemble, balance, drive, flywheel, friction, gravity, link, load, mass, pair, plate, plate_contact,
-    pose, simulation, spring, train, value,
-};
+use crate::elements::{cam, cam_contact, flywheel, spring};
+use crate::expr::context::Context;
+use crate::links::link;
+use crate::loads::{balance, gravity, load, mass};
+use crate::motion::{assemble, drive, no_motion, pose, simulation};
+use crate::pairs::pair;
+use crate::requests::definitions;
+use crate::trains::{shaft, size, transmission};
 
 /// Enters links, pairs, drives, loads and all that belongs to the machine into the mechanism.
-pub(super) fn machine(cx: &mut Context<'_>) {
-    plate::cams(cx);
+pub(crate) fn machine(cx: &mut Context<'_>) {
+    cam::cams(cx);
     link::shapes(cx);
-    train::shafts(cx);
+    shaft::shafts(cx);
     pair::pairs(cx);
-    train::wheels(cx);
-    train::transmissions(cx);
-    plate_contact::contacts(cx);
+    size::wheels(cx);
+    transmission::transmissions(cx);
+    cam_contact::contacts(cx);
     pair::groups(cx);
     gravity::gravity(cx);
     mass::masses(cx);
-    value::results(cx);
+    definitions::results(cx);
     drive::drives(cx);
     pose::poses(cx);
     balance::balances(cx);
@@ -27,5 +30,5 @@ pub(super) fn machine(cx: &mut Context<'_>) {
     assemble::hints(cx);
     flywheel::flywheels(cx);
     simulation::simulation(cx);
-    friction::no_motion(cx);
+    no_motion::no_motion(cx);
 }

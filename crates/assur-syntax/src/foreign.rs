@@ -1,10 +1,10 @@
 //! What is reported of characters and comments of other kinds.
 
+use super::change::{Change, Kind};
 use super::error::SyntaxError;
 use super::line::Line;
-use super::prepare::{Change, Kind};
-use crate::diagnostic::Problems;
-use crate::source::Span;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Span;
 
 /// One diagnostic for all comments of other languages: they are one habit.
 pub(super) fn comments(text: &str, comments: &[Span]) -> Option<SyntaxError> {

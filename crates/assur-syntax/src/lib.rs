@@ -2,14 +2,16 @@
 //!
 //! Parsing cannot fail: what cannot be read is reported, left out, and kept as `Bad`.
 
+mod change;
 mod comma;
+mod confusables;
 mod error;
 mod foreign;
+mod grammar;
 mod line;
 mod lower;
 mod prepare;
 mod recover;
-mod skeleton;
 mod trivia;
 mod whole;
 mod words;
@@ -17,24 +19,15 @@ mod words;
 pub mod document;
 
 pub use comma::{between_digits, readings};
+pub use confusables::skeleton;
 pub use error::SyntaxError;
-pub use skeleton::skeleton;
 pub use words::CAM_MEMBERS;
 
-use assur_text::{diagnostic, source, units};
-use diagnostic::Problems;
+use assur_text::diagnostic::Problems;
+use assur_text::source::{Source, Span};
 use document::{Document, Variants};
 use grammar::{Grammar, Rule};
 use pest::Parser;
-use source::{Source, Span};
-
-/// What pest makes of the grammar.
-#[allow(missing_docs)]
-mod grammar {
-    #[derive(pest_derive::Parser)]
-    #[grammar = "../../../grammar/mech.pest"]
-    pub struct Grammar;
-}
 
 /// Reads a text. Every mistake is reported, and the document holds all that could be read.
 #[must_use]

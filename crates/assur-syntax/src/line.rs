@@ -1,6 +1,6 @@
 //! Lines of the text, and lines with a part of them replaced.
 
-use crate::source::Span;
+use assur_text::source::Span;
 
 /// The line, or lines, around a place.
 #[derive(Clone, Copy, Debug)]

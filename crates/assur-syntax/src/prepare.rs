@@ -9,10 +9,11 @@
 //!
 //! Brackets nested deeper than [`DEPTH`] are blanked out here, before anything descends into them.
 
+use super::change::{Change, Kind};
 use super::error::SyntaxError;
 use super::foreign;
-use crate::diagnostic::Problems;
-use crate::source::Span;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Span;
 
 /// How many brackets may be nested.
 pub(super) const DEPTH: usize = 64;
@@ -40,22 +41,6 @@ pub(super) fn prepare(text: &str, problems: &mut Problems) -> String {
     problems.extend(foreign::comments(text, &prepare.comments));
     foreign::report(text, &prepare.changes, problems);
     prepare.out
-}
-
-/// A replacement that is reported.
-pub(super) struct Change {
-    pub(super) span: Span,
-    pub(super) kind: Kind,
-    /// What to write instead.
-    pub(super) with: &'static str,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Kind {
-    FullWidth,
-    Quote,
-    Sign,
-    Invisible,
 }
 
 #[derive(Clone, Copy, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::document::{Statement, Trivia};
 use super::line::Line;
-use crate::source::{Span, Spanned};
+use assur_text::source::{Span, Spanned};
 
 /// All comments and blank lines of a text.
 pub(super) fn scan(text: &str) -> Trivia {

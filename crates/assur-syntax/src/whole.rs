@@ -2,8 +2,8 @@
 
 use super::document::{Document, Statement};
 use super::error::SyntaxError;
-use crate::diagnostic::Problems;
-use crate::source::Span;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Span;
 
 /// The edition that this compiler reads.
 const EDITION: &str = "1";

@@ -1,6 +1,6 @@
 //! Words of the language, and what the grammar's rules are called when speaking to people.
 
-use super::Rule;
+use crate::grammar::Rule;
 
 /// What may stand at a place.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

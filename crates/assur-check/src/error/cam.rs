@@ -1,6 +1,6 @@
 //! What can be wrong with a cam, and with its use as a pair.
 
-use crate::source::Span;
+use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 

@@ -1,6 +1,6 @@
 //! The answer key.
 
-use crate::source::Span;
+use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 

@@ -1,6 +1,6 @@
 //! Names.
 
-use crate::source::{Span, Spanned};
+use assur_text::source::{Span, Spanned};
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 

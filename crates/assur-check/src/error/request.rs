@@ -1,6 +1,6 @@
 //! What is asked for.
 
-use crate::source::Span;
+use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 

@@ -1,6 +1,6 @@
 //! What can be wrong with wheels and what runs between them.
 
-use crate::source::Span;
+use assur_text::source::Span;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 

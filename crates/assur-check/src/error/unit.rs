@@ -1,7 +1,7 @@
 //! Units and dimensions.
 
-use crate::source::Span;
-use crate::units::Dimension;
+use assur_text::source::Span;
+use assur_text::units::Dimension;
 use miette::Diagnostic;
 use thiserror::Error;
 

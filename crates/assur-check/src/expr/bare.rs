@@ -1,13 +1,14 @@
 //! Numbers whose unit is missing, or does not say enough, where they stand or where they are defined.
 
-use super::number::with_unit;
-use crate::context::Context;
-use crate::definition::Settled;
 use crate::error::UnitsError;
-use crate::names::QuantityKind;
-use crate::source::Span;
-use crate::syntax::document::{BinaryOp, Expr, ExprKind, Number};
-use crate::units::{Dimension, Unit, lookup, significant};
+use crate::expr::context::Context;
+use crate::expr::number::with_unit;
+use crate::names::declared::QuantityKind;
+use crate::values::definition::Settled;
+use crate::values::rates::revolutions_or_radians;
+use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
+use assur_text::source::Span;
+use assur_text::units::{Dimension, lookup};
 
 /// A definition that is a number: `given` or `let`, and what comes after the equals sign.
 struct Definition<'a> {
@@ -17,7 +18,7 @@ struct Definition<'a> {
 
 impl Context<'_> {
     /// An expression of bare numbers with the unit that is most likely: `` `40 mm` ``.
-    pub(super) fn example(&self, expr: &Expr, want: Dimension) -> Option<String> {
+    pub(crate) fn example(&self, expr: &Expr, want: Dimension) -> Option<String> {
         let units = self.likely_units(want);
         let texts = units.iter().map(|unit| with_unit(expr, unit).map(|text| format!("`{text}`")));
         Some(texts.collect::<Option<Vec<_>>>()?.join(" or "))
@@ -25,7 +26,7 @@ impl Context<'_> {
 
     /// The units that a number without one may have: that of the file or the usual one, and revolutions for radians.
     fn likely_units(&self, want: Dimension) -> Vec<String> {
-        let usual = self.usual_unit(want);
+        let usual = self.values.usual_unit(want);
         if want == Dimension::ANGULAR_VELOCITY && usual == want.si_text() {
             return vec!["rpm".to_owned(), usual];
         }
@@ -34,7 +35,7 @@ impl Context<'_> {
 
     /// Reports a name in the expression that was given a number without its unit, once, where it is defined. Says
     /// whether there is one.
-    pub(super) fn bare_definition(&mut self, want: Dimension, expr: &Expr) -> bool {
+    pub(crate) fn bare_definition(&mut self, want: Dimension, expr: &Expr) -> bool {
         let mut names = Vec::new();
         factors(expr, &mut names);
         for name in names {
@@ -49,7 +50,7 @@ impl Context<'_> {
             let (span, used) = (definition.value.span, Some(expr.span));
             self.error(UnitsError::Missing { what, want, span, used, example });
             // What does not fit because of it is no second mistake.
-            self.definitions.settled.insert(name.to_owned(), Settled::Failed);
+            self.values.definitions.settled.insert(name.to_owned(), Settled::Failed);
             return true;
         }
         false
@@ -64,7 +65,7 @@ impl Context<'_> {
     }
 
     /// Reports revolutions or radians per time where an angular velocity is due.
-    pub(super) fn hertz(&mut self, what: String, expr: &Expr) {
+    pub(crate) fn hertz(&mut self, what: String, expr: &Expr) {
         let (mut span, mut used) = (expr.span, None);
         let mut found = literal(expr).map(|number| (number.clone(), String::new()));
         let mut defined = None;
@@ -82,19 +83,19 @@ impl Context<'_> {
         let help = lines.unwrap_or_else(|| "multiply it by `1 rev`, or by `1 rad`".to_owned());
         self.error(UnitsError::Hertz { what, unit, span, used, help });
         if let Some(name) = defined {
-            self.definitions.settled.insert(name, Settled::Failed);
+            self.values.definitions.settled.insert(name, Settled::Failed);
         }
     }
 
     /// `0.5 l` where `l` is a name of the file: reported, with the product that is meant.
-    pub(super) fn implied_product(&mut self, number: &Number, at: Span) -> bool {
+    pub(crate) fn implied_product(&mut self, number: &Number, at: Span) -> bool {
         let Some(word) = &number.unit else { return false };
         let is_name = self.names.quantities.contains_key(&word.node) || word.node == "pi";
         if !is_name || lookup(&word.node).is_ok() {
             return false;
         }
         let text = format!("{}*{}", number.text, word.node);
-        if self.reported.insert(("product", text.clone())) {
+        if self.problems.reported.insert(("product", text.clone())) {
             let why =
                 format!("`{}` is not a unit but a name: a sign of multiplication is missing", word.node);
             self.error(UnitsError::Unknown { why, span: at, help: Some(format!("write `{text}`")) });
@@ -140,17 +141,3 @@ fn per_time(number: &Number, before: &str) -> Option<String> {
     let [turns, radians] = revolutions_or_radians(&number.text, &unit);
     Some(format!("write `{before}{turns}` or `{before}{radians}`"))
 }
-
-/// A number per time in revolutions, and in radians per second.
-pub fn revolutions_or_radians(number: &str, unit: &Unit) -> [String; 2] {
-    let turns = match unit.text.as_str() {
-        "Hz" => "rev/s",
-        _ if unit.factor < PER_MINUTE / 2.0 => "rev/h",
-        _ => "rpm",
-    };
-    let radians = significant(unit.to_si(number.parse().unwrap_or(f64::NAN)), 12);
-    [format!("{number} {turns}"), format!("{radians} rad/s")]
-}
-
-/// One per minute in one per second.
-const PER_MINUTE: f64 = 1.0 / 60.0;

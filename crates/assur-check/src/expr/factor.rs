@@ -1,15 +1,15 @@
 //! Factors behind a unit that look like units and are none: `5 rad/sec`, `0.2 kg*m2`.
 
-use super::bare::revolutions_or_radians;
-use crate::context::Context;
 use crate::error::UnitsError;
-use crate::source::{Span, Spanned};
-use crate::syntax::document::{BinaryOp, Expr, ExprKind, Number};
-use crate::units::{Dimension, is_unit, lookup, meant};
+use crate::expr::context::Context;
+use crate::values::rates::revolutions_or_radians;
+use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number};
+use assur_text::source::{Span, Spanned};
+use assur_text::units::{Dimension, is_unit, lookup, meant};
 
 impl Context<'_> {
     /// Whether the factors from this operand on were meant as a part of the unit before them, which is reported.
-    pub(super) fn unit_goes_on(&mut self, left: &Expr, rest: &[(Spanned<BinaryOp>, Expr)]) -> bool {
+    pub(crate) fn unit_goes_on(&mut self, left: &Expr, rest: &[(Spanned<BinaryOp>, Expr)]) -> bool {
         let ExprKind::Number(number) = &left.kind else { return false };
         if self.hyphen_in_unit(left, rest) || self.per_unit(left, rest) {
             return true;
@@ -37,7 +37,7 @@ impl Context<'_> {
         if units.is_empty() {
             return false;
         }
-        if self.reported.insert(("unit", word)) {
+        if self.problems.reported.insert(("unit", word)) {
             let list = units.iter().map(|unit| format!("`{unit}`")).collect::<Vec<_>>();
             self.error(UnitsError::Unknown {
                 why: format!("`{foreign}` is not a unit"),

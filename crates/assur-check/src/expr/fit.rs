@@ -1,13 +1,13 @@
 //! What an expression should be against what it is.
 
-use super::number::with_unit;
-use super::typed::{Dim, Type, Typed, mend, phrase};
-use super::written;
-use crate::context::Context;
 use crate::error::UnitsError;
-use crate::source::Span;
-use crate::syntax::document::{Expr, ExprKind};
-use crate::units::Dimension;
+use crate::expr::context::Context;
+use crate::expr::number::with_unit;
+use crate::statements::written::written;
+use crate::values::typed::{Dim, Type, Typed, mend, phrase};
+use assur_syntax::document::{Expr, ExprKind};
+use assur_text::source::Span;
+use assur_text::units::Dimension;
 
 impl Context<'_> {
     /// The expression, if it is a number of this dimension.
@@ -86,7 +86,7 @@ impl Context<'_> {
     }
 
     /// What would make two quantities fit each other.
-    pub(super) fn mend_operands(&mut self, a: Type, b: Type, left: &Expr, right: &Expr) -> Option<String> {
+    pub(crate) fn mend_operands(&mut self, a: Type, b: Type, left: &Expr, right: &Expr) -> Option<String> {
         let (Type::Number(x), Type::Number(y)) = (a, b) else {
             return match (a, b) {
                 (Type::Vector(_), Type::Number(_)) | (Type::Number(_), Type::Vector(_)) => {
@@ -97,7 +97,7 @@ impl Context<'_> {
         };
         let (x, y) = (x.known(), y.known());
         let bare = |d: Dimension, expr: &Expr, other: Dimension| {
-            (d == Dimension::NUMBER).then(|| with_unit(expr, &self.usual_unit(other))).flatten()
+            (d == Dimension::NUMBER).then(|| with_unit(expr, &self.values.usual_unit(other))).flatten()
         };
         if let Some(text) = bare(y, right, x) {
             let part =

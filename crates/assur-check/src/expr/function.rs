@@ -1,19 +1,19 @@
 //! Mathematical functions.
 
-use super::fold;
-use super::read::Sign;
-use super::typed::{Dim, Type, Typed, phrase};
-use crate::context::Context;
 use crate::error::UnitsError;
-use crate::model::{Expr as ModelExpr, Function, Value};
-use crate::query::Call;
-use crate::source::Span;
-use crate::syntax::document::{Arg, Expr, Name};
-use crate::units::Dimension;
+use crate::expr::context::Context;
+use crate::expr::results::Call;
+use crate::expr::sign::Sign;
+use crate::values::fold;
+use crate::values::typed::{Dim, Type, Typed, phrase};
+use assur_model::model::{Expr as ModelExpr, Function, Value};
+use assur_syntax::document::{Arg, Expr, Name};
+use assur_text::source::Span;
+use assur_text::units::Dimension;
 
 impl Context<'_> {
     /// A call of any function.
-    pub(super) fn call(&mut self, name: &Name, args: &[Arg], span: Span, sign: Sign) -> Option<Typed> {
+    pub(crate) fn call(&mut self, name: &Name, args: &[Arg], span: Span, sign: Sign) -> Option<Typed> {
         let call = Call { name, args, span, sign };
         match name.node.as_str() {
             "sqrt" => self.root(call),
@@ -40,7 +40,7 @@ impl Context<'_> {
                 let t = apply(Function::Unit, Type::vector(Dimension::NUMBER), [t]);
                 self.finite(t, "the null vector has no direction", span)
             }
-            "dir" if !self.is_result("dir", args) => {
+            "dir" if !self.names.is_result("dir", args) => {
                 let (t, expr) = self.one(call, Sign::Matters)?;
                 self.is_vector_argument(&t, call, expr)?;
                 Some(apply(Function::Direction, Type::number(Dimension::ANGLE), [t]))
@@ -48,7 +48,7 @@ impl Context<'_> {
             "dot" => self.product(call, Function::Dot),
             "cross" => self.product(call, Function::Cross),
             "max" | "min" if args.len() != 1 => self.extreme(call),
-            _ => self.result(call),
+            _ => (self.results.call)(self, call),
         }
     }
 

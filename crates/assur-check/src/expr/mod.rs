@@ -1,29 +1,31 @@
 //! Expressions: names resolved, dimensions checked, constants folded.
 
-mod bare;
-mod factor;
-mod fit;
-pub mod fold;
-mod function;
-mod no_value;
-mod number;
-mod other_unit;
-mod read;
-pub mod typed;
-mod want;
-mod written;
+pub mod bare;
+pub mod constants;
+pub mod context;
+pub mod factor;
+pub mod fit;
+pub mod function;
+pub mod inline;
+pub mod named;
+pub mod no_value;
+pub mod number;
+pub mod other_unit;
+pub mod positive;
+pub mod property;
+pub mod read;
+pub mod results;
+pub mod sign;
+pub mod want;
 
-pub use bare::revolutions_or_radians;
-pub use read::{Sign, comparison_of};
-pub use want::Want;
-pub use written::written;
-
-use super::context::Context;
-use super::error::RequestError;
-use crate::math::Vec2;
-use crate::model;
-use crate::syntax::document::Expr;
-use typed::{Type, Typed};
+use crate::error::RequestError;
+use crate::expr::context::Context;
+use crate::expr::want::Want;
+use crate::values::fold;
+use crate::values::typed::{Type, Typed};
+use assur_math::math::Vec2;
+use assur_model::model;
+use assur_syntax::document::Expr;
 
 impl Context<'_> {
     /// A number that is known before anything is solved: made of numbers, `given` and `let` alone. `what` says what it is
@@ -87,7 +89,7 @@ impl Context<'_> {
             of_solution |=
                 matches!(q, model::Query::Critical(_) | model::Query::Cycle(_) | model::Query::Flywheel(..));
         });
-        if of_solution || !self.is_poseless(&found) {
+        if of_solution || !self.values.definitions.is_poseless(&found) {
             self.error(RequestError::NeedsPose { what: what.to_owned(), span: expr.span });
             return None;
         }
@@ -95,7 +97,7 @@ impl Context<'_> {
     }
 
     fn constant(&mut self, expr: &Expr, what: &str) -> Option<Typed> {
-        if let Some((span, result)) = self.first_result(expr) {
+        if let Some((span, result)) = self.values.definitions.first_result(&self.names, expr) {
             self.error(RequestError::NotConstant { what: what.to_owned(), result, span });
             return None;
         }

@@ -1,14 +1,14 @@
 //! Which numbers leave a constant expression without a value.
 
-use super::typed::Typed;
-use super::written;
-use crate::context::Context;
-use crate::definition::Settled;
 use crate::error::UnitsError;
-use crate::names::QuantityKind;
-use crate::source::Span;
-use crate::syntax::document::{Expr, ExprKind};
-use crate::walk;
+use crate::expr::context::Context;
+use crate::names::declared::QuantityKind;
+use crate::statements::walk;
+use crate::statements::written::written;
+use crate::values::definition::Settled;
+use crate::values::typed::Typed;
+use assur_syntax::document::{Expr, ExprKind};
+use assur_text::source::Span;
 use indexmap::IndexSet;
 
 /// Most values that a help states.
@@ -16,7 +16,7 @@ const VALUES: usize = 6;
 
 impl Context<'_> {
     /// Reports a constant that is no number, where `operand` is what makes it none.
-    pub(super) fn without_value(&mut self, why: &'static str, span: Span, t: &Typed, operand: &Expr) {
+    pub(crate) fn without_value(&mut self, why: &'static str, span: Span, t: &Typed, operand: &Expr) {
         let help = self.numbers_of(t, operand);
         self.error(UnitsError::NoValue { why, span, help });
     }
@@ -32,14 +32,14 @@ impl Context<'_> {
             }
             next += 1;
         }
-        let value = |name: &&str| match self.definitions.settled.get(*name) {
+        let value = |name: &&str| match self.values.definitions.settled.get(*name) {
             Some(Settled::Constant(t)) => {
-                Some(format!("`{name}` = {}", self.display(t.ty.dimension()).text(t.value()?, 6)))
+                Some(format!("`{name}` = {}", self.values.display(t.ty.dimension()).text(t.value()?, 6)))
             }
             _ => None,
         };
         let values = names.iter().filter_map(value).take(VALUES).collect::<Vec<_>>();
-        let is = self.display(t.ty.dimension()).text(t.value()?, 6);
+        let is = self.values.display(t.ty.dimension()).text(t.value()?, 6);
         let text = written(operand)?;
         Some(match values.as_slice() {
             [] => format!("write another number: `{text}` is {is}"),

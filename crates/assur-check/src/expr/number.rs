@@ -1,16 +1,16 @@
 //! Numbers as written, with their units.
 
-use super::typed::{Dim, Type, Typed};
-use crate::context::Context;
 use crate::error::UnitsError;
-use crate::model;
-use crate::source::{Span, Spanned};
-use crate::syntax::document::{BinaryOp, Expr, ExprKind, Number, UnaryOp};
-use crate::units::{Dimension, Unit, factors, lookup};
+use crate::expr::context::Context;
+use crate::values::typed::{Dim, Type, Typed};
+use assur_model::model;
+use assur_syntax::document::{BinaryOp, Expr, ExprKind, Number, UnaryOp};
+use assur_text::source::{Span, Spanned};
+use assur_text::units::{Dimension, Unit, factors, lookup};
 
 impl Context<'_> {
     /// A number with its unit.
-    pub(super) fn literal(&mut self, number: &Number) -> Option<Typed> {
+    pub(crate) fn literal(&mut self, number: &Number) -> Option<Typed> {
         let Some(word) = &number.unit else {
             let dim = if number.value == 0.0 { Dim::Any } else { Dim::Of(Dimension::NUMBER) };
             return Some(Typed::new(model::Expr::number(number.value), Type::Number(dim)));
@@ -22,13 +22,13 @@ impl Context<'_> {
 
     /// The unit a word means. Reports a word that means none, once.
     pub fn unit(&mut self, word: &Spanned<String>) -> Option<Unit> {
-        if let Some((unit, _)) = self.units.get(&word.node) {
+        if let Some((unit, _)) = self.values.units.get(&word.node) {
             return Some(unit.clone());
         }
         match lookup(&word.node) {
             Ok(unit) => Some(unit),
             Err(error) => {
-                if self.reported.insert(("unit", word.node.clone())) {
+                if self.problems.reported.insert(("unit", word.node.clone())) {
                     let (start, end) = error.range();
                     let part = Span::new(word.span.start + start, word.span.start + end.max(start + 1));
                     let (why, help) = (error.to_string(), error.help());
@@ -48,7 +48,7 @@ impl Context<'_> {
         }
         for factor in factors(&word.node).into_iter().skip(1) {
             let Some(declared) = self.names.quantities.get(factor.symbol).map(|d| d.span) else { continue };
-            if self.reported.insert(("unit and name", factor.symbol.to_owned())) {
+            if self.problems.reported.insert(("unit and name", factor.symbol.to_owned())) {
                 let span = Span::new(word.span.start + factor.start, word.span.start + factor.end);
                 self.error(UnitsError::AlsoAName { name: factor.symbol.to_owned(), span, declared });
             }

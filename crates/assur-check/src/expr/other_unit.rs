@@ -1,21 +1,21 @@
 //! What to write in place of a quantity of another dimension than the one due.
 
-use super::number::without_units;
-use super::typed::{Type, mend};
-use super::written;
-use crate::context::Context;
-use crate::definition::Settled;
-use crate::names::QuantityKind;
-use crate::syntax::document::{Expr, ExprKind, Number, Statement, UnaryOp};
-use crate::units::{Dimension, Kind, lookup};
-use crate::walk;
+use crate::expr::context::Context;
+use crate::expr::number::without_units;
+use crate::names::declared::QuantityKind;
+use crate::statements::walk;
+use crate::statements::written::written;
+use crate::values::definition::Settled;
+use crate::values::typed::{Type, mend};
+use assur_syntax::document::{Expr, ExprKind, Number, Statement, UnaryOp};
+use assur_text::units::{Dimension, Kind, lookup};
 
 /// Most names that a help lists.
 const NAMES: usize = 4;
 
 impl Context<'_> {
     /// What to write in place of the expression.
-    pub(super) fn in_its_place(
+    pub(crate) fn in_its_place(
         &self,
         want: Dimension,
         found: Dimension,
@@ -44,7 +44,7 @@ impl Context<'_> {
 
     /// The number with a unit of the dimension that is due: `9.81 m/s^2` for `9.81 m/s`.
     pub(crate) fn same_number(&self, want: Dimension, expr: &Expr) -> Option<String> {
-        let unit = extended(expr, want).unwrap_or_else(|| self.usual_unit(want));
+        let unit = extended(expr, want).unwrap_or_else(|| self.values.usual_unit(want));
         in_unit(expr, &unit).filter(|_| !unit.is_empty())
     }
 
@@ -61,7 +61,7 @@ impl Context<'_> {
     /// The line of a `given` that is used nowhere else, with what its unit lacks.
     fn definition_of(&self, want: Dimension, expr: &Expr) -> Option<String> {
         let ExprKind::Name(name) = &expr.kind else { return None };
-        if self.row.find(name).is_some() || self.uses(name) != 1 {
+        if self.values.outside.row.find(name).is_some() || self.uses(name) != 1 {
             return None;
         }
         Some(format!("write `{}`", self.completed_given(name, want)?))
@@ -86,8 +86,8 @@ impl Context<'_> {
     }
 
     /// The constants of the file of this dimension: `` `psi` or `phi` ``.
-    pub(super) fn names_of(&self, want: Dimension) -> Option<String> {
-        let is = |name: &&String| match self.definitions.settled.get(*name) {
+    pub(crate) fn names_of(&self, want: Dimension) -> Option<String> {
+        let is = |name: &&String| match self.values.definitions.settled.get(*name) {
             Some(Settled::Constant(t)) => matches!(t.ty, Type::Number(_)) && t.ty.dimension() == want,
             _ => false,
         };

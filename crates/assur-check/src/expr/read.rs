@@ -1,25 +1,18 @@
 //! From the tree to typed expressions.
 
-use super::fold;
-use super::typed::{Dim, Type, Typed, phrase};
-use crate::context::Context;
 use crate::error::{RequestError, UnitsError};
-use crate::model::{self, Axis, Comparison, Value};
-use crate::source::{Span, Spanned};
-use crate::syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp};
-use crate::units::{Dimension, Kind};
+use crate::expr::context::Context;
+use crate::expr::sign::Sign;
+use crate::values::fold;
+use crate::values::typed::{Dim, Type, Typed, phrase};
+use assur_model::model;
+use assur_model::model::{Axis, Comparison, Value};
+use assur_syntax::document::{BinaryOp, CompareOp, Expr, ExprKind, Name, UnaryOp};
+use assur_text::source::{Span, Spanned};
+use assur_text::units::{Dimension, Kind};
 
 /// The most operands in a row.
 const MOST: usize = 500;
-
-/// Whether the sign of a value matters where it stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sign {
-    /// It does.
-    Matters,
-    /// Only the magnitude is asked: within `mag()` and `abs()`.
-    Free,
-}
 
 impl Context<'_> {
     /// Reads an expression. Everything wrong with it is reported.
@@ -27,7 +20,7 @@ impl Context<'_> {
         self.read_signed(expr, Sign::Matters)
     }
 
-    pub(super) fn read_signed(&mut self, expr: &Expr, sign: Sign) -> Option<Typed> {
+    pub(crate) fn read_signed(&mut self, expr: &Expr, sign: Sign) -> Option<Typed> {
         match &expr.kind {
             ExprKind::Number(number) if self.implied_product(number, expr.span) => None,
             ExprKind::Number(number) => self.literal(number),
@@ -50,9 +43,22 @@ impl Context<'_> {
         None
     }
 
+    /// A part that is neither `.x` nor `.y` of something without other parts.
+    fn no_part(&mut self, base: &Typed, part: &Name) -> Option<Typed> {
+        if base.pending && base.ty == Type::Number(Dim::Any) {
+            return Some(base.clone());
+        }
+        let help = match base.ty {
+            Type::Vector(_) => Some("the parts of a vector are `.x` and `.y`".to_owned()),
+            _ => None,
+        };
+        self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
+        None
+    }
+
     /// `.x` and `.y` of vectors, and the parts of a mass substitution.
     fn part(&mut self, whole: &Expr, base: &Expr, part: &Name, sign: Sign) -> Option<Typed> {
-        if let Some(result) = self.part_of_result(whole, base, part) {
+        if let Some(result) = (self.results.part)(self, whole, base, part) {
             return result;
         }
         let axis = match part.node.as_str() {
@@ -312,7 +318,7 @@ impl Context<'_> {
         None
     }
 
-    pub(super) fn operands(&mut self, verb: &'static str, a: &Typed, b: &Typed, left: &Expr, right: &Expr) {
+    pub(crate) fn operands(&mut self, verb: &'static str, a: &Typed, b: &Typed, left: &Expr, right: &Expr) {
         let help = self.mend_operands(a.ty, b.ty, left, right);
         self.error(UnitsError::Operands {
             verb,

@@ -1,7 +1,7 @@
 //! Values from outside as text.
 
-use assur_check::expr::typed::{Type, Typed};
-use assur_check::overrides::value;
+use assur_check::parts::value;
+use assur_check::parts::{Type, Typed};
 use assur_text::units::Dimension;
 
 #[test]

@@ -1,6 +1,6 @@
 //! The digit that a number was written to.
 
-use assur_check::tolerance::digit_of;
+use assur_check::parts::digit_of;
 use assur_syntax::document::Number;
 
 #[test]

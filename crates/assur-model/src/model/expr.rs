@@ -15,6 +15,28 @@ pub enum Value {
     Truth(bool),
 }
 
+impl Value {
+    /// Whether it is a truth, or numbers that are finite.
+    #[must_use]
+    pub fn is_defined(&self) -> bool {
+        match self {
+            Self::Scalar(x) => x.is_finite(),
+            Self::Vector(v) => v.x.is_finite() && v.y.is_finite(),
+            Self::Truth(_) => true,
+        }
+    }
+
+    /// Magnitude of a number or a vector; zero for a truth.
+    #[must_use]
+    pub fn magnitude(&self) -> f64 {
+        match self {
+            Self::Scalar(x) => x.abs(),
+            Self::Vector(v) => libm::hypot(v.x, v.y),
+            Self::Truth(_) => 0.0,
+        }
+    }
+}
+
 /// An expression whose types and dimensions are checked. Angles are in radians; `%` is folded into the numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expr {

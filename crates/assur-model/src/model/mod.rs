@@ -6,6 +6,8 @@ mod cycle;
 mod display;
 mod element;
 mod expr;
+mod figures;
+mod flywheel;
 mod id;
 mod link;
 mod load;
@@ -16,17 +18,19 @@ mod shape;
 mod train;
 
 pub use cam_part::{CAM_PARTS, CamPart};
-pub use cycle::{Cycle, CycleFunction, Flywheel, FlywheelPart, FlywheelTorque, Rim};
+pub use cycle::{Cycle, CycleFunction};
+pub use display::Display;
 pub use element::{CamContact, PlateCam, Table, TableEntry};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };
+pub use flywheel::{Flywheel, FlywheelPart, FlywheelTorque, Rim};
 pub use id::{BalanceId, DriveId, LinkId, LoadId, PairId, QuantityId, SpringId};
 pub use link::{CamProfile, Circle, Line, Link, MassProperties, Point};
 pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
-pub use request::{At, Display, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
+pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
 pub use train::{Law, Meeting, Rate, Scale, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;

@@ -1,18 +1,7 @@
 //! What is asked and what is expected.
 
-use super::{DriveId, Expr};
+use super::{Display, DriveId, Expr};
 use crate::source::Span;
-
-/// How a value is printed: SI value over `factor`, followed by `unit`.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Display {
-    /// Unit as the author writes it; empty for plain numbers and truths.
-    pub unit: String,
-    /// SI value of one unit.
-    pub factor: f64,
-    /// Exponents of length, mass, time; the angle kind.
-    pub dimension: [i8; 4],
-}
 
 /// One item of `find`.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! The class of a structural group after Artobolevsky: the number of sides of its most complex closed contour.
 
-use super::group::GroupJoint;
+use super::group_joint::GroupJoint;
 use super::joint::BodyId;
 
 /// Class I with a drive inside and one body, II for a dyad; III where a rigid link carries three or more pairs of the

@@ -3,20 +3,15 @@
 use super::add_pair::missing_pairs;
 use super::defect::Defect;
 use super::diagnose::pairs_to_add;
-use super::error::{StructureError, label, listed};
+use super::error::{StructureError, label};
 use super::incidence::Incidence;
 use super::joint::BodyId;
+use super::names::{MOST_LABELS, names};
 use super::trial::Trial;
 use crate::model::{DriveTarget, LinkId, Mechanism, PairKind};
 use crate::source::Span;
-
-/// More labels than this tell nothing.
-pub(super) const MOST_LABELS: usize = 12;
 /// Islands for which pairs are tried.
 const MOST_TRIED: usize = 5;
-/// More names than this are counted.
-const MOST_NAMES: usize = 6;
-
 /// What to report of every island.
 pub(super) fn floating(trial: Trial<'_>) -> Vec<StructureError> {
     let islands = floating_islands(trial.mechanism);
@@ -81,17 +76,6 @@ fn describe(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> Stru
     let places = links.iter().map(|l| mechanism.link(*l).span).filter(|s| *s != Span::default());
     let labels = places.take(MOST_LABELS).map(|s| label("not joined to the ground", s)).collect();
     StructureError::NotGrounded { names: names(mechanism, links.iter().copied()), help, labels }
-}
-
-/// `` `a`, `b` and `c` ``, the last ones counted where there are many.
-pub(super) fn names(mechanism: &Mechanism, links: impl Iterator<Item = LinkId>) -> String {
-    let mut names: Vec<String> = links.map(|l| format!("`{}`", mechanism.link(l).name)).collect();
-    let more = names.len().saturating_sub(MOST_NAMES);
-    if more > 1 {
-        names.truncate(MOST_NAMES);
-        names.push(format!("{more} more"));
-    }
-    listed(&names, "and")
 }
 
 /// Pairs that would join the island, and what they leave to be driven.

@@ -1,6 +1,7 @@
 //! Structural groups: what belongs to one, and which kind it is.
 
 use super::effort::{Effort, EffortKind};
+use super::group_joint::GroupJoint;
 use super::joint::{BodyId, JointId, JointKind, Replaced};
 
 /// A structural group: bodies that are solved together.
@@ -29,21 +30,6 @@ pub struct Group {
 pub(super) struct Inside {
     pub efforts: Vec<usize>,
     pub laws: Vec<JointId>,
-}
-
-/// A joint of a group, reduced to two bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct GroupJoint {
-    /// The joint.
-    pub joint: JointId,
-    /// Its body in the group.
-    pub body: BodyId,
-    /// The other body: in the group for an inner joint; else one that is known already (motion) or solved later (forces).
-    pub base: BodyId,
-    /// Both bodies are in the group.
-    pub inner: bool,
-    /// Prismatic rather than revolute.
-    pub prismatic: bool,
 }
 
 /// How a group is solved.

@@ -1,10 +1,10 @@
 //! Links that no drive moves, in a mechanism that is driven.
 
 use super::error::{StructureError, label, listed};
-use super::floating::{MOST_LABELS, names};
 use super::incidence::Incidence;
 use super::joint::{Body, BodyId};
 use super::leave_out::{links, pairs_of};
+use super::names::{MOST_LABELS, names};
 use super::trial::Trial;
 use crate::model::{LinkId, PairId};
 use crate::source::Span;

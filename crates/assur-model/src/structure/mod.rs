@@ -18,49 +18,30 @@ pub mod field;
 mod floating;
 mod generic;
 mod group;
+mod group_joint;
 mod immobile;
 mod incidence;
 mod joint;
 mod leave_out;
 #[doc(hidden)]
 pub mod matching;
+mod names;
 mod repeated;
 mod replace;
+mod result;
 mod roller;
 mod trial;
 
 pub use count::Count;
 pub use effort::{Effort, EffortKind, EffortSource};
 pub use error::StructureError;
-pub use group::{Dyad, Group, GroupJoint, GroupKind};
+pub use group::{Dyad, Group, GroupKind};
+pub use group_joint::GroupJoint;
 pub use joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
+pub use result::Structure;
 
-use crate::model::{LinkId, Mechanism, PairId};
+use crate::model::Mechanism;
 use trial::Trial;
-
-/// What the mechanism is built from.
-#[derive(Clone, Debug)]
-pub struct Structure {
-    /// Numbers of links and pairs, mobility.
-    pub count: Count,
-    /// Bodies and joints after every higher pair is replaced by lower ones.
-    pub replaced: Replaced,
-    /// The known motions, one per drive (several numbers for a driven point).
-    pub drives: Vec<Effort>,
-    /// Structural groups in the order in which motion is solved, from the drives outwards.
-    pub motion: Vec<Group>,
-    /// The unknown efforts: balances or, where there is none, the drives' own.
-    pub efforts: Vec<Effort>,
-    /// Structural groups in the order in which forces are solved, from the outermost loads to the balances. Empty where
-    /// efforts do not determine them (see [`Structure::force_defect`]).
-    pub forces: Vec<Group>,
-    /// Why forces are not determined, where they are not.
-    pub force_defect: Option<StructureError>,
-    /// Links whose rotation changes nothing (a free roller): set aside.
-    pub passive: Vec<LinkId>,
-    /// Prismatic pairs whose couples are not determined: they close a chain of prismatic pairs.
-    pub undetermined_couples: Vec<PairId>,
-}
 
 /// Finds the structure of a mechanism.
 ///

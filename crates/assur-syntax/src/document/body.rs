@@ -1,7 +1,7 @@
 //! What stands in the braces of a link, the ground, a shaft or a slider.
 
 use super::{Bad, Expr, Name};
-use crate::source::Spanned;
+use assur_text::source::Spanned;
 
 /// The members of a body in the order written.
 pub type Body = Vec<Spanned<Member>>;

@@ -1,7 +1,7 @@
 //! Expressions.
 
 use super::Name;
-use crate::source::{Span, Spanned};
+use assur_text::source::{Span, Spanned};
 
 /// An expression and its place. Brackets leave no node; the place of what they enclose includes them.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! What the machine is: links, pairs, transmissions, machine elements.
 
 use super::{Body, Expr, Name, Path, Turn};
-use crate::source::{Span, Spanned};
+use assur_text::source::{Span, Spanned};
 
 /// `ground 0 { … }`
 #[derive(Clone, Debug, PartialEq)]

@@ -25,7 +25,7 @@ pub use motion::{
 pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Start, Turn, Way};
 pub use question::{Column, Expect, ExpectAt, Find, FindItem, Row, Simulate, Until, Variants};
 
-use crate::source::{Span, Spanned};
+use assur_text::source::{Span, Spanned};
 
 /// A name as written, in NFC, and its place.
 pub type Name = Spanned<String>;

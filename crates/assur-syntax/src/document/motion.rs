@@ -1,7 +1,7 @@
 //! How the machine moves and what acts on it.
 
 use super::{CompareOp, Expr, Name, Path};
-use crate::source::{Span, Spanned};
+use assur_text::source::{Span, Spanned};
 
 /// A sense of turning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

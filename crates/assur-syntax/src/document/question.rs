@@ -1,7 +1,7 @@
 //! What is asked and what the answer key says.
 
 use super::{Expr, Name, Number, Setting};
-use crate::source::{Span, Spanned};
+use assur_text::source::{Span, Spanned};
 
 /// `find F_I3 = inertia_force(piston), Mb as kN*m, reactions`
 #[derive(Clone, Debug, PartialEq)]

@@ -1,16 +1,16 @@
 //! Links and what stands in their braces.
 
-use super::Lower;
+use super::state::Lower;
 use super::walk::{P, Parts, span, text};
-use crate::Rule;
 use crate::document::{
     About, At, Bar, Body, CircleMember, Expr, ExprKind, Ground, LineDirection, LineMember, Link, Member,
     Name, PointFrom, PointMember, ProfileMember, Shaft, Side, Slider, Statement, WheelMember, WheelSize,
 };
 use crate::error::SyntaxError;
+use crate::grammar::Rule;
 use crate::line::mended;
 use crate::recover::What;
-use crate::source::{Span, Spanned};
+use assur_text::source::{Span, Spanned};
 
 impl Lower<'_> {
     /// `ground`, `link`, `shaft` and `slider`.

@@ -1,11 +1,11 @@
 //! Lists that are numbers with decimal commas.
 
-use super::Lower;
+use super::state::Lower;
 use crate::comma;
 use crate::document::{Expr, ExprKind, Number};
 use crate::error::SyntaxError;
 use crate::line::mended;
-use crate::source::Span;
+use assur_text::source::Span;
 
 impl Lower<'_> {
     /// `0,5 m` reads as the list `0` and `5 m`, which nobody means: it is reported, and read as one number. Says whether

@@ -1,13 +1,13 @@
 //! Expressions.
 
-use super::Lower;
+use super::state::Lower;
 use super::walk::{P, Parts, name, nfc, span};
-use crate::Rule;
 use crate::document::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, Path, Sensed, Turn, UnaryOp};
 use crate::error::SyntaxError;
+use crate::grammar::Rule;
 use crate::line::mended;
-use crate::source::{Span, Spanned};
-use crate::units;
+use assur_text::source::{Span, Spanned};
+use assur_text::units;
 
 /// How many signs, powers or parts may follow each other: each is a level of the tree.
 const CHAIN: usize = 16;

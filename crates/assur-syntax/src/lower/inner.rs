@@ -2,8 +2,8 @@
 
 use crate::error::SyntaxError;
 use crate::line::Line;
-use crate::source::Span;
 use crate::words::is_name_char;
+use assur_text::source::Span;
 
 /// `{ S (150 mm, 0); force on crank at B = 10 N @ 0 deg }`: the braces, open at `open`, end behind one statement that
 /// follows `members`. The place of the closing brace comes with it.

@@ -1,15 +1,15 @@
 //! Joints, springs, groups and machine elements.
 
-use super::Lower;
 use super::expr::turn;
+use super::state::Lower;
 use super::walk::{P, Parts, span};
-use crate::Rule;
 use crate::document::{
     AllJoints, Cam, CamLaw, CamMember, End, Flywheel, Follower, Group, Joint, JointKind, Phase, PhaseKind,
     Property, Spring,
 };
+use crate::grammar::Rule;
 use crate::recover::What;
-use crate::source::Spanned;
+use assur_text::source::Spanned;
 
 impl Lower<'_> {
     pub(super) fn joint(&mut self, pair: P<'_>) -> Option<Joint> {

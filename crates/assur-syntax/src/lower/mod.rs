@@ -7,10 +7,11 @@ mod body;
 mod decimal;
 mod expr;
 mod inner;
+mod lenient;
 mod machine;
 mod motion;
 mod question;
-mod slips;
+mod state;
 mod walk;
 
 use super::document::{Bad, Definition, Statement, Variants};
@@ -18,31 +19,17 @@ use super::error::SyntaxError;
 use super::grammar::{Grammar, Rule};
 use super::prepare::whole_end;
 use super::recover::{self, What};
-use crate::diagnostic::Problems;
-use crate::source::{Span, Spanned};
+use assur_text::diagnostic::Problems;
+use assur_text::source::{Span, Spanned};
 use pest::Parser;
 use pest::iterators::Pairs;
-use std::collections::BTreeSet;
+use state::Lower;
 use walk::{P, Parts, span, text};
-
-/// What the walk carries along.
-pub(super) struct Lower<'a> {
-    /// The author's text.
-    text: &'a str,
-    /// The text that the grammar read, of the same length.
-    read: &'a str,
-    problems: Problems,
-    /// Words of the language that were meant as names, and reported.
-    reserved: BTreeSet<String>,
-    /// Closing braces behind a statement that stands within them, which is reported.
-    closing: BTreeSet<usize>,
-}
 
 /// All statements of a file.
 pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spanned<Statement>>, Problems) {
-    let mut lower =
-        Lower { text, read, problems: Problems::new(), reserved: BTreeSet::new(), closing: BTreeSet::new() };
-    slips::report(&mut lower, pairs.clone());
+    let mut lower = Lower::new(text, read);
+    lenient::report(&mut lower, pairs.clone());
     let mut statements = Vec::new();
     for pair in pairs.flat_map(P::into_inner) {
         if pair.as_rule() != Rule::EOI {
@@ -58,9 +45,8 @@ pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spann
 
 /// A table of variants by itself.
 pub(super) fn table(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Variants, Problems) {
-    let mut lower =
-        Lower { text, read, problems: Problems::new(), reserved: BTreeSet::new(), closing: BTreeSet::new() };
-    slips::report(&mut lower, pairs.clone());
+    let mut lower = Lower::new(text, read);
+    lenient::report(&mut lower, pairs.clone());
     let variants = lower.rows(pairs.flat_map(P::into_inner));
     (variants, lower.problems)
 }

@@ -1,15 +1,15 @@
 //! Drives, poses and loads.
 
-use super::Lower;
 use super::body::side;
 use super::expr::{compare, pose_name, turn};
+use super::state::Lower;
 use super::walk::{P, Parts, span};
-use crate::Rule;
 use crate::document::{
     Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind, Order, Place,
     Pose, Sensed, Setting, Site, Start, Way,
 };
-use crate::source::Spanned;
+use crate::grammar::Rule;
+use assur_text::source::Spanned;
 
 impl Lower<'_> {
     pub(super) fn drive(&mut self, pair: P<'_>) -> Option<Drive> {

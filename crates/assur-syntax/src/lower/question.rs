@@ -1,16 +1,16 @@
 //! Find, expect, variants, simulation.
 
-use super::Lower;
 use super::expr::pose_name;
+use super::state::Lower;
 use super::walk::{P, Parts, single_blanks, span, text};
-use crate::Rule;
 use crate::document::{
     Column, Expect, ExpectAt, Expr, Find, FindItem, Number, Row, Simulate, Until, Variants,
 };
 use crate::error::SyntaxError;
+use crate::grammar::Rule;
 use crate::line::mended;
 use crate::recover::What;
-use crate::source::{Span, Spanned};
+use assur_text::source::{Span, Spanned};
 use pest::iterators::Pair;
 
 impl Lower<'_> {

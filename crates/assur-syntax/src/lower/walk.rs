@@ -1,9 +1,9 @@
 //! Walking over pest's pairs.
 
-use crate::Rule;
 use crate::document::Name;
+use crate::grammar::Rule;
 use crate::prepare::{FILL, whole_end};
-use crate::source::{Span, Spanned};
+use assur_text::source::{Span, Spanned};
 use pest::iterators::{Pair, Pairs};
 use std::iter::Peekable;
 use unicode_normalization::UnicodeNormalization;

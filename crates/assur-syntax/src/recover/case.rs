@@ -1,12 +1,13 @@
 //! A piece of text that no rule read.
 
-use super::What;
+use super::what::What;
 use crate::grammar::Grammar;
+use crate::grammar::Rule;
 use crate::line::mended;
 use crate::prepare::whole_end;
-use crate::source::Span;
+use crate::words;
 use crate::words::is_name_char;
-use crate::{Rule, words};
+use assur_text::source::Span;
 use pest::Parser;
 use pest::error::{ErrorVariant, InputLocation};
 

@@ -1,7 +1,7 @@
 //! Commas and semicolons within numbers and brackets.
 
-use super::What;
 use super::case::Case;
+use super::what::What;
 use crate::comma;
 use crate::error::SyntaxError;
 

@@ -1,13 +1,13 @@
 //! Pieces that begin with a wrong word.
 
-use super::What;
 use super::case::Case;
-use crate::diagnostic::did_you_mean;
+use super::what::What;
 use crate::error::SyntaxError;
 use crate::grammar::{Grammar, Rule};
 use crate::line::{Line, mended};
-use crate::source::Span;
 use crate::words::{self, is_name_char};
+use assur_text::diagnostic::did_you_mean;
+use assur_text::source::Span;
 use pest::Parser;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {

@@ -1,10 +1,10 @@
 //! What is said in other words: directions, places, and parts left out, where only one line can be meant.
 
-use super::What;
 use super::case::Case;
+use super::what::What;
 use crate::error::SyntaxError;
-use crate::units::lookup;
 use crate::words::is_name_char;
+use assur_text::units::lookup;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     square_brackets(case)

@@ -13,43 +13,20 @@ mod phrase;
 mod range;
 mod separator;
 mod swap;
+mod what;
 mod within;
 
-use super::Rule;
+pub(super) use what::What;
+
 use super::document::{Bad, Name};
 use super::error::SyntaxError;
 use super::line::{Line, mended};
 use super::words::{self, Expected, is_name_char, is_reserved};
-use crate::diagnostic::{Problems, did_you_mean};
-use crate::source::Span;
+use assur_text::diagnostic::{Problems, did_you_mean};
+use assur_text::source::Span;
 use case::Case;
 use std::collections::BTreeSet;
 use unicode_normalization::UnicodeNormalization;
-
-/// What was being read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum What {
-    Statement,
-    Member,
-    Property,
-    CamMember,
-    Header,
-    Row,
-}
-
-impl What {
-    /// The rule that reads it alone.
-    const fn rule(self) -> Rule {
-        match self {
-            Self::Statement => Rule::one_statement,
-            Self::Member => Rule::one_member,
-            Self::Property => Rule::one_property,
-            Self::CamMember => Rule::one_cam_member,
-            Self::Header => Rule::one_header,
-            Self::Row => Rule::one_row,
-        }
-    }
-}
 
 /// The mistakes of a file that are looked into: repairs are tried, which takes time, and nobody reads more.
 const EXPLAINED: usize = 200;

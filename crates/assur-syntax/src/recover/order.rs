@@ -1,10 +1,10 @@
 //! Parts of a statement or member in another order.
 
-use super::What;
 use super::case::Case;
+use super::what::What;
 use crate::error::SyntaxError;
-use crate::units::is_unit;
 use crate::words::is_name_char;
+use assur_text::units::is_unit;
 
 /// Longer pieces are not tried: every place between two words is.
 const LONGEST: usize = 200;

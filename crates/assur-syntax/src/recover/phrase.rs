@@ -1,11 +1,11 @@
 //! Words of other languages for a sign, a size or a place.
 
-use super::What;
 use super::case::Case;
+use super::what::What;
 use crate::error::SyntaxError;
 use crate::line::Line;
-use crate::units::{Dimension, lookup};
 use crate::words::is_name_char;
+use assur_text::units::{Dimension, lookup};
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     times(case)

@@ -1,7 +1,7 @@
 //! Statements or members that nothing separates.
 
-use super::What;
 use super::case::Case;
+use super::what::What;
 use crate::error::SyntaxError;
 use crate::words::{self, is_name_char};
 

@@ -1,9 +1,9 @@
 //! Pieces that read with one sign or word exchanged, left out, or put into brackets.
 
-use super::What;
 use super::case::Case;
-use crate::Rule;
+use super::what::What;
 use crate::error::SyntaxError;
+use crate::grammar::Rule;
 use crate::words::{self, Expected, is_name_char, is_reserved};
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {

@@ -1,11 +1,11 @@
 //! Pieces that begin well and go wrong further on.
 
 use super::case::Case;
-use crate::Rule;
-use crate::diagnostic::did_you_mean;
 use crate::error::SyntaxError;
-use crate::units::is_unit;
+use crate::grammar::Rule;
 use crate::words::{self, Expected, is_name_char, is_reserved};
+use assur_text::diagnostic::did_you_mean;
+use assur_text::units::is_unit;
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     reserved_name(case).or_else(|| misspelt_here(case)).or_else(|| misspelt_before(case))

@@ -4,6 +4,7 @@
 
 mod dimension;
 mod error;
+mod factors;
 mod lookup;
 mod number;
 mod spelling;
@@ -13,7 +14,8 @@ mod unit;
 
 pub use dimension::{Dimension, Kind};
 pub use error::UnitError;
-pub use lookup::{Factor, factors, is_unit, lookup};
+pub use factors::{Factor, factors};
+pub use lookup::{is_unit, lookup};
 pub use number::{significant, write_significant};
 pub use spelling::meant;
 pub use unit::Unit;

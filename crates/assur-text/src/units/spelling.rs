@@ -1,6 +1,6 @@
 //! What an unknown unit may have been meant to be.
 
-use super::lookup::factors;
+use super::factors::factors;
 use super::table::{SYMBOLS, Symbol, symbol};
 use crate::diagnostic::did_you_mean;
 

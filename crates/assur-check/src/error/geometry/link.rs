@@ -1,6 +1,6 @@
 //! What can be wrong with a link, its points, lines and masses.
 
-use crate::source::Span;
+use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 

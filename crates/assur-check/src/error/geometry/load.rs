@@ -1,6 +1,6 @@
 //! What can be wrong with loads and unknown loads.
 
-use crate::source::Span;
+use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 

@@ -1,0 +1,344 @@
+//! Plate cams: what stands in their braces, and whether a follower can follow it.
+
+use crate::elements::cam_fault;
+use crate::error::{CamError, NameError, PairError};
+use crate::expr::context::Context;
+use crate::expr::positive::positive;
+use crate::expr::property::{Read, Spec, Takes, find, read, read_beside};
+use crate::names::declared::ThingKind;
+use crate::names::suggestion::suggestion;
+use crate::pairs::transmission::known;
+use crate::values::format_value::format_value;
+use assur_math::element::cam::{Cam, Follower, Law, Program, Shape};
+use assur_model::model::PlateCam;
+use assur_syntax::document::{CamLaw, CamMember, Member, Name, Phase, PhaseKind, Property, Statement, Turn};
+use assur_syntax::{CAM_MEMBERS, document};
+use assur_text::source::Span;
+use assur_text::units::Dimension;
+use std::f64::consts::TAU;
+
+/// Angles and lifts nearer than this, relative to a turn or to the greatest lift, are one.
+const NEAR: f64 = 1e-9;
+
+const CAM: &[Spec] = &[
+    Spec { name: "base_radius", takes: Takes::Positive(Dimension::LENGTH), example: "base_radius 50 mm" },
+    Spec { name: "speed", takes: Takes::Positive(Dimension::ANGULAR_VELOCITY), example: "speed 80 rpm" },
+];
+
+const FOLLOWER: &[Spec] = &[
+    Spec { name: "arm", takes: Takes::Positive(Dimension::LENGTH), example: "arm 130 mm" },
+    Spec {
+        name: "pivot_distance",
+        takes: Takes::Positive(Dimension::LENGTH),
+        example: "pivot_distance 140 mm",
+    },
+    Spec { name: "radius", takes: Takes::Positive(Dimension::LENGTH), example: "radius 15 mm" },
+    Spec { name: "offset", takes: Takes::Any(Dimension::LENGTH), example: "offset 10 mm" },
+    Spec { name: "with_cam", takes: Takes::Flag, example: "with_cam" },
+    Spec { name: "against_cam", takes: Takes::Flag, example: "against_cam" },
+];
+
+/// Enters all designed cams into the mechanism.
+pub(crate) fn cams(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        let Statement::Cam(statement) = &statement.node else { continue };
+        if let Some(cam) = cam(cx, statement)
+            && cx.builder.mech.cams.iter().all(|c| c.name != cam.name)
+        {
+            cam_fault::follows(cx, &cam);
+            cx.builder.mech.cams.push(cam);
+        }
+    }
+    profiles(cx);
+}
+
+/// What stands in the braces, as far as it can be read.
+struct Members<'a> {
+    turning: Option<Turn>,
+    follower: Option<&'a document::Follower>,
+    properties: Vec<Property>,
+    phases: Vec<(&'a Phase, Span)>,
+    bad: bool,
+}
+
+fn cam(cx: &mut Context<'_>, cam: &document::Cam) -> Option<PlateCam> {
+    let members = members(cx, cam);
+    let properties = read_beside(cx, "a cam", &members.properties, CAM, CAM_MEMBERS);
+    let follower = members.follower.map(|f| follower_of(cx, f));
+    let oscillates = members.follower.map(|f| f.motion.node == "oscillating");
+    let way = match oscillates {
+        Some(true) => Some(Dimension::ANGLE),
+        Some(false) => Some(Dimension::LENGTH),
+        None => None,
+    };
+    let given = phases(cx, &members.phases, way);
+    if members.bad {
+        return None;
+    }
+    let (name, span) = (&cam.name.node, cam.name.span);
+    let properties = properties?;
+    let base = find(&properties, "base_radius");
+    let missing = match (base, members.turning, &follower) {
+        (None, ..) => Some(("base_radius 50 mm", "the least radius of the pitch curve")),
+        (_, None, _) => Some(("turning ccw", "the sense in which it turns")),
+        (_, _, None) => Some(("follower translating roller { radius 10 mm }", "what it moves")),
+        _ if members.phases.is_empty() => {
+            Some(("rise 90 deg through 20 mm cycloidal", "how the follower moves"))
+        }
+        _ => None,
+    };
+    if let Some((example, what)) = missing {
+        return incomplete(cx, format!("cam `{name}` does not say {what}"), format!("add `{example}`"), span);
+    }
+    let (base, follower, given) = (base?, follower??, given?);
+    let program = program(cx, name, span, &given, way?)?;
+    let speed = find(&properties, "speed").map(Read::number);
+    match Cam::new(base.number(), members.turning? == Turn::Ccw, follower, program) {
+        Ok(cam) => Some(PlateCam { name: name.clone(), span, cam, speed }),
+        Err(misfit) => {
+            cam_fault::misfit(cx, name, base, follower, misfit);
+            None
+        }
+    }
+}
+
+fn members<'a>(cx: &mut Context<'_>, cam: &'a document::Cam) -> Members<'a> {
+    let mut found =
+        Members { turning: None, follower: None, properties: Vec::new(), phases: Vec::new(), bad: false };
+    let mut seen: [Option<Span>; 2] = [None; 2];
+    for member in &cam.members {
+        let once = match &member.node {
+            CamMember::Turning(turn) => {
+                found.turning = found.turning.or(Some(turn.node));
+                Some((0, "the sense of the cam"))
+            }
+            CamMember::Follower(f) => {
+                found.follower = found.follower.or(Some(f));
+                Some((1, "the follower"))
+            }
+            CamMember::Property(p) => {
+                found.properties.push(p.clone());
+                None
+            }
+            CamMember::Phase(p) => {
+                found.phases.push((p, member.span));
+                None
+            }
+            CamMember::Bad(_) => {
+                found.bad = true;
+                None
+            }
+        };
+        let Some((which, what)) = once else { continue };
+        match seen[which] {
+            None => seen[which] = Some(member.span),
+            Some(first) => {
+                let what = what.to_owned();
+                cx.error(crate::error::LinkError::StatedTwice { what, again: member.span, first });
+                found.bad = true;
+            }
+        }
+    }
+    found
+}
+
+fn incomplete<T>(cx: &mut Context<'_>, message: String, help: String, span: Span) -> Option<T> {
+    cx.error(PairError::Incomplete { message, help, span, label: "here".into() });
+    None
+}
+
+fn follower_of(cx: &mut Context<'_>, follower: &document::Follower) -> Option<Follower> {
+    let motion = one_of(cx, &follower.motion, "follower motion", &["oscillating", "translating"]);
+    let shape = one_of(cx, &follower.shape, "follower", &["roller", "knife", "flat"]);
+    let properties = read(cx, "a follower", &follower.properties, FOLLOWER);
+    let (motion, shape, properties) = (motion?, shape?, properties?);
+    let oscillates = motion == "oscillating";
+    let what = format!("{motion} {shape}");
+    let wanted: &[&str] = match (oscillates, shape) {
+        (true, "roller") => &["arm", "pivot_distance", "radius"],
+        (true, "knife") => &["arm", "pivot_distance"],
+        (true, _) => &["pivot_distance"],
+        (false, "roller") => &["radius"],
+        _ => &[],
+    };
+    let span = follower.motion.span.to(follower.shape.span);
+    for name in wanted {
+        if find(&properties, name).is_none() {
+            let example = FOLLOWER.iter().find(|s| s.name == *name).map_or("", |s| s.example);
+            let message = format!("a follower `{what}` needs `{name}`");
+            return incomplete(cx, message, format!("add `{example}` to its braces"), span);
+        }
+    }
+    let sense = [find(&properties, "with_cam"), find(&properties, "against_cam")];
+    if oscillates && sense.iter().flatten().count() != 1 {
+        let message = "an oscillating follower rises either with the cam or against it".to_owned();
+        let help = "write one of `with_cam` (the rise turns it in the sense of the cam) and `against_cam`";
+        return incomplete(cx, message, help.into(), span);
+    }
+    let too_much = properties.iter().find(|p| match p.name {
+        "with_cam" | "against_cam" => !oscillates,
+        "offset" => oscillates == (shape != "flat"),
+        name => !wanted.contains(&name),
+    });
+    if let Some(property) = too_much {
+        let message = format!("`{}` means nothing for a follower `{what}`", property.name);
+        return incomplete(cx, message, "leave it out".into(), property.span);
+    }
+    let number = |name: &str| find(&properties, name).map_or(0.0, Read::number);
+    let shape = match shape {
+        "roller" => Shape::Roller(number("radius")),
+        "knife" => Shape::Knife,
+        _ => Shape::Flat,
+    };
+    Some(if oscillates {
+        Follower::Oscillating {
+            shape,
+            arm: number("arm"),
+            pivot_distance: number("pivot_distance"),
+            with_cam: sense[0].is_some(),
+            offset: number("offset"),
+        }
+    } else {
+        Follower::Translating { shape, offset: number("offset") }
+    })
+}
+
+fn one_of(
+    cx: &mut Context<'_>,
+    word: &Name,
+    kind: &'static str,
+    words: &[&'static str],
+) -> Option<&'static str> {
+    if let Some(known) = words.iter().find(|w| **w == word.node) {
+        return Some(known);
+    }
+    let help = suggestion(&word.node, words, &format!("{kind}s"));
+    let (name, span) = (word.node.clone(), word.span);
+    cx.error(NameError::Unknown { kind, name, place: String::new(), span, help });
+    None
+}
+
+/// A phase as given: angle, way (`None` for a fall all the way down), law; and its place.
+struct Given {
+    kind: PhaseKind,
+    angle: f64,
+    way: Option<f64>,
+    law: Law,
+    span: Span,
+}
+
+fn phases(cx: &mut Context<'_>, phases: &[(&Phase, Span)], way: Option<Dimension>) -> Option<Vec<Given>> {
+    let each = phases.iter().map(|(p, span)| phase(cx, p, *span, way)).collect::<Vec<_>>();
+    each.into_iter().collect()
+}
+
+fn phase(cx: &mut Context<'_>, phase: &Phase, span: Span, way: Option<Dimension>) -> Option<Given> {
+    let angle = positive(cx, &phase.angle, Dimension::ANGLE, "the angle the cam turns");
+    let through = match (&phase.through, way) {
+        (Some(through), Some(way)) => positive(cx, through, way, "the way of the follower").map(Some),
+        (_, None) => None,
+        (None, _) => Some(None),
+    };
+    let kind = phase.kind.node;
+    let example = if way == Some(Dimension::ANGLE) { "18 deg" } else { "20 mm" };
+    let wrong = match (kind, &phase.through, &phase.law) {
+        (PhaseKind::Dwell, None, None) => None,
+        (PhaseKind::Dwell, ..) => {
+            Some(("in a dwell the follower stands still", "write `dwell 10 deg`".to_owned()))
+        }
+        (PhaseKind::Rise, None, _) => Some((
+            "a rise needs the way of the follower",
+            format!("write `rise 60 deg through {example} cycloidal`"),
+        )),
+        (_, _, None) => Some((
+            "by which law does the follower move?",
+            "write one of uniform, parabolic, harmonic, cycloidal, poly345, poly4567, modified_trapezoid, \
+             modified_sine behind it"
+                .to_owned(),
+        )),
+        _ => None,
+    };
+    if let Some((message, help)) = wrong {
+        return incomplete(cx, message.to_owned(), help, span);
+    }
+    let law = phase.law.as_ref().map_or(Law::Dwell, |l| law(l.node));
+    Some(Given { kind, angle: angle?, way: through?, law, span })
+}
+
+const fn law(law: CamLaw) -> Law {
+    match law {
+        CamLaw::Uniform => Law::Uniform,
+        CamLaw::Parabolic => Law::Parabolic,
+        CamLaw::Harmonic => Law::Harmonic,
+        CamLaw::Cycloidal => Law::Cycloidal,
+        CamLaw::Poly345 => Law::Poly345,
+        CamLaw::Poly4567 => Law::Poly4567,
+        CamLaw::ModifiedTrapezoid => Law::ModifiedTrapezoid,
+        CamLaw::ModifiedSine => Law::ModifiedSine,
+    }
+}
+
+/// The motion, if it fits into a turn and comes back to where it began.
+fn program(cx: &mut Context<'_>, name: &str, span: Span, given: &[Given], way: Dimension) -> Option<Program> {
+    let total: f64 = given.iter().map(|g| g.angle).sum();
+    let last = given.last()?;
+    if total > TAU * (1.0 + NEAR) {
+        let angle = |x: f64| format_value(x, Dimension::ANGLE);
+        let (name, total, over) = (name.to_owned(), angle(total), angle(total - TAU));
+        cx.error(CamError::TurnExceeded { name, total, over, span, last: last.span });
+        return None;
+    }
+    let scale = given.iter().filter_map(|g| g.way).fold(0.0, f64::max);
+    let mut lift = 0.0_f64;
+    let mut moves = Vec::with_capacity(given.len());
+    for phase in given {
+        let change = match (phase.kind, phase.way) {
+            (PhaseKind::Dwell, _) => 0.0,
+            (PhaseKind::Rise, way) => way.unwrap_or(0.0),
+            (PhaseKind::Fall, way) => -way.unwrap_or(lift),
+        };
+        if lift + change < -NEAR * scale || phase.kind == PhaseKind::Fall && lift <= NEAR * scale {
+            let (from, by) = (format_value(lift, way), format_value(-change, way));
+            cx.error(CamError::BelowBase { name: name.to_owned(), from, by, span: phase.span });
+            return None;
+        }
+        lift += change;
+        if lift.abs() <= NEAR * scale {
+            lift = 0.0;
+        }
+        moves.push((phase.angle, change, phase.law));
+    }
+    if lift != 0.0 {
+        let sum = |kind: PhaseKind| {
+            let ways = given.iter().filter(|g| g.kind == kind).filter_map(|g| g.way);
+            format_value(ways.sum(), way)
+        };
+        cx.error(CamError::DoesNotReturn {
+            name: name.to_owned(),
+            left: format_value(lift, way),
+            rises: sum(PhaseKind::Rise),
+            falls: sum(PhaseKind::Fall),
+            span: last.span,
+        });
+        return None;
+    }
+    Some(Program::new(&moves))
+}
+
+/// Cams that profiles of links refer to.
+fn profiles(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        let body = match &statement.node {
+            Statement::Ground(ground) => &ground.body,
+            Statement::Link(link) => &link.body,
+            _ => continue,
+        };
+        for member in body {
+            if let Member::Profile(profile) = &member.node {
+                known(cx, &profile.of, "cam", &[ThingKind::Cam]);
+            }
+        }
+    }
+}

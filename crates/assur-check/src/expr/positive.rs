@@ -1,0 +1,59 @@
+//! Constants whose sign is given.
+
+use crate::error::LinkError;
+use crate::expr::context::Context;
+use crate::expr::want::Want;
+use crate::values::format_value::format_value_like;
+use assur_syntax::document::Expr;
+use assur_text::units::Dimension;
+
+/// A constant that must be greater than zero.
+pub(crate) fn positive(cx: &mut Context<'_>, expr: &Expr, dimension: Dimension, what: &str) -> Option<f64> {
+    let value = cx.scalar_constant(expr, &Want(dimension), what)?;
+    positive_value(cx, value, expr, dimension, what)
+}
+
+/// Reports a value that is not greater than zero.
+pub(crate) fn positive_value(
+    cx: &mut Context<'_>,
+    value: f64,
+    expr: &Expr,
+    dimension: Dimension,
+    what: &str,
+) -> Option<f64> {
+    if value > 0.0 && value.is_finite() {
+        return Some(value);
+    }
+    let help = match dimension {
+        Dimension::LENGTH => "a length is a distance; directions are given by points and angles",
+        Dimension::MASS => "leave the mass out where it is of no account",
+        Dimension::ACCELERATION => {
+            let up = format_value_like(&cx.names, -value, dimension, expr);
+            &format!("write its magnitude, `{what} {up}`: it points down; `{what} {up} @ 90 deg` points up")
+        }
+        _ => "write a value greater than zero, or leave it out",
+    };
+    cx.error(LinkError::NotPositive {
+        what: what.into(),
+        value: format_value_like(&cx.names, value, dimension, expr),
+        help: help.into(),
+        span: expr.span,
+    });
+    None
+}
+
+/// A constant that must not be less than zero.
+pub(crate) fn not_negative(
+    cx: &mut Context<'_>,
+    expr: &Expr,
+    dimension: Dimension,
+    what: &str,
+) -> Option<f64> {
+    let value = cx.scalar_constant(expr, &Want(dimension), what)?;
+    if value >= 0.0 && value.is_finite() {
+        return Some(value);
+    }
+    let value = format_value_like(&cx.names, value, dimension, expr);
+    cx.error(LinkError::Negative { what: what.into(), value, span: expr.span });
+    None
+}

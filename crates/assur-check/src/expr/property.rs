@@ -1,0 +1,226 @@
+//! Properties in the braces of pairs, springs and machine elements.
+
+use crate::error::{LinkError, PairError};
+use crate::expr::context::Context;
+use crate::expr::positive::{not_negative, positive};
+use crate::expr::want::Want;
+use crate::names::suggestion::suggestion;
+use assur_syntax::document::{Definition, Expr, ExprKind, Property, Statement};
+use assur_text::source::Span;
+use assur_text::units::Dimension;
+
+/// A property that a statement may have.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spec {
+    /// Its word.
+    pub name: &'static str,
+    /// What stands behind it.
+    pub takes: Takes,
+    /// How it looks.
+    pub example: &'static str,
+}
+
+/// What a property takes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Takes {
+    /// Nothing.
+    Flag,
+    /// A value of this dimension.
+    Any(Dimension),
+    /// A value greater than zero.
+    Positive(Dimension),
+    /// A value not less than zero.
+    NotNegative(Dimension),
+    /// Two values.
+    Two(Dimension),
+    /// One of these words, or a value greater than zero.
+    Word(&'static [&'static str], Dimension),
+    /// Properties of its own.
+    Block(&'static [Spec]),
+}
+
+/// Other usual words and symbols for properties.
+const USUAL: &[(&str, &str)] = &[
+    ("mu", "friction"),
+    ("coefficient", "friction"),
+    ("friction_coefficient", "friction"),
+    ("k", "stiffness"),
+    ("rate", "stiffness"),
+    ("spring_rate", "stiffness"),
+    ("eta", "efficiency"),
+    ("pitch", "lead"),
+];
+
+/// A property that is as it should be.
+#[derive(Clone, Debug)]
+pub(crate) struct Read {
+    /// Its word.
+    pub name: &'static str,
+    /// Its value in SI.
+    pub value: Value,
+    /// Its place.
+    pub span: Span,
+}
+
+/// The value of a property, in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Value {
+    /// None, or a block of its own.
+    Flag,
+    /// A number.
+    Number(f64),
+    /// Two numbers.
+    Two([f64; 2]),
+    /// A word.
+    Word(&'static str),
+}
+
+impl Read {
+    /// The number, zero where it has none.
+    pub(crate) fn number(&self) -> f64 {
+        if let Value::Number(x) = self.value { x } else { 0.0 }
+    }
+}
+
+/// The property of that name.
+pub(crate) fn find<'a>(list: &'a [Read], name: &str) -> Option<&'a Read> {
+    list.iter().find(|p| p.name == name)
+}
+
+/// Reads the properties of a statement; `what` is what they stand in, with its article. Reports those that are unknown,
+/// repeated or wrong. `None` where any of them is.
+pub(crate) fn read(
+    cx: &mut Context<'_>,
+    what: &str,
+    properties: &[Property],
+    specs: &[Spec],
+) -> Option<Vec<Read>> {
+    read_beside(cx, what, properties, specs, &[])
+}
+
+/// The same where other words may stand beside the properties: one of them may have been meant.
+pub(crate) fn read_beside(
+    cx: &mut Context<'_>,
+    what: &str,
+    properties: &[Property],
+    specs: &[Spec],
+    others: &[&str],
+) -> Option<Vec<Read>> {
+    let mut all = Some(Vec::<Read>::new());
+    for (i, property) in properties.iter().enumerate() {
+        if let Some(first) = properties[..i].iter().find(|p| p.name.node == property.name.node) {
+            let what = format!("`{}`", property.name.node);
+            cx.error(LinkError::StatedTwice { what, again: property.span, first: first.span });
+            all = None;
+            continue;
+        }
+        let one = one(cx, what, property, specs, others);
+        all = all.zip(one).map(|(mut all, one)| {
+            all.push(one);
+            all
+        });
+    }
+    all
+}
+
+fn one(
+    cx: &mut Context<'_>,
+    what: &str,
+    property: &Property,
+    specs: &[Spec],
+    others: &[&str],
+) -> Option<Read> {
+    let name = &property.name.node;
+    let Some(spec) = specs.iter().find(|s| s.name == name.as_str()) else {
+        let known = specs.iter().map(|s| s.name).chain(others.iter().copied()).collect::<Vec<_>>();
+        let usual = USUAL.iter().find(|(other, ours)| *other == name.as_str() && known.contains(ours));
+        let help = usual
+            .map(|(_, ours)| format!("did you mean `{ours}`?"))
+            .or_else(|| suggestion(name, &known, "properties"))
+            .unwrap_or_else(|| format!("{what} has no properties at all; leave the braces out"));
+        let (what, name, span) = (what.to_owned(), name.clone(), property.name.span);
+        cx.error(PairError::UnknownProperty { what, name, help, span });
+        return None;
+    };
+    let is_block = matches!(spec.takes, Takes::Block(_));
+    if !property.properties.is_empty() && !is_block {
+        return wrong(cx, property, spec, "a value", "properties in braces");
+    }
+    let phrase = format!("`{name}`");
+    let value = match (spec.takes, property.values.as_slice()) {
+        (Takes::Flag, []) => Value::Flag,
+        (Takes::Flag, _) => return wrong(cx, property, spec, "no value", "a value"),
+        (Takes::Any(d), [x]) => Value::Number(cx.scalar_constant(x, &Want(d), &phrase)?),
+        (Takes::Positive(d), [x]) => Value::Number(positive(cx, x, d, &phrase)?),
+        (Takes::NotNegative(d), [x]) => Value::Number(not_negative(cx, x, d, &phrase)?),
+        (Takes::Word(words, d), [x]) => match word(x, words) {
+            Some(word) => Value::Word(word),
+            None if is_unknown_word(cx, x) => {
+                let list = words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>().join(", ");
+                return wrong(cx, property, spec, &format!("{list} or a value"), "another word");
+            }
+            None => Value::Number(positive(cx, x, d, &phrase)?),
+        },
+        (Takes::Two(d), [a, b]) => {
+            let a = cx.scalar_constant(a, &Want(d), &phrase);
+            let b = cx.scalar_constant(b, &Want(d), &phrase);
+            Value::Two([a?, b?])
+        }
+        (Takes::Two(_), values) => {
+            return wrong(cx, property, spec, "two values", &count(values));
+        }
+        (Takes::Block(specs), []) => {
+            read(cx, &phrase, &property.properties, specs)?;
+            Value::Flag
+        }
+        (_, values) => return wrong(cx, property, spec, "one value", &count(values)),
+    };
+    Some(Read { name: spec.name, value, span: property.span })
+}
+
+fn count(values: &[Expr]) -> String {
+    match values.len() {
+        0 => "no value".into(),
+        1 => "one value".into(),
+        n => format!("{n} values"),
+    }
+}
+
+fn wrong<T>(cx: &mut Context<'_>, property: &Property, spec: &Spec, wants: &str, got: &str) -> Option<T> {
+    cx.error(PairError::PropertyValue {
+        name: property.name.node.clone(),
+        wants: wants.into(),
+        example: spec.example.into(),
+        span: property.span,
+        got: got.into(),
+    });
+    None
+}
+
+/// The word that stands alone as a value.
+fn word(expr: &Expr, words: &[&'static str]) -> Option<&'static str> {
+    let ExprKind::Name(name) = &expr.kind else { return None };
+    words.iter().copied().find(|w| *w == name.as_str())
+}
+
+/// A word that is no quantity of the file either.
+fn is_unknown_word(cx: &Context<'_>, expr: &Expr) -> bool {
+    matches!(&expr.kind, ExprKind::Name(name)
+        if name != "pi" && !cx.names.quantities.contains_key(name) && !cx.names.bad.contains(name))
+}
+
+impl Context<'_> {
+    /// The name of the only `given` of a dimension.
+    pub(crate) fn only_given(&mut self, dimension: Dimension) -> Option<String> {
+        let doc = self.doc;
+        let fits = self.quietly(|cx| {
+            let givens = doc.statements.iter().filter_map(|s| match &s.node {
+                Statement::Given(given) => Some(given),
+                _ => None,
+            });
+            let mut fits = |d: &&Definition| cx.scalar_constant(&d.value, &Want(dimension), "").is_some();
+            givens.filter(&mut fits).map(|d| d.name.node.clone()).collect::<Vec<_>>()
+        });
+        if let [only] = &fits[..] { Some(only.clone()) } else { None }
+    }
+}

@@ -1,0 +1,79 @@
+//! Functions of results, as expressions see them: they stand above, since they ask for links, pairs and loads.
+
+use crate::error::RequestError;
+use crate::expr::context::Context;
+use crate::expr::sign::Sign;
+use crate::values::typed::Typed;
+use assur_syntax::document::{Arg, Expr, Name};
+use assur_text::source::Span;
+
+/// A call as the functions of results see it.
+#[derive(Clone, Copy)]
+pub(crate) struct Call<'c> {
+    /// The function.
+    pub name: &'c Name,
+    /// Its arguments.
+    pub args: &'c [Arg],
+    /// The whole call.
+    pub span: Span,
+    /// Whether the sign of the result matters.
+    pub sign: Sign,
+}
+
+/// What expressions leave to the functions of results.
+#[derive(Clone, Copy)]
+pub struct Results {
+    /// A function of results, or an error if there is no such function.
+    pub call: fn(&mut Context<'_>, Call<'_>) -> Option<Typed>,
+    /// A part of a result that has named parts, of a whole expression with its base; `None` where the base is something
+    /// else.
+    pub part: fn(&mut Context<'_>, &Expr, &Expr, &Name) -> Option<Option<Typed>>,
+    /// Reports a name that stands for no quantity.
+    pub unknown: fn(&mut Context<'_>, &Name),
+    /// How a function is called in the file at hand.
+    pub usage: fn(&mut Context<'_>, Call<'_>) -> String,
+}
+
+impl Context<'_> {
+    /// The arguments, if there are as many as there should be and none has a name.
+    pub(crate) fn arguments<'c>(
+        &mut self,
+        call: Call<'c>,
+        least: usize,
+        most: usize,
+    ) -> Option<Vec<&'c Expr>> {
+        let named = call.args.iter().find_map(|a| a.name.as_ref());
+        if let Some(name) = named {
+            let usage = (self.results.usage)(self, call);
+            let wanted = "a value without a name".to_owned();
+            self.error(RequestError::Argument {
+                function: call.name.node.clone(),
+                wanted,
+                span: name.span,
+                usage,
+            });
+            return None;
+        }
+        if (least..=most).contains(&call.args.len()) {
+            return Some(call.args.iter().map(|a| &a.value).collect());
+        }
+        let takes = match (least, most) {
+            (0, 0) => "no argument",
+            (1, 1) => "one argument",
+            (1, 2) => "one or two arguments",
+            (2, 2) => "two arguments",
+            (3, 3) => "three arguments",
+            _ => "other arguments",
+        };
+        let (function, found, usage) =
+            (call.name.node.clone(), call.args.len(), (self.results.usage)(self, call));
+        self.error(RequestError::Arguments { function, takes, found, span: call.span, usage });
+        None
+    }
+
+    /// Reports an argument of the wrong kind.
+    pub(crate) fn wrong_argument(&mut self, call: Call<'_>, wanted: &str, span: Span) {
+        let (function, usage) = (call.name.node.clone(), (self.results.usage)(self, call));
+        self.error(RequestError::Argument { function, wanted: wanted.to_owned(), span, usage });
+    }
+}

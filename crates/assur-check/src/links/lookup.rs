@@ -1,0 +1,314 @@
+//! From names to ids and places.
+
+use crate::error::NameError;
+use crate::expr::context::Context;
+use crate::links::missing_mesh::missing_mesh;
+use crate::names::declared::Inside;
+use crate::names::declared::ThingKind;
+use crate::names::suggestion::suggestion;
+use assur_math::math::Vec2;
+use assur_model::model::{Circle, Guide, Line, LinkId, PairId, PairKind};
+use assur_syntax::document::{JointKind, Name, Statement};
+use assur_text::diagnostic::did_you_mean;
+use assur_text::source::Span;
+use indexmap::IndexSet;
+
+/// The pairs that join links of a linkage; all others are transmissions.
+pub fn is_linkage_pair(kind: JointKind) -> bool {
+    use JointKind::{Contact, Cylinder, Prismatic, Revolute, Slot};
+    matches!(kind, Revolute | Prismatic | Slot | Contact | Cylinder)
+}
+
+impl Context<'_> {
+    /// The link of that name; `ground` too. Reports a name that is not one of a link.
+    pub fn link(&mut self, name: &Name) -> Option<LinkId> {
+        let found = self.find_link(&name.node);
+        if found.is_none() {
+            self.no_thing(name, "link", "a link", |kind| kind == ThingKind::Link);
+        }
+        found
+    }
+
+    /// The link of that name, nothing said where there is none.
+    pub fn find_link(&self, name: &str) -> Option<LinkId> {
+        self.names.links.get(name).copied()
+    }
+
+    /// The link that this very statement declares; `None` for the second of two of one name, reported already.
+    pub fn own_link(&self, name: &Name) -> Option<LinkId> {
+        self.find_link(&name.node).filter(|id| self.builder.mech.link(*id).span == name.span)
+    }
+
+    /// Whether the name's first declaration is this one; a second is reported with the names, and left out.
+    pub(crate) fn is_own(&self, name: &Name) -> bool {
+        self.names.things.get(&name.node).is_some_and(|d| d.span == name.span)
+    }
+
+    /// Whether all pairs of the linkage are in the mechanism: none has an error, no statement is unreadable. Where it is
+    /// not so, something that seems unjoined may be joined.
+    pub(crate) fn pairs_complete(&self) -> bool {
+        let is_pair = |s: &Statement| matches!(s, Statement::Joint(j) if is_linkage_pair(j.kind.node));
+        let is_bad = |s: &Statement| matches!(s, Statement::Bad(_));
+        let statements = || self.doc.statements.iter().map(|s| &s.node);
+        let joined = self
+            .builder
+            .mech
+            .pairs
+            .iter()
+            .filter(|p| p.bearing.is_none() && !matches!(p.kind, PairKind::Transmission(_)));
+        statements().filter(|s| is_pair(s)).count() == joined.count() && !statements().any(is_bad)
+    }
+
+    /// The names of links, each as code.
+    pub(crate) fn spelled(&self, links: &[LinkId]) -> Vec<String> {
+        links.iter().map(|l| self.builder.mech.link(*l).name.clone()).collect()
+    }
+
+    /// The pair of that name. Reports a name that is not one of a pair; silent where the pair has an error. Only once
+    /// the pairs are in the mechanism.
+    pub fn pair(&mut self, name: &Name) -> Option<PairId> {
+        let found = self.find_pair(&name.node);
+        if found.is_none() {
+            // what is declared as one and is not in the mechanism has an error
+            self.no_thing(name, "pair", "a pair", |kind| matches!(kind, ThingKind::Joint(_)));
+        }
+        found
+    }
+
+    /// The pair of that name in the mechanism, nothing said where there is none.
+    pub fn find_pair(&self, name: &str) -> Option<PairId> {
+        self.names.pairs.get(name).copied()
+    }
+
+    /// The asserted group of that name, as its place in `Mechanism::groups`.
+    pub fn group(&mut self, name: &Name) -> Option<usize> {
+        let found = self.builder.mech.groups.iter().position(|g| g.name == name.node);
+        if found.is_none() {
+            self.no_thing(name, "group", "a group", |kind| kind == ThingKind::Group);
+        }
+        found
+    }
+
+    /// A point of a link, in its frame. Silent where the point is declared with an error. Only once the links have
+    /// their points.
+    pub fn point(&mut self, link: LinkId, name: &Name) -> Option<Vec2> {
+        let found = self.builder.mech.link(link).points.iter().find(|p| p.name == name.node).map(|p| p.at);
+        self.known_inside(found, link, name, "point")
+    }
+
+    /// A line of a link.
+    pub fn line(&mut self, link: LinkId, name: &Name) -> Option<Line> {
+        let found = self.builder.mech.link(link).lines.iter().find(|l| l.name == name.node).cloned();
+        self.known_inside(found, link, name, "line")
+    }
+
+    /// A circle of a link.
+    pub fn circle(&mut self, link: LinkId, name: &Name) -> Option<Circle> {
+        let found = self.builder.mech.link(link).circles.iter().find(|c| c.name == name.node).cloned();
+        self.known_inside(found, link, name, "circle")
+    }
+
+    /// What a link calls by this name: `point`, `line` or `circle`, as declared, errors or not.
+    pub fn kind_inside(&self, link: LinkId, name: &str) -> Option<&'static str> {
+        let inside = self.names.inside.get(link.index())?;
+        [("point", &inside.points), ("line", &inside.lines), ("circle", &inside.circles)]
+            .into_iter()
+            .find_map(|(kind, list)| list.contains_key(name).then_some(kind))
+    }
+
+    /// Reports a name that this link does not declare, and passes the rest on.
+    fn known_inside<T>(
+        &mut self,
+        found: Option<T>,
+        link: LinkId,
+        name: &Name,
+        kind: &'static str,
+    ) -> Option<T> {
+        if found.is_some() {
+            return found;
+        }
+        let owner = self.builder.mech.link(link).name.clone();
+        if let Some(is) = self.kind_inside(link, &name.node) {
+            if is != kind {
+                self.error(NameError::WrongKind {
+                    name: format!("{owner}.{}", name.node),
+                    is: format!("a {is}"),
+                    wanted: format!("a {kind}"),
+                    span: name.span,
+                    declared: None,
+                    help: None,
+                });
+            }
+            return None;
+        }
+        let inside = self.names.inside.get(link.index())?;
+        if inside.bad.contains(&name.node) || self.names.bad.contains(&name.node) {
+            return None;
+        }
+        let list = match kind {
+            "point" => &inside.points,
+            "line" => &inside.lines,
+            _ => &inside.circles,
+        };
+        let all = list.keys().map(String::as_str).collect::<Vec<_>>();
+        let help = suggestion(&name.node, &all, &format!("{kind}s of {owner}"));
+        if self.problems.reported.insert((kind, format!("{owner}.{}", name.node))) {
+            let place =
+                if owner == "ground" { " on the ground".into() } else { format!(" in link `{owner}`") };
+            self.error(NameError::Unknown { kind, name: name.node.clone(), place, span: name.span, help });
+        }
+        None
+    }
+
+    /// Reports that a name is not one of this kind of thing, unless it may be one that has an error.
+    pub(crate) fn no_thing(
+        &mut self,
+        name: &Name,
+        kind: &'static str,
+        wanted: &str,
+        fits: impl Fn(ThingKind) -> bool,
+    ) {
+        if let Some(declared) = self.names.things.get(&name.node) {
+            if !fits(declared.what) && !self.names.bad.contains(&name.node) {
+                let (is, declared) = (declared.what.phrase(), Some(declared.span));
+                self.error(NameError::WrongKind {
+                    name: name.node.clone(),
+                    is,
+                    wanted: wanted.into(),
+                    span: name.span,
+                    declared,
+                    help: None,
+                });
+            }
+            return;
+        }
+        if self.names.bad.contains(&name.node) || !self.problems.reported.insert((kind, name.node.clone())) {
+            return;
+        }
+        let ground = (kind == "link").then_some("ground");
+        let all = self.names.things.iter().filter(|(_, d)| fits(d.what)).map(|(n, _)| n.as_str());
+        let all = ground.into_iter().chain(all).collect::<Vec<_>>();
+        let near = !did_you_mean(&name.node, all.iter().copied()).is_empty();
+        let mesh = if kind == "pair" && !near { missing_mesh(self, &name.node) } else { None };
+        let help = mesh.or_else(|| suggestion(&name.node, &all, &format!("{kind}s")));
+        let (name, span) = (name.node.clone(), name.span);
+        self.error(NameError::Unknown { kind, name, place: String::new(), span, help });
+    }
+
+    /// The point that a name alone stands for: the pin or named point of the pair of that name, or the points of that
+    /// name where a pin joins all of them. Reports what is unknown or ambiguous.
+    pub fn point_of_shared_name(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {
+        let own = self.find_pair(&name.node).and_then(|id| place_of_pair(&self.builder.mech.pair(id).kind));
+        let bearers = self.bearers(&name.node);
+        let first = own.or_else(|| bearers.first().copied());
+        let Some(first) = first else {
+            return self.no_point(name);
+        };
+        let joined = self.builder.joined_with(first);
+        if bearers.iter().all(|b| joined.contains(b)) {
+            return Some(first);
+        }
+        if !self.pairs_complete() {
+            return None;
+        }
+        let spelled =
+            |&(link, _): &(LinkId, Vec2)| format!("`{}.{}`", self.builder.mech.link(link).name, name.node);
+        let choices = bearers.iter().map(spelled).collect::<Vec<_>>().join(" or ");
+        self.error(NameError::AmbiguousPoint {
+            name: name.node.clone(),
+            span: name.span,
+            help: match bearers.as_slice() {
+                [a, b] => {
+                    let [a, b] = [a, b].map(|&(link, _)| &self.builder.mech.link(link).name);
+                    let taken = self.names.things.contains_key(&name.node);
+                    let verb = if taken { "write it" } else { "add" };
+                    let where_to = if taken {
+                        format!("`{}` joins other points; to join these", name.node)
+                    } else {
+                        "if a hinge is missing there".to_owned()
+                    };
+                    format!("write {choices}; {where_to}, {verb} `revolute {}: {a} - {b}`", name.node)
+                }
+                _ => format!("write {choices}"),
+            },
+        });
+        None
+    }
+
+    /// All points of a name, with their links.
+    fn bearers(&self, name: &str) -> Vec<(LinkId, Vec2)> {
+        let links = self.builder.mech.links.iter().enumerate();
+        links
+            .filter_map(|(i, l)| l.points.iter().find(|p| p.name == name).map(|p| (LinkId::at(i), p.at)))
+            .collect()
+    }
+
+    fn no_point(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {
+        let declared = |i: &Inside| i.points.contains_key(&name.node) || i.bad.contains(&name.node);
+        let pair = self.names.things.get(&name.node).map(|d| d.what);
+        let pair = pair.filter(|kind| matches!(kind, ThingKind::Joint(kind) if is_linkage_pair(*kind)));
+        if self.find_pair(&name.node).is_some() {
+            let is = pair.map_or_else(|| "a pair".into(), ThingKind::phrase);
+            self.error(NameError::WrongKind {
+                name: name.node.clone(),
+                is: format!("{is} without a point of its own"),
+                wanted: "a point".into(),
+                span: name.span,
+                declared: self.names.things.get(&name.node).map(|d| d.span),
+                help: Some("write the link before its point: `rod.C`".into()),
+            });
+            return None;
+        }
+        let silent = pair.is_some() || self.names.bad.contains(&name.node);
+        if silent
+            || self.names.inside.iter().any(declared)
+            || !self.problems.reported.insert(("point", name.node.clone()))
+        {
+            return None;
+        }
+        if let Some(link) = self.find_link(&name.node) {
+            self.link_for_point(name, link);
+            return None;
+        }
+        let all = self.names.inside.iter().flat_map(|i| i.points.keys()).map(String::as_str);
+        let all = all.collect::<IndexSet<_>>().into_iter().collect::<Vec<_>>();
+        let help = suggestion(&name.node, &all, "points");
+        let (name, span) = (name.node.clone(), name.span);
+        self.error(NameError::Unknown { kind: "point", name, place: String::new(), span, help });
+        None
+    }
+}
+
+impl Context<'_> {
+    /// Reports a link where a point is due.
+    fn link_for_point(&mut self, name: &Name, link: LinkId) {
+        let points = self.names.inside.get(link.index()).map(|i| &i.points);
+        let point = points.and_then(|p| p.last()).map(|(point, _)| point.clone());
+        let help = point.map(|point| format!("write one of its points: `{}.{point}`", name.node));
+        let thing = self.names.things.get(&name.node).filter(|d| d.what != ThingKind::Link);
+        let (is, declared, help) = match thing.map(|d| (d.what, d.span)) {
+            // a wheel turns with its shaft
+            Some((what, span)) => (what.phrase(), span, crate::names::functions::ask_of(what, &name.node)),
+            None => ("a link".into(), self.builder.mech.link(link).span, help),
+        };
+        self.error(NameError::WrongKind {
+            name: name.node.clone(),
+            is,
+            wanted: "a point".into(),
+            span: name.span,
+            declared: (declared != Span::default()).then_some(declared),
+            help,
+        });
+    }
+}
+
+/// The point a pair stands for: its pin, or the point on the line.
+pub fn place_of_pair(kind: &PairKind) -> Option<(LinkId, Vec2)> {
+    match kind {
+        PairKind::Revolute(pins) => pins.first().map(|p| (p.link, p.at)),
+        PairKind::Prismatic(Guide { slider, point, .. }) | PairKind::Slot(Guide { slider, point, .. }) => {
+            Some((*slider, *point))
+        }
+        PairKind::Contact { .. } | PairKind::Cylinder { .. } | PairKind::Transmission(_) => None,
+    }
+}

@@ -1,0 +1,388 @@
+//! Applied loads.
+
+use crate::error::LoadError;
+use crate::expr::context::Context;
+use crate::expr::want::Want;
+use crate::motion::drive::{Moves, coordinate, negated, on_moving};
+use crate::names::declared::ThingKind;
+use crate::output::behind;
+use crate::statements::written::written;
+use crate::values::format_value::format_value;
+use assur_model::model;
+use assur_model::model::{Bearing, Expr, LinkId, LoadKind, PairId, PairKind, Place, Query};
+use assur_syntax::document;
+use assur_syntax::document::{Load, Name, Site, Statement, Turn};
+use assur_text::source::Span;
+use assur_text::units::Dimension;
+use std::f64::consts::PI;
+
+/// Enters all loads into the mechanism.
+pub(crate) fn loads(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::Load(l) = &statement.node
+            && let Some(load) = load(cx, l, statement.span)
+        {
+            cx.builder.mech.loads.push(load);
+        }
+    }
+}
+
+fn load(cx: &mut Context<'_>, load: &Load, span: Span) -> Option<model::Load> {
+    let kind = match &load.site {
+        Site::Pair(pair) => in_pair(cx, load, pair),
+        Site::Link { link, at } => match load.kind.node {
+            document::LoadKind::Force => force(cx, load, link, at.as_ref()),
+            document::LoadKind::Torque => torque(cx, load, link, at.as_ref()),
+        },
+    };
+    let when = match &load.when {
+        Some(when) => {
+            let truth = cx.truth(when, "the condition of a load");
+            truth.filter(|t| no_forces(cx, t, "the condition", when.span)).map(Some)
+        }
+        None => Some(None),
+    };
+    let name = load.name.as_ref().map(|n| n.node.clone());
+    Some(model::Load { name, span, kind: kind?, when: when? })
+}
+
+/// A value that hangs on no force.
+fn value(cx: &mut Context<'_>, load: &Load, vector: bool, dimension: Dimension) -> Option<Expr> {
+    let what = described(load);
+    let want = Want(dimension);
+    let source = &load.value.value;
+    let value = if vector { cx.vector(source, &want, &what)? } else { cx.scalar(source, &want, &what)? };
+    no_forces(cx, &value, &what, source.span).then_some(value)
+}
+
+fn described(load: &Load) -> String {
+    let word = kind_word(load.kind.node);
+    match &load.name {
+        Some(name) => format!("the {word} `{}`", name.node),
+        None => format!("the {word}"),
+    }
+}
+
+const fn kind_word(kind: document::LoadKind) -> &'static str {
+    match kind {
+        document::LoadKind::Force => "force",
+        document::LoadKind::Torque => "torque",
+    }
+}
+
+/// The pair of a slider on a rope, if the name is that of one.
+pub(crate) fn slider(cx: &Context<'_>, name: &Name) -> Option<PairId> {
+    let is_slider = cx.names.things.get(&name.node).is_some_and(|d| d.what == ThingKind::Slider);
+    cx.find_pair(&name.node).filter(|_| is_slider)
+}
+
+/// Reports a force on a shaft whose place is left open: it has no arm.
+pub(crate) fn of_open_shaft(cx: &mut Context<'_>, name: &Name, what: &str) -> Option<()> {
+    let Some(link) = cx.find_link(&name.node) else { return Some(()) };
+    let open = cx.builder.mech.pairs.iter().any(|p| match &p.kind {
+        PairKind::Revolute(pins) => {
+            p.bearing == Some(Bearing::Open) && pins.last().is_some_and(|pin| pin.link == link)
+        }
+        _ => false,
+    });
+    if !open {
+        return Some(());
+    }
+    let message = format!("the place of `{}` is left open: {what} on it has no arm", name.node);
+    form(cx, message, "write a torque, as in `torque on I = 10 N*m`, or hang the load on a rope", name.span);
+    None
+}
+
+/// A slider moves along one line: a force on it has no place and no direction, but a sign.
+fn on_slider(
+    cx: &mut Context<'_>,
+    load: &Load,
+    link: &Name,
+    at: Option<&document::Place>,
+) -> Option<LoadKind> {
+    let on = cx.link(link)?;
+    if let Some(sense) = &load.value.sense {
+        let message = "a force has no sense of turning".into();
+        form(cx, message, "write a minus before the value instead", sense.span);
+        return None;
+    }
+    if let Some(at) = at {
+        let span = match at {
+            document::Place::Point(name) => name.span,
+            document::Place::Ground(expr) => expr.span,
+        };
+        form(cx, "a slider moves along one line, wherever it is pulled".into(), "leave `at` out", span);
+        return None;
+    }
+    let source = &load.value.value;
+    if cx.is_vector(source)? {
+        let help = "write the part along its way: `100 N`, positive where the rope pays out";
+        form(cx, "a slider's direction is left open".into(), help, source.span);
+        return None;
+    }
+    let value = value(cx, load, false, Dimension::FORCE)?;
+    let at = Place::Local(assur_math::math::Vec2::zero());
+    if load.against_motion.is_some() {
+        return Some(LoadKind::ForceAgainstMotion { on, at, value });
+    }
+    let value = crate::values::fold::pair(value, Expr::number(0.0));
+    Some(LoadKind::Force { on, at, value, frame: None })
+}
+
+fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::Place>) -> Option<LoadKind> {
+    if slider(cx, link).is_some() {
+        return on_slider(cx, load, link, at);
+    }
+    of_open_shaft(cx, link, "a force")?;
+    let on = moving(cx, link, "a force");
+    let place = match at {
+        Some(at) => on.and_then(|on| place(cx, on, at)),
+        None => {
+            let example = example(cx, on, &link.node);
+            let name = load.name.as_ref().map_or_else(String::new, |n| format!("{} ", n.node));
+            let value = match written(&load.value.value) {
+                Some(value) if cx.is_vector(&load.value.value)? || load.against_motion.is_some() => value,
+                Some(value) => format!("{value} @ 270 deg"),
+                None => "1000 N @ 270 deg".into(),
+            };
+            no_place(cx, "a force", link, format!("force {name}on {example} = {value}"));
+            return None;
+        }
+    };
+    if let Some(sense) = &load.value.sense {
+        let message = "a force has no sense of turning".into();
+        form(cx, message, "give its direction: `1000 N @ 180 deg`", sense.span);
+        return None;
+    }
+    let Some(against) = load.against_motion else {
+        let value = force_value(cx, load, on);
+        let frame = frame(cx, load.frame.as_ref());
+        return Some(LoadKind::Force { on: on?, at: place?, value: value?, frame: frame? });
+    };
+    if cx.is_vector(&load.value.value)? {
+        let message = "`against motion` is a direction, and so is the value".into();
+        form(cx, message, "write a magnitude: `1400 N against motion`", load.value.value.span);
+        return None;
+    }
+    if let Some(frame) = &load.frame {
+        let message = "a force against the motion turns with no link".into();
+        form(cx, message, "leave `in` out", frame.span.to(against));
+        return None;
+    }
+    let value = value(cx, load, false, Dimension::FORCE);
+    Some(LoadKind::ForceAgainstMotion { on: on?, at: place?, value: value? })
+}
+
+/// The vector of a force; reports a magnitude that has no direction.
+fn force_value(cx: &mut Context<'_>, load: &Load, on: Option<LinkId>) -> Option<Expr> {
+    let source = &load.value.value;
+    if cx.is_vector(source)? {
+        return value(cx, load, true, Dimension::FORCE);
+    }
+    value(cx, load, false, Dimension::FORCE)?;
+    let message = format!("{} has no direction", described(load));
+    let help = directed(cx, source, on);
+    form(cx, message, &help, source.span);
+    None
+}
+
+/// A force with a direction: along the guide of its link, or down.
+fn directed(cx: &Context<'_>, source: &document::Expr, on: Option<LinkId>) -> String {
+    let value = written(source).unwrap_or_else(|| "1000 N".into());
+    let guide = cx.builder.mech.pairs.iter().find_map(|p| match &p.kind {
+        PairKind::Prismatic(g) if Some(g.slider) == on && g.guide == LinkId::GROUND => Some((p, g.along)),
+        _ => None,
+    });
+    let Some((pair, along)) = guide else {
+        return format!(
+            "write the direction after the value: `{value} @ 270 deg` is down; or write `(Fx, Fy)`"
+        );
+    };
+    let angle = along.angle();
+    let back = if angle > 0.0 { angle - PI } else { angle + PI };
+    let [along, back] = [angle, back].map(|a| format_value(a, Dimension::ANGLE));
+    let pair = &pair.name;
+    format!(
+        "write the direction: `{value} @ {along}` is along the guide `{pair}`, `{value} @ {back}` against it"
+    )
+}
+
+/// A torque has no place.
+pub(crate) fn whole_link(cx: &mut Context<'_>, at: Option<&document::Place>, line: &str) -> Option<()> {
+    let span = match at {
+        None => return Some(()),
+        Some(document::Place::Point(name)) => name.span,
+        Some(document::Place::Ground(expr)) => expr.span,
+    };
+    form(cx, "a torque acts on a whole link".into(), &format!("write it without a point: `{line}`"), span);
+    None
+}
+
+fn torque(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::Place>) -> Option<LoadKind> {
+    let on = moving(cx, link, "a torque");
+    let name = load.name.as_ref().map_or_else(String::new, |n| format!("{} ", n.node));
+    let line = format!("torque {name}on {} = {}", link.node, torque_text(load));
+    whole_link(cx, at, &line)?;
+    if let Some(frame) = &load.frame {
+        form(cx, "a torque has no direction in the plane".into(), "leave `in` out", frame.span);
+        return None;
+    }
+    let value = value(cx, load, false, Dimension::TORQUE);
+    if let (Some(_), Some(sense)) = (load.against_motion, &load.value.sense) {
+        let message = "the torque has two senses: that of `cw` or `ccw`, and `against motion`".into();
+        form(cx, message, "keep one of them", sense.span);
+        return None;
+    }
+    let value = turned(value?, load);
+    Some(LoadKind::Torque { on: on?, value, against_motion: load.against_motion.is_some() })
+}
+
+/// The value of a torque as written, with what comes after it.
+fn torque_text(load: &Load) -> String {
+    let value = written(&load.value.value).unwrap_or_else(|| "…".into());
+    let sense = match load.value.sense.as_ref().map(|s| s.node) {
+        Some(Turn::Cw) => " cw",
+        Some(Turn::Ccw) => " ccw",
+        None => "",
+    };
+    let against = if load.against_motion.is_some() { " against motion" } else { "" };
+    let when = if load.when.is_some() { " when …" } else { "" };
+    format!("{value}{sense}{against}{when}")
+}
+
+fn turned(value: Expr, load: &Load) -> Expr {
+    match &load.value.sense {
+        Some(sense) if sense.node == Turn::Cw => negated(value),
+        _ => value,
+    }
+}
+
+fn in_pair(cx: &mut Context<'_>, load: &Load, pair: &Name) -> Option<LoadKind> {
+    let pair = effort(
+        cx,
+        load.kind.node,
+        load.kind.span,
+        (&format!("{} … in {}", kind_word(load.kind.node), pair.node), pair),
+    );
+    if let Some(against) = load.against_motion {
+        let message = "a load in a pair acts along its coordinate".into();
+        form(cx, message, "write it on one of the two links, or give it a sign", against);
+        return None;
+    }
+    if let Some(frame) = &load.frame {
+        form(cx, "a load in a pair acts along its coordinate".into(), "leave `in` out", frame.span);
+        return None;
+    }
+    let (pair, moves) = pair?;
+    let dimension = if moves == Moves::Turning { Dimension::TORQUE } else { Dimension::FORCE };
+    let value = value(cx, load, false, dimension)?;
+    match &load.value.sense {
+        Some(sense) if moves != Moves::Turning => {
+            let message = "a force has no sense of turning".into();
+            form(cx, message, "write a minus before the value instead", sense.span);
+            None
+        }
+        _ => Some(LoadKind::InPair { pair, value: turned(value, load) }),
+    }
+}
+
+/// The pair in which an effort acts: a force where it slides, a torque where it turns.
+pub(crate) fn effort(
+    cx: &mut Context<'_>,
+    kind: document::LoadKind,
+    kind_span: Span,
+    (own, name): (&str, &Name),
+) -> Option<(PairId, Moves)> {
+    let (pair, moves) = coordinate(cx, name)?;
+    let fits = if moves == Moves::Turning { document::LoadKind::Torque } else { document::LoadKind::Force };
+    if fits == kind {
+        return Some((pair, moves));
+    }
+    let is = if moves == Moves::Turning { "a revolute pair" } else { "a pair that slides" };
+    cx.error(LoadError::WrongEffort {
+        pair: name.node.clone(),
+        is: is.into(),
+        fits: format!("a {}", kind_word(fits)),
+        given: format!("a {}", kind_word(kind)),
+        help: format!("write `{}`", own.replacen(kind_word(kind), kind_word(fits), 1)),
+        span: name.span,
+        kind: kind_span,
+    });
+    None
+}
+
+/// A link that loads can act on.
+pub(crate) fn moving(cx: &mut Context<'_>, name: &Name, what: &str) -> Option<LinkId> {
+    let link = cx.link(name)?;
+    on_moving(cx, link, name.span, what).map(|()| link)
+}
+
+/// Where on a link a force acts.
+pub(crate) fn place(cx: &mut Context<'_>, link: LinkId, at: &document::Place) -> Option<Place> {
+    match at {
+        document::Place::Point(name) => cx.point(link, name).map(Place::Local),
+        document::Place::Ground(expr) => {
+            let what = "the place of a force";
+            let place = cx.vector(expr, &Want::LENGTH, what)?;
+            no_forces(cx, &place, what, expr.span).then_some(Place::Ground(place))
+        }
+    }
+}
+
+/// The link whose axes a direction is given in. `Some(None)` where nothing is written.
+pub(crate) fn frame(cx: &mut Context<'_>, frame: Option<&Name>) -> Option<Option<LinkId>> {
+    match frame {
+        None => Some(None),
+        Some(name) => cx.link(name).map(|link| (link != LinkId::GROUND).then_some(link)),
+    }
+}
+
+/// Reports a force without a point.
+pub(crate) fn no_place(cx: &mut Context<'_>, what: &str, link: &Name, example: String) {
+    let (what, span) = (what.into(), link.span);
+    cx.error(LoadError::ForceWithoutPlace { what, link: link.node.clone(), example, span });
+}
+
+/// `LINK at POINT` with a point that the link has.
+pub(crate) fn example(cx: &Context<'_>, link: Option<LinkId>, name: &str) -> String {
+    let point = link.and_then(|link| cx.point_meant(link)).unwrap_or("S");
+    format!("{name} at {point}")
+}
+
+/// Reports words that do not belong together.
+pub(crate) fn form(cx: &mut Context<'_>, message: String, help: &str, span: Span) {
+    cx.error(LoadError::Form { message, help: help.into(), span });
+}
+
+/// Whether an expression hangs on no force that is yet to be found; reports one that does.
+fn no_forces(cx: &mut Context<'_>, expr: &Expr, what: &str, span: Span) -> bool {
+    let mut on = None;
+    behind::queries(&cx.builder.mech, expr, &mut |query| on = on.or(force_result(query)));
+    if let Some(on) = on {
+        cx.error(LoadError::DependsOnForces { what: what.into(), on: on.into(), span });
+    }
+    on.is_none()
+}
+
+/// What a result is called that is found from the loads.
+const fn force_result(query: &Query) -> Option<&'static str> {
+    match query {
+        Query::Reaction(..) => Some("a reaction"),
+        Query::Moment(..) => Some("a moment in a pair"),
+        Query::Normal(..) | Query::ContactForce(..) => Some("a normal force"),
+        Query::LineOffset(_) => Some("the place of a reaction"),
+        Query::Balance(_) => Some("an unknown load"),
+        Query::Effort(_) => Some("the effort of a drive"),
+        Query::BalancePower(_) | Query::LoadPower(_) | Query::EffortPower(_) | Query::FrictionPower(_) => {
+            Some("a power")
+        }
+        Query::Friction(..) => Some("a friction force"),
+        Query::Efficiency | Query::Locked => Some("the efficiency"),
+        Query::Critical(_) => Some("a critical value"),
+        Query::TangentialForce(_) | Query::ToothForce(_) => Some("a force between teeth"),
+        Query::Tension(..) => Some("the pull of a rope"),
+        Query::Flywheel(..) => Some("a flywheel"),
+        _ => None,
+    }
+}

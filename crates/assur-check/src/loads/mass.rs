@@ -1,0 +1,260 @@
+//! Masses of links.
+
+use crate::error::LinkError;
+use crate::expr::context::Context;
+use crate::expr::positive::{not_negative, positive};
+use crate::values::format_value::{format_value, format_value_like};
+use assur_math::math::Vec2;
+use assur_model::model::{LinkId, MassProperties, PairKind};
+use assur_syntax::document::{About, At, Body, Member, Statement};
+use assur_text::source::Span;
+use assur_text::units::Dimension;
+
+/// An inertia that is too small by less than this part is rounded.
+const ROUNDING: f64 = 1e-12;
+
+/// Gives all links their masses. Links, pairs and gravity must be known.
+pub(crate) fn masses(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    let turning = turning(cx);
+    let mut ground = false;
+    for statement in &doc.statements {
+        let (link, body) = match &statement.node {
+            Statement::Ground(g) if !std::mem::replace(&mut ground, true) => (Some(LinkId::GROUND), &g.body),
+            Statement::Link(l) => (cx.own_link(&l.name), &l.body),
+            // the mass of a shaft lies on its axis
+            Statement::Shaft(s) => (cx.own_link(&s.name), &s.body),
+            Statement::Slider(s) => (cx.own_link(&s.name), &s.body),
+            _ => continue,
+        };
+        if let Some(link) = link {
+            let element = !matches!(statement.node, Statement::Link(_) | Statement::Ground(_));
+            let turning = if element { Turning::No } else { turning[link.index()] };
+            let mass = mass(cx, link, body, turning);
+            cx.builder.mech.links[link.index()].mass = mass;
+        }
+    }
+}
+
+/// Whether a link can turn; unknown where nothing joins it or an error hides what does.
+#[derive(Clone, Copy)]
+enum Turning {
+    No,
+    Unknown,
+    /// It turns; the first pair on it that lets it.
+    Yes(Option<Span>),
+}
+
+/// A link that a chain of prismatic pairs joins with the ground keeps its angle; all others turn.
+fn turning(cx: &Context<'_>) -> Vec<Turning> {
+    let mut held = vec![false; cx.builder.mech.links.len()];
+    held[0] = true;
+    let slides = cx.builder.mech.pairs.iter().filter(|p| matches!(p.kind, PairKind::Prismatic(_)));
+    let slides = slides.map(|p| p.kind.links()).collect::<Vec<_>>();
+    loop {
+        let before = held.iter().filter(|h| **h).count();
+        for links in &slides {
+            if links.iter().any(|l| held[l.index()]) {
+                links.iter().for_each(|l| held[l.index()] = true);
+            }
+        }
+        if held.iter().filter(|h| **h).count() == before {
+            break;
+        }
+    }
+    let mut turning = vec![Turning::Unknown; held.len()];
+    if cx.pairs_complete() {
+        for pair in &cx.builder.mech.pairs {
+            let by = (!matches!(pair.kind, PairKind::Prismatic(_))).then_some(pair.span);
+            for link in pair.kind.links() {
+                let turns = &mut turning[link.index()];
+                let before = if let Turning::Yes(before) = turns { *before } else { None };
+                *turns = Turning::Yes(before.or(by));
+            }
+        }
+    }
+    let links = turning.into_iter().zip(held);
+    links.map(|(turning, held)| if held { Turning::No } else { turning }).collect()
+}
+
+/// A mass as stated, or as weight over gravity.
+struct Stated<'a> {
+    at: &'a At,
+    span: Span,
+    weight: bool,
+}
+
+fn mass(cx: &mut Context<'_>, link: LinkId, body: &Body, turning: Turning) -> Option<MassProperties> {
+    let (stated, inertia) = members(cx, link, body);
+    if stated.is_none() && inertia.is_none() {
+        return None;
+    }
+    if link == LinkId::GROUND {
+        let name = cx.builder.mech.link(link).name.clone();
+        for (what, span) in [("mass", stated.as_ref().map(|s| s.span)), ("inertia", inertia.map(|i| i.1))] {
+            if let Some(span) = span {
+                cx.error(LinkError::MassOnGround { link: name.clone(), what, span });
+            }
+        }
+    }
+    let (mass, centre) = match &stated {
+        Some(stated) => {
+            let mass = amount_of_mass(cx, link, stated);
+            let centre = centre(cx, link, stated, mass, turning);
+            (mass?, centre?)
+        }
+        None => (0.0, Vec2::zero()),
+    };
+    let about_centre = match (inertia, &stated) {
+        (Some((inertia, _)), stated) => steiner(cx, link, inertia, stated.as_ref(), mass, centre)?,
+        (None, Some(stated)) => {
+            // what cannot be read may be the inertia
+            let whole = !body.iter().any(|member| matches!(member.node, Member::Bad(_)));
+            if whole && matches!(turning, Turning::Yes(_)) && inertia_counts(cx) {
+                let link = cx.builder.mech.link(link).name.clone();
+                cx.error(LinkError::PointMass { link, span: stated.span });
+            }
+            0.0
+        }
+        (None, None) => 0.0,
+    };
+    Some(MassProperties { mass, centre, inertia: about_centre })
+}
+
+/// Whether the machine moves with a speed, so that inertia forces act.
+fn inertia_counts(cx: &Context<'_>) -> bool {
+    let statements = || cx.doc.statements.iter().map(|s| &s.node);
+    let moves = |s: &Statement| match s {
+        Statement::Drive(drive) => drive.rate.is_some(),
+        Statement::Simulate(_) => true,
+        _ => false,
+    };
+    statements().any(moves) && !statements().any(|s| matches!(s, Statement::Ignore(_)))
+}
+
+/// The mass and the inertia stated in a body; reports a second one of either.
+fn members<'a>(
+    cx: &mut Context<'_>,
+    link: LinkId,
+    body: &'a Body,
+) -> (Option<Stated<'a>>, Option<(&'a About, Span)>) {
+    let mut mass: Option<Stated<'a>> = None;
+    let mut inertia: Option<(&About, Span)> = None;
+    for member in body {
+        let span = member.span;
+        let (what, first) = match &member.node {
+            Member::Mass(at) | Member::Weight(at) => {
+                let weight = matches!(member.node, Member::Weight(_));
+                let first = mass.as_ref().map(|m| m.span);
+                mass = mass.or(Some(Stated { at, span, weight }));
+                ("mass", first)
+            }
+            Member::Inertia(about) => {
+                let first = inertia.map(|i| i.1);
+                inertia = inertia.or(Some((about, span)));
+                ("inertia", first)
+            }
+            _ => continue,
+        };
+        if let Some(first) = first {
+            let what = format!("the {what} of `{}`", cx.builder.mech.link(link).name);
+            cx.error(LinkError::StatedTwice { what, again: span, first });
+        }
+    }
+    (mass, inertia)
+}
+
+fn amount_of_mass(cx: &mut Context<'_>, link: LinkId, stated: &Stated<'_>) -> Option<f64> {
+    let name = cx.builder.mech.link(link).name.clone();
+    if !stated.weight {
+        return positive(cx, &stated.at.value, Dimension::MASS, &format!("the mass of `{name}`"));
+    }
+    let weight = positive(cx, &stated.at.value, Dimension::FORCE, &format!("the weight of `{name}`"))?;
+    if let Some(gravity) = cx.builder.mech.gravity {
+        let g = gravity.acceleration;
+        return Some(weight / libm::hypot(g.x, g.y));
+    }
+    let declared = cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Gravity(_)));
+    let mut first = || cx.problems.reported.insert(("gravity", "of a weight".to_owned()));
+    if !declared && !cx.names.bad.contains("gravity") && first() {
+        let weight = format_value_like(&cx.names, weight, Dimension::FORCE, &stated.at.value);
+        cx.error(LinkError::WeightWithoutGravity { link: name, weight, span: stated.span });
+    }
+    None
+}
+
+/// Where the mass sits; on a link that cannot turn this is of no account.
+fn centre(
+    cx: &mut Context<'_>,
+    link: LinkId,
+    stated: &Stated<'_>,
+    mass: Option<f64>,
+    turning: Turning,
+) -> Option<Vec2> {
+    if let Some(at) = &stated.at.at {
+        return cx.point(link, at);
+    }
+    let pair = match turning {
+        Turning::No => return Some(Vec2::zero()),
+        Turning::Unknown => return None,
+        Turning::Yes(pair) => pair,
+    };
+    let value = &stated.at.value;
+    let member = match cx.builder.mech.gravity {
+        Some(gravity) if stated.weight => {
+            let g = gravity.acceleration.norm();
+            format!("weight {}", format_value_like(&cx.names, mass? * g, Dimension::FORCE, value))
+        }
+        _ => format!("mass {}", format_value_like(&cx.names, mass?, Dimension::MASS, value)),
+    };
+    let point = cx.point_meant(link).map(str::to_owned);
+    let error = LinkError::MassWithoutPlace {
+        link: cx.builder.mech.link(link).name.clone(),
+        member,
+        point: point.unwrap_or_else(|| "S".into()),
+        span: stated.span,
+        pair,
+    };
+    cx.error(error);
+    None
+}
+
+/// The moment of inertia about the mass centre: J_S = J_P − m d² (Huygens and Steiner).
+fn steiner(
+    cx: &mut Context<'_>,
+    link: LinkId,
+    stated: &About,
+    mass_stated: Option<&Stated<'_>>,
+    mass: f64,
+    centre: Vec2,
+) -> Option<f64> {
+    let what = format!("the inertia of `{}`", cx.builder.mech.link(link).name);
+    let inertia = not_negative(cx, &stated.value, Dimension::INERTIA, &what);
+    let about = match &stated.about {
+        Some(point) => cx.point(link, point).map(Some),
+        None => Some(None),
+    };
+    let (inertia, about) = (inertia?, about?);
+    let (Some(point), Some(name), Some(mass_stated)) = (about, &stated.about, mass_stated) else {
+        return Some(inertia);
+    };
+    let arm = point - centre;
+    let least = mass * arm.dot(arm);
+    let left = inertia - least;
+    if left >= 0.0 || -left <= ROUNDING * least {
+        return Some(left.max(0.0));
+    }
+    let told_inertia = |x| format_value_like(&cx.names, x, Dimension::INERTIA, &stated.value);
+    let error = LinkError::InertiaTooSmall {
+        point: name.node.clone(),
+        inertia: told_inertia(inertia),
+        mass: format_value(mass, Dimension::MASS),
+        distance: format_value(arm.norm(), Dimension::LENGTH),
+        least: told_inertia(least),
+        left: told_inertia(left),
+        span: stated.value.span,
+        mass_span: mass_stated.span,
+    };
+    cx.error(error);
+    None
+}

@@ -1,0 +1,7 @@
+//! What acts on the machine: weights, forces, unknown efforts.
+
+pub mod balance;
+pub mod gravity;
+pub mod load;
+pub mod load_cycle;
+pub mod mass;

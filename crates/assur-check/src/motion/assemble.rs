@@ -1,0 +1,153 @@
+//! Which of the possible poses is meant.
+
+use crate::error::MotionError;
+use crate::expr::context::Context;
+use crate::expr::want::Want;
+use crate::links::lookup::{is_linkage_pair, place_of_pair};
+use crate::motion::drive::coordinate;
+use crate::names::declared::ThingKind;
+use crate::statements::lines::text;
+use assur_model::model;
+use assur_model::model::{Hint, HintKind, LinkPoint, PairId, PairKind, Positions};
+use assur_syntax::document::{AssembleClause, CompareOp, Expr, Order, Path, Side, Statement};
+
+/// Enters all clauses of `assemble` into the mechanism.
+pub(crate) fn hints(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        let Statement::Assemble(assemble) = &statement.node else { continue };
+        for clause in &assemble.clauses {
+            if let Some(kind) = hint(cx, &clause.node) {
+                cx.builder.mech.hints.push(Hint { span: clause.span, kind });
+            }
+        }
+    }
+    near_with_dead(cx);
+}
+
+/// `near` holds for the first pose, which is not known where the drive begins at a dead position: that is found from the
+/// assembly.
+fn near_with_dead(cx: &mut Context<'_>) {
+    let near = cx.builder.mech.hints.iter().filter(|h| matches!(h.kind, HintKind::Near { .. }));
+    let near = near.map(|h| h.span).collect::<Vec<_>>();
+    let dead = cx.builder.mech.drives.iter().find(|d| {
+        let mut found = false;
+        let mut look = |e: &model::Expr| e.queries(&mut |_| found = true);
+        match &d.positions {
+            Positions::None => {}
+            Positions::List(values) => values.iter().for_each(look),
+            Positions::Range { from, to, .. } => [from, to].into_iter().for_each(&mut look),
+        }
+        found
+    });
+    let Some((drive, drive_span)) = dead.map(|d| (d.name.clone(), d.span)) else { return };
+    for span in near {
+        cx.error(MotionError::NearWithDead { drive: drive.clone(), span, drive_span });
+    }
+}
+
+fn hint(cx: &mut Context<'_>, clause: &AssembleClause) -> Option<HintKind> {
+    match clause {
+        AssembleClause::Near { what, at } => {
+            let point = point(cx, what);
+            let place = cx.vector_constant(at, &Want::LENGTH, "the place behind `near`");
+            Some(HintKind::Near { point: point?, place: place? })
+        }
+        AssembleClause::Side { what, side, from, to } => {
+            let points = (point(cx, what), point(cx, from), point(cx, to));
+            let (point, start, end) = (points.0?, points.1?, points.2?);
+            if start == end || cx.builder.joined_with(start).contains(&end) {
+                let span = from.span().to(to.span());
+                cx.error(MotionError::NoDirection { name: text(from), span });
+                return None;
+            }
+            Some(HintKind::Side { point, from: start, to: end, left: side.node == Side::Left })
+        }
+        AssembleClause::Order { what, order, than } => {
+            let (first, other) = (point(cx, what), point(cx, than));
+            let (point, other) = (first?, other?);
+            let pair = guide(cx, what, than, order.node, point, other)?;
+            Some(HintKind::Along { point, other, pair, ahead: order.node == Order::Ahead })
+        }
+        AssembleClause::Sign { what, op, bound } => sign(cx, what, op.node, bound),
+    }
+}
+
+fn sign(cx: &mut Context<'_>, what: &Path, op: CompareOp, bound: &Expr) -> Option<HintKind> {
+    if what.tail.is_some() {
+        cx.error(MotionError::NoCoordinate {
+            name: text(what),
+            is: "a point".into(),
+            help: "compare a pair: `s > 0`; for a point write `near`, `left of` or `ahead of`".into(),
+            span: what.span(),
+        });
+        return None;
+    }
+    let (pair, moves) = coordinate(cx, &what.head)?;
+    let name = format!("the bound of `{}`", what.head.node);
+    let bound = cx.scalar_constant(bound, &Want(moves.dimension(0)), &name)?;
+    let greater = matches!(op, CompareOp::Greater | CompareOp::GreaterOrEqual);
+    Some(HintKind::Coordinate { pair, bound, greater })
+}
+
+/// `L.P`, a pair's pin or named point, or a point name shared by links that are joined there.
+fn point(cx: &mut Context<'_>, path: &Path) -> Option<LinkPoint> {
+    let head = &path.head;
+    if let Some(tail) = &path.tail {
+        let link = cx.link(head)?;
+        return cx.point(link, tail).map(|at| (link, at));
+    }
+    let is_pair = |kind| matches!(kind, ThingKind::Joint(kind) if is_linkage_pair(kind));
+    if !cx.names.things.get(&head.node).is_some_and(|d| is_pair(d.what)) {
+        return cx.point_of_shared_name(head);
+    }
+    let pair = cx.pair(head)?;
+    let kind = &cx.builder.mech.pair(pair).kind;
+    let place = place_of_pair(kind);
+    if place.is_none() {
+        let is = if matches!(kind, PairKind::Cylinder { .. }) { "a cylinder" } else { "a contact" };
+        let link = kind.links().last().map(|l| cx.builder.mech.link(*l));
+        let point = link.and_then(|l| l.points.first().map(|p| format!("{}.{}", l.name, p.name)));
+        let example = point.unwrap_or_else(|| "rod.C".into());
+        let (name, is, span) = (head.node.clone(), is.into(), head.span);
+        cx.error(MotionError::NoSinglePoint { name, is, example, span });
+    }
+    place
+}
+
+/// The prismatic pair on whose guide a point slides; of the point itself, or else of its link.
+fn guide(
+    cx: &mut Context<'_>,
+    what: &Path,
+    than: &Path,
+    order: Order,
+    point: LinkPoint,
+    other: LinkPoint,
+) -> Option<PairId> {
+    if let Some(pair) = slides(cx, point) {
+        return Some(pair);
+    }
+    if !cx.pairs_complete() {
+        return None;
+    }
+    let help = match (slides(cx, other), order) {
+        (Some(_), Order::Ahead) => format!("turn it round: `{} behind {}`", text(than), text(what)),
+        (Some(_), Order::Behind) => format!("turn it round: `{} ahead of {}`", text(than), text(what)),
+        _ => format!("write `{0} left of …`, or where it is: `{0} near (100 mm, 0)`", text(what)),
+    };
+    cx.error(MotionError::NoGuide { point: text(what), help, span: what.span() });
+    None
+}
+
+fn slides(cx: &Context<'_>, point: LinkPoint) -> Option<PairId> {
+    let joined = cx.builder.joined_with(point);
+    let guides = || {
+        cx.builder.mech.pairs.iter().enumerate().filter_map(|(i, p)| match &p.kind {
+            PairKind::Prismatic(guide) => Some((PairId::at(i), guide)),
+            _ => None,
+        })
+    };
+    let on_point = guides().find(|(_, g)| joined.contains(&(g.slider, g.point)));
+    let on_link = || guides().find(|(_, g)| joined.iter().any(|j| j.0 == g.slider));
+    on_point.or_else(on_link).map(|(pair, _)| pair)
+}

@@ -1,0 +1,346 @@
+//! Drives.
+
+use crate::error::{LinkError, MotionError};
+use crate::expr::context::Context;
+use crate::expr::want::Want;
+use crate::links::lookup::is_linkage_pair;
+use crate::names::declared::ThingKind;
+use crate::pairs::pair::link_point;
+use crate::statements::lines::text;
+use crate::values::format_value::{digits, format_value};
+use assur_model::model;
+use assur_model::model::{BinaryOp, DriveTarget, Expr, LinkId, PairId, PairKind, Positions, Value};
+use assur_syntax::document::{
+    Course, Direction, Drive, DrivePosition, Name, Path, Sensed, Statement, Turn, Way,
+};
+use assur_text::source::{Span, Spanned};
+use assur_text::units::Dimension;
+use std::f64::consts::TAU;
+
+/// The most steps a drive may take.
+const MOST_STEPS: usize = 1_000_000;
+/// What a range may miss a whole turn by, rad.
+const WHOLE_TURN: f64 = 1e-9;
+
+/// How a driven thing moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Moves {
+    /// By an angle.
+    Turning,
+    /// By a length.
+    Sliding,
+    /// By a vector.
+    Freely,
+}
+
+impl Moves {
+    /// The dimension of position (0), speed (1) or acceleration (2).
+    pub(crate) const fn dimension(self, order: usize) -> Dimension {
+        match (self, order) {
+            (Self::Turning, 0) => Dimension::ANGLE,
+            (Self::Turning, 1) => Dimension::ANGULAR_VELOCITY,
+            (Self::Turning, _) => Dimension::ANGULAR_ACCELERATION,
+            (_, 0) => Dimension::LENGTH,
+            (_, 1) => Dimension::VELOCITY,
+            _ => Dimension::ACCELERATION,
+        }
+    }
+}
+
+/// Enters all drives into the mechanism.
+pub(crate) fn drives(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::Drive(d) = &statement.node
+            && let Some(drive) = drive(cx, d, statement.span)
+        {
+            cx.builder.mech.drives.push(drive);
+        }
+    }
+    same_count(cx);
+}
+
+fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive> {
+    let (target, moves) = target(cx, &drive.target, "a drive")?;
+    let name = text(&drive.target);
+    if crate::motion::drive_kind::is_other(cx, drive, (target, moves), &name) {
+        return None;
+    }
+    let once = target.is_none_or(|target| once(cx, target, &name, span));
+    let positions = positions(cx, drive, moves, &name);
+    let speed = rate(cx, drive.rate.as_ref(), moves, 1, &name);
+    let acceleration = rate(cx, drive.acceleration.as_ref(), moves, 2, &name);
+    let sense = sense(cx, drive, moves);
+    if let (None, Some(acceleration)) = (&drive.rate, &drive.acceleration) {
+        let zero = zero(moves, 1);
+        cx.error(MotionError::AccelerationWithoutSpeed { name, zero, span: acceleration.value.span });
+        return None;
+    }
+    let (positions, speed, acceleration, sense) = (positions?, speed?, acceleration?, sense?);
+    if matches!(positions, Positions::None) && !has_wheels(cx) {
+        let example = match moves {
+            Moves::Turning => "45 deg",
+            Moves::Sliding => "100 mm",
+            Moves::Freely => "(200 mm, 300 mm)",
+        };
+        cx.error(MotionError::WithoutPosition { name, example: example.into(), span });
+        return None;
+    }
+    let target = target?;
+    let written = crate::motion::drive_kind::written_position(drive);
+    once.then_some(model::Drive { name, span, target, positions, written, speed, acceleration, sense })
+}
+
+/// Zero, as position (0) or speed (1).
+pub(crate) fn zero(moves: Moves, order: usize) -> String {
+    if moves == Moves::Freely { "(0, 0)".into() } else { format_value(0.0, moves.dimension(order)) }
+}
+
+/// What is driven, and how it moves; no target where a slider has an error.
+pub(crate) fn target(cx: &mut Context<'_>, path: &Path, what: &str) -> Option<(Option<DriveTarget>, Moves)> {
+    if path.tail.is_some() {
+        let (link, at) = link_point(cx, path, what)?;
+        on_moving(cx, link, path.span(), what)?;
+        return Some((Some(DriveTarget::Point(link, at)), Moves::Freely));
+    }
+    let name = &path.head;
+    match cx.names.things.get(&name.node).map(|d| d.what) {
+        Some(ThingKind::Slider) => Some((cx.find_pair(&name.node).map(DriveTarget::Pair), Moves::Sliding)),
+        Some(ThingKind::Joint(kind)) if is_linkage_pair(kind) => {
+            let (pair, moves) = coordinate(cx, name)?;
+            Some((Some(DriveTarget::Pair(pair)), moves))
+        }
+        _ if cx.find_link(&name.node).is_some() => {
+            let link = cx.link(name)?;
+            on_moving(cx, link, name.span, what)?;
+            Some((Some(DriveTarget::Link(link)), Moves::Turning))
+        }
+        _ => {
+            cx.no_thing(name, "link or pair", "a link or a pair", |kind| match kind {
+                ThingKind::Joint(kind) => is_linkage_pair(kind),
+                kind => matches!(kind, ThingKind::Link | ThingKind::Shaft | ThingKind::Slider),
+            });
+            None
+        }
+    }
+}
+
+/// Whether the file has wheels, shafts or ropes, whose rates are found without positions.
+fn has_wheels(cx: &Context<'_>) -> bool {
+    let kinds = cx.names.things.values().map(|d| d.what);
+    kinds.into_iter().any(|kind| match kind {
+        ThingKind::Joint(kind) => !is_linkage_pair(kind),
+        kind => matches!(kind, ThingKind::Wheel | ThingKind::Shaft | ThingKind::Slider),
+    })
+}
+
+/// Reports what stands on the ground.
+pub(crate) fn on_moving(cx: &mut Context<'_>, link: LinkId, span: Span, what: &str) -> Option<()> {
+    if link != LinkId::GROUND {
+        return Some(());
+    }
+    cx.error(MotionError::OnGround { what: what.into(), span });
+    None
+}
+
+/// A pair with a coordinate, and how that changes. Reports a pair that has none.
+pub(crate) fn coordinate(cx: &mut Context<'_>, name: &Name) -> Option<(PairId, Moves)> {
+    let pair = cx.pair(name)?;
+    let (is, help) = match &cx.builder.mech.pair(pair).kind {
+        PairKind::Revolute(pins) if pins.len() == 2 => return Some((pair, Moves::Turning)),
+        PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => {
+            return Some((pair, Moves::Sliding));
+        }
+        PairKind::Revolute(pins) => {
+            let links = pins.iter().map(|p| p.link).filter(|l| *l != LinkId::GROUND);
+            let links = links.map(|l| format!("`{}`", cx.builder.mech.link(l).name));
+            let links = links.collect::<Vec<_>>().join(", ");
+            (format!("one pin in {} links", pins.len()), format!("name one of the links {links}"))
+        }
+        PairKind::Contact { .. } => ("a contact".into(), "name one of the two links".into()),
+        PairKind::Transmission(t) => (t.kind.phrase().into(), "name one of the shafts or sliders".into()),
+    };
+    cx.error(MotionError::NoCoordinate { name: name.node.clone(), is, help, span: name.span });
+    None
+}
+
+/// How the target of a drive moves.
+pub(crate) fn moves(cx: &Context<'_>, target: DriveTarget) -> Moves {
+    match target {
+        DriveTarget::Link(_) => Moves::Turning,
+        DriveTarget::Point(..) => Moves::Freely,
+        DriveTarget::Pair(pair) => match cx.builder.mech.pair(pair).kind {
+            PairKind::Revolute(_) => Moves::Turning,
+            _ => Moves::Sliding,
+        },
+    }
+}
+
+fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, span: Span) -> bool {
+    let Some(first) = cx.builder.mech.drives.iter().find(|d| d.target == target).map(|d| d.span) else {
+        return true;
+    };
+    cx.error(MotionError::DrivenTwice { name: name.into(), again: span, first });
+    false
+}
+
+fn positions(cx: &mut Context<'_>, drive: &Drive, moves: Moves, name: &str) -> Option<Positions> {
+    match &drive.position {
+        None => Some(Positions::None),
+        Some(DrivePosition::Values(values)) => {
+            let values = values.iter().map(|v| value(cx, v, moves, 0, name)).collect::<Vec<_>>();
+            values.into_iter().collect::<Option<Vec<_>>>().map(Positions::List)
+        }
+        Some(DrivePosition::Range(course)) => range(cx, course, moves, name),
+    }
+}
+
+fn range(cx: &mut Context<'_>, course: &Course, moves: Moves, name: &str) -> Option<Positions> {
+    let what = format!("the position of `{name}`");
+    let from = plain(cx, &course.from, moves, 0, &what);
+    let to = plain(cx, &course.to, moves, 0, &what);
+    let steps = cx.scalar_constant(&course.steps, &Want::NUMBER, "the number of steps")?;
+    #[allow(clippy::cast_precision_loss)] // a million is exact
+    let whole = steps.fract() == 0.0 && (1.0..=MOST_STEPS as f64).contains(&steps);
+    if !whole {
+        let value = digits(steps);
+        cx.error(MotionError::Steps { value, most: MOST_STEPS, span: course.steps.span });
+        return None;
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, from 1 to a million
+    Some(Positions::Range { from: from?, to: to?, steps: steps as usize })
+}
+
+/// A value with the sense behind it. `order` 0 is a position, 1 a speed, 2 an acceleration.
+pub(crate) fn value(
+    cx: &mut Context<'_>,
+    sensed: &Sensed,
+    moves: Moves,
+    order: usize,
+    name: &str,
+) -> Option<Expr> {
+    let what = format!("the {} of `{name}`", ["position", "speed", "acceleration"][order.min(2)]);
+    let value = plain(cx, &sensed.value, moves, order, &what);
+    let Some(sense) = &sensed.sense else { return value };
+    if moves == Moves::Turning {
+        return value.map(|v| if sense.node == Turn::Cw { negated(v) } else { v });
+    }
+    wrong_turn(cx, sense, name);
+    None
+}
+
+fn plain(
+    cx: &mut Context<'_>,
+    value: &assur_syntax::document::Expr,
+    moves: Moves,
+    order: usize,
+    what: &str,
+) -> Option<Expr> {
+    let want = Want(moves.dimension(order));
+    match moves {
+        Moves::Freely => cx.poseless_vector(value, &want, what),
+        _ => cx.poseless_scalar(value, &want, what),
+    }
+}
+
+/// Minus; of a constant at once.
+pub(crate) fn negated(expr: Expr) -> Expr {
+    match expr {
+        Expr::Constant(Value::Scalar(x)) => Expr::number(-x),
+        other => Expr::Negate(Box::new(other)),
+    }
+}
+
+fn wrong_turn(cx: &mut Context<'_>, sense: &Spanned<Turn>, name: &str) {
+    cx.error(MotionError::WrongSense {
+        message: format!("`{name}` does not turn, so it has no sense of turning"),
+        help: "write a minus before the value instead".into(),
+        span: sense.span,
+    });
+}
+
+/// `Some(None)` where nothing is written.
+fn rate(
+    cx: &mut Context<'_>,
+    rate: Option<&Sensed>,
+    moves: Moves,
+    order: usize,
+    name: &str,
+) -> Option<Option<Expr>> {
+    match rate {
+        None => Some(None),
+        Some(rate) => value(cx, rate, moves, order, name).map(Some),
+    }
+}
+
+/// The sense of a drive without speed, +1 or −1. `Some(None)` where nothing is written.
+fn sense(cx: &mut Context<'_>, drive: &Drive, moves: Moves) -> Option<Option<f64>> {
+    let Some(direction) = &drive.direction else { return Some(None) };
+    let name = text(&drive.target);
+    let (message, help) = match (direction.node, moves) {
+        _ if drive.rate.is_some() => (
+            format!("the speed of `{name}` says which way it goes"),
+            "the sense is that of the speed, `cw` behind it makes it negative: `at 1500 rpm cw`",
+        ),
+        (Direction::Turning(turn), Moves::Turning) => {
+            return Some(Some(if turn == Turn::Ccw { 1.0 } else { -1.0 }));
+        }
+        (Direction::Moving(way), Moves::Sliding) => {
+            return Some(Some(if way == Way::Forward { 1.0 } else { -1.0 }));
+        }
+        (_, Moves::Turning) => (format!("`{name}` turns"), "write `turning ccw` or `turning cw`"),
+        (_, Moves::Sliding) => (format!("`{name}` slides"), "write `moving forward` or `moving back`"),
+        (_, Moves::Freely) => {
+            (format!("`{name}` is a point"), "give its velocity as a vector: `at (1 m/s, 0)`")
+        }
+    };
+    cx.error(MotionError::WrongSense { message, help: help.into(), span: direction.span });
+    None
+}
+
+/// How many positions a drive goes through, where that is known before anything is solved. Over a whole turn of a drive
+/// that turns the last position of a range is the first again, and is left out.
+pub(crate) fn count(positions: &Positions, moves: Moves) -> Option<usize> {
+    match positions {
+        Positions::None => Some(1),
+        Positions::List(values) => Some(values.len()),
+        Positions::Range { from, to, steps } => {
+            if moves != Moves::Turning {
+                return Some(steps + 1);
+            }
+            let turns = difference(from, to)? / TAU;
+            let whole = turns.round() != 0.0 && (turns - turns.round()).abs() * TAU <= WHOLE_TURN;
+            Some(if whole { *steps } else { steps + 1 })
+        }
+    }
+}
+
+/// `to − from` where it is a number.
+fn difference(from: &Expr, to: &Expr) -> Option<f64> {
+    let number = |e: &Expr| if let Expr::Constant(Value::Scalar(x)) = e { Some(*x) } else { None };
+    match to {
+        Expr::Binary(BinaryOp::Add, a, b) if **a == *from => number(b),
+        Expr::Binary(BinaryOp::Sub, a, b) if **a == *from => number(b).map(|x| -x),
+        _ => Some(number(to)? - number(from)?),
+    }
+}
+
+/// Drives that go through several positions go through equally many.
+fn same_count(cx: &mut Context<'_>) {
+    let counted = cx.builder.mech.drives.iter().filter_map(|d| {
+        let count = count(&d.positions, moves(cx, d.target))?;
+        (count > 1).then_some((count, d.span))
+    });
+    let counted = counted.collect::<Vec<_>>();
+    let Some(&(first_count, first)) = counted.first() else { return };
+    for &(count, span) in &counted[1..] {
+        if count != first_count {
+            cx.error(MotionError::PositionsDiffer { first_count, count, first, span });
+        }
+    }
+}
+
+/// Reports a second value for one thing.
+pub(crate) fn stated_twice(cx: &mut Context<'_>, name: &str, again: Span, first: Span) {
+    cx.error(LinkError::StatedTwice { what: format!("`{name}`"), again, first });
+}

@@ -1,0 +1,86 @@
+//! A drive by a length of what turns, or by an angle of what slides.
+
+use crate::error::UnitsError;
+use crate::expr::context::Context;
+use crate::motion::drive::Moves;
+use crate::statements::written::written;
+use crate::values::typed::phrase;
+use assur_model::model::{DriveTarget, LinkId, PairKind};
+use assur_syntax::document::{Drive, DrivePosition, Expr, Sensed};
+use assur_text::units::Dimension;
+
+/// Whether the positions are of the other kind; reported once, for position, speed and acceleration.
+pub(crate) fn is_other(
+    cx: &mut Context<'_>,
+    drive: &Drive,
+    (target, moves): (Option<DriveTarget>, Moves),
+    name: &str,
+) -> bool {
+    let Some(first) = first(drive) else { return false };
+    let Some(found) = cx.quietly(|cx| cx.read(first)).map(|t| t.ty.dimension()) else { return false };
+    let want = moves.dimension(0);
+    let help = match moves {
+        Moves::Turning if found == Dimension::LENGTH => by_pair(cx, drive, target)
+            .or_else(|| cx.same_number(want, first).map(|text| format!("write `{text}`"))),
+        Moves::Sliding if found == Dimension::ANGLE => {
+            let (unit, rate) =
+                (cx.values.usual_unit(Dimension::LENGTH), cx.values.usual_unit(Dimension::VELOCITY));
+            Some(format!("`{name}` slides: write its position in {unit}, and its speed in {rate}"))
+        }
+        _ => return false,
+    };
+    let what = format!("the position of `{name}`");
+    let (want, found, span) = (phrase(want), phrase(found), first.span);
+    cx.error(UnitsError::Mismatch { what, want, found, span, help });
+    true
+}
+
+fn first(drive: &Drive) -> Option<&Expr> {
+    match drive.position.as_ref()? {
+        DrivePosition::Values(values) => values.first().map(|v| &v.value),
+        DrivePosition::Range(course) => Some(&course.from),
+    }
+}
+
+/// The same drive of a pair in which the link slides.
+fn by_pair(cx: &Context<'_>, drive: &Drive, target: Option<DriveTarget>) -> Option<String> {
+    let Some(DriveTarget::Link(link)) = target else { return None };
+    let slides = |kind: &PairKind, link: LinkId| match kind {
+        PairKind::Prismatic(g) | PairKind::Slot(g) => g.slider == link || g.guide == link,
+        PairKind::Cylinder { from, to, .. } => from.link == link || to.link == link,
+        _ => false,
+    };
+    let pairs = cx.builder.mech.pairs.iter().filter(|p| slides(&p.kind, link));
+    let lines = pairs.filter_map(|p| Some(format!("`{}`", retargeted(drive, &p.name)?))).collect::<Vec<_>>();
+    (!lines.is_empty()).then(|| format!("drive the pair: {}", lines.join(" or ")))
+}
+
+/// The drive's statement with another target.
+fn retargeted(drive: &Drive, name: &str) -> Option<String> {
+    let position = written_position(drive)?;
+    let mut line = format!("drive {name} = {position}");
+    for (word, rate) in [("at", &drive.rate), ("accelerating", &drive.acceleration)] {
+        if let Some(rate) = rate {
+            line.push_str(&format!(" {word} {}", value(rate)?));
+        }
+    }
+    Some(line)
+}
+
+/// The positions as written: `0 deg .. 360 deg in 12 steps`.
+pub(crate) fn written_position(drive: &Drive) -> Option<String> {
+    match drive.position.as_ref()? {
+        DrivePosition::Values(values) => {
+            Some(values.iter().map(value).collect::<Option<Vec<_>>>()?.join(", "))
+        }
+        DrivePosition::Range(course) => {
+            let [from, to, steps] = [&course.from, &course.to, &course.steps].map(written);
+            Some(format!("{} .. {} in {} steps", from?, to?, steps?))
+        }
+    }
+}
+
+/// A value without a sense.
+fn value(v: &Sensed) -> Option<String> {
+    if v.sense.is_some() { None } else { written(&v.value) }
+}

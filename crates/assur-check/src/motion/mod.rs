@@ -1,0 +1,8 @@
+//! How the machine moves: drives, poses, the assembly that is meant.
+
+pub mod assemble;
+pub mod drive;
+pub mod drive_kind;
+pub mod no_motion;
+pub mod pose;
+pub mod simulation;

@@ -1,0 +1,141 @@
+//! Declared names: what they are and where.
+
+use assur_model::model::{BalanceId, Link, LinkId, LoadId, Mechanism, PairId};
+use assur_syntax::document::{Balance, Column, Expr, FindItem, JointKind, Load};
+use assur_text::source::Span;
+use indexmap::{IndexMap, IndexSet};
+
+/// A declared name: what it is and where.
+#[derive(Clone, Debug)]
+pub struct Declared<T> {
+    /// What it is.
+    pub what: T,
+    /// Where the name stands.
+    pub span: Span,
+}
+
+/// What a quantity's name stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum QuantityKind<'a> {
+    /// `given NAME = …`
+    Given(&'a Expr),
+    /// `let NAME = …`
+    Let(&'a Expr),
+    /// `find NAME = …`
+    Find(&'a FindItem),
+    /// A force or torque, and its place among the loads of the file.
+    Load(LoadId, &'a Load),
+    /// An unknown effort, and its place among the balances of the file.
+    Balance(BalanceId, &'a Balance),
+    /// A flywheel, the moment of inertia found: its place among the flywheels of the file.
+    Flywheel(usize),
+    /// A column of variants that no `given` declares: for an `expect`.
+    Column(&'a Column),
+}
+
+impl QuantityKind<'_> {
+    /// What it is called, with its article.
+    pub const fn phrase(self) -> &'static str {
+        match self {
+            Self::Given(_) => "a `given`",
+            Self::Let(_) => "a `let`",
+            Self::Find(_) => "what is to be found",
+            Self::Load(..) => "a load",
+            Self::Balance(..) => "an unknown effort",
+            Self::Flywheel(_) => "a flywheel",
+            Self::Column(_) => "a column of variants",
+        }
+    }
+}
+
+/// What a thing's name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ThingKind {
+    /// A link.
+    Link,
+    /// A pair or a transmission.
+    Joint(JointKind),
+    /// An asserted group.
+    Group,
+    /// A spring.
+    Spring,
+    /// A cam.
+    Cam,
+    /// A shaft.
+    Shaft,
+    /// A slider on a rope.
+    Slider,
+    /// A wheel.
+    Wheel,
+    /// An idler of a rope, declared by `over(C)`.
+    Idler,
+}
+
+impl ThingKind {
+    /// What it is called, with its article.
+    #[must_use]
+    pub fn phrase(self) -> String {
+        match self {
+            Self::Link => "a link".into(),
+            Self::Joint(JointKind::Revolute | JointKind::Prismatic) => "a pair".into(),
+            Self::Joint(kind) => format!("a {}", kind.word()),
+            Self::Group => "a group".into(),
+            Self::Spring => "a spring".into(),
+            Self::Cam => "a cam".into(),
+            Self::Shaft => "a shaft".into(),
+            Self::Slider => "a slider".into(),
+            Self::Wheel => "a wheel".into(),
+            Self::Idler => "an idler".into(),
+        }
+    }
+}
+
+/// Names inside one link.
+#[derive(Clone, Debug, Default)]
+pub struct Inside {
+    /// Points, in the order written.
+    pub points: IndexMap<String, Span>,
+    /// Lines.
+    pub lines: IndexMap<String, Span>,
+    /// Circles and cam profiles.
+    pub circles: IndexMap<String, Span>,
+    /// Names that stand in members that could not be read.
+    pub bad: IndexSet<String>,
+}
+
+/// All declared names.
+#[derive(Debug, Default)]
+pub struct Names<'a> {
+    /// given, let, loads, balances, flywheels, `find NAME =`.
+    pub quantities: IndexMap<String, Declared<QuantityKind<'a>>>,
+    /// Links, pairs, groups, elements.
+    pub things: IndexMap<String, Declared<ThingKind>>,
+    /// The id of each link: of the ground, of those declared, and of those that pairs add.
+    pub links: IndexMap<String, LinkId>,
+    /// The id of each pair that is in the mechanism.
+    pub pairs: IndexMap<String, PairId>,
+    /// Numbers of links.
+    pub numbers: IndexMap<String, Span>,
+    /// What belongs to each link, by its id.
+    pub inside: Vec<Inside>,
+    /// Poses.
+    pub poses: IndexMap<String, Span>,
+    /// Names that stand in statements that could not be read.
+    pub bad: IndexSet<String>,
+}
+
+impl Names<'_> {
+    /// Enters a link, without its parts, into the mechanism.
+    pub fn add_link(
+        &mut self,
+        mech: &mut Mechanism,
+        name: String,
+        number: Option<String>,
+        span: Span,
+    ) -> LinkId {
+        let id = LinkId::at(mech.links.len());
+        self.links.entry(name.clone()).or_insert(id);
+        mech.links.push(Link { name, number, span, ..Link::default() });
+        id
+    }
+}

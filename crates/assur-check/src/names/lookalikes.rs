@@ -1,0 +1,72 @@
+//! Names that cannot be told apart by eye.
+
+use crate::error::NameError;
+use crate::names::scope::Scope;
+use assur_syntax::skeleton;
+use assur_text::source::Span;
+use indexmap::IndexMap;
+
+/// Reports names of one list that only look alike.
+pub(crate) fn look_alikes(cx: &mut Scope<'_, '_>) {
+    let names = &cx.names;
+    let inside =
+        names.inside.iter().flat_map(|i| i.points.keys().chain(i.lines.keys()).chain(i.circles.keys()));
+    let mut all = names.quantities.keys().chain(names.things.keys()).chain(inside);
+    if all.all(|name| name.is_ascii()) {
+        // Two names look alike only if one has a letter of another script.
+        return;
+    }
+    let quantities = names.quantities.iter().map(|(n, d)| (n.clone(), d.span)).collect::<Vec<_>>();
+    let things = names.things.iter().map(|(n, d)| (n.clone(), d.span));
+    let inside = names.inside.iter().flat_map(|i| i.points.iter().chain(&i.lines).chain(&i.circles));
+    let inside = inside.map(|(n, span)| (n.clone(), *span));
+    // a pair's name stands for points of that name
+    let things = things.chain(inside).collect::<Vec<_>>();
+    for list in [quantities, things] {
+        compare(cx, &list);
+    }
+}
+
+fn compare(cx: &mut Scope<'_, '_>, list: &[(String, Span)]) {
+    let mut seen: IndexMap<String, Vec<(&str, Span)>> = IndexMap::new();
+    for (name, span) in list {
+        let alike = seen.entry(skeleton(name)).or_default();
+        if alike.iter().any(|(n, _)| n == name) {
+            continue;
+        }
+        if let Some(&(first, first_span)) = alike.first() {
+            // of a Latin name and another, the other is the slip
+            let (odd, odd_span, other, other_span) = if name.is_ascii() {
+                (first, first_span, name.as_str(), *span)
+            } else {
+                (name.as_str(), *span, first, first_span)
+            };
+            let help = format!("write `{other}`: {}", difference(odd, other, "here", "there"));
+            cx.error(NameError::LookAlike { name: odd.to_owned(), span: odd_span, first: other_span, help });
+            // What is not found because of this is no second mistake.
+            cx.names.bad.extend([first.to_owned(), name.clone()]);
+        }
+        alike.push((name, *span));
+    }
+}
+
+/// Which letters differ.
+pub(crate) fn difference(first: &str, second: &str, at_first: &str, at_second: &str) -> String {
+    let differs = first.chars().zip(second.chars()).find(|(a, b)| a != b);
+    match differs {
+        Some((a, b)) => {
+            format!("the letter `{a}` is {} {at_first} and {} {at_second}", script(a), script(b))
+        }
+        None => "they are written with different letters".to_owned(),
+    }
+}
+
+/// The script of a letter, in words.
+fn script(c: char) -> &'static str {
+    match c {
+        '\u{370}'..='\u{3FF}' | '\u{1F00}'..='\u{1FFF}' => "Greek",
+        '\u{400}'..='\u{52F}' => "Cyrillic",
+        c if c.is_ascii_digit() => "a digit",
+        _ => "Latin",
+    }
+}

@@ -1,0 +1,26 @@
+//! What declaring works on.
+
+use crate::names::declared::Names;
+use crate::output::builder::Builder;
+use crate::output::problems::Problems;
+use assur_syntax::document::Document;
+use miette::Diagnostic;
+
+/// A document, and where its names, its links and what is wrong with them go.
+pub struct Scope<'s, 'a> {
+    /// What is checked.
+    pub doc: &'a Document,
+    /// All names declared in the document.
+    pub names: &'s mut Names<'a>,
+    /// The mechanism that is being made.
+    pub builder: &'s mut Builder,
+    /// All that was found wrong.
+    pub problems: &'s mut Problems,
+}
+
+impl Scope<'_, '_> {
+    /// Reports an error or a warning.
+    pub fn error(&mut self, problem: impl Diagnostic + Send + Sync + 'static) {
+        self.problems.error(problem);
+    }
+}

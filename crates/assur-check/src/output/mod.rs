@@ -1,0 +1,6 @@
+//! What the stage makes: a mechanism and a list of problems.
+
+pub mod behind;
+pub mod builder;
+pub mod hinges;
+pub mod problems;

@@ -1,0 +1,45 @@
+//! The problems found, and what is not reported again.
+
+use assur_text::diagnostic;
+use indexmap::IndexSet;
+use miette::Diagnostic;
+
+/// All that was found wrong.
+#[derive(Default)]
+pub struct Problems {
+    found: diagnostic::Problems,
+    /// Names reported as unknown already, with the list they were looked for in.
+    pub reported: IndexSet<(&'static str, String)>,
+}
+
+impl Problems {
+    /// Reports an error or a warning.
+    pub fn error(&mut self, problem: impl Diagnostic + Send + Sync + 'static) {
+        self.found.push(problem);
+    }
+
+    /// Whether one of them is an error.
+    pub fn has_errors(&self) -> bool {
+        self.found.has_errors()
+    }
+
+    /// Whether nothing was found at all.
+    pub fn is_empty(&self) -> bool {
+        self.found.is_empty() && self.reported.is_empty()
+    }
+
+    /// Drops what was found; names reported as unknown stay so.
+    pub fn clear_found(&mut self) {
+        self.found = diagnostic::Problems::new();
+    }
+
+    /// All that was found.
+    pub fn into_found(self) -> diagnostic::Problems {
+        self.found
+    }
+
+    /// The state before something is tried: what is reported from now on is kept apart.
+    pub fn start_trial(&mut self) -> Self {
+        Self { found: std::mem::take(&mut self.found), reported: self.reported.clone() }
+    }
+}

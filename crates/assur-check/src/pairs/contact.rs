@@ -1,0 +1,77 @@
+//! Contacts of circles, lines and points.
+
+use crate::error::PairError;
+use crate::expr::context::Context;
+use crate::expr::property::{Read, find};
+use crate::pairs::pair::{Joined, nothing_to_join};
+use assur_model::model::{PairKind, Profile, ProfileShape};
+use assur_syntax::document::Joint;
+
+/// A contact of two profiles. `properties` is absent where one of them has an error.
+pub(crate) fn contact(
+    cx: &mut Context<'_>,
+    joint: &Joint,
+    ends: &[Joined],
+    properties: Option<&[Read]>,
+) -> Option<PairKind> {
+    let [first, second] = ends else { return None };
+    let profiles = (profile(cx, joint, first), profile(cx, joint, second));
+    let (a, b) = (profiles.0?, profiles.1?);
+    let internal = find(properties.unwrap_or_default(), "internal");
+    use ProfileShape::{Circle, Line, Point, Rim};
+    let problem = match (a.shape, b.shape) {
+        (Line(..), Line(..)) => Some((
+            "two lines",
+            format!("two lines that lie on each other are a `prismatic {}`", joint.name.node),
+        )),
+        (Rim(_), Rim(_)) => {
+            Some(("two cams", "a designed cam touches the follower it is designed for".to_owned()))
+        }
+        (Point(_), Point(_)) => Some((
+            "two points",
+            format!("two points that stay together are a `revolute {}`", joint.name.node),
+        )),
+        (Circle(_, p), Circle(_, q)) if internal.is_some() && p == q => Some((
+            "two equal circles inside each other",
+            format!("their centres coincide: a `revolute {}` of the centres", joint.name.node),
+        )),
+        _ => None,
+    };
+    if let Some((profiles, help)) = problem {
+        cx.error(PairError::NoContact { profiles: profiles.into(), help, span: first.span.to(second.span) });
+        return None;
+    }
+    let circles = matches!((a.shape, b.shape), (Circle(..), Circle(..)));
+    if let Some(internal) = internal
+        && !circles
+    {
+        cx.error(PairError::Incomplete {
+            message: "only a circle can lie inside another".into(),
+            help: "leave `internal` out, or name two circles".into(),
+            span: internal.span,
+            label: "not with these profiles".into(),
+        });
+        return None;
+    }
+    Some(PairKind::Contact { first: a, second: b, internal: internal.is_some() })
+}
+
+fn profile(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Profile> {
+    let rim =
+        cx.builder.mech.link(end.link).cam_profiles.iter().find(|r| r.name == end.part.node).map(|r| r.cam);
+    let shape = match cx.kind_inside(end.link, &end.part.node) {
+        _ if rim.is_some() => rim.map(ProfileShape::Rim),
+        Some("line") => cx.line(end.link, &end.part).map(|l| ProfileShape::Line(l.through, l.along)),
+        Some("circle") => cx.circle(end.link, &end.part).map(|c| ProfileShape::Circle(c.centre, c.radius)),
+        None if end.implied => {
+            nothing_to_join(cx, joint, end, "profile");
+            None
+        }
+        None if !cx.names.inside[end.link.index()].circles.is_empty() => {
+            cx.circle(end.link, &end.part);
+            None
+        }
+        _ => cx.point(end.link, &end.part).map(ProfileShape::Point),
+    };
+    Some(Profile { link: end.link, name: end.part.node.clone(), shape: shape? })
+}

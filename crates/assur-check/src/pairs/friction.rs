@@ -1,0 +1,60 @@
+//! The laws of friction that the properties of a pair state.
+
+use crate::error::PairError;
+use crate::expr::context::Context;
+use crate::expr::property::{Read, Value, find};
+use assur_model::model::Friction;
+use assur_syntax::document::{Joint, JointKind};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Factor k of the equivalent coefficient k f of a round fit: contact along a line, even pressure all around, pressure as
+/// after wear, p ∝ cos.
+pub(crate) fn factor_of_fit(word: &str) -> f64 {
+    match word {
+        "even" => FRAC_PI_2,
+        "worn" => 4.0 / PI,
+        _ => 1.0,
+    }
+}
+
+/// The law of a pair; `None` where it states none. A groove that is wrong is reported.
+pub(crate) fn law(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Friction> {
+    let number = |name| find(properties, name).map(Read::number);
+    let fit = find(properties, "fit").map_or(1.0, |p| match p.value {
+        Value::Word(word) => factor_of_fit(word),
+        _ => p.number(),
+    });
+    if joint.kind.node == JointKind::Revolute {
+        let radius = number("radius").unwrap_or(0.0);
+        return number("friction_circle")
+            .or_else(|| Some(number("equivalent_friction")? * radius))
+            .or_else(|| Some(fit * number("friction")? * radius))
+            .map(Friction::Circle);
+    }
+    let coefficient = number("friction")?;
+    let equivalent = match find(properties, "groove") {
+        None => coefficient,
+        Some(Read { value: Value::Word(_), .. }) => fit * coefficient,
+        Some(groove) => {
+            half_angle(cx, groove)?;
+            coefficient / libm::sin(groove.number())
+        }
+    };
+    let both_ends = find(properties, "contacts").is_some();
+    Some(if both_ends { Friction::BothEnds(equivalent) } else { Friction::Coefficient(equivalent) })
+}
+
+/// Half the angle of a V-groove is at most a right angle, which is a flat guide.
+fn half_angle(cx: &mut Context<'_>, groove: &Read) -> Option<()> {
+    if groove.number() <= FRAC_PI_2 {
+        return Some(());
+    }
+    cx.error(PairError::PropertyValue {
+        name: "groove".into(),
+        wants: "half the angle between the faces, up to 90 deg".into(),
+        got: "more".into(),
+        example: "groove 35 deg".into(),
+        span: groove.span,
+    });
+    None
+}

@@ -1,0 +1,357 @@
+//! Pairs between links.
+
+use crate::error::{NameError, PairError};
+use crate::expr::context::Context;
+use crate::links::lookup::is_linkage_pair;
+use crate::names::declared::Inside;
+use crate::pairs::prismatic::{Held, guide};
+use crate::pairs::property::{Shared, phrase, read_own as read, shared, with_shared};
+use crate::pairs::{contact, friction};
+use crate::statements::lines::{end_text, line_of, write_one};
+use assur_math::math::Vec2;
+use assur_model::model::{Friction, GroupAssertion, LinkId, Pair, PairId, PairKind, Pin};
+use assur_syntax::document::{End, Group, Joint, JointKind, Name, Path, Statement};
+use assur_syntax::skeleton;
+use assur_text::source::{Span, Spanned};
+
+/// Enters all pairs of the linkage into the mechanism.
+pub(crate) fn pairs(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    let shared = shared(cx);
+    let mut held = Held::new();
+    for statement in &doc.statements {
+        let Statement::Joint(joint) = &statement.node else { continue };
+        if !cx.is_own(&joint.name) {
+            continue;
+        }
+        if !is_linkage_pair(joint.kind.node) {
+            continue;
+        }
+        if let Some((kind, friction)) = pair(cx, joint, &shared, &mut held) {
+            let id = PairId::at(cx.builder.mech.pairs.len());
+            cx.builder.hinges.enter(&kind, id);
+            let (name, span) = (joint.name.node.clone(), joint.name.span);
+            cx.names.pairs.entry(name.clone()).or_insert(id);
+            cx.builder.mech.pairs.push(Pair { name, span, kind, friction, bearing: None });
+        }
+    }
+}
+
+fn pair(
+    cx: &mut Context<'_>,
+    joint: &Joint,
+    shared: &Shared,
+    held: &mut Held,
+) -> Option<(PairKind, Option<Friction>)> {
+    let read = read(cx, joint);
+    let ends = ends(cx, joint)?;
+    let hinge = if joint.kind.node == JointKind::Revolute { Some(revolute(cx, joint, &ends)?) } else { None };
+    let properties = read.and_then(|own| with_shared(cx, joint, own, shared));
+    let kind = match joint.kind.node {
+        JointKind::Revolute => hinge,
+        JointKind::Prismatic | JointKind::Slot => guide(cx, joint, &ends, properties.as_deref(), held),
+        JointKind::Contact => contact::contact(cx, joint, &ends, properties.as_deref()),
+        _ => cylinder(cx, joint, &ends),
+    };
+    let friction = properties.map(|p| friction::law(cx, joint, &p));
+    Some((kind?, friction?))
+}
+
+/// An end of a joint: a link and the name of a part of it.
+pub(crate) struct Joined {
+    /// The link.
+    pub link: LinkId,
+    /// Its part, with the place where it is named; the pair's name where the part is not.
+    pub part: Name,
+    /// The whole end.
+    pub span: Span,
+    /// Only the link is named.
+    pub implied: bool,
+}
+
+/// The ends of a pair; `None` where a link is unknown, joined with itself, or where there are too many.
+fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
+    let most = if joint.kind.node == JointKind::Revolute { usize::MAX } else { 2 };
+    if let Some(third) = joint.ends.get(most) {
+        cx.error(PairError::WrongEnds {
+            what: phrase(joint.kind.node),
+            wants: "two links".into(),
+            got: format!("{} of them", joint.ends.len()),
+            help: "write one statement for each two links".into(),
+            span: third.span(),
+        });
+        return None;
+    }
+    let joined = joint.ends.iter().map(|end| joined(cx, joint, end)).collect::<Vec<_>>();
+    let joined = joined.into_iter().collect::<Option<Vec<_>>>()?;
+    for (i, end) in joined.iter().enumerate() {
+        if let Some(first) = joined[..i].iter().find(|e| e.link == end.link) {
+            let help = other_link(cx, joint, end.link)
+                .unwrap_or_else(|| "a link is rigid: name another link in one of the two places".into());
+            cx.error(PairError::JoinedWithItself {
+                help,
+                what: joint.kind.node.word().into(),
+                name: joint.name.node.clone(),
+                link: cx.builder.mech.link(end.link).name.clone(),
+                first: first.span,
+                second: end.span,
+            });
+            return None;
+        }
+    }
+    Some(joined)
+}
+
+/// The line of a hinge between a link that is named twice and the only other one that has the point of its name.
+fn other_link(cx: &Context<'_>, joint: &Joint, link: LinkId) -> Option<String> {
+    let name = &joint.name.node;
+    let links = cx.names.inside.iter().zip(&cx.builder.mech.links).enumerate();
+    let mut others = links.filter(|(i, (inside, _))| *i != link.index() && inside.points.contains_key(name));
+    let (_, (_, other)) = others.next()?;
+    if joint.kind.node != JointKind::Revolute || joint.ends.len() != 2 || others.next().is_some() {
+        return None;
+    }
+    let line = line_of(joint, |end| {
+        let first = end.span() == joint.ends[0].span();
+        if first { end_text(end) } else { other.name.clone() }
+    });
+    Some(format!("`{}` has a point `{name}`: write `{line}`", other.name))
+}
+
+fn joined(cx: &mut Context<'_>, joint: &Joint, end: &End) -> Option<Joined> {
+    let path = match end {
+        End::At(path) => path,
+        End::Over(name) | End::Under(name) => {
+            cx.error(PairError::WrongEnds {
+                what: phrase(joint.kind.node),
+                wants: "links".into(),
+                got: "a pulley".into(),
+                help: "`over` and `under` belong to a rope".into(),
+                span: name.span,
+            });
+            return None;
+        }
+    };
+    let link = cx.link(&path.head)?;
+    let part = path.tail.clone().unwrap_or_else(|| Spanned::new(joint.name.node.clone(), path.head.span));
+    Some(Joined { link, part, span: path.span(), implied: path.tail.is_none() })
+}
+
+/// The point of an end.
+pub(crate) fn point(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Pin> {
+    if !end.implied || cx.kind_inside(end.link, &end.part.node).is_some() {
+        not_on_line(cx, joint, end)?;
+        let at = cx.point(end.link, &end.part)?;
+        return Some(Pin { link: end.link, name: end.part.node.clone(), at });
+    }
+    nothing_to_join(cx, joint, end, "point");
+    None
+}
+
+/// Reports a line at the end of a hinge.
+fn not_on_line(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<()> {
+    let on_line =
+        joint.kind.node == JointKind::Revolute && cx.kind_inside(end.link, &end.part.node) == Some("line");
+    let lines = if on_line { cx.lines_meant(joint, JointKind::Prismatic) } else { Vec::new() };
+    let Some(help) = write_one(&lines) else { return Some(()) };
+    cx.error(PairError::WrongEnds {
+        what: phrase(joint.kind.node),
+        wants: "two points".into(),
+        got: format!("a point and the line `{}`", end.part.node),
+        help: format!("{help}: a point on a line"),
+        span: end.span,
+    });
+    None
+}
+
+/// Reports that a link named alone has nothing of the pair's name.
+pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined, what: &str) {
+    let name = &end.part.node;
+    let inside = &cx.names.inside[end.link.index()];
+    if inside.bad.contains(name) || cx.names.bad.contains(name) {
+        return;
+    }
+    if !cx.problems.reported.insert(("end of a pair", joint.name.node.clone())) {
+        return; // one name is wrong, at both ends
+    }
+    let inside = &cx.names.inside[end.link.index()];
+    let link = cx.builder.mech.link(end.link).name.clone();
+    let alike = inside.points.keys().find(|p| skeleton(p) == skeleton(name)).cloned();
+    let elsewhere = (what == "point").then(|| meant(cx, joint)).flatten();
+    let all = inside.points.keys().map(|p| format!("`{link}.{p}`")).collect::<Vec<_>>();
+    let choices = match all.len() {
+        0 => format!("give `{link}` the point: `{}`", with_point(cx, &link, name)),
+        1 => format!("write {}, or give `{link}` a point `{name} (0, 0)`", all[0]),
+        n => format!("say which point is meant: {}", all[..n.min(8)].join(" or ")),
+    };
+    let help = match &alike {
+        Some(point) => {
+            let how =
+                crate::names::lookalikes::difference(name, point, "here", &format!("in `{link}.{point}`"));
+            format!("name the pair `{point}`: {how}")
+        }
+        None => elsewhere.or_else(|| write_one(&cx.lines_meant(joint, joint.kind.node))).unwrap_or(choices),
+    };
+    let name = name.clone();
+    cx.problems.reported.insert(("point", format!("{link}.{name}")));
+    // what is not found because of this is no second mistake
+    cx.names.bad.extend(alike);
+    cx.error(PairError::NothingToJoin {
+        link,
+        what: what.into(),
+        name,
+        help,
+        span: end.span,
+        pair: joint.name.span,
+    });
+}
+
+/// A point at the origin of a link: the whole line where nothing else is in it.
+fn with_point(cx: &Context<'_>, link: &str, point: &str) -> String {
+    let empty = cx.doc.statements.iter().find_map(|s| match &s.node {
+        Statement::Link(l) if l.name.node == link && l.bar.is_none() && l.body.is_empty() => Some(l),
+        _ => None,
+    });
+    let Some(empty) = empty else { return format!("{point} (0, 0)") };
+    let number = empty.number.as_ref().map_or_else(String::new, |n| format!("{} ", n.node));
+    format!("link {number}{link} {{ {point} (0, 0) }}")
+}
+
+/// The statement that may be meant where a hinge joins links that lack the point of its name.
+fn meant(cx: &Context<'_>, joint: &Joint) -> Option<String> {
+    let name = &joint.name.node;
+    let has = |inside: &Inside| inside.points.contains_key(name);
+    let links = cx.names.inside.iter().zip(&cx.builder.mech.links).filter(|(inside, _)| has(inside));
+    let links = links.map(|(_, link)| link.name.as_str()).collect::<Vec<_>>();
+    if let [_, _, ..] = links[..] {
+        let line = format!("{} {name}: {}", joint.kind.node.word(), links.join(" - "));
+        let links = links.iter().map(|l| format!("`{l}`")).collect::<Vec<_>>().join(" and ");
+        return Some(format!("the point `{name}` is on {links}: write `{line}`"));
+    }
+    // another pair of the same links may be meant
+    let own = ends_named(joint)?;
+    let other = cx.doc.statements.iter().find_map(|s| match &s.node {
+        Statement::Joint(other)
+            if other.name.span != joint.name.span && other.kind.node == joint.kind.node =>
+        {
+            (ends_named(other)? == own).then_some(other)
+        }
+        _ => None,
+    })?;
+    let (other, kind) = (&other.name.node, other.kind.node.word());
+    let braces = if joint.properties.is_empty() { "" } else { " { … }" };
+    let ends = own.join(" - ");
+    Some(format!(
+        "`{other}` joins these links already: leave this line out, and write there what is in its braces, as in \
+         `{kind} {other}: {ends}{braces}`"
+    ))
+}
+
+/// The links of a joint whose ends name links alone.
+fn ends_named(joint: &Joint) -> Option<Vec<&str>> {
+    let ends = joint.ends.iter().map(|end| match end {
+        End::At(Path { head, tail: None }) => Some(head.node.as_str()),
+        _ => None,
+    });
+    ends.collect()
+}
+
+fn revolute(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<PairKind> {
+    let pins = ends.iter().map(|end| point(cx, joint, end)).collect::<Vec<_>>();
+    let pins = pins.into_iter().collect::<Option<Vec<_>>>()?;
+    joined_before(cx, joint, &pins)?;
+    Some(PairKind::Revolute(pins))
+}
+
+/// Two hinges between the same points of the same links are one too many.
+fn joined_before(cx: &mut Context<'_>, joint: &Joint, pins: &[Pin]) -> Option<()> {
+    let same = |a: &Pin, b: &Pin| a.link == b.link && a.at == b.at;
+    for id in cx.builder.hinges.near(pins) {
+        let pair = cx.builder.mech.pair(id);
+        let PairKind::Revolute(others) = &pair.kind else { continue };
+        let again = pins.iter().filter(|p| others.iter().any(|o| same(o, p))).collect::<Vec<_>>();
+        if let [a, b, ..] = again[..] {
+            let spelled = |pin: &Pin| format!("{}.{}", cx.builder.mech.link(pin.link).name, pin.name);
+            let error = PairError::JoinedTwice {
+                name: joint.name.node.clone(),
+                first_point: spelled(a),
+                second_point: spelled(b),
+                again: joint.name.span,
+                first: pair.span,
+            };
+            cx.error(error);
+            return None;
+        }
+    }
+    Some(())
+}
+
+/// A cylinder adds two links of its own, `NAME.barrel` and `NAME.rod`.
+fn cylinder(cx: &mut Context<'_>, joint: &Joint, ends: &[Joined]) -> Option<PairKind> {
+    let [from, to] = ends else { return None };
+    let (from, to) = (point(cx, joint, from), point(cx, joint, to));
+    let (from, to) = (from?, to?);
+    let mut link = |part: &str| {
+        let name = format!("{}.{part}", joint.name.node);
+        cx.names.add_link(&mut cx.builder.mech, name, None, joint.name.span)
+    };
+    let (barrel, rod) = (link("barrel"), link("rod"));
+    Some(PairKind::Cylinder { barrel, rod, from, to })
+}
+
+/// Enters the asserted groups.
+pub(crate) fn groups(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::Group(group) = &statement.node
+            && cx.is_own(&group.name)
+            && let Some(links) = group_links(cx, group)
+        {
+            let name = group.name.node.clone();
+            cx.builder.mech.groups.push(GroupAssertion { name, span: statement.span, links });
+        }
+    }
+}
+
+fn group_links(cx: &mut Context<'_>, group: &Group) -> Option<Vec<LinkId>> {
+    let mut links = Some(Vec::new());
+    for name in &group.links {
+        let link = cx.link(name);
+        let message = match link {
+            Some(LinkId::GROUND) => Some("the ground is no part of a structural group".to_owned()),
+            Some(link) if links.iter().flatten().any(|l| *l == link) => {
+                Some(format!("`{}` stands twice in group `{}`", name.node, group.name.node))
+            }
+            _ => None,
+        };
+        let fine = message.is_none();
+        if let Some(message) = message {
+            cx.error(PairError::NoGroup { message, span: name.span });
+        }
+        links = links.zip(link).filter(|_| fine).map(|(mut links, link)| {
+            links.push(link);
+            links
+        });
+    }
+    links
+}
+
+/// `LINK.POINT` where a spring or a drive is fastened.
+pub(crate) fn link_point(cx: &mut Context<'_>, path: &Path, what: &str) -> Option<(LinkId, Vec2)> {
+    let link = cx.link(&path.head)?;
+    if let Some(point) = &path.tail {
+        return cx.point(link, point).map(|at| (link, at));
+    }
+    let points = cx.names.inside[link.index()].points.keys();
+    let choices = points.take(8).map(|p| format!("`{}.{p}`", path.head.node)).collect::<Vec<_>>();
+    let help = (!choices.is_empty()).then(|| format!("write {}", choices.join(" or ")));
+    cx.error(NameError::WrongKind {
+        name: path.head.node.clone(),
+        is: "a link".into(),
+        wanted: format!("a point: {what} is fastened to a point of a link"),
+        span: path.span(),
+        declared: None,
+        help,
+    });
+    None
+}

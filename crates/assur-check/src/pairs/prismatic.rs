@@ -1,0 +1,282 @@
+//! Prismatic pairs and pins in slots: a point on a line, or a line on a line.
+
+use crate::error::{NameError, PairError};
+use crate::expr::context::Context;
+use crate::expr::property::{Read, Value, find};
+use crate::names::suggestion::suggestion;
+use crate::pairs::pair::{Joined, nothing_to_join};
+use crate::pairs::property::phrase;
+use crate::statements::lines::{end_text, line_of};
+use assur_math::math::Vec2;
+use assur_model::model::{Guide, Line, LinkId, PairKind};
+use assur_syntax::document::{End, Joint, JointKind, Member, Name, Statement};
+use assur_text::diagnostic::did_you_mean;
+use assur_text::source::Spanned;
+use assur_text::units::Dimension;
+use indexmap::IndexMap;
+
+/// The links whose angle a pair of point and line fixes already, with that pair's name.
+pub(crate) type Held = IndexMap<LinkId, Name>;
+
+/// What an end of the pair is.
+enum Part {
+    Point(Vec2),
+    Line(Line),
+}
+
+/// A prismatic pair or a slot. `properties` is absent where one of them has an error.
+pub(crate) fn guide(
+    cx: &mut Context<'_>,
+    joint: &Joint,
+    ends: &[Joined],
+    properties: Option<&[Read]>,
+    held: &mut Held,
+) -> Option<PairKind> {
+    let [first, second] = ends else { return None };
+    let parts = (part(cx, joint, first), part(cx, joint, second));
+    let properties = properties.unwrap_or_default();
+    let angle = find(properties, "angle");
+    let parts = (parts.0?, parts.1?);
+    let by_point = !matches!(parts, (Part::Line(_), Part::Line(_)));
+    let mut guide = match parts {
+        (Part::Point(point), Part::Line(line)) => {
+            point_on_line(first, point, second.link, line, angle, false)
+        }
+        (Part::Line(line), Part::Point(point)) => point_on_line(second, point, first.link, line, angle, true),
+        (Part::Line(own), Part::Line(line)) if joint.kind.node == JointKind::Prismatic => {
+            no_angle(cx, angle)?;
+            line_on_line(cx, first.link, own, second.link, line)
+        }
+        (Part::Line(_), Part::Line(_)) => return wrong_ends(cx, joint, first, second, "two lines"),
+        (Part::Point(_), Part::Point(_)) => return wrong_ends(cx, joint, first, second, "two points"),
+    };
+    guide.contacts = contacts(cx, properties)?;
+    if joint.kind.node == JointKind::Slot {
+        return Some(PairKind::Slot(guide));
+    }
+    if by_point {
+        held_before(cx, joint, &guide, held)?;
+        held.insert(guide.slider, joint.name.clone());
+    }
+    Some(PairKind::Prismatic(guide))
+}
+
+fn part(cx: &mut Context<'_>, joint: &Joint, end: &Joined) -> Option<Part> {
+    match cx.kind_inside(end.link, &end.part.node) {
+        Some("point") => cx.point(end.link, &end.part).map(Part::Point),
+        Some("line") => cx.line(end.link, &end.part).map(Part::Line),
+        Some(_) => {
+            cx.error(PairError::WrongEnds {
+                what: phrase(joint.kind.node),
+                wants: "a point and a line".into(),
+                got: format!("the circle `{}`", end.part.node),
+                help: "for a roller on a line write `contact`".into(),
+                span: end.span,
+            });
+            None
+        }
+        None => {
+            if end.implied {
+                nothing_to_join(cx, joint, end, "point");
+            } else {
+                unknown(cx, joint, end);
+            }
+            None
+        }
+    }
+}
+
+/// Reports a name that is neither a point nor a line of the link.
+fn unknown(cx: &mut Context<'_>, joint: &Joint, end: &Joined) {
+    let inside = &cx.names.inside[end.link.index()];
+    let name = &end.part.node;
+    if inside.bad.contains(name) || cx.names.bad.contains(name) {
+        return;
+    }
+    // said of another pair
+    if cx.problems.reported.contains(&("point", format!("{}.{name}", cx.builder.mech.link(end.link).name))) {
+        return;
+    }
+    let all = inside.points.keys().chain(inside.lines.keys()).map(String::as_str).collect::<Vec<_>>();
+    let owner = &cx.builder.mech.link(end.link).name;
+    let near = !did_you_mean(name, all.iter().copied()).is_empty();
+    let line =
+        if near { None } else { line_elsewhere(cx, joint, end).or_else(|| missing_line(cx, joint, end)) };
+    let help = line.or_else(|| suggestion(name, &all, &format!("points and lines of {owner}")));
+    let place =
+        if end.link == LinkId::GROUND { " on the ground".into() } else { format!(" in link `{owner}`") };
+    let (name, span) = (name.clone(), end.part.span);
+    cx.error(NameError::Unknown { kind: "point or line", name, place, span, help });
+}
+
+/// The pair with a line that another link has.
+fn line_elsewhere(cx: &Context<'_>, joint: &Joint, end: &Joined) -> Option<String> {
+    let name = &end.part.node;
+    let links = cx.names.inside.iter().zip(&cx.builder.mech.links);
+    let mut owners = links.filter(|(inside, _)| inside.lines.contains_key(name)).map(|(_, link)| &link.name);
+    let owner = owners.next()?;
+    let among = |e: &End| matches!(e, End::At(path) if path.head.node == *owner);
+    if owners.next().is_some() || joint.ends.iter().any(among) {
+        return None;
+    }
+    let line = line_of(joint, |e| match e.span() == end.span {
+        true => format!("{owner}.{name}"),
+        false => end_text(e),
+    });
+    Some(format!("`{name}` is a line of `{owner}`: write `{line}`"))
+}
+
+/// The member that gives the link the line, where it has none and the other end is a point.
+fn missing_line(cx: &Context<'_>, joint: &Joint, end: &Joined) -> Option<String> {
+    let other = joint.ends.iter().find_map(|e| match e {
+        End::At(path) if e.span() != end.span => Some(path),
+        _ => None,
+    })?;
+    let part = other.tail.as_ref().unwrap_or(&joint.name);
+    let inside = &cx.names.inside[end.link.index()];
+    let point = cx.kind_inside(cx.find_link(&other.head.node)?, &part.node) == Some("point");
+    if !point || !inside.lines.is_empty() {
+        return None;
+    }
+    let (name, owner) = (&end.part.node, &cx.builder.mech.link(end.link).name);
+    let bar = cx.doc.statements.iter().find_map(|s| match &s.node {
+        Statement::Link(l) if l.name.node == *owner => l.bar.as_ref(),
+        _ => None,
+    });
+    let first = inside.points.keys().next()?;
+    let line = bar.map_or_else(
+        || format!("line {name} through {first} along 0 deg"),
+        |bar| format!("line {name} through {} to {}", bar.from.node, bar.to.node),
+    );
+    Some(format!("give `{owner}` the line in its braces: `{line}`"))
+}
+
+/// The point's x axis makes `angle` with the line, so that the line lies at minus that angle in the slider's frame.
+fn point_on_line(
+    slider: &Joined,
+    point: Vec2,
+    guide: LinkId,
+    line: Line,
+    angle: Option<&Read>,
+    guide_first: bool,
+) -> Guide {
+    let angle = angle.map_or(0.0, Read::number);
+    Guide {
+        slider: slider.link,
+        point_name: slider.part.node.clone(),
+        point,
+        direction: Vec2::direction(-angle),
+        guide,
+        line_name: line.name,
+        through: line.through,
+        along: line.along,
+        contacts: None,
+        guide_first,
+    }
+}
+
+/// The lines coincide, their senses alike; the first slides on the second.
+fn line_on_line(cx: &Context<'_>, slider: LinkId, own: Line, guide: LinkId, line: Line) -> Guide {
+    Guide {
+        slider,
+        point_name: origin(cx, &own),
+        point: own.through,
+        direction: own.along,
+        guide,
+        line_name: line.name,
+        through: line.through,
+        along: line.along,
+        contacts: None,
+        guide_first: false,
+    }
+}
+
+/// The name of the point that a line runs through.
+fn origin(cx: &Context<'_>, line: &Line) -> String {
+    let bodies = cx.doc.statements.iter().filter_map(|s| match &s.node {
+        Statement::Ground(ground) => Some(&ground.body),
+        Statement::Link(link) => Some(&link.body),
+        _ => None,
+    });
+    let lines = bodies.flatten().filter_map(|m| match &m.node {
+        Member::Line(l) => Some(l),
+        _ => None,
+    });
+    lines.into_iter().find(|l| l.name.span == line.span).map(|l| l.through.node.clone()).unwrap_or_default()
+}
+
+fn wrong_ends<T>(
+    cx: &mut Context<'_>,
+    joint: &Joint,
+    first: &Joined,
+    second: &Joined,
+    got: &str,
+) -> Option<T> {
+    let slot = joint.kind.node == JointKind::Slot;
+    let name = &joint.name.node;
+    let meant = cx.lines_meant(joint, joint.kind.node);
+    let meant = meant.iter().map(|l| format!("`{l}`")).collect::<Vec<_>>();
+    let help = match (slot, got) {
+        (true, "two lines") => format!("two lines on each other are a `prismatic {name}`"),
+        (_, "two points") if first.implied && second.implied => {
+            let line = line_of(
+                &Joint { kind: Spanned::new(JointKind::Revolute, joint.kind.span), ..joint.clone() },
+                end_text,
+            );
+            format!("both links have the point `{name}`: write `{line}`")
+        }
+        (_, "two points") if !meant.is_empty() => format!("name the line: {}", meant.join(" or ")),
+        (_, "two points") => {
+            "one of the two links needs a line to slide along: `line guide through A along 0 deg`".into()
+        }
+        _ => "name a point of the one link and a line of the other".into(),
+    };
+    cx.error(PairError::WrongEnds {
+        what: phrase(joint.kind.node),
+        wants: if slot { "a point and a line" } else { "a point and a line, or two lines" }.into(),
+        got: got.into(),
+        help,
+        span: first.span.to(second.span),
+    });
+    None
+}
+
+fn no_angle(cx: &mut Context<'_>, angle: Option<&Read>) -> Option<()> {
+    let Some(angle) = angle else { return Some(()) };
+    cx.error(PairError::Incomplete {
+        message: "two lines that lie on each other make no angle".into(),
+        help: "leave `angle` out, or name a point instead of the first line".into(),
+        span: angle.span,
+        label: "not with two lines".into(),
+    });
+    None
+}
+
+fn contacts(cx: &mut Context<'_>, properties: &[Read]) -> Option<Option<[f64; 2]>> {
+    let Some(property) = find(properties, "contacts") else { return Some(None) };
+    let Value::Two([a, b]) = property.value else { return Some(None) };
+    if a == b {
+        let at = crate::values::format_value::format_value(a, Dimension::LENGTH);
+        cx.error(PairError::ContactsCoincide { at, span: property.span });
+        return None;
+    }
+    Some(Some([a, b]))
+}
+
+/// A link's x axis can be laid along one line only.
+fn held_before(cx: &mut Context<'_>, joint: &Joint, guide: &Guide, held: &Held) -> Option<()> {
+    let Some(before) = held.get(&guide.slider) else { return Some(()) };
+    let lines = &cx.names.inside[guide.slider.index()].lines;
+    let line = ["face", "edge", "axis"].into_iter().find(|l| !lines.contains_key(*l)).unwrap_or("line2");
+    let error = PairError::HeldTwice {
+        link: cx.builder.mech.link(guide.slider).name.clone(),
+        first_name: before.node.clone(),
+        name: joint.name.node.clone(),
+        line: line.into(),
+        point: guide.point_name.clone(),
+        again: joint.name.span,
+        first: before.span,
+    };
+    cx.error(error);
+    None
+}

@@ -1,0 +1,299 @@
+//! `expect`: the answer key.
+
+use crate::error::ExpectError;
+use crate::expr::context::Context;
+use crate::expr::read::comparison_of;
+use crate::names::suggestion::suggestion;
+use crate::requests::tolerance;
+use crate::statements::walk;
+use crate::statements::written::written;
+use crate::values::typed::{Dim, Type, Typed, phrase};
+use assur_model::model::{At, Display, Expect, Relation, Tolerance};
+use assur_syntax::document;
+use assur_syntax::document::{BinaryOp, ExpectAt, Expr, ExprKind, Name, Statement};
+use assur_text::source::Span;
+use assur_text::units::{Dimension, Kind};
+
+/// Enters all expectations into the mechanism.
+pub(crate) fn expects(cx: &mut Context<'_>) {
+    for statement in &cx.doc.statements {
+        if let Statement::Expect(expect) = &statement.node
+            && let Some(expect) = one(cx, expect, statement.span)
+        {
+            cx.builder.mech.expects.push(expect);
+        }
+    }
+}
+
+/// What is compared, before its pose is looked at.
+struct Claim {
+    expr: assur_model::model::Expr,
+    relation: Relation,
+    tolerance: Tolerance,
+    ty: Type,
+    pending: bool,
+}
+
+fn one(cx: &mut Context<'_>, expect: &document::Expect, span: Span) -> Option<Expect> {
+    let claim = if expect.values.is_empty() { truth(cx, expect) } else { equality(cx, expect) };
+    let at = match &expect.at {
+        Some(at) => place(cx, expect, at, span).map(Some),
+        None => Some(None),
+    };
+    let (claim, at) = (claim?, at?);
+    if claim.pending {
+        return None;
+    }
+    let poseless = cx.values.definitions.is_poseless(&claim.expr)
+        && match &claim.relation {
+            Relation::Equal(values) => values.iter().all(|v| cx.values.definitions.is_poseless(v)),
+            Relation::Compare(_, bound) => cx.values.definitions.is_poseless(bound),
+            Relation::Truth => true,
+        };
+    if poseless {
+        one_value(cx, expect, at.as_ref())?;
+    } else {
+        pose_is_clear(cx, expect, at.as_ref())?;
+    }
+    let d = claim.ty.dimension();
+    let angle = matches!(claim.ty, Type::Number(_)) && d == Dimension::ANGLE;
+    let display = match claim.ty {
+        Type::Truth => Display { factor: 1.0, ..Display::default() },
+        ty => cx.expect_display(&expect.text, ty),
+    };
+    let (text, Claim { expr, relation, tolerance, .. }) = (expect.text.clone(), claim);
+    Some(Expect { text, span, expr, relation, tolerance, at, angle, display, poseless })
+}
+
+/// `expect locked()`, `expect a > b`
+fn truth(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
+    if let Some(within) = &expect.within {
+        cx.error(ExpectError::ToleranceOfTruth { span: within.span });
+    }
+    let t = cx.read(&expect.what)?;
+    if t.ty != Type::Truth && !t.pending {
+        let (text, is) = (expect.text.clone(), t.ty.phrase());
+        cx.error(ExpectError::NoValue { text, is, span: expect.what.span });
+        return None;
+    }
+    if let ExprKind::Compare(left, rest) = &expect.what.kind
+        && let [(op, right)] = &rest[..]
+        && !t.pending
+    {
+        // Read once more, in two parts; it is without mistakes.
+        let (a, b) = (cx.read(left)?, cx.read(right)?);
+        not_itself(cx, left, &a, right)?;
+        let (left, right) = (a, b);
+        let relation = Relation::Compare(comparison_of(op.node), right.expr);
+        let ty = unified(left.ty, right.ty);
+        return Some(Claim { expr: left.expr, relation, tolerance: Tolerance::None, ty, pending: false });
+    }
+    let (pending, ty) = (t.pending, Type::Truth);
+    Some(Claim { expr: t.expr, relation: Relation::Truth, tolerance: Tolerance::None, ty, pending })
+}
+
+/// The type of both, the more definite one of an angle and a number that may be one.
+fn unified(a: Type, b: Type) -> Type {
+    match (a, b) {
+        (Type::Number(x), Type::Number(y)) => x.unify(y).map_or(a, Type::Number),
+        (Type::Vector(x), Type::Vector(y)) => x.unify(y).map_or(a, Type::Vector),
+        _ => a,
+    }
+}
+
+/// `expect Mb = 26 N*m within 1 %`
+fn equality(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
+    plus_minus(cx, expect)?;
+    let what = cx.read(&expect.what);
+    let values = expect.values.iter().map(|v| (cx.read(v), v)).collect::<Vec<_>>();
+    let what = what?;
+    if what.ty == Type::Truth {
+        let (text, span) = (expect.text.clone(), expect.what.span);
+        cx.error(ExpectError::Truth { text, span });
+        return None;
+    }
+    let open = what.pending && what.ty == Type::Number(Dim::Any);
+    let mut fitting = Vec::new();
+    for (value, expr) in values {
+        let fits = value.and_then(|v| {
+            if open { Some(v) } else { fit_value(cx, v, &what, (&expect.text, &expect.what), expr) }
+        });
+        fitting.push(fits);
+    }
+    let values = fitting.into_iter().collect::<Option<Vec<_>>>()?;
+    for value in &expect.values {
+        not_itself(cx, &expect.what, &what, value)?;
+    }
+    let pending = what.pending || values.iter().any(|v| v.pending);
+    let ty = values.iter().fold(what.ty, |ty, v| unified(ty, v.ty));
+    let tolerance = if open { Tolerance::None } else { tolerance::tolerance(cx, expect, &values, ty)? };
+    let values = values.into_iter().map(|v| v.expr).collect();
+    Some(Claim { expr: what.expr, relation: Relation::Equal(values), tolerance, ty, pending })
+}
+
+/// Reports what is compared with itself: any value would pass.
+fn not_itself(cx: &mut Context<'_>, what: &Expr, t: &Typed, value: &Expr) -> Option<()> {
+    if t.pending || !walk::same(what, value) {
+        return Some(());
+    }
+    cx.error(ExpectError::Itself { span: what.span.to(value.span) });
+    None
+}
+
+/// Reports `+-` in place of `within`.
+fn plus_minus(cx: &mut Context<'_>, expect: &document::Expect) -> Option<()> {
+    for value in &expect.values {
+        if let ExprKind::Chain(first, rest) = &value.kind
+            && let [(plus, Expr { kind: ExprKind::Unary(minus, size), .. })] = &rest[..]
+            && plus.node == BinaryOp::Add
+            && plus.span.end == minus.span.start
+            && let (Some(first), Some(size)) = (written(first), written(size))
+        {
+            let line = format!("{} = {first} within {size}", expect.text);
+            cx.error(ExpectError::PlusMinus { line, span: plus.span.to(minus.span) });
+            return None;
+        }
+    }
+    Some(())
+}
+
+fn fit_value(
+    cx: &mut Context<'_>,
+    value: Typed,
+    what: &Typed,
+    text: (&str, &Expr),
+    expr: &Expr,
+) -> Option<Typed> {
+    let d = what.ty.dimension();
+    match what.ty {
+        Type::Vector(_) => match component_or_magnitude(&value, text, expr) {
+            Some(help) => {
+                cx.shape("the expected value", "a vector", value.ty, expr.span, Some(help));
+                None
+            }
+            None => cx.fit_vector(value, d, "the expected value", expr),
+        },
+        Type::Number(Dim::Any) if what.value().is_some() => Some(value),
+        _ => cx.fit(value, d, "the expected value", expr),
+    }
+}
+
+/// What may be meant where a number is expected of a vector.
+fn component_or_magnitude(value: &Typed, (text, what): (&str, &Expr), expr: &Expr) -> Option<String> {
+    let number = matches!(value.ty, Type::Number(dim) if dim != Dim::Any && !value.pending);
+    let value = written(expr).filter(|_| number)?;
+    let simple = matches!(what.kind, ExprKind::Name(_) | ExprKind::Member(..) | ExprKind::Call { .. });
+    let part = if simple { format!("{text}.x") } else { format!("({text}).x") };
+    Some(format!("write `expect mag({text}) = {value}` or `expect {part} = {value}`"))
+}
+
+/// `at pose 4'`, `at crank = 90 deg`
+fn place(cx: &mut Context<'_>, expect: &document::Expect, at: &ExpectAt, span: Span) -> Option<At> {
+    match at {
+        ExpectAt::Pose(name) => {
+            pose(cx, name)?;
+            Some(At::Pose(name.node.clone(), name.span))
+        }
+        ExpectAt::Settings(settings) => {
+            let what = format!("the pose for `{}`", expect.text);
+            crate::motion::pose::settings(cx, settings, &what, span).map(At::Drives)
+        }
+    }
+}
+
+/// Reports a pose that does not exist.
+fn pose(cx: &mut Context<'_>, name: &Name) -> Option<()> {
+    let count = sweep(cx).map_or(Some(1), |(count, ..)| count);
+    let number = name.node.parse::<usize>().ok();
+    let in_sweep = number.is_some_and(|n| n >= 1 && count.is_none_or(|count| n <= count));
+    if in_sweep || cx.names.poses.contains_key(&name.node) {
+        return Some(());
+    }
+    if cx.names.bad.contains(&name.node) {
+        return None;
+    }
+    if count == Some(1) && may_sweep(cx) {
+        return Some(()); // looked for once more among the poses that are solved
+    }
+    let all = cx.names.poses.keys().map(String::as_str).collect::<Vec<_>>();
+    let near = suggestion(&name.node, &all, "named poses");
+    let help = match (number, count) {
+        (Some(_), Some(count)) if count > 1 => Some(format!("the poses of the sweep are 1 to {count}")),
+        (Some(_), Some(_)) => Some("the file has one pose: leave out `at pose …`".into()),
+        _ => near,
+    };
+    cx.error(ExpectError::UnknownPose { name: name.node.clone(), span: name.span, help });
+    None
+}
+
+/// Whether a drive that is missing, or that has an error, may have been a sweep.
+fn may_sweep(cx: &Context<'_>) -> bool {
+    let declared = cx.drive_statements().len();
+    let bad = cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Bad(_)));
+    declared == 0 || cx.builder.mech.drives.len() < declared || bad
+}
+
+/// The first drive that goes through several positions: how many (where that is known), its name and place.
+fn sweep(cx: &Context<'_>) -> Option<(Option<usize>, String, Span)> {
+    cx.builder.mech.drives.iter().find_map(|d| {
+        let count = crate::motion::drive::count(&d.positions, crate::motion::drive::moves(cx, d.target));
+        (count != Some(1)).then(|| (count, d.name.clone(), d.span))
+    })
+}
+
+/// Reports a list of values for what has one.
+fn one_value(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At>) -> Option<()> {
+    let [first, .., last] = &expect.values[..] else { return Some(()) };
+    let (span, count) = (first.span.to(last.span), expect.values.len());
+    if at.is_some() {
+        cx.error(ExpectError::ListAtPose { span, count });
+    } else {
+        cx.error(ExpectError::ListOfOne { text: expect.text.clone(), count, span });
+    }
+    None
+}
+
+/// Reports an expectation that does not say for which pose it is.
+fn pose_is_clear(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At>) -> Option<()> {
+    let values = expect.values.len();
+    let first = expect.values.first().map_or(expect.what.span, |v| v.span);
+    let span = expect.values.last().map_or(first, |v| first.to(v.span));
+    if at.is_some() {
+        if values > 1 {
+            cx.error(ExpectError::ListAtPose { span, count: values });
+            return None;
+        }
+        return Some(());
+    }
+    let Some((count, drive, place)) = sweep(cx) else {
+        if values > 1 && !may_sweep(cx) {
+            let help = "a file without a sweep has one pose, and so one value".to_owned();
+            cx.error(ExpectError::Count { values, poses: "one pose".into(), span, sweep: None, help });
+            return None;
+        }
+        return Some(());
+    };
+    match count {
+        _ if values <= 1 => {
+            let number = count.map_or_else(|| "several".to_owned(), |n| n.to_string());
+            let (text, count) = (expect.text.clone(), format!("{number} values, one per pose"));
+            cx.error(ExpectError::WhichPose { text, count, drive, span: expect.what.span, sweep: place });
+            None
+        }
+        Some(count) if count != values => {
+            let (poses, sweep) = (format!("{count} poses"), Some(place));
+            let help = crate::requests::expected_list::help(cx, count, values, place);
+            cx.error(ExpectError::Count { values, poses, span, sweep, help });
+            None
+        }
+        _ => Some(()),
+    }
+}
+
+/// What a type is called in a message about tolerances.
+pub(crate) fn words(ty: Type) -> String {
+    match ty.dimension() {
+        d if d.is_dimensionless() && d.kind == Kind::Free => "a plain number".into(),
+        d => phrase(d),
+    }
+}

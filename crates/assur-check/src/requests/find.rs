@@ -1,0 +1,161 @@
+//! `find`: what is asked.
+
+use crate::error::{RequestError, UnitsError};
+use crate::expr::context::Context;
+use crate::expr::want::Want;
+use crate::statements::walk;
+use crate::values::definition::Settled;
+use crate::values::typed::{Type, Typed, phrase};
+use crate::values::unit_use::display_in;
+use assur_model::model::{Display, Expr as ModelExpr, Find, FindKind};
+use assur_syntax::document::{ExprKind, FindItem, Statement};
+use assur_text::source::Span;
+use assur_text::units::{Unit, lookup};
+use indexmap::IndexMap;
+
+/// Enters all that is asked into the mechanism.
+pub(crate) fn finds(cx: &mut Context<'_>) {
+    let mut asked: IndexMap<String, Span> = IndexMap::new();
+    for statement in &cx.doc.statements {
+        let Statement::Find(find) = &statement.node else { continue };
+        for item in &find.items {
+            let name = item.name.as_ref().map_or(&item.text, |n| &n.node);
+            if let Some(&first) = asked.get(name) {
+                if item.name.is_none() {
+                    cx.error(RequestError::AskedTwice { name: name.clone(), again: item.span, first });
+                }
+                continue;
+            }
+            asked.insert(name.clone(), item.span);
+            if let Some(kind) = asked_for(cx, item) {
+                cx.builder.mech.finds.push(Find { name: name.clone(), span: item.span, kind });
+            }
+        }
+    }
+}
+
+fn asked_for(cx: &mut Context<'_>, item: &FindItem) -> Option<FindKind> {
+    if is_reactions(cx, item) {
+        return Some(FindKind::Reactions);
+    }
+    if let Some(table) = cx.gear_table(item) {
+        return table;
+    }
+    if let Some(table) = cx.cam_table(item) {
+        return table;
+    }
+    let (expr, display) = match &item.name {
+        // Read among the definitions already.
+        Some(name) => match cx.values.definitions.settled(&name.node)? {
+            Settled::Result(id, _) => {
+                let quantity = &cx.builder.mech.quantities[id.index()];
+                if quantity.span != name.span {
+                    return None;
+                }
+                (ModelExpr::Quantity(*id), quantity.display.clone())
+            }
+            _ => return None,
+        },
+        None => {
+            let (t, display) = cx.read_item(item)?;
+            if t.pending {
+                return None;
+            }
+            (t.expr, display)
+        }
+    };
+    let poseless = cx.values.definitions.is_poseless(&expr);
+    Some(FindKind::Value { expr, display, poseless })
+}
+
+/// `find reactions`
+fn is_reactions(cx: &Context<'_>, item: &FindItem) -> bool {
+    let word = matches!(&item.value.kind, ExprKind::Name(name) if name == "reactions");
+    word && item.name.is_none() && !cx.names.quantities.contains_key("reactions")
+}
+
+impl Context<'_> {
+    /// An item of `find`, and how it is printed.
+    pub(crate) fn read_item(&mut self, item: &FindItem) -> Option<(Typed, Display)> {
+        let read = self.read(&item.value);
+        if let Some(steps) = &item.steps {
+            self.scalar_constant(steps, &Want::NUMBER, "the number of steps");
+            self.builder.unsupported("a table of so many steps", item.span);
+        }
+        let unit = match &item.unit {
+            Some(word) => Some(self.unit(word)?),
+            None => None,
+        };
+        let t = read?;
+        let display = match unit {
+            Some(unit) => {
+                self.unit_fits(&unit, &t, item)?;
+                display_in(&unit)
+            }
+            None => self.item_display(item, t.ty),
+        };
+        Some((t, display))
+    }
+
+    fn unit_fits(&mut self, unit: &Unit, t: &Typed, item: &FindItem) -> Option<()> {
+        let fits = match t.ty {
+            Type::Number(dim) | Type::Vector(dim) => {
+                dim.unify(crate::values::typed::Dim::Of(unit.dimension)).is_some()
+            }
+            Type::Truth => false,
+        };
+        if fits {
+            return Some(());
+        }
+        let span = item.unit.as_ref().map_or(item.span, |u| u.span);
+        let (found, help) = match t.ty {
+            Type::Truth => ("a truth".to_owned(), Some("leave out `as …`".to_owned())),
+            ty => {
+                let usual = self.values.usual_unit(ty.dimension());
+                (phrase(ty.dimension()), (!usual.is_empty()).then(|| format!("write `{usual}`")))
+            }
+        };
+        let (want, what) = (phrase(unit.dimension), format!("what is printed in {}", unit.text));
+        self.error(UnitsError::Mismatch { what, want, found, span, help });
+        None
+    }
+
+    /// How an item without `as` is printed: in the unit of its `expect`, else in the one the file uses most.
+    fn item_display(&self, item: &FindItem, ty: Type) -> Display {
+        let name = item.name.as_ref().map_or(&item.text, |n| &n.node);
+        self.expected_unit(name, ty).map_or_else(|| self.values.display(ty.dimension()), |u| display_in(&u))
+    }
+
+    /// The unit of the first number that the answer key gives for what is called so.
+    fn expected_unit(&self, name: &str, ty: Type) -> Option<Unit> {
+        let mut found = None;
+        for statement in &self.doc.statements {
+            let Statement::Expect(expect) = &statement.node else { continue };
+            if expect.text != name {
+                continue;
+            }
+            for value in &expect.values {
+                walk::parts(value, &mut |part| {
+                    if let ExprKind::Number(number) = &part.kind
+                        && let Some(word) = &number.unit
+                        && let Ok(unit) = lookup(&word.node)
+                        && unit.dimension.fits(ty.dimension())
+                    {
+                        found.get_or_insert(unit);
+                    }
+                });
+            }
+        }
+        found
+    }
+
+    /// How an expected value is printed.
+    pub(crate) fn expect_display(&self, text: &str, ty: Type) -> Display {
+        let found = self.builder.mech.finds.iter().find(|f| f.name == text).and_then(|f| match &f.kind {
+            FindKind::Value { display, .. } => Some(display.clone()),
+            FindKind::Reactions | FindKind::Table(_) => None,
+        });
+        let expected = || self.expected_unit(text, ty).map(|u| display_in(&u));
+        found.or_else(expected).unwrap_or_else(|| self.values.display(ty.dimension()))
+    }
+}

@@ -1,0 +1,11 @@
+//! What is asked for: `find`, `expect`, functions of results, tables of variants.
+
+pub mod definitions;
+pub mod expect;
+pub mod expected_list;
+pub mod find;
+pub mod query;
+pub mod tolerance;
+pub mod too_wide;
+pub mod unknown;
+pub mod variants;

@@ -1,0 +1,64 @@
+//! Functions over the sweep: `mean(Mb)`, `max(mag(reaction(B)))`.
+
+use crate::expr::context::Context;
+use crate::expr::results::Call;
+use crate::values::typed::{Dim, Type, Typed};
+use assur_model::model::{Cycle, CycleFunction, Expr, Query};
+
+impl Context<'_> {
+    /// `max`, `min`, `mean`, `integral`, `argmax` of one number.
+    pub(crate) fn over_sweep(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let t = self.read(args[0])?;
+        let Type::Number(dim) = t.ty else {
+            let help = matches!(t.ty, Type::Vector(_)).then(|| "write `mag(…)`, `.x` or `.y`".to_owned());
+            let what = format!("the argument of `{}`", call.name.node);
+            self.shape(&what, "a number", t.ty, args[0].span, help);
+            return None;
+        };
+        let (how, dim) = match call.name.node.as_str() {
+            "max" => (CycleFunction::Max, dim),
+            "min" => (CycleFunction::Min, dim),
+            "mean" => (CycleFunction::Mean, dim),
+            "integral" => (CycleFunction::Integral, dim.times(Dim::Of(self.only_drive(call)?))),
+            _ => (CycleFunction::Argmax, Dim::Of(self.only_drive(call)?)),
+        };
+        let ty = Type::Number(dim);
+        if t.pending {
+            return Some(Typed::pending(ty));
+        }
+        let expr = self.cycle(how, t.expr, call);
+        Some(Typed::new(expr, ty))
+    }
+
+    /// A function over the sweep; the same one is kept once.
+    fn cycle(&mut self, how: CycleFunction, expr: Expr, call: Call<'_>) -> Expr {
+        let known = self.builder.mech.cycles.iter().position(|c| c.how == how && c.expr == expr);
+        Expr::Query(Query::Cycle(known.unwrap_or_else(|| {
+            self.builder.mech.cycles.push(Cycle { span: call.span, how, expr });
+            self.builder.mech.cycles.len() - 1
+        })))
+    }
+
+    /// `frictionless(mean(Mb))` is `mean(frictionless(Mb))`: what is found over the sweep is not found anew at a pose.
+    pub(crate) fn frictionless_over_sweep(&mut self, expr: &Expr, call: Call<'_>) -> Expr {
+        let mut found = Vec::new();
+        expr.queries(&mut |q| {
+            if let Query::Cycle(index) = q {
+                found.push(*index);
+            }
+        });
+        let mut inside = Vec::new();
+        for index in found {
+            let Some(cycle) = self.builder.mech.cycles.get(index).cloned() else { continue };
+            let ideal = Expr::Frictionless(Box::new(cycle.expr));
+            inside.push((index, self.cycle(cycle.how, ideal, call)));
+        }
+        expr.map_leaves(&mut |leaf| match leaf {
+            Expr::Query(Query::Cycle(index)) => {
+                inside.iter().find(|(i, _)| i == index).map_or_else(|| leaf.clone(), |(_, e)| e.clone())
+            }
+            _ => leaf.clone(),
+        })
+    }
+}

@@ -1,0 +1,96 @@
+//! What is asked of a flywheel: `fluctuation(J)`, `rim(J).width`.
+
+use crate::error::{NameError, PairError, RequestError};
+use crate::expr::context::Context;
+use crate::expr::results::Call;
+use crate::names::declared::QuantityKind;
+use crate::names::suggestion::suggestion;
+use crate::values::typed::{Type, Typed};
+use assur_model::model::{Expr, FlywheelPart, Query};
+use assur_syntax::document::{ExprKind, Name, Statement};
+use assur_text::source::Spanned;
+use assur_text::units::Dimension;
+
+impl Context<'_> {
+    /// `fluctuation`, `work`, `reduced_torque`, `reduced_inertia`
+    pub(crate) fn of_flywheel(&mut self, call: Call<'_>) -> Option<Typed> {
+        let (part, dimension) = match call.name.node.as_str() {
+            "fluctuation" => (FlywheelPart::Fluctuation, Dimension::TORQUE),
+            "work" => (FlywheelPart::Work, Dimension::TORQUE),
+            "reduced_torque" => (FlywheelPart::Torque, Dimension::TORQUE),
+            "reduced_inertia" => (FlywheelPart::LinksInertia, Dimension::INERTIA),
+            _ => {
+                self.flywheel(call)?;
+                let help = Some("ask for `rim(J).width`, `rim(J).height` or `rim(J).mass`".to_owned());
+                self.error(RequestError::NoValue { path: "rim(…)".to_owned(), span: call.span, help });
+                return None;
+            }
+        };
+        let index = self.flywheel(call)?;
+        Some(Typed::new(Expr::Query(Query::Flywheel(index, part)), Type::number(dimension)))
+    }
+
+    /// `rim(J).width`
+    pub(crate) fn rim(&mut self, call: Call<'_>, part: &Name) -> Option<Typed> {
+        let index = self.flywheel(call)?;
+        let (what, dimension) = match part.node.as_str() {
+            "width" => (FlywheelPart::RimWidth, Dimension::LENGTH),
+            "height" => (FlywheelPart::RimHeight, Dimension::LENGTH),
+            "mass" => (FlywheelPart::RimMass, Dimension::MASS),
+            _ => {
+                let help = Some("its parts are `.width`, `.height`, `.mass`".to_owned());
+                self.error(RequestError::Part { part: part.node.clone(), span: part.span, help });
+                return None;
+            }
+        };
+        let described = self.doc.statements.iter().filter_map(|s| match &s.node {
+            Statement::Flywheel(f) => Some(f.properties.iter().any(|p| p.name.node == "rim")),
+            _ => None,
+        });
+        if described.into_iter().nth(index) == Some(false) {
+            self.error(PairError::Incomplete {
+                message: "the flywheel has no rim".into(),
+                help: "add `rim { diameter 0.5 m; weight_density 7.0e4 N/m^3; height_to_width 1.5 }` to its braces"
+                    .into(),
+                span: call.span,
+                label: "its rim is not described".into(),
+            });
+            return None;
+        }
+        Some(Typed::new(Expr::Query(Query::Flywheel(index, what)), Type::number(dimension)))
+    }
+
+    /// The one argument, that names a flywheel.
+    fn flywheel(&mut self, call: Call<'_>) -> Option<usize> {
+        let args = self.arguments(call, 1, 1)?;
+        let ExprKind::Name(name) = &args[0].kind else {
+            self.wrong_argument(call, "a flywheel", args[0].span);
+            return None;
+        };
+        let name = Spanned::new(name.clone(), args[0].span);
+        match self.names.quantities.get(&name.node).map(|d| d.what) {
+            Some(QuantityKind::Flywheel(index)) => Some(index),
+            Some(_) => {
+                self.wrong_argument(call, "a flywheel", name.span);
+                None
+            }
+            None => {
+                self.no_flywheel(&name);
+                None
+            }
+        }
+    }
+
+    fn no_flywheel(&mut self, name: &Name) {
+        if self.names.bad.contains(&name.node)
+            || !self.problems.reported.insert(("flywheel", name.node.clone()))
+        {
+            return;
+        }
+        let all = self.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Flywheel(_)));
+        let all = all.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
+        let help = suggestion(&name.node, &all, "flywheels");
+        let (name, span) = (name.node.clone(), name.span);
+        self.error(NameError::Unknown { kind: "flywheel", name, place: String::new(), span, help });
+    }
+}

@@ -1,0 +1,316 @@
+//! Forces: reactions, inertia, efforts, power.
+
+use crate::error::{NameError, RequestError};
+use crate::expr::context::Context;
+use crate::expr::results::Call;
+use crate::expr::sign::Sign;
+use crate::names::declared::QuantityKind;
+use crate::names::suggestion::suggestion;
+use crate::requests::query::args::path;
+use crate::values::typed::{Type, Typed};
+use assur_model::model::{DriveId, Expr as ModelExpr, LinkId, PairId, PairKind, Query, TransmissionKind};
+use assur_syntax::document::{Expr, Member, Name, Statement};
+use assur_text::units::Dimension;
+
+fn number(query: Query, dimension: Dimension) -> Typed {
+    Typed::new(ModelExpr::Query(query), Type::number(dimension))
+}
+
+const fn may_have_mass(member: &Member) -> bool {
+    matches!(member, Member::Mass(_) | Member::Weight(_) | Member::Inertia(_) | Member::Bad(_))
+}
+
+impl Context<'_> {
+    /// `reaction`, `moment`, `normal`, `friction` of a pair on a link
+    pub(crate) fn reaction(&mut self, call: Call<'_>) -> Option<Typed> {
+        if self.link_before_pair(call) {
+            return None;
+        }
+        let args = self.arguments(call, 1, 2)?;
+        let pair = self.pair_argument(call, args[0]);
+        let link = match args.get(1) {
+            Some(link) => Some(self.link_argument(call, link)?),
+            None => None,
+        };
+        let pair = pair?;
+        let function = call.name.node.as_str();
+        let fits = match &self.builder.mech.pair(pair).kind {
+            PairKind::Prismatic(_) => true,
+            PairKind::Revolute(_) => matches!(function, "reaction" | "moment"),
+            PairKind::Slot(_) | PairKind::Contact { .. } => function != "moment",
+            PairKind::Cylinder { .. } => function == "reaction",
+            PairKind::Transmission(_) => matches!(function, "reaction" | "moment"),
+        };
+        if !fits {
+            self.not_of_this_pair(call, pair, Some("`reaction(…)` is defined for every pair"));
+            return None;
+        }
+        let link = match (link, args.get(1)) {
+            (Some(link), Some(place)) => self.link_of_pair(pair, link, place)?,
+            _ => self.any_link(call, pair)?,
+        };
+        let typed = match function {
+            "reaction" => {
+                Typed::new(ModelExpr::Query(Query::Reaction(pair, link)), Type::vector(Dimension::FORCE))
+            }
+            "moment" => number(Query::Moment(pair, link), Dimension::TORQUE),
+            "normal" => number(Query::Normal(pair, link), Dimension::FORCE),
+            _ => number(Query::Friction(pair, link), Dimension::FORCE),
+        };
+        Some(typed)
+    }
+
+    fn link_of_pair(&mut self, pair: PairId, link: LinkId, place: &Expr) -> Option<LinkId> {
+        let links = self.builder.mech.pair(pair).kind.links();
+        if links.contains(&link) {
+            return Some(link);
+        }
+        let quoted = self.spelled(&links).iter().map(|n| format!("`{n}`")).collect::<Vec<_>>();
+        let declared = self.pair_span(pair);
+        let name = self.builder.mech.pair(pair).name.clone();
+        let link = self.builder.mech.link(link).name.clone();
+        let help = format!("`{name}` joins {}", quoted.join(", "));
+        self.error(RequestError::LinkNotInPair { pair: name, link, span: place.span, declared, help });
+        None
+    }
+
+    /// The second link of a pair of two where the sign does not matter; otherwise it must be said.
+    fn any_link(&mut self, call: Call<'_>, pair: PairId) -> Option<LinkId> {
+        let links = self.builder.mech.pair(pair).kind.links();
+        if let ([_, second], Sign::Free) = (&links[..], call.sign) {
+            return Some(*second);
+        }
+        let (function, pair) = (call.name.node.clone(), self.builder.mech.pair(pair).name.clone());
+        let choices =
+            self.spelled(&links).iter().map(|l| format!("`{function}({pair}, {l})`")).collect::<Vec<_>>();
+        let help = match links.len() {
+            2 => format!("write {}, or `mag({function}({pair}))`", choices.join(" or ")),
+            _ => format!("write {}", choices.join(" or ")),
+        };
+        let help = if function == "reaction" { help } else { help.replace("mag(", "abs(") };
+        self.error(RequestError::WhichLink { function, pair, count: links.len(), span: call.span, help });
+        None
+    }
+
+    pub(crate) fn contact_force(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 2, 2)?;
+        let pair = self.pair_argument(call, args[0]);
+        let side = self.one_or_two(call, args[1]);
+        let (pair, side) = (pair?, side?);
+        let declared = self.builder.mech.pair(pair);
+        let PairKind::Prismatic(guide) = &declared.kind else {
+            self.not_of_this_pair(call, pair, Some("it is defined for prismatic pairs"));
+            return None;
+        };
+        if guide.contacts.is_none() {
+            let (pair, declared) = (declared.name.clone(), declared.span);
+            self.error(RequestError::NoContacts { pair, span: call.span, declared });
+            return None;
+        }
+        Some(number(Query::ContactForce(pair, side), Dimension::FORCE))
+    }
+
+    pub(crate) fn line_offset(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let pair = self.pair_argument(call, args[0])?;
+        if !matches!(self.builder.mech.pair(pair).kind, PairKind::Prismatic(_)) {
+            self.not_of_this_pair(call, pair, Some("it is defined for prismatic pairs"));
+            return None;
+        }
+        Some(number(Query::LineOffset(pair), Dimension::LENGTH))
+    }
+
+    /// `inertia_force`, `inertia_torque`, `inertia_arm`
+    pub(crate) fn inertia(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let link = self.link_argument(call, args[0])?;
+        self.with_mass(call, link)?;
+        Some(match call.name.node.as_str() {
+            "inertia_force" => {
+                Typed::new(ModelExpr::Query(Query::InertiaForce(link)), Type::vector(Dimension::FORCE))
+            }
+            "inertia_torque" => number(Query::InertiaTorque(link), Dimension::TORQUE),
+            _ => number(Query::InertiaArm(link), Dimension::LENGTH),
+        })
+    }
+
+    /// Reports a link without mass.
+    pub(crate) fn with_mass(&mut self, call: Call<'_>, link: LinkId) -> Option<()> {
+        let declared = self.builder.mech.link(link);
+        if declared.mass.is_some() {
+            return Some(());
+        }
+        // A mass that is declared with an error is missing here as well, and that has been told.
+        let written = self.doc.statements.iter().any(|s| match &s.node {
+            Statement::Link(l) => {
+                l.name.span == declared.span && l.body.iter().any(|m| may_have_mass(&m.node))
+            }
+            Statement::Bad(_) => true,
+            _ => false,
+        });
+        if !written {
+            let (link, declared) = (declared.name.clone(), declared.span);
+            self.error(RequestError::NoMass { link, span: call.span, declared });
+        }
+        None
+    }
+
+    /// `tangential_force(k)`, `normal_force(k)`, `tension(a)`; `tension(a, A)` of the part of a rope that ends at A
+    pub(crate) fn transmission_force(&mut self, call: Call<'_>) -> Option<Typed> {
+        let function = call.name.node.as_str();
+        let args = self.arguments(call, 1, if function == "tension" { 2 } else { 1 })?;
+        let pair = self.pair_argument(call, args[0])?;
+        let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else {
+            self.not_of_this_pair(call, pair, Some("it is defined for meshes, ropes and their like"));
+            return None;
+        };
+        let (kind, angle, parts) = (t.kind, t.pressure_angle, t.laws.len());
+        let fits = match function {
+            "tension" => kind == TransmissionKind::Rope,
+            "normal_force" => matches!(kind, TransmissionKind::Mesh | TransmissionKind::Rack),
+            _ => !matches!(kind, TransmissionKind::Rope | TransmissionKind::Screw),
+        };
+        let help = match kind {
+            _ if fits && function == "normal_force" && angle.is_none() => {
+                Some("the line of action is not known: add `{ pressure_angle 20 deg }` to it")
+            }
+            _ if fits => None,
+            TransmissionKind::Rope => Some("ask for the pull in it: `tension(…)`"),
+            TransmissionKind::Screw => Some("ask for its torque: `moment(…, …)`"),
+            _ => Some("ask for the force along its circles: `tangential_force(…)`"),
+        };
+        if help.is_some() {
+            self.not_of_this_pair(call, pair, help);
+            return None;
+        }
+        let query = match function {
+            "normal_force" => Query::ToothForce(pair),
+            "tangential_force" => Query::TangentialForce(pair),
+            _ => Query::Tension(pair, self.part_of_rope(call, pair, args.get(1).copied(), parts)?),
+        };
+        Some(number(query, Dimension::FORCE))
+    }
+
+    /// Which part of a rope is meant: the one that ends at what is named.
+    fn part_of_rope(
+        &mut self,
+        call: Call<'_>,
+        pair: PairId,
+        end: Option<&Expr>,
+        parts: usize,
+    ) -> Option<usize> {
+        let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else { return None };
+        let outer = [t.ends.first().cloned()?, t.ends.last().cloned()?];
+        let rope = self.builder.mech.pair(pair).name.clone();
+        let Some(end) = end else {
+            if parts == 1 {
+                return Some(0);
+            }
+            let usage = format!("tension({rope}, {})` or `tension({rope}, {})", outer[0], outer[1]);
+            let function = call.name.node.clone();
+            let wanted = "also the end of the rope, as wheels on the way part it,".to_owned();
+            self.error(RequestError::Argument { function, wanted, span: call.span, usage });
+            return None;
+        };
+        let named = path(end).map(|p| p.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join("."));
+        match named {
+            Some(name) if name == outer[0] => Some(0),
+            Some(name) if name == outer[1] => Some(parts - 1),
+            _ => {
+                let wanted = format!("one end of the rope: `{}` or `{}`", outer[0], outer[1]);
+                self.wrong_argument(call, &wanted, end.span);
+                None
+            }
+        }
+    }
+
+    /// `effort(crank)`
+    pub(crate) fn effort(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let Some(names) = path(args[0]) else {
+            self.wrong_argument(call, "what a drive moves", args[0].span);
+            return None;
+        };
+        let drive = self.drive(&names)?;
+        let statement = self.drive_statements()[drive.index()];
+        let vector = statement.target.tail.is_some();
+        if vector {
+            self.wrong_argument(call, "a link or a pair that is driven", args[0].span);
+            return None;
+        }
+        self.own_effort(args[0])?;
+        let statement = self.drive_statements()[drive.index()];
+        let turns = self.drive_dimension(statement) == Dimension::ANGLE;
+        Some(number(Query::Effort(drive), if turns { Dimension::TORQUE } else { Dimension::FORCE }))
+    }
+
+    /// Reports an effort of a drive where other efforts are unknown.
+    fn own_effort(&mut self, driven: &Expr) -> Option<()> {
+        let balance = self.names.quantities.iter().find(|(_, d)| matches!(d.what, QuantityKind::Balance(..)));
+        let Some((balance, declared)) = balance.map(|(name, d)| (name.clone(), d.span)) else {
+            return Some(());
+        };
+        let name = path(driven)?.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join(".");
+        self.error(RequestError::NoOwnEffort { name, balance, span: driven.span, declared });
+        None
+    }
+
+    /// The drive of what is named.
+    fn drive(&mut self, names: &[Name]) -> Option<DriveId> {
+        let written = names.iter().map(|n| n.node.as_str()).collect::<Vec<_>>().join(".");
+        let drives = self.drive_names();
+        if let Some(i) = drives.iter().position(|d| *d == written) {
+            return Some(DriveId::at(i));
+        }
+        let (first, last) = (names.first()?, names.last()?);
+        if self.names.bad.contains(&first.node) || !self.problems.reported.insert(("drive", written.clone()))
+        {
+            return None;
+        }
+        let all = drives.iter().map(String::as_str).collect::<Vec<_>>();
+        let help = suggestion(&written, &all, "things driven");
+        self.error(RequestError::NotDriven { name: written, span: first.span.to(last.span), help });
+        None
+    }
+
+    /// What the drives move, as written, in order.
+    pub fn drive_names(&self) -> Vec<String> {
+        let written = |path: &assur_syntax::document::Path| match &path.tail {
+            Some(tail) => format!("{}.{}", path.head.node, tail.node),
+            None => path.head.node.clone(),
+        };
+        self.drive_statements().iter().map(|d| written(&d.target)).collect()
+    }
+
+    /// `power(Mb)` of an unknown effort, a load or a drive
+    pub(crate) fn power(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let names = path(args[0]);
+        let Some(names) = names else {
+            self.wrong_argument(call, "a load, an unknown effort or a drive", args[0].span);
+            return None;
+        };
+        let declared = self.names.quantities.get(&names[0].node).map(|d| (d.what, d.span));
+        let query = match declared {
+            Some((QuantityKind::Load(id, _), _)) if names.len() == 1 => Query::LoadPower(id),
+            Some((QuantityKind::Balance(id, _), _)) if names.len() == 1 => Query::BalancePower(id),
+            Some((_, span)) if names.len() == 1 => {
+                self.error(NameError::WrongKind {
+                    name: names[0].node.clone(),
+                    is: "a value".into(),
+                    wanted: "a load or an unknown effort".into(),
+                    span: names[0].span,
+                    declared: Some(span),
+                    help: None,
+                });
+                return None;
+            }
+            _ => {
+                let drive = self.drive(&names)?;
+                self.own_effort(args[0])?;
+                Query::EffortPower(drive)
+            }
+        };
+        Some(number(query, Dimension::POWER))
+    }
+}

@@ -1,0 +1,110 @@
+//! Names that stand for no quantity, and what may be meant.
+
+use crate::error::NameError;
+use crate::expr::context::Context;
+use crate::names::suggestion::suggestion;
+use crate::statements::lines::text;
+use assur_model::model::{LinkId, PairKind};
+use assur_syntax::document::{Name, Statement};
+use assur_text::diagnostic::did_you_mean;
+use assur_text::units::{Dimension, lookup};
+
+impl Context<'_> {
+    /// The line that makes a name an unknown effort, where the file has none and the name is usual for one.
+    fn no_balance(&self, name: &str) -> Option<String> {
+        let is_balance = |s: &Statement| matches!(s, Statement::Balance(_));
+        let torque = name.starts_with('M') || name.starts_with('T');
+        if !(torque || name.starts_with('F')) || self.doc.statements.iter().any(|s| is_balance(&s.node)) {
+            return None;
+        }
+        let [drive] = self.drive_statements()[..] else { return None };
+        let on = text(&drive.target);
+        let line = match (self.drive_dimension(drive) == Dimension::ANGLE, self.find_link(&on)) {
+            (true, Some(_)) if torque => format!("balance torque {name} on {on}"),
+            (false, None) if !torque && drive.target.tail.is_none() => {
+                format!("balance force {name} in {on}")
+            }
+            (true, Some(_)) => format!("balance force {name} {} along 0 deg", self.on_guided()?),
+            _ => return None,
+        };
+        Some(format!("for an unknown effort add the line `{line}`"))
+    }
+
+    /// The only link that slides on the ground, with its point on the guide.
+    fn on_guided(&self) -> Option<String> {
+        let mut guides = self.builder.mech.pairs.iter().filter_map(|p| match &p.kind {
+            PairKind::Prismatic(g) if g.guide == LinkId::GROUND => Some(g),
+            _ => None,
+        });
+        let only = guides.next().filter(|_| guides.next().is_none())?;
+        Some(format!("on {} at {}", self.builder.mech.link(only.slider).name, only.point_name))
+    }
+
+    /// `find velocities`: functions stand for one thing each.
+    fn results_by_name(&self, name: &str) -> Option<String> {
+        let functions: &[&str] = match name.to_lowercase().trim_end_matches("ies").trim_end_matches('s') {
+            "position" | "displacement" | "coordinate" => &["position"],
+            "velocity" | "velocit" | "speed" => &["velocity"],
+            "acceleration" => &["acceleration"],
+            "everything" | "all" => &["position", "velocity", "acceleration"],
+            "force" => return Some("write `reactions`".into()),
+            _ => return None,
+        };
+        let (link, point) =
+            self.builder.mech.links.iter().rev().find_map(|l| Some((&l.name, &l.points.first()?.name)))?;
+        let calls = functions.iter().map(|f| format!("{f}({link}.{point})")).collect::<Vec<_>>().join(", ");
+        Some(format!("ask for one point each, as in `{calls}`"))
+    }
+
+    /// Reports a name that stands for no quantity.
+    pub(crate) fn no_quantity(&mut self, name: &Name) {
+        let bad = self.names.bad.contains(&name.node);
+        if bad || !self.problems.reported.insert(("quantity", name.node.clone())) {
+            return;
+        }
+        let thing = self.names.things.get(&name.node).map(|d| (d.what.phrase(), Some(d.span), d.what));
+        let error = if let Some((is, declared, what)) = thing {
+            NameError::WrongKind {
+                name: name.node.clone(),
+                is,
+                wanted: "a quantity".into(),
+                span: name.span,
+                declared,
+                help: crate::names::functions::ask_of(what, &name.node),
+            }
+        } else {
+            let all = self.names.quantities.keys().map(String::as_str).collect::<Vec<_>>();
+            // names of the file come before the constant, unless it differs from that in its capitals alone
+            let is_pi = name.node.eq_ignore_ascii_case("pi");
+            let alone = is_pi || did_you_mean(&name.node, all.iter().copied()).is_empty();
+            let pi = || {
+                let near = alone && !did_you_mean(&name.node, ["pi"]).is_empty();
+                near.then(|| "did you mean `pi`?".to_owned())
+            };
+            let unit = || if alone { unit_apart(&name.node) } else { None };
+            let effort = || if alone { self.no_balance(&name.node) } else { None };
+            let results = || if alone { self.results_by_name(&name.node) } else { None };
+            let listed = || suggestion(&name.node, &all, "quantities");
+            let help = pi().or_else(unit).or_else(effort).or_else(results);
+            let listed = listed();
+            let help = help.or_else(|| self.function_alone(&name.node, name.span)).or(listed);
+            let (name, span) = (name.node.clone(), name.span);
+            NameError::Unknown { kind: "quantity", name, place: String::new(), span, help }
+        };
+        self.error(error);
+    }
+}
+
+/// What to say of a unit that stands by itself where a quantity is due: `60 N * m`, `20 m/s2`.
+fn unit_apart(name: &str) -> Option<String> {
+    let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let power = &name[letters.len()..];
+    if lookup(letters).is_err() {
+        return None;
+    }
+    let one_word = "a number and its unit are written as `60 N*m` or `2 m/s^2`";
+    Some(match power {
+        "" => format!("`{name}` is a unit; {one_word}, without blanks in the unit"),
+        _ => format!("the unit is `{letters}^{power}`; {one_word}"),
+    })
+}

@@ -1,0 +1,238 @@
+//! `variants`: names and units of the columns, and rows as numbers.
+
+use crate::error::{NameError, RequestError, UnitsError};
+use crate::expr::context::Context;
+use crate::names::declared::QuantityKind;
+use crate::names::suggestion::suggestion;
+use crate::requests::tolerance;
+use crate::values::definition::Settled;
+use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
+use crate::values::typed::{Dim, Type, mend, phrase};
+use assur_model::model::{Expr, Value};
+use assur_syntax::document::{Column, Document, ExprKind, Number, Statement, Variants};
+use assur_text::source::Span;
+use assur_text::units::{Dimension, Unit};
+use indexmap::IndexSet;
+use std::sync::Arc;
+
+/// The name of a column that names its rows.
+const LABEL: &str = "variant";
+
+/// A row of a file's own table.
+#[derive(Clone, Debug)]
+pub struct FileRow {
+    /// Its numbers.
+    pub row: Row,
+    /// What the column `variant` calls it.
+    pub label: Option<String>,
+    /// Its place.
+    pub span: Span,
+}
+
+/// The table of a document, where there is one.
+#[must_use]
+pub fn table(document: &Document) -> Option<&Variants> {
+    document.statements.iter().find_map(|statement| match &statement.node {
+        Statement::Variants(table) => Some(table),
+        _ => None,
+    })
+}
+
+/// The rows of a table whose columns are checked; of those that are as long as the header.
+#[must_use]
+pub fn file_rows(table: &Variants, columns: &Arc<[RowColumn]>) -> Vec<FileRow> {
+    let fits = table.rows.iter().filter(|row| row.cells.len() == columns.len());
+    let rows = fits.map(|row| {
+        let label = columns.iter().position(|c| c.what == ColumnUse::Label);
+        let cell = |(number, column): (&Number, &RowColumn)| RowCell {
+            value: column.unit.to_si(number.value),
+            digit: tolerance::digit_of(number).map_or(0.0, |digit| column.unit.to_si(digit)),
+        };
+        let numbers = row.cells.iter().map(|c| &c.node);
+        FileRow {
+            row: Row::new(columns.clone(), numbers.zip(columns.iter()).map(cell).collect()),
+            label: label.map(|i| row.cells[i].node.text.clone()),
+            span: row.span,
+        }
+    });
+    rows.collect()
+}
+
+/// Checks the table of variants of a document; nothing where a row of it is checked.
+pub(crate) fn variants(cx: &mut Context<'_>) {
+    if !cx.values.outside.row.is_empty() {
+        return;
+    }
+    let mut first = None;
+    for statement in &cx.doc.statements {
+        let Statement::Variants(table) = &statement.node else { continue };
+        if let Some(first) = first {
+            crate::motion::drive::stated_twice(cx, "variants", statement.span, first);
+            continue;
+        }
+        first = Some(statement.span);
+        columns(cx, table);
+        rows(cx, table);
+    }
+}
+
+/// The columns of a table, of the document or beside it; nothing where one has an error.
+pub(crate) fn columns(cx: &mut Context<'_>, table: &Variants) -> Option<Vec<RowColumn>> {
+    let mut all = Vec::new();
+    for (i, column) in table.columns.iter().enumerate() {
+        match table.columns[..i].iter().find(|c| c.name.node == column.name.node) {
+            Some(first) => {
+                cx.error(NameError::duplicate(&column.name, first.name.span, None));
+                all.push(None);
+            }
+            None => all.push(check_column(cx, column)),
+        }
+    }
+    all.into_iter().collect()
+}
+
+/// Reports names that an `expect` uses, and that neither the file nor a table beside it gives a value.
+pub(crate) fn missing_keys(cx: &mut Context<'_>, table: &Variants) {
+    let header = table.columns.iter().map(|c| c.name.span).reduce(|a, b| a.to(b)).unwrap_or_default();
+    let own = crate::requests::variants::table(cx.doc).map_or(&[][..], |own| &own.columns);
+    let has = |name: &str| table.columns.iter().any(|c| c.name.node == name);
+    let mut names: IndexSet<&str> = IndexSet::new();
+    for column in own {
+        let declared = cx.names.quantities.get(&column.name.node).map(|d| d.what);
+        if matches!(declared, Some(QuantityKind::Column(_)))
+            && !has(&column.name.node)
+            && cx.used_by_expect(&column.name.node)
+        {
+            names.insert(&column.name.node);
+        }
+    }
+    for name in names {
+        cx.error(RequestError::KeyColumn { name: name.to_owned(), span: header });
+    }
+}
+
+fn check_column(cx: &mut Context<'_>, column: &Column) -> Option<RowColumn> {
+    let unit = match &column.unit {
+        Some(word) => cx.unit(word)?,
+        None => Unit::si(Dimension::NUMBER),
+    };
+    let name = &column.name;
+    let checked = |what, dimension, unit: Unit| {
+        Some(RowColumn { name: name.node.clone(), unit, dimension, what, set: None })
+    };
+    let of_expect = |cx: &Context<'_>| cx.used_by_expect(&name.node);
+    match cx.names.quantities.get(&name.node).map(|d| d.what) {
+        Some(QuantityKind::Given(_)) => {
+            let Some(Settled::Constant(t)) = cx.values.definitions.settled(&name.node) else { return None };
+            let outside = cx.values.outside.overrides.values.iter().any(|(n, _)| *n == name.node);
+            let set = match t.expr {
+                Expr::Constant(Value::Scalar(x)) if outside => Some(x),
+                _ => None,
+            };
+            let ty = t.ty;
+            let dimension = fits(cx, column, ty, &unit)?;
+            checked(ColumnUse::Given, dimension, unit).map(|column| RowColumn { set, ..column })
+        }
+        Some(QuantityKind::Column(_)) | None if of_expect(cx) => {
+            checked(ColumnUse::Key, unit.dimension, unit)
+        }
+        Some(QuantityKind::Column(_)) | None if name.node == LABEL && column.unit.is_none() => {
+            checked(ColumnUse::Label, unit.dimension, unit)
+        }
+        Some(QuantityKind::Column(_)) | None => {
+            unknown(cx, column);
+            None
+        }
+        Some(kind) => {
+            let is = kind.phrase().to_owned();
+            let replaces = "a row of variants replaces the values of `given`";
+            let meant = given_meant(cx, &name.node);
+            cx.error(NameError::WrongKind {
+                name: name.node.clone(),
+                is,
+                wanted: "a `given`".into(),
+                span: name.span,
+                declared: cx.names.quantities.get(&name.node).map(|d| d.span),
+                help: Some(meant.map_or(replaces.into(), |meant| format!("write `{meant}`: {replaces}"))),
+            });
+            None
+        }
+    }
+}
+
+/// The `given` whose name differs from this one in capitals alone.
+fn given_meant(cx: &Context<'_>, name: &str) -> Option<String> {
+    let given = cx.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
+    let mut alike = given.map(|(given, _)| given).filter(|given| given.to_lowercase() == name.to_lowercase());
+    alike.next().cloned()
+}
+
+/// The unit in which the file states a `given`.
+fn unit_of_given(cx: &Context<'_>, name: &str) -> Option<String> {
+    let QuantityKind::Given(value) = cx.names.quantities.get(name)?.what else { return None };
+    match &value.kind {
+        ExprKind::Number(number) => number.unit.as_ref().map(|unit| unit.node.clone()),
+        _ => None,
+    }
+}
+
+fn unknown(cx: &mut Context<'_>, column: &Column) {
+    let name = &column.name;
+    let told =
+        cx.names.bad.contains(&name.node) || cx.problems.reported.contains(&("quantity", name.node.clone()));
+    if told || !cx.problems.reported.insert(("given", name.node.clone())) {
+        return;
+    }
+    let given = cx.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
+    let given = given.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
+    let help = suggestion(&name.node, &given, "`given` of this file");
+    let (name, span) = (name.node.clone(), name.span);
+    cx.error(NameError::Unknown { kind: "given", name, place: String::new(), span, help });
+}
+
+/// The dimension that the column's values have in the file.
+fn fits(cx: &mut Context<'_>, column: &Column, ty: Type, unit: &Unit) -> Option<Dimension> {
+    let name = &column.name.node;
+    let span = column.unit.as_ref().map_or(column.name.span, |u| u.span);
+    let Type::Number(dim) = ty else {
+        cx.shape(&format!("`{name}` of a table"), "a number", ty, span, None);
+        return None;
+    };
+    if let Some(dim) = dim.unify(Dim::Of(unit.dimension)) {
+        return Some(if column.unit.is_none() { Dimension::NUMBER } else { dim.known() });
+    }
+    let (what, want) = (format!("column `{name}`"), dim.known());
+    if column.unit.is_none() {
+        let unit = unit_of_given(cx, name).unwrap_or_else(|| cx.values.usual_unit(want));
+        let example = format!("`{name} [{unit}]`");
+        cx.error(UnitsError::Missing { what, want, span, used: None, example });
+        return None;
+    }
+    let column =
+        mend(want, unit.dimension).map(|_| format!("write `{name} [{}]`", cx.values.usual_unit(want)));
+    // a torque that was given in newtons, or a force with a column for a torque
+    let is_torque = want == Dimension::FORCE && unit.dimension == Dimension::TORQUE;
+    let given = is_torque.then(|| cx.completed_given(name, unit.dimension)).flatten();
+    let help = match (given, column) {
+        (Some(given), Some(column)) => Some(format!("write `{given}` for a torque, or {column} for a force")),
+        (_, column) => column,
+    };
+    let found = phrase(unit.dimension);
+    cx.error(UnitsError::Mismatch { what, want: phrase(want), found, span, help });
+    None
+}
+
+/// Reports rows that are longer or shorter than the header.
+pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
+    let columns = table.columns.len();
+    if columns == 0 {
+        // the header has an error, which is reported
+        return;
+    }
+    let header = table.columns.iter().map(|c| c.name.span).reduce(|a, b| a.to(b));
+    for row in table.rows.iter().filter(|row| row.cells.len() != columns) {
+        let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+        let (found, columns) = (count(row.cells.len(), "number"), count(columns, "column"));
+        cx.error(RequestError::VariantRow { found, columns, span: row.span, header });
+    }
+}

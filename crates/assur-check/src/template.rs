@@ -1,0 +1,88 @@
+//! A document that is checked again and again, with one row of variants after another.
+//!
+//! Names, the order of the definitions and the units of the file hang on no value: they are found once. All else is
+//! checked by the same code as ever, so that a row comes out as the file with these values would.
+
+use crate::expr::context::Context;
+use crate::names::declared::Names;
+use crate::requests::query::RESULTS;
+use crate::values::definition::Definitions;
+use crate::values::overrides::Overrides;
+use crate::values::row::Row;
+use crate::values::store::Values;
+use crate::values::unit_use::{self, UnitUse};
+use crate::{definitions, meaning};
+use assur_model::model::{Display, Mechanism};
+use assur_syntax::document::Document;
+use assur_text::diagnostic::Problems;
+use indexmap::IndexMap;
+
+/// A document with its names found.
+pub struct Resident<'a> {
+    doc: &'a Document,
+    overrides: &'a Overrides,
+    names: Names<'a>,
+    units: UnitUse,
+    order: Vec<String>,
+    results: IndexMap<String, String>,
+    /// What every row starts from.
+    mech: Mechanism,
+    displays: Vec<Display>,
+    links: usize,
+    inside: usize,
+    bad: usize,
+}
+
+impl<'a> Resident<'a> {
+    /// Finds the names of a document; `None` where something is to be said of them: then every row is checked as a
+    /// whole.
+    #[must_use]
+    pub fn new(document: &'a Document, overrides: &'a Overrides) -> Option<Self> {
+        let values = Values::new(overrides, unit_use::count(document));
+        let mut cx = Context::new(document, values, RESULTS);
+        definitions(&mut cx);
+        let quiet = cx.problems.is_empty();
+        let displays = cx.values.displays();
+        let Context { names, values: Values { units, definitions, .. }, builder, .. } = cx;
+        let mech = builder.mech;
+        let (order, results) = definitions.into_names();
+        let (links, inside, bad) = (names.links.len(), names.inside.len(), names.bad.len());
+        let (doc, overrides) = (document, overrides);
+        quiet.then_some(Self {
+            doc,
+            overrides,
+            names,
+            units,
+            order,
+            results,
+            mech,
+            displays,
+            links,
+            inside,
+            bad,
+        })
+    }
+
+    /// As [`crate::check`] with this row.
+    pub fn check(&mut self, row: &Row) -> (Option<Mechanism>, Problems) {
+        use std::mem::take;
+        let mut values = Values::new(self.overrides, take(&mut self.units));
+        values.outside.row = row.clone();
+        values.definitions = Definitions::of_names(take(&mut self.order), take(&mut self.results));
+        let mut cx = Context::new(self.doc, values, RESULTS);
+        cx.names = take(&mut self.names);
+        cx.builder.mech = self.mech.clone();
+        meaning(&mut cx);
+        let Context { names, values: Values { units, definitions, .. }, builder, problems, .. } = cx;
+        (self.names, self.units) = (names, units);
+        (self.order, self.results) = definitions.into_names();
+        // what pairs have added
+        self.names.pairs.clear();
+        self.names.links.truncate(self.links);
+        self.names.inside.truncate(self.inside);
+        // an error of this row is not one of the next
+        self.names.bad.truncate(self.bad);
+        let mechanism = Mechanism { displays: self.displays.clone(), ..builder.mech };
+        ((!problems.has_errors()).then_some(mechanism), problems.into_found())
+    }
+}

@@ -1,0 +1,11 @@
+//! Shafts, wheels, sliders and what runs between them.
+
+pub mod at_rest;
+pub mod carrier;
+pub mod gear;
+pub mod meant;
+pub mod planet;
+pub mod rope;
+pub mod shaft;
+pub mod size;
+pub mod transmission;

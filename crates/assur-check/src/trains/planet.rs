@@ -1,0 +1,136 @@
+//! Distances of axes: of placed wheels, and of planets that mesh on both sides.
+
+use crate::error::TrainError;
+use crate::expr::context::Context;
+use crate::statements::lines::{braces, end_text};
+use crate::trains::carrier::centre_on;
+use crate::values::format_value::format_value;
+use assur_model::model::{LinkId, Pair, PairKind, Wheel};
+use assur_syntax::document::Joint;
+use assur_text::source::Span;
+use assur_text::units::Dimension;
+use indexmap::IndexMap;
+
+/// A distance may differ from what the sizes ask for by this part.
+const AGREES: f64 = 1e-6;
+
+/// The arm that a mesh asks of a planet.
+#[derive(Clone)]
+pub(crate) struct Arm {
+    length: f64,
+    /// That of a mesh that is internal where this one is not, or the other way round.
+    turned: f64,
+    mesh: String,
+    span: Span,
+    /// What to write to turn it.
+    help: String,
+}
+
+/// Arms of planets as their meshes ask for them, by shaft.
+pub(crate) type Arms = IndexMap<LinkId, Vec<Arm>>;
+
+/// Reports placed wheels whose distance is not that of their sizes.
+pub(crate) fn distance(
+    cx: &mut Context<'_>,
+    wheels: [&Wheel; 2],
+    carrier: LinkId,
+    internal: bool,
+    span: Span,
+) -> Option<()> {
+    let [a, b] = wheels;
+    let (Some(p), Some(q)) = (centre_on(cx, a, carrier), centre_on(cx, b, carrier)) else { return Some(()) };
+    let assumed =
+        |w: &Wheel| cx.builder.mech.scales.iter().any(|s| s.wheel == w.name || s.teeth && w.teeth.is_some());
+    if assumed(a) || assumed(b) {
+        return Some(());
+    }
+    let distance = (q - p).norm();
+    let due = if internal { (a.radius - b.radius).abs() } else { a.radius + b.radius };
+    if (distance - due).abs() <= AGREES * due {
+        return Some(());
+    }
+    let length = |x| format_value(x, Dimension::LENGTH);
+    cx.error(TrainError::CentreDistance {
+        first: a.name.clone(),
+        second: b.name.clone(),
+        distance: length(distance),
+        rule: if internal { "the difference of their radii" } else { "the sum of their radii" },
+        due: length(due),
+        span,
+    });
+    None
+}
+
+/// Notes the arm that a mesh asks of a planet, and warns of one that does not agree with another mesh.
+pub(crate) fn arm(
+    cx: &mut Context<'_>,
+    arms: &mut Arms,
+    planet: &Wheel,
+    other: &Wheel,
+    internal: bool,
+    joint: &Joint,
+) {
+    let scaled = |w: &Wheel| cx.builder.mech.scales.iter().any(|s| s.wheel == w.name && !s.teeth);
+    if scaled(planet) || scaled(other) {
+        return;
+    }
+    let (inner, outer) = ((other.radius - planet.radius).abs(), other.radius + planet.radius);
+    let (length, turned) = if internal { (inner, outer) } else { (outer, inner) };
+    let line =
+        format!("mesh {}: {} - {}", joint.name.node, end_text(&joint.ends[0]), end_text(&joint.ends[1]));
+    let help = if internal {
+        format!("`{}` is no internal mesh: leave `internal` out", joint.name.node)
+    } else {
+        let more = braces(&joint.properties, &["internal"]);
+        format!("a ring has its teeth inside: write `{line}{more}`")
+    };
+    let asked = Arm { length, turned, mesh: joint.name.node.clone(), span: joint.name.span, help };
+    let agree = |a: f64, b: f64| (a - b).abs() <= AGREES * b;
+    let before = arms.entry(planet.link).or_default();
+    let odd = before.iter().find(|a| !agree(a.length, length)).cloned();
+    before.push(asked.clone());
+    let Some(first) = odd else { return };
+    let modules = cx.builder.mech.scales.iter().any(|s| s.teeth);
+    // without a module an arm is a sum of teeth
+    let text = |arm: f64| match modules {
+        true => format!("{} teeth", crate::values::format_value::digits(2.0 * arm)),
+        false => format_value(arm, Dimension::LENGTH),
+    };
+    let help = if agree(asked.turned, first.length) {
+        format!("{}; then both arms are {}", asked.help, text(first.length))
+    } else if agree(first.turned, length) {
+        format!("{}; then both arms are {}", first.help, text(length))
+    } else {
+        "make the arms equal: with coaxial wheels sun and planet add, ring and planet subtract; the rates are the \
+         same either way"
+            .into()
+    };
+    let error = TrainError::PlanetDistance {
+        help,
+        shaft: cx.builder.mech.link(planet.link).name.clone(),
+        first: first.mesh,
+        second: asked.mesh,
+        one: text(first.length),
+        two: text(length),
+        first_span: first.span,
+        second_span: asked.span,
+    };
+    cx.error(error);
+}
+
+/// Whether a wheel turns on a carrier that moves.
+pub(crate) fn is_planet(cx: &Context<'_>, wheel: &Wheel, carrier: LinkId) -> bool {
+    let on = |p: &Pair| match &p.kind {
+        // a shaft stands second, what carries it first
+        PairKind::Revolute(pins) if p.bearing.is_some() => {
+            pins.first().is_some_and(|p| p.link == carrier)
+                && pins.last().is_some_and(|p| p.link == wheel.link)
+        }
+        PairKind::Revolute(pins) => {
+            let has = |link| pins.iter().any(|p| p.link == link);
+            has(wheel.link) && has(carrier) && !has(LinkId::GROUND)
+        }
+        _ => false,
+    };
+    carrier != LinkId::GROUND && wheel.link != LinkId::GROUND && cx.builder.mech.pairs.iter().any(on)
+}

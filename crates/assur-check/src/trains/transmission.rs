@@ -1,0 +1,396 @@
+//! Meshes, belts, chains, racks, worms and screws: each a law between rates.
+
+use crate::error::{PairError, TrainError};
+use crate::expr::context::Context;
+use crate::expr::property::{Read, find, read};
+use crate::links::lookup::is_linkage_pair;
+use crate::names::declared::ThingKind;
+use crate::pairs::property::{phrase, shared, specs};
+use crate::pairs::transmission::known;
+use crate::statements::lines::{braces, end_text};
+use crate::trains::carrier::{carrier, turns_on};
+use crate::trains::meant::{only_wheels, percent};
+use crate::trains::planet::{Arms, arm, distance, is_planet};
+use crate::trains::rope::{merged, rope, two_sides};
+use crate::trains::size::label;
+use crate::values::format_value::digits;
+use assur_model::model::{
+    Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
+};
+use assur_syntax::document::{End, Joint, JointKind, Path, Statement};
+use assur_text::source::Span;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// Sizes may differ from what the teeth say by this part.
+const AGREES: f64 = 1e-9;
+
+/// Enters all transmissions into the mechanism.
+pub(crate) fn transmissions(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    let shared = shared(cx);
+    let mut arms = Arms::new();
+    for statement in &doc.statements {
+        let Statement::Joint(joint) = &statement.node else { continue };
+        if is_linkage_pair(joint.kind.node) || !cx.is_own(&joint.name) {
+            continue;
+        }
+        let what = phrase(joint.kind.node);
+        let properties = read(cx, &what, &joint.properties, specs(joint.kind.node)).map(|mut own| {
+            for more in shared.iter().filter(|s| s.0 == joint.kind.node).flat_map(|s| &s.1) {
+                if find(&own, more.name).is_none() {
+                    own.push(more.clone());
+                }
+            }
+            own
+        });
+        let read = properties.and_then(|properties| transmission(cx, joint, &properties, &mut arms));
+        if read.is_none() {
+            // What is asked of it is no second mistake.
+            cx.names.bad.insert(joint.name.node.clone());
+        }
+        if let Some(transmission) = read {
+            let id = PairId::at(cx.builder.mech.pairs.len());
+            let (name, span) = (joint.name.node.clone(), joint.name.span);
+            cx.names.pairs.entry(name.clone()).or_insert(id);
+            let kind = PairKind::Transmission(transmission);
+            cx.builder.mech.pairs.push(Pair { name, span, kind, friction: None, bearing: None });
+        }
+    }
+}
+
+/// What runs between the ends, before losses.
+struct Runs {
+    laws: Vec<Law>,
+    links: Vec<LinkId>,
+    meeting: Option<Meeting>,
+}
+
+fn transmission(
+    cx: &mut Context<'_>,
+    joint: &Joint,
+    properties: &[Read],
+    arms: &mut Arms,
+) -> Option<Transmission> {
+    let kind = kind(joint.kind.node)?;
+    let efficiency = efficiency(cx, joint, properties)?;
+    let pressure_angle = pressure_angle(cx, properties)?;
+    let mut runs = match kind {
+        TransmissionKind::Rope => rope(cx, joint).map(|(laws, links)| Runs { laws, links, meeting: None }),
+        TransmissionKind::Mesh | TransmissionKind::Belt | TransmissionKind::Chain => {
+            let tangent = pressure_angle.map(libm::tan);
+            wheels(cx, joint, kind, properties, (arms, tangent))
+        }
+        TransmissionKind::Rack => rack(cx, joint),
+        TransmissionKind::Worm => worm(cx, joint, properties),
+        TransmissionKind::Screw => screw(cx, joint, properties),
+    }?;
+    if let Some(there) = efficiency {
+        if kind == TransmissionKind::Rope {
+            two_sides(cx, joint, &runs.laws)?;
+        }
+        // a worm or a screw that is driven backwards loses as much again, relative to what it gets
+        let thread = matches!(kind, TransmissionKind::Worm | TransmissionKind::Screw);
+        let back = if thread { 2.0 - 1.0 / there } else { there };
+        runs.laws.iter_mut().for_each(|l| l.efficiency = Some([there, back]));
+    }
+    let ends = joint.ends.iter().map(end_text).collect();
+    let Runs { laws, links, meeting } = runs;
+    Some(Transmission { kind, ends, links, laws, meeting, pressure_angle })
+}
+
+fn kind(kind: JointKind) -> Option<TransmissionKind> {
+    Some(match kind {
+        JointKind::Mesh => TransmissionKind::Mesh,
+        JointKind::Rope => TransmissionKind::Rope,
+        JointKind::Belt => TransmissionKind::Belt,
+        JointKind::Chain => TransmissionKind::Chain,
+        JointKind::Rack => TransmissionKind::Rack,
+        JointKind::Worm => TransmissionKind::Worm,
+        JointKind::Screw => TransmissionKind::Screw,
+        _ => return None,
+    })
+}
+
+/// `Some(None)` where none is written.
+fn efficiency(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Option<f64>> {
+    let Some(property) = find(properties, "efficiency") else { return Some(None) };
+    let value = property.number();
+    if value <= 1.0 {
+        return Some(Some(value));
+    }
+    let help = percent(cx, joint, value).unwrap_or_else(|| {
+        "write the part of the power that gets through: `efficiency 0.98`, or `efficiency 98 %`".into()
+    });
+    cx.error(TrainError::Efficiency { value: digits(value), help, span: property.span });
+    None
+}
+
+fn pressure_angle(cx: &mut Context<'_>, properties: &[Read]) -> Option<Option<f64>> {
+    let Some(property) = find(properties, "pressure_angle") else { return Some(None) };
+    if property.number() < FRAC_PI_2 {
+        return Some(Some(property.number()));
+    }
+    incomplete(
+        cx,
+        "a pressure angle lies below 90 deg",
+        "20 deg is usual: `pressure_angle 20 deg`",
+        property.span,
+    )
+}
+
+fn incomplete<T>(cx: &mut Context<'_>, message: &str, help: &str, span: Span) -> Option<T> {
+    let (message, help) = (message.to_owned(), help.to_owned());
+    cx.error(PairError::Incomplete { message, help, span, label: "here".into() });
+    None
+}
+
+/// The two ends; reports more of them.
+fn two<'j>(cx: &mut Context<'_>, joint: &'j Joint) -> Option<[&'j Path; 2]> {
+    let what = phrase(joint.kind.node);
+    let odd = joint.ends.iter().enumerate().find(|(i, e)| *i > 1 || !matches!(e, End::At(_)));
+    if let Some((i, end)) = odd {
+        cx.error(PairError::WrongEnds {
+            what,
+            wants: "two ends".into(),
+            got: if i > 1 { format!("{} of them", joint.ends.len()) } else { "a pulley".into() },
+            help: "write one statement for each two; `over` and `under` belong to a rope".into(),
+            span: end.span(),
+        });
+        return None;
+    }
+    match joint.ends.as_slice() {
+        [End::At(a), End::At(b)] => Some([a, b]),
+        _ => None,
+    }
+}
+
+impl Context<'_> {
+    /// The wheel of that name.
+    pub(crate) fn wheel(&self, name: &str) -> Option<Wheel> {
+        self.builder.mech.wheels.iter().find(|w| w.name == name).cloned()
+    }
+}
+
+fn wheel(cx: &mut Context<'_>, path: &Path) -> Option<Wheel> {
+    known(cx, &path.head, "wheel", &[ThingKind::Wheel]);
+    if let Some(part) = &path.tail {
+        return incomplete(cx, "a wheel is named alone", "leave out what stands behind the dot", part.span);
+    }
+    cx.wheel(&path.head.node)
+}
+
+/// Two wheels: meshing, or joined by a belt or chain.
+fn wheels(
+    cx: &mut Context<'_>,
+    joint: &Joint,
+    kind: TransmissionKind,
+    properties: &[Read],
+    (arms, tangent): (&mut Arms, Option<f64>),
+) -> Option<Runs> {
+    let paths = two(cx, joint)?;
+    only_wheels(cx, joint, paths)?;
+    let (a, b) = (wheel(cx, paths[0]), wheel(cx, paths[1]));
+    let (a, b) = (a?, b?);
+    if a.link == b.link {
+        cx.error(TrainError::SameShaft {
+            what: kind.phrase(),
+            name: joint.name.node.clone(),
+            first: a.name.clone(),
+            second: b.name.clone(),
+            link: cx.builder.mech.link(a.link).name.clone(),
+            first_span: paths[0].span(),
+            second_span: paths[1].span(),
+        });
+        return None;
+    }
+    let is = |name| find(properties, name).is_some();
+    let meshes = kind == TransmissionKind::Mesh;
+    let internal = meshes && is("internal");
+    let (c_1, c_2) = coefficients(cx, &a, &b, kind, joint)?;
+    if internal && c_1 == c_2 {
+        let size = match a.teeth {
+            Some(teeth) => format!("{} teeth", digits(teeth)),
+            None => crate::values::format_value::format_value(a.radius, assur_text::units::Dimension::LENGTH),
+        };
+        let (first, second) = (a.name, b.name);
+        cx.error(TrainError::Internal { first, second, size, span: joint.name.span });
+        return None;
+    }
+    let turned = if meshes { !internal } else { is("crossed") };
+    let c_2 = if turned { c_2 } else { -c_2 };
+    let carrier = carrier(cx, &a, &b, joint.name.span)?;
+    let mut meeting = None;
+    if meshes {
+        crate::trains::carrier::turns_at_all(cx, &a, &b, joint.name.span)?;
+        crate::trains::carrier::turns_at_all(cx, &b, &a, joint.name.span)?;
+        if !is("shift") {
+            distance(cx, [&a, &b], carrier, internal, joint.name.span)?;
+        }
+        for (planet, other) in [(&a, &b), (&b, &a)] {
+            if is_planet(cx, planet, carrier) && !is_planet(cx, other, carrier) {
+                arm(cx, arms, planet, other, internal, joint);
+            }
+        }
+        if let (Some(p), Some(q), Some(tangent)) = (a.centre, b.centre, tangent) {
+            let (links, centres) = ([a.link, b.link], [p, q]);
+            meeting = Some(Meeting { links, centres, radii: [a.radius, b.radius], internal, tangent });
+        }
+    }
+    let law =
+        Law { terms: about(a.link, c_1, b.link, c_2, carrier), force: c_1 / a.radius, efficiency: None };
+    Some(Runs { laws: vec![law], links: vec![a.link, b.link], meeting })
+}
+
+/// Two sides, and the carrier that they are counted from.
+fn about(a: LinkId, c_1: f64, b: LinkId, c_2: f64, carrier: LinkId) -> Vec<(Rate, f64)> {
+    let mut terms = vec![(Rate::Turn(a), c_1), (Rate::Turn(b), c_2)];
+    if carrier != LinkId::GROUND {
+        terms.push((Rate::Turn(carrier), -(c_1 + c_2)));
+    }
+    terms
+}
+
+/// Teeth where both have them, else radii. Reports sizes that do not agree.
+fn coefficients(
+    cx: &mut Context<'_>,
+    a: &Wheel,
+    b: &Wheel,
+    kind: TransmissionKind,
+    joint: &Joint,
+) -> Option<(f64, f64)> {
+    let (Some(z_1), Some(z_2)) = (a.teeth, b.teeth) else { return Some((a.radius, b.radius)) };
+    let modules = [2.0 * a.radius / z_1, 2.0 * b.radius / z_2];
+    if (modules[0] - modules[1]).abs() <= AGREES * modules[0] {
+        return Some((z_1, z_2));
+    }
+    if kind == TransmissionKind::Belt {
+        return Some((a.radius, b.radius));
+    }
+    let length = |x| crate::values::format_value::format_value(x, assur_text::units::Dimension::LENGTH);
+    cx.error(TrainError::Sizes {
+        message: format!(
+            "`{}` has a module of {} and `{}` one of {}: their teeth do not fit",
+            a.name,
+            length(modules[0]),
+            b.name,
+            length(modules[1])
+        ),
+        help: "wheels that mesh have one module: the diameter over the number of teeth".into(),
+        labels: vec![
+            label(format!("joins {} and {}", a.name, b.name), joint.name.span),
+            label(format!("module {}", length(modules[0])), a.span),
+            label(format!("module {}", length(modules[1])), b.span),
+        ],
+    });
+    None
+}
+
+/// A shaft, a wheel, or a link that turns.
+fn turning(cx: &mut Context<'_>, path: &Path) -> Option<LinkId> {
+    let kinds = &[ThingKind::Shaft, ThingKind::Wheel, ThingKind::Link];
+    known(cx, &path.head, "shaft, wheel or link", kinds);
+    let link = cx.find_link(&path.head.node)?;
+    if link == LinkId::GROUND {
+        return incomplete(cx, "the ground does not turn", "name a shaft or a wheel of one", path.span());
+    }
+    Some(link)
+}
+
+/// The coordinate of what slides: a slider, or a link on a guide, with the sense in which its own line counts.
+fn sliding(cx: &mut Context<'_>, path: &Path) -> Option<(PairId, LinkId, f64)> {
+    let kinds = &[ThingKind::Slider, ThingKind::Link];
+    known(cx, &path.head, "slider or link", kinds);
+    let link = cx.find_link(&path.head.node)?;
+    let line = match &path.tail {
+        Some(part) => Some(cx.line(link, part)?),
+        None => None,
+    };
+    let guides = cx.builder.mech.pairs.iter().enumerate().filter_map(|(i, p)| match &p.kind {
+        PairKind::Prismatic(g) if g.slider == link && g.guide == LinkId::GROUND => {
+            Some((PairId::at(i), g.direction, 1.0))
+        }
+        PairKind::Prismatic(g) if g.guide == link && g.slider == LinkId::GROUND => {
+            Some((PairId::at(i), g.along, -1.0))
+        }
+        _ => None,
+    });
+    let guides: Vec<_> = guides.collect();
+    let [(pair, direction, sense)] = guides[..] else {
+        let message = format!("`{}` does not slide along one line of the ground", path.head.node);
+        let help = "name a `slider`, or a link with one prismatic pair to the ground";
+        return incomplete(cx, &message, help, path.span());
+    };
+    let sense = match line {
+        None => sense,
+        Some(line) if line.along.cross(direction).abs() <= AGREES => {
+            sense * line.along.dot(direction).signum()
+        }
+        Some(line) => {
+            let message = format!("the line `{}` does not lie along the guide of its link", line.name);
+            return incomplete(cx, &message, "the teeth of a rack lie along its guide", path.span());
+        }
+    };
+    Some((pair, link, sense))
+}
+
+/// v = ω r: the wheel lies to the left of the line.
+fn rack(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {
+    let [first, second] = two(cx, joint)?;
+    let is_wheel = |cx: &Context<'_>, p: &Path| cx.wheel(&p.head.node).is_some();
+    let (wheel_path, bar) = if is_wheel(cx, second) { (second, first) } else { (first, second) };
+    let (wheel, bar) = (wheel(cx, wheel_path), sliding(cx, bar));
+    let (wheel, (pair, link, sense)) = (wheel?, bar?);
+    on_ground(cx, &wheel, wheel_path)?;
+    let terms = vec![(Rate::Turn(wheel.link), wheel.radius), (Rate::Slide(pair), -sense)];
+    let law = Law { terms, force: 1.0, efficiency: None };
+    Some(Runs { laws: vec![law], links: vec![wheel.link, link], meeting: None })
+}
+
+/// Reports a wheel whose axis moves.
+fn on_ground(cx: &mut Context<'_>, wheel: &Wheel, path: &Path) -> Option<()> {
+    if turns_on(cx, wheel.link, LinkId::GROUND) {
+        return Some(());
+    }
+    cx.builder.unsupported("a wheel on a rack whose axis moves", path.span());
+    None
+}
+
+/// ω of the wheel times its teeth is ω of the worm times its starts.
+fn worm(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Runs> {
+    let [first, second] = two(cx, joint)?;
+    let (worm, wheel) = (turning(cx, first), wheel(cx, second));
+    let (worm, wheel) = (worm?, wheel?);
+    let Some(teeth) = wheel.teeth else {
+        let message = format!("a worm wheel has teeth, and `{}` says nothing of them", wheel.name);
+        let help = format!("write `wheel {} teeth 40`", wheel.name);
+        return incomplete(cx, &message, &help, second.span());
+    };
+    if worm == wheel.link {
+        return incomplete(cx, "a worm and its wheel sit on two shafts", "name two shafts", joint.name.span);
+    }
+    let starts = find(properties, "starts").map_or(1.0, Read::number);
+    let terms = vec![(Rate::Turn(worm), starts), (Rate::Turn(wheel.link), -teeth)];
+    let law = Law { terms, force: teeth / wheel.radius, efficiency: None };
+    Some(Runs { laws: vec![law], links: vec![worm, wheel.link], meeting: None })
+}
+
+/// v = ω lead / 2π.
+fn screw(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Runs> {
+    let [first, second] = two(cx, joint)?;
+    let (spindle, nut) = (turning(cx, first), sliding(cx, second));
+    let (spindle, (pair, link, sense)) = (spindle?, nut?);
+    let Some(lead) = find(properties, "lead") else {
+        let help = format!(
+            "add the lead, with its own value: `{}`",
+            braces(&joint.properties, &["lead 5 mm"]).trim()
+        );
+        return incomplete(cx, "how far does the nut go in one turn?", &help, joint.name.span);
+    };
+    let lead_per_angle = lead.number() / TAU;
+    if lead_per_angle == 0.0 {
+        return incomplete(cx, "a screw without lead moves nothing", "write `lead 5 mm`", lead.span);
+    }
+    let terms = vec![(Rate::Turn(spindle), lead_per_angle), (Rate::Slide(pair), -sense)];
+    let law = Law { terms: merged(terms), force: 1.0, efficiency: None };
+    Some(Runs { laws: vec![law], links: vec![spindle, link], meeting: None })
+}

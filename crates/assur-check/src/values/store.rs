@@ -1,0 +1,39 @@
+//! All values: from outside, of definitions, of wheels and gears.
+
+use crate::values::definition::Definitions;
+use crate::values::outside::Outside;
+use crate::values::overrides::Overrides;
+use crate::values::sizes::Sizes;
+use crate::values::unit_use::UnitUse;
+use assur_math::element::gear::GearPair;
+use indexmap::IndexMap;
+
+/// The gear pairs that are known, by the names of their meshes; `None` for those with an error.
+pub type Gears = IndexMap<String, Option<GearPair>>;
+
+/// Definitions and what they come to.
+pub struct Values<'a> {
+    /// Values from outside.
+    pub outside: Outside<'a>,
+    /// The units of the document's numbers, and how often each is used.
+    pub units: UnitUse,
+    /// What `given`, `let` and `find NAME =` are.
+    pub definitions: Definitions,
+    /// The sizes of wheels.
+    pub sizes: Sizes<'a>,
+    /// The gear pairs whose geometry was asked for.
+    pub gears: Gears,
+}
+
+impl<'a> Values<'a> {
+    /// No value read yet.
+    pub fn new(overrides: &'a Overrides, units: UnitUse) -> Self {
+        Self {
+            outside: Outside::new(overrides),
+            units,
+            definitions: Definitions::default(),
+            sizes: Sizes::default(),
+            gears: Gears::new(),
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! The units a file uses, and how often.
+
+use crate::statements::walk;
+use assur_model::model::Display;
+use assur_syntax::document::{Document, ExprKind, Statement};
+use assur_text::units::{Dimension, Kind, Unit, lookup};
+use indexmap::IndexMap;
+
+/// The units of a file with the number of places where each is used, in the order of their first use.
+pub type UnitUse = IndexMap<String, (Unit, usize)>;
+
+/// Counts the units of a document's numbers.
+pub fn count(doc: &Document) -> UnitUse {
+    let mut used = UnitUse::new();
+    let mut note = |word: &str| {
+        if let Some((_, n)) = used.get_mut(word) {
+            *n += 1;
+        } else if let Ok(unit) = lookup(word) {
+            used.insert(word.to_owned(), (unit, 1));
+        }
+    };
+    for statement in &doc.statements {
+        walk::expressions(&statement.node, &mut |expr| {
+            walk::parts(expr, &mut |part| {
+                if let ExprKind::Number(number) = &part.kind
+                    && let Some(word) = &number.unit
+                {
+                    note(&word.node);
+                }
+            });
+        });
+        if let Statement::Variants(v) = &statement.node {
+            v.columns.iter().filter_map(|c| c.unit.as_ref()).for_each(|word| note(&word.node));
+        }
+    }
+    used
+}
+
+/// Whether values of this dimension can be printed in that unit without surprise.
+pub fn suits(unit: &Unit, dimension: Dimension) -> bool {
+    let percent = unit.dimension == Dimension::NUMBER;
+    // A torque and an energy have one dimension, but nobody reads a torque in joules.
+    let energy = unit.text.contains('J');
+    // A ratio of lengths fits an angle, and is a plain number to everyone.
+    let ratio = dimension.is_dimensionless() && dimension.kind == Kind::Free;
+    unit.dimension.fits(dimension) && !(percent || energy || ratio)
+}
+
+/// The exponents and the kind as the model keeps them: 0 plain, 1 angle, 2 free.
+fn exponents(d: Dimension) -> [i8; 4] {
+    let kind = match d.kind {
+        Kind::Plain => 0,
+        Kind::Angle => 1,
+        Kind::Free => 2,
+    };
+    [d.length, d.mass, d.time, kind]
+}
+
+/// How a value in this unit is printed.
+pub fn display_in(unit: &Unit) -> Display {
+    Display { unit: unit.text.clone(), factor: unit.factor, dimension: exponents(unit.dimension) }
+}

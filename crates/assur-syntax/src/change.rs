@@ -1,0 +1,19 @@
+//! Characters that were replaced to make a text readable.
+
+use assur_text::source::Span;
+
+/// A replacement that is reported.
+pub struct Change {
+    pub span: Span,
+    pub kind: Kind,
+    /// What to write instead.
+    pub with: &'static str,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+pub enum Kind {
+    FullWidth,
+    Quote,
+    Sign,
+    Invisible,
+}

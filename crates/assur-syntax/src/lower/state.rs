@@ -1,0 +1,25 @@
+//! What the walk carries along.
+
+use assur_text::diagnostic::Problems;
+use std::collections::BTreeSet;
+
+/// What the walk carries along.
+pub struct Lower<'a> {
+    /// The author's text.
+    pub text: &'a str,
+    /// The text that the grammar read, of the same length.
+    pub read: &'a str,
+    /// What was found wrong.
+    pub problems: Problems,
+    /// Words of the language that were meant as names, and reported.
+    pub reserved: BTreeSet<String>,
+    /// Closing braces behind a statement that stands within them, which is reported.
+    pub closing: BTreeSet<usize>,
+}
+
+impl<'a> Lower<'a> {
+    /// The state at the start.
+    pub fn new(text: &'a str, read: &'a str) -> Self {
+        Self { text, read, problems: Problems::new(), reserved: BTreeSet::new(), closing: BTreeSet::new() }
+    }
+}
