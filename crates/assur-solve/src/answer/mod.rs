@@ -17,6 +17,7 @@ mod pose_answers;
 mod pressure_angle;
 mod substitution;
 mod train_answers;
+mod undefined;
 mod whole_cycle;
 
 pub(crate) use constant::constant;
@@ -27,4 +28,5 @@ pub(crate) use every_query::every_query;
 pub use friction_answers::PairFriction;
 pub(crate) use locking::Locked;
 pub use pose_answers::PoseAnswers;
+pub use undefined::{NoExtreme, NoFlywheel, NoSweep, Undefined};
 pub use whole_cycle::{Extremes, WholeCycle};

@@ -10,7 +10,7 @@ use super::track::{Switch, Tracker};
 use crate::answer::WholeCycle;
 use crate::message::{
     Closing, FrictionNotes, Notes, SolveError, cams, does_not_close, free_rollers, friction_beside,
-    friction_couples, label, missing_speeds, not_supported, place, unit_speeds, with_pose, without_place,
+    friction_couples, missing_speeds, not_supported, place, too_far, unit_speeds, with_pose, without_place,
     without_position,
 };
 use crate::model::{LoadId, Value};
@@ -305,9 +305,7 @@ impl Run<'_, '_> {
 
     fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Arrival, Box<Stuck>> {
         if tracker.is_too_long(self.scene, &pose.drives) {
-            let labels =
-                self.scene.mechanism.drives.iter().map(|d| label("driven that far", d.span)).collect();
-            let error = SolveError::WayTooLong { pose: place(self.scene, pose), labels };
+            let error = too_far(self.scene, pose);
             return Err(Box::new(Stuck { error, back: Some(tracker.clone()) }));
         }
         let mut before = self.before.take().unwrap_or_else(|| tracker.clone());

@@ -11,20 +11,18 @@ mod interval;
 mod panels;
 mod sampler;
 mod switches;
-mod undefined;
 
 pub(super) use depends::loads_name_quantities;
 
 use super::positions::Sweep;
-use crate::answer::{CycleAnswer, WholeCycle};
-use crate::message::SolveError;
+use crate::answer::{CycleAnswer, Undefined, WholeCycle};
+use crate::message::{SolveError, needless_flywheel, no_flywheel, no_sweep, undefined};
 use crate::model::{CycleFunction, Expr, FlywheelPart, Query};
 use crate::position::Scene;
 use depends::{counts_turns, hangs_on_forces, hangs_on_nothing_else};
 use interval::Interval;
 use panels::{COARSE, Piecewise};
 use sampler::Sampler;
-use undefined::Undefined;
 
 /// The most equally spaced samples.
 const MOST_SAMPLES: usize = 128;
@@ -41,7 +39,7 @@ pub(crate) fn cycles(
     if mechanism.cycles.is_empty() && mechanism.flywheels.is_empty() {
         return Ok(Vec::new());
     }
-    let way = Interval::of(scene, statics, sweep)?;
+    let way = Interval::of(scene, statics, sweep).map_err(|why| no_sweep(scene, why))?;
     let mut sampler = Sampler::new(scene, statics, &way)?;
     statics.cycles = vec![CycleAnswer::default(); mechanism.cycles.len()];
     // those of motion alone first: loads may hang on them
@@ -57,9 +55,12 @@ pub(crate) fn cycles(
     let wheels = (0..mechanism.flywheels.len()).filter_map(|i| flywheel::numbers(scene, statics, i));
     sampler.share(of(&late).into_iter().filter(hangs_on_nothing_else).chain(wheels.flatten()));
     for index in 0..mechanism.flywheels.len() {
-        let found = flywheel::flywheel(scene, statics, &mut sampler, index)?;
-        warnings.extend(found.1);
-        statics.flywheels.push(found.0);
+        let wheel = &mechanism.flywheels[index];
+        let found = flywheel::flywheel(scene, statics, &mut sampler, index);
+        let found = found.map_err(|why| no_flywheel(scene, wheel, why, |s| way.value(s)))?;
+        let needless = found.needless.map(|[have, needed]| needless_flywheel(scene, wheel, have, needed));
+        warnings.extend(needless);
+        statics.flywheels.push(found.answer);
     }
     for index in late {
         statics.cycles[index] = cycle(scene, statics, &mut sampler, index);
@@ -84,7 +85,7 @@ fn cycle(scene: &Scene<'_>, statics: &WholeCycle, sampler: &mut Sampler<'_>, ind
     sampler.begin();
     match found(scene, statics, sampler, asked.how, &asked.expr) {
         Ok(answer) => CycleAnswer { samples: sampler.samples, ..answer },
-        Err(why) => CycleAnswer::undefined(why.text(scene, sampler.way)),
+        Err(why) => CycleAnswer::undefined(undefined(scene, why, |s| sampler.way.value(s))),
     }
 }
 

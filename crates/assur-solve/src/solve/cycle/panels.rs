@@ -1,8 +1,7 @@
 //! Quantities as Chebyshev series, panel by panel.
 
 use super::sampler::Sampler;
-use super::undefined::Undefined;
-use crate::answer::WholeCycle;
+use crate::answer::{Undefined, WholeCycle};
 use crate::math::chebyshev::{NODES, Nodes, Series};
 use crate::model::Expr;
 

@@ -8,8 +8,7 @@ use super::depends::{
     asks_for_angles, asks_for_ideal, hangs_on_forces, loads_name_quantities, names_quantity,
 };
 use super::interval::Interval;
-use super::undefined::Undefined;
-use crate::answer::{PoseAnswers, WholeCycle, balanced};
+use crate::answer::{PoseAnswers, Undefined, WholeCycle, balanced};
 use crate::message::SolveError;
 use crate::model::{Expr, LoadId, Value};
 use crate::plan::{Level, Settings};

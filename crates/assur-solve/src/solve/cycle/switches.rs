@@ -3,8 +3,7 @@
 //! function.
 
 use super::sampler::Sampler;
-use super::undefined::Undefined;
-use crate::answer::WholeCycle;
+use crate::answer::{Undefined, WholeCycle};
 use crate::math::{Vec2, root_within};
 use crate::model::{
     Axis, BinaryOp, Expr, Function, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, PointRef,
