@@ -10,7 +10,7 @@ pub mod report;
 pub use assur_check as check;
 pub use assur_math::{element, force, group, math};
 pub use assur_model::{model, structure};
-pub use assur_solve::{answer, measure, plan, position, reference, solve};
+pub use assur_solve::{answer, measure, message, plan, position, reference, solve};
 pub use assur_syntax as syntax;
 pub use assur_text::{diagnostic, language, source, units};
 pub use measure::accuracy;

@@ -8,7 +8,7 @@ use super::error::CliError;
 use super::files;
 use super::reply::{Reply, Status, complaint, for_each_file};
 use super::screen::Screen;
-use crate::accuracy::{Study, micros, out_of_reach, study};
+use crate::accuracy::{AccuracyStudy, micros, out_of_reach, study};
 use crate::check::Overrides;
 use crate::report::{self, Precision};
 use crate::source::Source;
@@ -54,7 +54,7 @@ fn printed(
     source: &Source,
     overrides: &Overrides,
     solved: &Solved,
-    measured: &Study,
+    measured: &AccuracyStudy,
     screen: &Screen,
 ) -> String {
     if args.format == AccuracyFormat::Json {
@@ -79,7 +79,7 @@ fn drawn(
     path: &str,
     source: &Source,
     solved: &Solved,
-    measured: &Study,
+    measured: &AccuracyStudy,
     reply: Reply,
     screen: &Screen,
 ) -> Reply {

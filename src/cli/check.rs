@@ -39,7 +39,7 @@ fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {
 
 fn add_modes(report: &mut Report, compiled: &Compiled, problems: &mut Problems) {
     let scene = compiled.scene();
-    match crate::solve::modes(&scene) {
+    match crate::solve::assemblies(&scene) {
         Ok(modes) => {
             report::add_modes(report, &scene, &modes);
             problems.extend(modes.problem);

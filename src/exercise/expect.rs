@@ -4,7 +4,7 @@ use super::compare::{bound, equal, is_within};
 use super::error::ExpectError;
 use super::undefined::{truth, why_undefined, without_cycle};
 use crate::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
-use crate::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution, State, View, compare};
+use crate::solve::{DriveValue, Pose, PoseAnswers, PoseOrigin, Scene, Solution, State, compare};
 use crate::source::Span;
 
 /// What became of one expectation at one pose.
@@ -83,9 +83,9 @@ impl<'a> Key<'a> {
         let plan = self.scene.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
-        let view = View::new(self.scene, &state, &angles, &self.solution.statics);
+        let view = PoseAnswers::new(self.scene, &state, &angles, &self.solution.statics);
         let quantities = view.all_quantities();
-        let view = View { quantities: &quantities, ..view };
+        let view = PoseAnswers { quantities: &quantities, ..view };
         let outcome = self.outcome(expect, 0, None, &view)?;
         self.outcomes.push(outcome);
         Ok(())
@@ -146,7 +146,7 @@ impl<'a> Key<'a> {
         expect: &Expect,
         case: usize,
         pose: Option<&Pose>,
-        view: &View<'_>,
+        view: &PoseAnswers<'_>,
     ) -> Result<Outcome, ExpectError> {
         let place = pose.map_or_else(String::new, |p| self.place(p));
         let value = |expr: &Expr| -> Result<Value, ExpectError> {

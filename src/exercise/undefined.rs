@@ -1,10 +1,10 @@
 //! Why a value does not exist.
 
 use crate::model::{Expr, Query, Value};
-use crate::solve::{Scene, Solution, View, compare};
+use crate::solve::{PoseAnswers, Scene, Solution, compare};
 
 /// Whether a condition holds; `None` where that depends on a value that does not exist.
-pub(super) fn truth(view: &View<'_>, expr: &Expr) -> Option<bool> {
+pub(super) fn truth(view: &PoseAnswers<'_>, expr: &Expr) -> Option<bool> {
     match expr {
         Expr::Compare(how, a, b) => match (view.value(a), view.value(b)) {
             (Value::Scalar(a), Value::Scalar(b)) if a.is_finite() && b.is_finite() => {

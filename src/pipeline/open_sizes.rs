@@ -5,7 +5,7 @@
 
 use super::compile::Origin;
 use crate::model::{Expr, FindKind, Mechanism, Relation, Scale, Value};
-use crate::solve::{self, Following, OpenSizes, Pose, Scene, Statics};
+use crate::solve::{self, Following, OpenSizes, Pose, Scene, WholeCycle};
 use crate::source::Span;
 use crate::{check, plan, structure};
 use miette::Diagnostic;
@@ -135,7 +135,7 @@ impl<'a> Compared<'a> {
     }
 
     /// Looks at one position of both.
-    fn look(&mut self, (statics, a): (&Statics, &Pose), (changed, b): (&Statics, &Pose)) {
+    fn look(&mut self, (statics, a): (&WholeCycle, &Pose), (changed, b): (&WholeCycle, &Pose)) {
         let (Ok(here), Ok(there)) = (&a.outcome, &b.outcome) else { return };
         let (view, other) = (here.view(self.scene, statics), there.view(self.other, changed));
         for question in self.questions.iter_mut().filter(|q| !q.differs) {

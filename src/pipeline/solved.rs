@@ -2,7 +2,7 @@
 
 use super::compile::{Compiled, compile_document};
 use super::followed::{Followed, followed};
-use crate::accuracy::{self, Reached};
+use crate::accuracy::{self, AchievedAccuracy};
 use crate::check::Overrides;
 use crate::diagnostic::Problems;
 use crate::exercise::{self, Outcome};
@@ -22,7 +22,7 @@ pub struct Solved {
     /// Its expectations, one per pose.
     pub outcomes: Vec<Outcome>,
     /// What accuracy was wanted and reached, where one was.
-    pub reached: Option<Reached>,
+    pub reached: Option<AchievedAccuracy>,
 }
 
 impl Solved {

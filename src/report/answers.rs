@@ -1,6 +1,6 @@
 //! What a report of answers is made from.
 
-use crate::accuracy::Reached;
+use crate::accuracy::AchievedAccuracy;
 use crate::exercise::Outcome;
 use crate::model::{DriveTarget, FindKind};
 use crate::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution};
@@ -16,7 +16,7 @@ pub struct Answers<'a> {
     /// What became of its expectations.
     pub outcomes: &'a [Outcome],
     /// What accuracy was wanted and reached, where one was.
-    pub reached: Option<&'a Reached>,
+    pub reached: Option<&'a AchievedAccuracy>,
     /// How numbers are rounded for people.
     pub precision: Precision,
 }

@@ -3,7 +3,7 @@
 use super::answers::{Answers, NONE};
 use crate::exercise::why_undefined;
 use crate::model::{Display, Expr, Find, FindKind, Query, Value};
-use crate::solve::{Pose, Scene, Solved, State, View};
+use crate::solve::{Pose, PoseAnswers, Scene, Solved, State};
 use crate::structure::{EffortKind, EffortSource};
 use crate::units::Dimension;
 
@@ -73,9 +73,9 @@ impl<'a> Answers<'a> {
         let plan = self.scene.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
-        let view = View::new(&self.scene, &state, &angles, &self.solution.statics);
+        let view = PoseAnswers::new(&self.scene, &state, &angles, &self.solution.statics);
         let quantities = view.all_quantities();
-        let view = View { quantities: &quantities, ..view };
+        let view = PoseAnswers { quantities: &quantities, ..view };
         let quantity = |(find, expr, display): (&'a Find, &'a Expr, &'a Display)| Quantity {
             name: find.name.clone(),
             display: display.clone(),

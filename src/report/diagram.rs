@@ -1,6 +1,6 @@
 //! Error against time, both logarithmic, one line per kind of setting: a drawing in SVG.
 
-use crate::accuracy::{Kind, Knob, Study};
+use crate::accuracy::{AccuracyStudy, Kind, Setting};
 use crate::units::significant;
 use std::fmt::Write;
 
@@ -120,13 +120,13 @@ fn line(out: &mut String, from: (f64, f64), to: (f64, f64), colour: &str) {
 }
 
 /// Places of a kind's settings: time and error.
-fn points(knob: &Knob) -> impl Iterator<Item = (f64, f64)> {
+fn points(knob: &Setting) -> impl Iterator<Item = (f64, f64)> {
     knob.rows.iter().filter_map(|r| Some((r.micros, r.error?.max(1e-34))))
 }
 
 /// The diagram of a study; `None` where nothing can be set.
 #[must_use]
-pub fn svg(title: &str, study: &Study) -> Option<String> {
+pub fn svg(title: &str, study: &AccuracyStudy) -> Option<String> {
     let [left, top, right, bottom] = FRAME;
     let all = || study.knobs.iter().flat_map(points);
     let x = Axis::over(all().map(|p| p.0), left, right)?;
@@ -175,7 +175,7 @@ fn axes(out: &mut String, x: &Axis, y: &Axis) {
     );
 }
 
-fn series(out: &mut String, knob: &Knob, x: &Axis, y: &Axis) {
+fn series(out: &mut String, knob: &Setting, x: &Axis, y: &Axis) {
     let places: Vec<(f64, f64)> = points(knob).map(|p| (x.place(p.0), y.place(p.1))).collect();
     let path: Vec<String> = places.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
     let fill = colour(knob.kind);
@@ -199,7 +199,7 @@ fn series(out: &mut String, knob: &Knob, x: &Axis, y: &Axis) {
     }
 }
 
-fn legend(out: &mut String, study: &Study) {
+fn legend(out: &mut String, study: &AccuracyStudy) {
     let x = FRAME[2] + 22.0;
     let mut y = FRAME[1] + 10.0;
     for knob in &study.knobs {

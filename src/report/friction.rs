@@ -3,7 +3,7 @@
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
 use crate::model::{Display, Value};
-use crate::solve::{Pose, Rubbing, Solved, View};
+use crate::solve::{PairFriction, Pose, PoseAnswers, Solved};
 use crate::units::{Dimension, significant};
 
 /// Digits of what the file itself says.
@@ -24,7 +24,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
         }
         [(_, solved)] => {
             let view = answers.solution.view(&answers.scene, solved);
-            section.table(of_one_pose(answers, &view.rubbing()));
+            section.table(of_one_pose(answers, &view.pair_frictions()));
             section.text(balance(answers, &view));
         }
         _ => section.table(of_a_sweep(answers, &poses)),
@@ -33,7 +33,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
 }
 
 /// One row per pair and its two links.
-fn of_one_pose(answers: &Answers<'_>, all: &[Rubbing]) -> Table {
+fn of_one_pose(answers: &Answers<'_>, all: &[PairFriction]) -> Table {
     let mechanism = answers.scene.mechanism;
     let (force, power) = (mechanism.display_of(Dimension::FORCE), power_display(answers));
     let columns = vec![
@@ -69,7 +69,7 @@ fn of_one_pose(answers: &Answers<'_>, all: &[Rubbing]) -> Table {
 }
 
 /// `ρ = 5 mm`, `f = 0.1, 5.711 deg`
-fn law(answers: &Answers<'_>, r: &Rubbing) -> String {
+fn law(answers: &Answers<'_>, r: &PairFriction) -> String {
     if r.turns {
         let length = answers.scene.mechanism.display_of(Dimension::LENGTH);
         return format!("ρ = {}", length.text(Value::Scalar(r.factor), LAW_DIGITS));
@@ -83,10 +83,10 @@ fn power_display(answers: &Answers<'_>) -> Display {
 }
 
 /// The loads and the motion are the same without friction, so the efforts differ by what the pairs lose.
-fn balance(answers: &Answers<'_>, view: &View<'_>) -> String {
+fn balance(answers: &Answers<'_>, view: &PoseAnswers<'_>) -> String {
     let display = power_display(answers);
     let text = |x: f64| display.text(Value::Scalar(x), answers.precision.digits);
-    let lost: f64 = view.rubbing().iter().map(|r| r.power).sum();
+    let lost: f64 = view.pair_frictions().iter().map(|r| r.power).sum();
     let (actual, ideal) = (view.power_of_efforts(), view.without_friction().power_of_efforts());
     let speed =
         if answers.scene.plan.effects.timed { "" } else { " Powers are those at unit speed of the drive." };
@@ -104,15 +104,16 @@ fn of_a_sweep(answers: &Answers<'_>, poses: &[(&Pose, &Solved)]) -> Table {
     let display = power_display(answers);
     let mut table = Table::new(vec![Column::words("pose")], 1);
     table.rows = poses.iter().map(|(p, _)| vec![p.name.clone()]).collect();
-    let all: Vec<Vec<Rubbing>> =
-        poses.iter().map(|(_, s)| answers.solution.view(&answers.scene, s).rubbing()).collect();
+    let all: Vec<Vec<PairFriction>> =
+        poses.iter().map(|(_, s)| answers.solution.view(&answers.scene, s).pair_frictions()).collect();
     let scale = all.iter().flatten().map(|r| r.power).fold(0.0, f64::max);
     for (i, pair) in answers.scene.mechanism.pairs.iter().enumerate() {
-        let of_pair = |r: &&Rubbing| r.pair.index() == i;
+        let of_pair = |r: &&PairFriction| r.pair.index() == i;
         if !all.iter().flatten().any(|r| of_pair(&r)) {
             continue;
         }
-        let lost = |rubbing: &Vec<Rubbing>| -> f64 { rubbing.iter().filter(of_pair).map(|r| r.power).sum() };
+        let lost =
+            |rubbing: &Vec<PairFriction>| -> f64 { rubbing.iter().filter(of_pair).map(|r| r.power).sum() };
         let cells = all.iter().zip(poses).map(|(r, (_, solved))| {
             if solved.state.forces.locked {
                 return "locked".to_owned();

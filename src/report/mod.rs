@@ -39,7 +39,7 @@ pub use reactions::{ContactEntry, ReactionEntry, reactions};
 pub use tradeoff::{of_study, study_json};
 
 use crate::measure::Costs;
-use crate::solve::{Modes, Scene};
+use crate::solve::{Assemblies, Scene};
 use crate::source::Source;
 use document::Report;
 
@@ -59,7 +59,7 @@ pub fn of_structure(source: &Source, scene: &Scene<'_>, costs: Option<&Costs>) -
 }
 
 /// What `check --modes` prints below: all assemblies of every group at the first pose.
-pub fn add_modes(report: &mut Report, scene: &Scene<'_>, modes: &Modes) {
+pub fn add_modes(report: &mut Report, scene: &Scene<'_>, modes: &Assemblies) {
     report.section(modes::section(scene, modes));
 }
 

@@ -1,10 +1,10 @@
 //! All assemblies of every group at the first pose.
 
 use super::document::{Column, Section, Table};
-use crate::solve::{Modes, Scene};
+use crate::solve::{Assemblies, Scene};
 
 /// One row per assembly.
-pub(super) fn section(scene: &Scene<'_>, modes: &Modes) -> Section {
+pub(super) fn section(scene: &Scene<'_>, modes: &Assemblies) -> Section {
     let mut columns = vec![Column::right("#"), Column::words("kind")];
     columns.push(Column::right("assembly"));
     columns.push(Column::right("condition"));
@@ -12,11 +12,11 @@ pub(super) fn section(scene: &Scene<'_>, modes: &Modes) -> Section {
     let mut table = Table::new(columns, 3);
     for group in &modes.groups {
         let structure = &scene.structure.motion[group.group];
-        for (i, mode) in group.modes.iter().enumerate() {
+        for (i, mode) in group.assemblies.iter().enumerate() {
             table.row(vec![
                 (group.group + 1).to_string(),
                 structure.kind_name().to_owned(),
-                format!("{} of {}", i + 1, group.modes.len()),
+                format!("{} of {}", i + 1, group.assemblies.len()),
                 crate::units::significant(mode.condition, 3),
                 if mode.chosen { "chosen" } else { "" }.to_owned(),
                 mode.line.clone().unwrap_or_default(),

@@ -91,10 +91,10 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
         ForceStep::Sequence(_) => {
             "with the last group, to which friction in a hinge of several links couples it".into()
         }
-        ForceStep::Rubbing { plain, .. } if matches!(**plain, ForceStep::Sequence(_)) => {
+        ForceStep::Friction { plain, .. } if matches!(**plain, ForceStep::Sequence(_)) => {
             "all groups in turn, friction by Newton's method for all at once".to_owned()
         }
-        ForceStep::Rubbing { plain, .. } => {
+        ForceStep::Friction { plain, .. } => {
             format!("{}, friction by Newton's method", force_in_words(scene, group, efforts, plain))
         }
         _ => closed_form(group, &with),

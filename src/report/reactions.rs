@@ -5,7 +5,7 @@ use super::document::{Column, Report, Section, Table};
 use super::symbols;
 use crate::math::Vec2;
 use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Query, Value};
-use crate::solve::{Solved, View, unplaced_reactions};
+use crate::solve::{PoseAnswers, Solved, unplaced_reactions};
 use crate::units::Dimension;
 
 /// The reaction between two links of a pair, SI.
@@ -58,7 +58,7 @@ pub fn reactions(answers: &Answers<'_>, solved: &Solved) -> Vec<ReactionEntry> {
     entries
 }
 
-fn entry(view: &View<'_>, pair: PairId, from: LinkId, on: LinkId, scale: f64) -> ReactionEntry {
+fn entry(view: &PoseAnswers<'_>, pair: PairId, from: LinkId, on: LinkId, scale: f64) -> ReactionEntry {
     let kind = &view.mechanism.pair(pair).kind;
     let number = |query| match view.query(&query) {
         Value::Scalar(x) if x.is_finite() => Some(x),
@@ -96,11 +96,11 @@ fn entry(view: &View<'_>, pair: PairId, from: LinkId, on: LinkId, scale: f64) ->
     entry
 }
 
-fn on_line(view: &View<'_>, guide: &Guide, coordinate: f64) -> Vec2 {
+fn on_line(view: &PoseAnswers<'_>, guide: &Guide, coordinate: f64) -> Vec2 {
     view.body(guide.guide).position(guide.through) + view.along(guide) * coordinate
 }
 
-fn contacts(view: &View<'_>, pair: PairId, guide: &Guide) -> Vec<ContactEntry> {
+fn contacts(view: &PoseAnswers<'_>, pair: PairId, guide: &Guide) -> Vec<ContactEntry> {
     let (Some(places), Some(normals)) = (guide.contacts, view.contact_forces(pair)) else {
         return Vec::new();
     };

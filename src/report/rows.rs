@@ -5,7 +5,7 @@ use super::csv;
 use super::reactions::{ReactionEntry, reactions};
 use crate::math::Vec2;
 use crate::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
-use crate::solve::{DriveValue, Pose, Scene, Solved, State, View, unplaced_reactions};
+use crate::solve::{DriveValue, Pose, PoseAnswers, Scene, Solved, State, unplaced_reactions};
 use crate::units::{Dimension, write_significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
@@ -212,9 +212,9 @@ impl AnswerColumns {
         let plan = answers.scene.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
-        let view = View::new(&answers.scene, &state, &angles, &answers.solution.statics);
+        let view = PoseAnswers::new(&answers.scene, &state, &angles, &answers.solution.statics);
         let quantities = view.all_quantities();
-        found(answers, &View { quantities: &quantities, ..view }, index)
+        found(answers, &PoseAnswers { quantities: &quantities, ..view }, index)
     }
 }
 
@@ -243,7 +243,7 @@ fn all_reactions(scene: &Scene<'_>, of_transmissions: bool, answers: &mut Vec<An
     }
 }
 
-fn found(answers: &Answers<'_>, view: &View<'_>, index: usize) -> Option<Value> {
+fn found(answers: &Answers<'_>, view: &PoseAnswers<'_>, index: usize) -> Option<Value> {
     match &answers.scene.mechanism.finds.get(index)?.kind {
         FindKind::Value { expr, .. } => Some(view.value(expr)).filter(Value::is_defined),
         FindKind::Reactions | FindKind::Table(_) => None,

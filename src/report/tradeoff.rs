@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::answers::NONE;
 use super::document::{Column, Report, Section, Table};
 use super::headed;
-use crate::accuracy::{Kind, Knob, Reached, Recommendation, Row, Source, Study};
+use crate::accuracy::{AccuracyStudy, AchievedAccuracy, Kind, Recommendation, Row, Setting, Source};
 use crate::plan::{Numbers, Settings};
 use crate::solve::{Scene, WIDTH, instructions};
 use crate::units::significant;
@@ -15,7 +15,7 @@ const SCHEMA: &str = "assur.accuracy/1";
 
 /// What `accuracy` prints. `solve` is the time of a whole `assur solve`, µs.
 #[must_use]
-pub fn of_study(file: &str, scene: &Scene<'_>, study: &Study, solve: f64) -> Report {
+pub fn of_study(file: &str, scene: &Scene<'_>, study: &AccuracyStudy, solve: f64) -> Report {
     let mut report = headed(file, scene);
     report.notes.clear();
     report.section(held_against(study));
@@ -31,7 +31,7 @@ pub fn of_study(file: &str, scene: &Scene<'_>, study: &Study, solve: f64) -> Rep
     report
 }
 
-fn held_against(study: &Study) -> Section {
+fn held_against(study: &AccuracyStudy) -> Section {
     let mut section = Section::new("Measured");
     let against = match study.source {
         Source::DoubleDouble => "the same positions in double-double",
@@ -97,7 +97,7 @@ fn time(micros: f64) -> String {
     significant(micros, 3)
 }
 
-fn table(knob: &Knob) -> Table {
+fn table(knob: &Setting) -> Table {
     let per = if knob.kind.per_cycle() { "µs per cycle" } else { "µs per position" };
     let mut columns = vec![Column::words(knob.kind.sets())];
     let sampled = knob.rows.iter().any(|r| r.samples.is_some());
@@ -117,7 +117,7 @@ fn table(knob: &Knob) -> Table {
     table
 }
 
-fn recommended(study: &Study, solve: f64) -> Section {
+fn recommended(study: &AccuracyStudy, solve: f64) -> Section {
     let mut section = Section::new(format!("For an error of {:.0e}", study.wanted));
     let Some(found) = &study.recommendation else {
         section.text("No setting keeps it.");
@@ -153,7 +153,7 @@ fn share(part: f64, whole: f64) -> String {
 }
 
 /// What accuracy was wanted and reached, in one line.
-pub(super) fn reached(reached: &Reached) -> String {
+pub(super) fn reached(reached: &AchievedAccuracy) -> String {
     let against = match reached.source {
         Source::DoubleDouble => format!("the greatest of {} against double-double", positions(reached)),
         Source::Full => "estimated from the condition".to_owned(),
@@ -162,7 +162,7 @@ pub(super) fn reached(reached: &Reached) -> String {
     format!("within {:.0e}: {error}, {against}; {}", reached.within, words(&reached.settings))
 }
 
-fn positions(reached: &Reached) -> String {
+fn positions(reached: &AchievedAccuracy) -> String {
     format!("{} position{}", reached.positions, if reached.positions == 1 { "" } else { "s" })
 }
 
@@ -248,7 +248,7 @@ struct RecommendationView<'a> {
 
 /// The same as one line of JSON: `docs/json-schema/accuracy-1.json`.
 #[must_use]
-pub fn study_json(file: &str, study: &Study) -> String {
+pub fn study_json(file: &str, study: &AccuracyStudy) -> String {
     let knobs = study.knobs.iter().map(|knob| KnobView {
         name: knob.kind.name(),
         per: if knob.kind.per_cycle() { "cycle" } else { "position" },

@@ -5,7 +5,7 @@ use super::document::{Column, Report, Section, Table};
 use super::pair::pair_text;
 use crate::model::{LinkId, Mechanism, PairId, PairKind, Rate, Transmission, TransmissionKind};
 use crate::plan::{TrainMember, TrainMotion, TrainSource};
-use crate::solve::{Pose, Scene, Solved, View};
+use crate::solve::{Pose, PoseAnswers, Scene, Solved};
 use crate::structure::{BodyId, Group, GroupKind};
 use crate::units::{Dimension, significant};
 
@@ -115,14 +115,14 @@ pub(super) fn pulls(answers: &Answers<'_>, solved: &Solved) -> Vec<Pull> {
     known.filter_map(|(_, law)| pull(&view, law.pair, law.index)).collect()
 }
 
-fn pull(view: &View<'_>, pair: PairId, part: usize) -> Option<Pull> {
+fn pull(view: &PoseAnswers<'_>, pair: PairId, part: usize) -> Option<Pull> {
     let PairKind::Transmission(t) = &view.mechanism.pair(pair).kind else { return None };
     let rope = t.kind == TransmissionKind::Rope;
     let force = if rope { view.tension(pair, part) } else { view.tangential_force(pair) };
     Some(Pull { pair, part, force, torques: torques(view, pair, t) })
 }
 
-fn torques(view: &View<'_>, pair: PairId, t: &Transmission) -> Vec<(LinkId, f64)> {
+fn torques(view: &PoseAnswers<'_>, pair: PairId, t: &Transmission) -> Vec<(LinkId, f64)> {
     let mut links: Vec<LinkId> = Vec::new();
     for link in t.laws.iter().flat_map(|l| &l.terms).filter_map(|(rate, _)| rate.turning()) {
         if link != LinkId::GROUND && !links.contains(&link) {

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
-use assur::accuracy::{Kind, Knob, Source as Reference, Study, candidates, study};
+use assur::accuracy::{AccuracyStudy, Kind, Setting, Source as Reference, candidates, study};
 use assur::check::Overrides;
 use assur::plan::{Numbers, Settings};
 use assur::solve::{PoseOrigin, Solution, State, extent};
@@ -19,12 +19,12 @@ fn solved(source: &Source) -> Solved {
     solve_source(source, &Overrides::none()).0.unwrap_or_else(|| panic!("{} is solved", source.name))
 }
 
-fn studied(source: &Source) -> Study {
+fn studied(source: &Source) -> AccuracyStudy {
     let solved = solved(source);
     study(&solved.compiled.scene(), &solved.solution, 1e-9)
 }
 
-fn knob(study: &Study, kind: Kind) -> &Knob {
+fn knob(study: &AccuracyStudy, kind: Kind) -> &Setting {
     study.knobs.iter().find(|k| k.kind == kind).unwrap_or_else(|| panic!("{kind:?} in {study:?}"))
 }
 

@@ -124,7 +124,7 @@ struct Count {
 impl Count {
     fn of(plan: &Plan) -> Self {
         let masses = plan.loads.iter().filter(|l| matches!(l, LoadStep::Mass { .. })).count();
-        let rubbing = plan.forces.iter().filter(|f| matches!(f, ForceStep::Rubbing { .. })).count();
+        let rubbing = plan.forces.iter().filter(|f| matches!(f, ForceStep::Friction { .. })).count();
         Self {
             motion: plan.motion.len(),
             masses,

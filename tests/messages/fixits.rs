@@ -112,8 +112,8 @@ fn listed(text: &str) -> Vec<(Option<String>, bool)> {
     let source = Source::new("text.mech", text);
     let (compiled, _) = assur::compile(&source, &Overrides::none());
     let compiled = compiled.expect("it is sound");
-    let modes = assur::solve::modes(&compiled.scene()).expect("it is solved");
-    modes.groups.into_iter().flat_map(|g| g.modes).map(|m| (m.line, m.chosen)).collect()
+    let modes = assur::solve::assemblies(&compiled.scene()).expect("it is solved");
+    modes.groups.into_iter().flat_map(|g| g.assemblies).map(|m| (m.line, m.chosen)).collect()
 }
 
 #[test]

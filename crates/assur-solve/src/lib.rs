@@ -2,6 +2,7 @@
 
 pub mod answer;
 pub mod measure;
+pub mod message;
 pub mod plan;
 pub mod position;
 pub mod reference;

@@ -8,7 +8,7 @@ use super::job::Job;
 use super::layout::Layout;
 use super::rows::Input;
 use crate::Solved;
-use crate::accuracy::Reached;
+use crate::accuracy::AchievedAccuracy;
 use crate::diagnostic::Problems;
 use crate::exercise::ForRow;
 use crate::exercise::table::Fault;
@@ -46,7 +46,7 @@ pub struct Said {
     /// Codes of its warnings.
     pub warned: Vec<String>,
     /// The accuracy that was wanted and reached, where one was.
-    pub reached: Option<Reached>,
+    pub reached: Option<AchievedAccuracy>,
     /// All of it, with the text it is about where that is not the file's.
     pub problems: Option<(Option<Source>, Problems)>,
 }

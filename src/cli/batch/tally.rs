@@ -1,6 +1,6 @@
 //! What became of the rows, in one line.
 
-use crate::accuracy::Reached;
+use crate::accuracy::AchievedAccuracy;
 use indexmap::IndexMap;
 
 /// So many rows are named, the others counted.
@@ -49,7 +49,7 @@ impl Tally {
     }
 
     /// Keeps the greatest error of all rows.
-    pub fn reached(&mut self, row: &Reached) {
+    pub fn reached(&mut self, row: &AchievedAccuracy) {
         let worst = self.reached.map_or(0.0, |r| r.1);
         self.reached = Some((row.within, row.error.max(worst)));
     }

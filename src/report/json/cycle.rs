@@ -6,7 +6,7 @@ use super::entries::{Entries, Number};
 use crate::model::FlywheelPart;
 use crate::report::answers::Answers;
 use crate::report::cycle::{all_flywheels, named};
-use crate::solve::{CycleAnswer, State, View};
+use crate::solve::{CycleAnswer, PoseAnswers, State};
 
 #[derive(Serialize)]
 pub(super) struct FlywheelView {
@@ -48,7 +48,7 @@ pub(super) fn flywheels(answers: &Answers<'_>) -> Entries<FlywheelView> {
     let plan = answers.scene.plan;
     let state = State::new(plan);
     let angles = vec![0.0; plan.bodies];
-    let view = View::new(&answers.scene, &state, &angles, &answers.solution.statics);
+    let view = PoseAnswers::new(&answers.scene, &state, &angles, &answers.solution.statics);
     let all = all_flywheels(answers).enumerate().map(|(index, (wheel, found))| {
         let part = |part| Number::of(view.flywheel(index, part));
         let rim = || {

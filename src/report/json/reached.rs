@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::entries::Number;
-use crate::accuracy::{Reached, Source};
+use crate::accuracy::{AchievedAccuracy, Source};
 use crate::plan::Numbers;
 
 #[derive(Serialize)]
@@ -21,7 +21,7 @@ pub(super) struct ReachedView {
 }
 
 impl ReachedView {
-    pub(super) fn of(reached: &Reached) -> Self {
+    pub(super) fn of(reached: &AchievedAccuracy) -> Self {
         let settings = &reached.settings;
         Self {
             within: Number::of(reached.within),

@@ -261,7 +261,7 @@ fn compare(seed: u64, draft: &Draft, mechanism: &Mechanism, tally: &mut Tally) -
         };
     }
     let view = run.view(0)?;
-    let found = view.rubbing();
+    let found = view.pair_frictions();
     let mut x = vec![0.0; rubs.len()];
     for (x, rub) in x.iter_mut().zip(&rubs) {
         let r = found

@@ -94,7 +94,7 @@ fn random_mechanisms_agree_with_a_fixed_point_on_all_equations() {
         compared += 1;
         contacts += rubs.iter().filter(|r| matches!(r.kind, Kind::Contact(..))).count();
         slots += rubs.iter().filter(|r| matches!(mechanism.pair(r.pair).kind, PairKind::Slot(_))).count();
-        let found = view.rubbing();
+        let found = view.pair_frictions();
         let scale = forces.most.0;
         for (rub, x) in rubs.iter().zip(&x) {
             let Some(r) = found.iter().find(|r| rub.is_of(r)) else {
@@ -140,7 +140,7 @@ fn dyads_agree_with_the_laws_taken_one_by_one() {
         let mut plan = run.plan.clone();
         let mut reduced = 0;
         for step in &mut plan.forces {
-            let ForceStep::Rubbing { group, .. } = step else { continue };
+            let ForceStep::Friction { group, .. } = step else { continue };
             reduced += usize::from(group.reduced.take().is_some());
         }
         let Ok(quick) = run.solved(0) else { continue };
@@ -187,7 +187,7 @@ fn zero_coefficients_change_no_bit_and_have_no_step() {
         };
         assert_eq!(bits(&plain), bits(&zero), "seed {seed}");
         for run in [&plain, &zero] {
-            let rubs = run.plan.forces.iter().any(|s| matches!(s, ForceStep::Rubbing { .. }));
+            let rubs = run.plan.forces.iter().any(|s| matches!(s, ForceStep::Friction { .. }));
             assert!(!rubs && run.plan.friction.is_empty() && !run.plan.effects.friction, "seed {seed}");
         }
     }
@@ -273,7 +273,7 @@ find efficiency(), locked()
                 let mut state = pose.state.clone().ready(scene.plan);
                 state.run_loads(&scene, &[]);
                 state.run_forces(scene.plan);
-                let steps: u32 = state.scratch.rubbing_work.iter().flatten().map(|w| w.steps()).sum();
+                let steps: u32 = state.scratch.friction_work.iter().flatten().map(|w| w.steps()).sum();
                 assert!((1..=5).contains(&steps), "{place}: {steps} steps");
                 if margin > 0.0 {
                     free += 1;

@@ -76,7 +76,7 @@ impl PairFriction {
     }
 
     /// Whether that answer is its own, whichever link it is stated for.
-    pub fn is_of(&self, r: &assur::solve::Rubbing) -> bool {
+    pub fn is_of(&self, r: &assur::solve::PairFriction) -> bool {
         let links = [r.on, r.from];
         r.pair == self.pair && links.contains(&self.on) && links.contains(&self.from)
     }

@@ -8,7 +8,7 @@ use crate::support::reference::{Body, Rates};
 use crate::support::run::{Run, scalar, vector};
 use assur::math::{V2, Vec2};
 use assur::model::{BalanceId, DriveId, LinkId, Mechanism, PairKind, Query};
-use assur::solve::{SolveError, Solved, View};
+use assur::solve::{PoseAnswers, SolveError, Solved};
 
 /// Digits that an answer claims where no warning says how many are left.
 pub const UNWARNED: f64 = 7.0;
@@ -122,7 +122,7 @@ fn forces(
 }
 
 /// The worst error of a force, or of a moment over the size.
-fn off(run: &Run, view: &View<'_>, forces: &Forces, size: f64) -> f64 {
+fn off(run: &Run, view: &PoseAnswers<'_>, forces: &Forces, size: f64) -> f64 {
     let m = &run.mechanism;
     let mut worst = 0.0_f64;
     for on in &forces.reactions {

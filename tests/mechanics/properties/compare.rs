@@ -5,7 +5,7 @@ use crate::support::reference::Reference;
 use crate::support::run::{Run, scalar, vector};
 use assur::math::Vec2;
 use assur::model::{BalanceId, DriveId, LinkId, PairId, PairKind, PointRef, Query};
-use assur::solve::View;
+use assur::solve::PoseAnswers;
 
 /// Errors are told in units of this, relative to the largest magnitude in play, over a power of the condition figure.
 pub const TOLERANCE: f64 = 1e-12;
@@ -49,7 +49,7 @@ impl Worst {
 struct Comparison<'a> {
     draft: &'a Draft,
     reference: &'a Reference,
-    view: View<'a>,
+    view: PoseAnswers<'a>,
     sigma: f64,
     worst: Worst,
 }

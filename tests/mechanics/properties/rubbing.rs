@@ -8,7 +8,7 @@ use crate::support::reference::{Body, Reference};
 use crate::support::run::{Run, scalar, vector};
 use assur::math::Vec2;
 use assur::model::{BalanceId, DriveId, Friction, LinkId, PairId, PairKind, Query};
-use assur::solve::View;
+use assur::solve::PoseAnswers;
 
 /// Gives about half of the pairs friction.
 pub fn roughen(draft: &mut Draft) {
@@ -36,7 +36,7 @@ struct Check<'a> {
     draft: &'a Draft,
     reference: &'a Reference,
     outside: Outside,
-    view: View<'a>,
+    view: PoseAnswers<'a>,
     /// Scale of forces and torques.
     most: f64,
     worst: Worst,

@@ -6,7 +6,7 @@ use crate::support::run::Run;
 use assur::group::general::{Acceleration, Constraint, General, Load, Point, Pose, Velocity, assemblies};
 use assur::math::Vec2;
 use assur::plan::{MotionStep, TriadLeg};
-use assur::solve::{Scene, State, modes};
+use assur::solve::{self, Scene, State};
 
 fn run(m: &assur::model::Mechanism) -> Run {
     Run::new(m).expect("the structure is sound")
@@ -116,15 +116,19 @@ fn the_list_of_assemblies_holds_all_that_the_search_finds() {
             continue;
         }
         let scene = Scene { mechanism: &run.mechanism, structure: &run.structure, plan: &run.plan };
-        let modes = modes(&scene).expect("it is solved");
+        let modes = solve::assemblies(&scene).expect("it is solved");
         let group = modes.groups.iter().find(|g| run.structure.motion[g.group].kind_name() == "triad");
         let group = group.expect("it is listed");
-        assert_eq!(group.modes.iter().filter(|m| m.chosen).count(), 1, "seed {seed}");
-        assert!(group.modes.len() % 2 == 0, "seed {seed}");
+        assert_eq!(group.assemblies.iter().filter(|m| m.chosen).count(), 1, "seed {seed}");
+        assert!(group.assemblies.len() % 2 == 0, "seed {seed}");
         let (mut general, poses, _) = general(&run, &solved.state);
         let found = assemblies(&mut general, &poses, 150).len();
-        assert!(found <= group.modes.len(), "seed {seed}: {found} found, {} listed", group.modes.len());
-        listed += group.modes.len();
+        assert!(
+            found <= group.assemblies.len(),
+            "seed {seed}: {found} found, {} listed",
+            group.assemblies.len()
+        );
+        listed += group.assemblies.len();
         searched += found;
     }
     assert!(listed > 40 && searched > listed / 2, "{listed} listed, {searched} found");
@@ -133,7 +137,7 @@ fn the_list_of_assemblies_holds_all_that_the_search_finds() {
 #[test]
 fn one_position_alone_is_listed_too() {
     let run = run(&machines::triad(list(&[1.0])));
-    let modes = modes(&run.scene()).expect("it is solved");
+    let modes = solve::assemblies(&run.scene()).expect("it is solved");
     assert!(modes.problem.is_none() && modes.groups.len() == 1);
-    assert!(modes.groups[0].modes.iter().all(|m| m.condition > 1e-3 && m.condition <= 1.0));
+    assert!(modes.groups[0].assemblies.iter().all(|m| m.condition > 1e-3 && m.condition <= 1.0));
 }

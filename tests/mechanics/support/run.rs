@@ -3,7 +3,7 @@
 use assur::math::Vec2;
 use assur::model::{Mechanism, Query, Value};
 use assur::plan::Plan;
-use assur::solve::{Scene, Solution, SolveError, Solved, View, solve};
+use assur::solve::{PoseAnswers, Scene, Solution, SolveError, Solved, solve};
 use assur::structure::Structure;
 
 /// A mechanism with everything that comes of it.
@@ -36,7 +36,7 @@ impl Run {
         pose.outcome.as_ref().map_err(|e| format!("{e:?}"))
     }
 
-    pub fn view(&self, pose: usize) -> Result<View<'_>, String> {
+    pub fn view(&self, pose: usize) -> Result<PoseAnswers<'_>, String> {
         let solved = self.solved(pose)?;
         let solution = self.solution.as_ref().map_err(|e| format!("{e:?}"))?;
         Ok(solution.view(&self.scene(), solved))
@@ -44,7 +44,7 @@ impl Run {
 }
 
 /// A number asked of a position.
-pub fn scalar(view: &View<'_>, query: &Query) -> f64 {
+pub fn scalar(view: &PoseAnswers<'_>, query: &Query) -> f64 {
     match view.query(query) {
         Value::Scalar(x) => x,
         _ => f64::NAN,
@@ -52,7 +52,7 @@ pub fn scalar(view: &View<'_>, query: &Query) -> f64 {
 }
 
 /// A vector asked of a position.
-pub fn vector(view: &View<'_>, query: &Query) -> Vec2 {
+pub fn vector(view: &PoseAnswers<'_>, query: &Query) -> Vec2 {
     match view.query(query) {
         Value::Vector(v) => v,
         _ => Vec2::new(f64::NAN, f64::NAN),

@@ -1,11 +1,11 @@
 //! The common normal of a contact at a position.
 
-use super::view::View;
+use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{PairId, PairKind};
 
 /// Place of the contact and the unit common normal into the first link. For a slot the normal is the line's left one.
-pub(super) fn normal(view: &View<'_>, pair: PairId) -> Option<(Vec2, Vec2)> {
+pub(super) fn normal(view: &PoseAnswers<'_>, pair: PairId) -> Option<(Vec2, Vec2)> {
     match &view.mechanism.pair(pair).kind {
         PairKind::Slot(g) => {
             let p = view.body(g.slider).position(g.point);

@@ -1,11 +1,11 @@
 //! The coordinate of a pair and its derivatives.
 
-use super::view::{NAN_VECTOR, View};
+use super::pose_answers::{NAN_VECTOR, PoseAnswers};
 use crate::math::Vec2;
 use crate::model::{Guide, LinkId, PairId, PairKind, PointRef};
 use std::borrow::Cow;
 
-impl View<'_> {
+impl PoseAnswers<'_> {
     /// The guide of a pair with a coordinate along a line; barrel and rod of a cylinder.
     #[must_use]
     pub fn guide(&self, pair: PairId) -> Option<Cow<'_, Guide>> {

@@ -1,12 +1,12 @@
 //! Loads and efforts as they act at a position, and their powers.
 
-use super::view::View;
+use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{BalanceKind, LinkId, LoadKind, Place, Value};
 use crate::position::STILL;
 use crate::structure::EffortSource;
 
-impl View<'_> {
+impl PoseAnswers<'_> {
     fn effort_slot(&self, source: EffortSource) -> Option<usize> {
         self.structure.efforts.iter().position(|e| e.source == source)
     }

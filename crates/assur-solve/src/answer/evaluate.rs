@@ -1,13 +1,13 @@
 //! Evaluates expressions at a position.
 
-use super::view::View;
+use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{Axis, BinaryOp, Comparison, Expr, Function, Value};
 
 /// NaN where types do not fit: `check` has seen to it that they do.
 const NOT_A_NUMBER: Value = Value::Scalar(f64::NAN);
 
-impl View<'_> {
+impl PoseAnswers<'_> {
     /// The value of an expression. What is not defined (a root of a negative number, a ratio of zeros) is NaN.
     #[must_use]
     pub fn value(&self, expr: &Expr) -> Value {

@@ -1,12 +1,12 @@
 //! Loads whose values depend on the position.
 
-use super::view::View;
-use super::whole_cycle::Statics;
+use super::pose_answers::PoseAnswers;
+use super::whole_cycle::WholeCycle;
 use crate::model::{LoadId, Query, Value};
 use crate::plan::LoadStep;
 use crate::position::{Scene, State};
 
-impl View<'_> {
+impl PoseAnswers<'_> {
     /// Values of the loads that are evaluated at every position, in the order of the plan.
     pub fn evaluated_loads(&self, out: &mut Vec<(LoadId, Value)>) {
         out.clear();
@@ -21,7 +21,7 @@ impl View<'_> {
 /// Loads and forces of a state whose motion is known; `quantities` where loads may name quantities of the file.
 pub(crate) fn balanced(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     state: &mut State,
     angles: &[f64],
     evaluated: &mut Vec<(LoadId, Value)>,
@@ -29,9 +29,9 @@ pub(crate) fn balanced(
 ) {
     evaluated.clear();
     if scene.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))) {
-        let view = View::new(scene, state, angles, statics);
+        let view = PoseAnswers::new(scene, state, angles, statics);
         let motion = if quantities { view.all_quantities() } else { Vec::new() };
-        View { quantities: &motion, ..view }.evaluated_loads(evaluated);
+        PoseAnswers { quantities: &motion, ..view }.evaluated_loads(evaluated);
     }
     state.run_loads_and_forces(scene, evaluated);
 }

@@ -1,12 +1,12 @@
 //! What is asked of a flywheel.
 
-use super::view::View;
+use super::pose_answers::PoseAnswers;
 use crate::model::{Flywheel, FlywheelPart, FlywheelTorque, LinkId, Mechanism, Rim};
 use crate::position::BodyState;
 use crate::structure::EffortSource;
 use std::f64::consts::PI;
 
-impl View<'_> {
+impl PoseAnswers<'_> {
     /// Something of a flywheel; NaN where it has none.
     #[must_use]
     pub fn flywheel(&self, which: usize, part: FlywheelPart) -> f64 {

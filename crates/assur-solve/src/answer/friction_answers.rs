@@ -1,8 +1,8 @@
 //! What friction makes of a position: forces along the sliding, powers lost, efficiency.
 
-use super::view::View;
+use super::pose_answers::PoseAnswers;
 use crate::model::{LinkId, PairId, PairKind};
-use crate::plan::{FrictionElement, Rub};
+use crate::plan::{FrictionElement, FrictionLaw};
 use crate::structure::EffortSource;
 
 /// Useful power less than this part of the power put in is rounding.
@@ -10,7 +10,7 @@ const NOTHING: f64 = 1e-13;
 
 /// Friction between two links at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rubbing {
+pub struct PairFriction {
     /// The pair.
     pub pair: PairId,
     /// The link on which the effort acts.
@@ -31,24 +31,24 @@ pub struct Rubbing {
     pub power: f64,
 }
 
-impl View<'_> {
+impl PoseAnswers<'_> {
     /// Friction of all pairs that have any, in the order in which forces are found.
     #[must_use]
-    pub fn rubbing(&self) -> Vec<Rubbing> {
+    pub fn pair_frictions(&self) -> Vec<PairFriction> {
         let one = |(i, element): (usize, &FrictionElement)| {
-            let (effort, speed) = (self.state.forces.frictions[i], self.state.rubbing_speed(element));
+            let (effort, speed) = (self.state.forces.frictions[i], self.state.sliding_speed(element));
             let still = self.state.forces.senses[i] == 0.0;
             let factor = element.kind.factor();
             let measured = self.state.measured(self.plan, element);
-            Rubbing {
+            PairFriction {
                 pair: element.pair,
                 on: LinkId::at(element.body),
                 from: LinkId::at(element.base),
-                turns: matches!(element.kind, Rub::Circle { .. }),
+                turns: matches!(element.kind, FrictionLaw::Circle { .. }),
                 factor,
                 speed: if still { 0.0 } else { speed },
                 normal: match element.kind {
-                    Rub::BothEnds { .. } => measured.x.abs() + measured.y.abs(),
+                    FrictionLaw::BothEnds { .. } => measured.x.abs() + measured.y.abs(),
                     _ => measured.norm(),
                 },
                 effort,
@@ -83,7 +83,7 @@ impl View<'_> {
     pub(super) fn friction_force(&self, pair: PairId, link: LinkId) -> crate::math::Vec2 {
         let mut sum = crate::math::Vec2::zero();
         for (element, value) in self.elements(pair) {
-            let Some(line) = self.state.rubbing_line(element) else { continue };
+            let Some(line) = self.state.friction_line(element) else { continue };
             if element.body == link.index() {
                 sum += line.1 * value;
             } else if element.base == link.index() {
@@ -95,7 +95,7 @@ impl View<'_> {
 
     /// Friction couple on a link in a revolute, N m.
     pub(super) fn friction_couple(&self, pair: PairId, link: LinkId) -> f64 {
-        let couples = self.elements(pair).filter(|(e, _)| matches!(e.kind, Rub::Circle { .. }));
+        let couples = self.elements(pair).filter(|(e, _)| matches!(e.kind, FrictionLaw::Circle { .. }));
         couples
             .map(|(e, x)| {
                 if e.body == link.index() {
@@ -111,7 +111,7 @@ impl View<'_> {
 
     /// Power lost in a pair, W, ≥ 0.
     pub(super) fn friction_power(&self, pair: PairId) -> f64 {
-        self.elements(pair).map(|(e, x)| -x * self.state.rubbing_speed(e)).sum()
+        self.elements(pair).map(|(e, x)| -x * self.state.sliding_speed(e)).sum()
     }
 
     /// Ideal over actual power of the efforts where they drive without friction, actual over ideal where they resist. Zero

@@ -1,6 +1,6 @@
 //! Where friction would let go: the part of it at which a locked position begins to move.
 
-use super::view::View;
+use super::pose_answers::PoseAnswers;
 use crate::model::PairId;
 use crate::plan::Plan;
 use crate::position::{Scene, State};
@@ -50,7 +50,7 @@ impl Locked<'_> {
         self.moves(&mut state, &mut plan, None, part * (1.0 - 1e-6));
         let mut losses: Vec<(PairId, f64)> = Vec::new();
         for (element, effort) in plan.friction.iter().zip(&state.forces.frictions) {
-            let power = -effort * state.rubbing_speed(element);
+            let power = -effort * state.sliding_speed(element);
             match losses.iter_mut().find(|(pair, _)| *pair == element.pair) {
                 Some((_, sum)) => *sum += power,
                 None => losses.push((element.pair, power)),
@@ -69,8 +69,8 @@ impl Locked<'_> {
         state.forces.frictions.fill(0.0);
         state.forces.locked = false;
         state.run_forces(plan);
-        let actual =
-            View::new(self.scene, state, &[], &super::whole_cycle::Statics::EMPTY).power_of_efforts();
+        let actual = PoseAnswers::new(self.scene, state, &[], &super::whole_cycle::WholeCycle::EMPTY)
+            .power_of_efforts();
         !state.forces.locked && actual * self.ideal > 0.0
     }
 }

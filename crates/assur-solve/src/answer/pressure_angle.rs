@@ -1,6 +1,6 @@
 //! The angle between the force that a follower receives without friction and the motion of the point that receives it.
 
-use super::view::View;
+use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId, PairKind, ProfileShape};
 use crate::structure::BodyId;
@@ -8,7 +8,7 @@ use crate::structure::BodyId;
 /// A point slower than this part of the speed of what it touches stands still: its velocity is rounding.
 const STILL: f64 = 1e-12;
 
-impl View<'_> {
+impl PoseAnswers<'_> {
     /// Between the common normal of a contact (or the normal of a slot) and the way of the follower's point, 0 to 90°. That
     /// point is the follower's own point or the centre of its circle, of a straight face the place of the contact. Its way is
     /// perpendicular to the arm from the hinge, or along the guide, by which the follower stands on the frame; so it is

@@ -1,6 +1,6 @@
 //! Mass substitution by two points, as questions about one position.
 
-use super::view::View;
+use super::pose_answers::PoseAnswers;
 use crate::force::mass_substitution::{in_points, with_centre_of_oscillation};
 use crate::math::Vec2;
 use crate::model::{LinkId, SubstitutionPart, Value};
@@ -19,7 +19,7 @@ struct Masses {
 }
 
 pub(super) fn of_static(
-    view: &View<'_>,
+    view: &PoseAnswers<'_>,
     link: LinkId,
     p_1: Vec2,
     p_2: Vec2,
@@ -31,7 +31,7 @@ pub(super) fn of_static(
     Masses { m_1: s.m_1, m_2: s.m_2, p_1, p_2, l_2, dJ: s.dJ }.part(view, link, part)
 }
 
-pub(super) fn of_dynamic(view: &View<'_>, link: LinkId, p: Vec2, part: SubstitutionPart) -> Value {
+pub(super) fn of_dynamic(view: &PoseAnswers<'_>, link: LinkId, p: Vec2, part: SubstitutionPart) -> Value {
     let Some(m) = view.mechanism.link(link).mass else { return NOT_A_NUMBER };
     let d = with_centre_of_oscillation(m.mass, m.inertia, p - m.centre);
     Masses { m_1: d.m_1, m_2: d.m_2, p_1: p, p_2: m.centre + d.r_2, l_2: d.l_2, dJ: 0.0 }
@@ -39,7 +39,7 @@ pub(super) fn of_dynamic(view: &View<'_>, link: LinkId, p: Vec2, part: Substitut
 }
 
 impl Masses {
-    fn part(&self, view: &View<'_>, link: LinkId, part: SubstitutionPart) -> Value {
+    fn part(&self, view: &PoseAnswers<'_>, link: LinkId, part: SubstitutionPart) -> Value {
         let body = view.body(link);
         match part {
             SubstitutionPart::M1 => Value::Scalar(self.m_1),

@@ -1,11 +1,11 @@
 //! What transmissions do, seen from the language.
 
-use super::view::{NAN_VECTOR, View};
+use super::pose_answers::{NAN_VECTOR, PoseAnswers};
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId, PairKind, Transmission};
 use crate::plan::{LawSite, PlannedLaw};
 
-impl View<'_> {
+impl PoseAnswers<'_> {
     /// The laws of a transmission with their slots.
     fn laws(&self, pair: PairId) -> impl Iterator<Item = (usize, &PlannedLaw)> + '_ {
         self.plan.laws.iter().enumerate().filter(move |(_, l)| l.pair == pair)

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 /// Extremes of the pairs asked for.
 #[derive(Clone, Debug, Default)]
-pub struct Statics {
+pub struct WholeCycle {
     pub(crate) extremes: Vec<(PairId, Extremes)>,
     /// Values at which locking begins, by index into [`Mechanism::criticals`].
     pub criticals: Vec<f64>,
@@ -29,7 +29,7 @@ pub struct Extremes {
     pub at_greatest: f64,
 }
 
-impl Statics {
+impl WholeCycle {
     /// Nothing asked for.
     pub const EMPTY: Self =
         Self { extremes: Vec::new(), criticals: Vec::new(), cycles: Vec::new(), flywheels: Vec::new() };

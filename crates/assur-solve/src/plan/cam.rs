@@ -1,23 +1,10 @@
 //! Followers of designed cams: their motion is the cam's own law.
 
-use super::Plan;
+use super::cam_step::CamStep;
+use super::planned::Plan;
 use super::step::MotionStep;
-use crate::element::cam::Cam;
 use crate::model::{CamContact, Mechanism, PairId};
 use crate::structure::{BodyOrigin, Group, GroupKind, Structure};
-
-/// The follower of a designed cam, with the imaginary block that stands for the contact.
-#[derive(Clone, Debug)]
-pub struct CamStep {
-    /// The cam.
-    pub cam: Cam,
-    /// Where it touches which follower.
-    pub contact: CamContact,
-    /// Index of the contact in the mechanism.
-    pub index: usize,
-    /// Slot of the block.
-    pub block: usize,
-}
 
 /// The contact of a designed cam whose block belongs to a group.
 pub(crate) fn contact_in<'m>(

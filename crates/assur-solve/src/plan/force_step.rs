@@ -1,40 +1,11 @@
 //! The steps of forces.
 
 use super::formed::Formed;
-use super::friction::RubbingGroup;
+use super::friction_step::FrictionGroup;
+use super::joint::{Guide, Hinge, OuterJoint};
 use super::step::Arm;
-use super::triad::TriadForces;
+use super::triad_step::TriadForces;
 use crate::math::Vec2;
-
-/// Where a reaction acts and where it is kept.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hinge {
-    /// Slot of the body it acts on.
-    pub body: usize,
-    /// The pin in the body's frame.
-    pub pin: Arm,
-    /// Slot of the body it comes from.
-    pub base: usize,
-    /// Slot of the reaction: force on `body`.
-    pub slot: usize,
-}
-
-/// A prismatic joint on the side of forces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Way {
-    /// Slot of the body the reaction is counted on.
-    pub body: usize,
-    /// Slot of the other body.
-    pub base: usize,
-    /// Slot of the sliding body.
-    pub slider: usize,
-    /// Its point in its frame, m: couples are taken about it.
-    pub point: Vec2,
-    /// Its direction along the line, in its frame.
-    pub direction: Vec2,
-    /// Slot of the reaction: force and couple on `body`.
-    pub slot: usize,
-}
 
 /// One unknown effort on the side of forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +25,7 @@ pub enum EffortLine {
         line: usize,
     },
     /// A force on the slider of a prismatic joint along its line, with the opposite on the guide.
-    Along(Way),
+    Along(Guide),
 }
 
 /// One step of forces.
@@ -73,7 +44,7 @@ pub enum ForceStep {
     /// One body on a guide with one unknown effort.
     Shift {
         /// The guide.
-        way: Way,
+        way: Guide,
         /// The effort.
         effort: EffortLine,
         /// Slot of the effort, and the sign with which it acts on the body.
@@ -96,7 +67,7 @@ pub enum ForceStep {
         /// Inner revolute.
         inner: Inner,
         /// Guide of the slider.
-        way: Way,
+        way: Guide,
         /// The step of motion of the same group.
         motion: Option<usize>,
     },
@@ -116,12 +87,12 @@ pub enum ForceStep {
         /// Outer revolutes.
         outer: [Hinge; 2],
         /// The inner guide.
-        way: Way,
+        way: Guide,
     },
     /// Dyad PRP.
     Prp {
         /// The guides.
-        ways: [Way; 2],
+        ways: [Guide; 2],
         /// The inner revolute.
         inner: Inner,
     },
@@ -130,14 +101,14 @@ pub enum ForceStep {
         /// Outer revolute of the first body.
         outer: Hinge,
         /// The inner guide.
-        inner: Way,
+        inner: Guide,
         /// Guide of the second body.
-        way: Way,
+        way: Guide,
     },
     /// A body between two guides; the couples are not determined.
     Translation {
         /// The guides.
-        ways: [Way; 2],
+        ways: [Guide; 2],
     },
     /// Bodies held by laws between their rates.
     Train {
@@ -154,21 +125,12 @@ pub enum ForceStep {
     /// Steps of the groups from the first on, solved as one since friction couples them; none where a later step does it.
     Sequence(Vec<ForceStep>),
     /// A group with friction.
-    Rubbing {
+    Friction {
         /// The step without friction.
         plain: Box<ForceStep>,
         /// What rubs in it.
-        group: Box<RubbingGroup>,
+        group: Box<FrictionGroup>,
     },
-}
-
-/// The second outer joint of a dyad on the side of forces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum OuterJoint {
-    /// A revolute.
-    Hinge(Hinge),
-    /// A guide.
-    Way(Way),
 }
 
 /// The far half of a link with an unknown effort inside: solved like one body with one joint and one effort.

@@ -1,12 +1,12 @@
 //! Steps of forces, one per structural group, from the outermost loads to the efforts.
 
-use super::Plan;
-use super::force_step::{DrivenPart, EffortLine, ForceStep, Hinge, Inner, OuterJoint, Way};
+use super::force_step::{DrivenPart, EffortLine, ForceStep, Inner};
 use super::formed::Formed;
-use super::geometry::{pin, pin_arm};
+use super::geometry::{hinge, pin, pin_arm, way};
+use super::joint::OuterJoint;
+use super::planned::Plan;
 use super::step::MotionStep;
-use crate::math::Vec2;
-use crate::structure::{Dyad, EffortKind, Group, GroupJoint, GroupKind, JointKind, Structure};
+use crate::structure::{Dyad, EffortKind, Group, GroupJoint, GroupKind, Structure};
 
 pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
     for group in &structure.forces {
@@ -32,23 +32,6 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
         });
         plan.forces.push(step);
     }
-}
-
-pub(super) fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
-    Hinge {
-        body: joint.body.0,
-        pin: pin_arm(&structure.replaced, joint, joint.body),
-        base: joint.base.0,
-        slot,
-    }
-}
-
-pub(super) fn way(structure: &Structure, joint: GroupJoint, slot: usize) -> Way {
-    let (slider, point, direction) = match structure.replaced.joint(joint.joint).kind {
-        JointKind::Prismatic { slider, point, direction, .. } => (slider, point, direction),
-        JointKind::Revolute(_) | JointKind::Law(_) => (joint.body, Vec2::zero(), Vec2::new(1.0, 0.0)),
-    };
-    Way { body: joint.body.0, base: joint.base.0, slider: slider.0, point, direction, slot }
 }
 
 /// The line of an effort with the sign with which a positive value acts on `body`.
@@ -149,7 +132,7 @@ fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dy
             })?;
             let (line, sign) = effort_line(structure, effort, joint.body.0, Some((joint, slot)))?;
             let at = if joint.prismatic {
-                OuterJoint::Way(way(structure, joint, slot))
+                OuterJoint::Guide(way(structure, joint, slot))
             } else {
                 OuterJoint::Hinge(hinge(structure, joint, slot))
             };
@@ -157,7 +140,7 @@ fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dy
         }
     };
     let outer = if kind == Dyad::Rrp {
-        OuterJoint::Way(way(structure, second, first_slot + 2))
+        OuterJoint::Guide(way(structure, second, first_slot + 2))
     } else {
         OuterJoint::Hinge(hinge(structure, second, first_slot + 2))
     };

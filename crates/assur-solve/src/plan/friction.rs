@@ -1,84 +1,13 @@
 //! Which joints rub, and how: one element per sliding or turning contact, each in the group that finds its reaction.
 
-use super::Plan;
-use super::force_step::{EffortLine, ForceStep, Way};
+use super::force_step::{EffortLine, ForceStep};
+use super::friction_step::{FrictionElement, FrictionGroup, FrictionLaw};
+use super::geometry::way;
+use super::planned::Plan;
 use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
 use crate::structure::{BodyId, Group, JointKind, Structure};
 
-/// Friction in one joint: an effort that opposes the relative motion, in proportion to the reaction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FrictionElement {
-    /// The pair.
-    pub pair: PairId,
-    /// Slot of the body the effort is counted on.
-    pub body: usize,
-    /// Slot of the other body.
-    pub base: usize,
-    /// Slot of the body through which the effort reaches `body`: the block that stands for a pin in a slot, or `body`
-    /// itself. The link of the pin may have been solved before the block.
-    pub through: usize,
-    /// Slot of the reaction.
-    pub slot: usize,
-    /// The law.
-    pub kind: Rub,
-    /// Hinge of several links that its own link does not carry: the force on `body` is the sum of these reactions, a range
-    /// of [`Plan::pin_slots`], instead of the one in `slot`.
-    pub pin: Option<(usize, usize)>,
-}
-
-/// Laws of friction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Rub {
-    /// A torque ρ |f| about a hinge.
-    Circle {
-        /// Radius of the friction circle, m.
-        radius: f64,
-    },
-    /// A force f |N| along a guide.
-    Guide {
-        /// Equivalent coefficient.
-        coefficient: f64,
-        /// The guide.
-        way: Way,
-    },
-    /// A force f (|N_1| + |N_2|) along a guide with two contact points.
-    BothEnds {
-        /// Coefficient.
-        coefficient: f64,
-        /// The guide.
-        way: Way,
-        /// Coordinates of the contact points relative to the pair's point, m.
-        contacts: [f64; 2],
-    },
-    /// A force f |N| along the tangent of a contact, or along a slot. `slot` holds the normal force.
-    Contact {
-        /// Coefficient.
-        coefficient: f64,
-        /// The profile on `body`.
-        first: ProfileShape,
-        /// The profile on `base`.
-        second: ProfileShape,
-        /// One circle lies inside the other.
-        internal: bool,
-    },
-}
-
-/// The bodies whose loads a group's step reads or changes, and the elements inside it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RubbingGroup {
-    /// Slots of the group's bodies.
-    pub bodies: Vec<usize>,
-    /// Slots of the bodies that carry it.
-    pub bases: Vec<usize>,
-    /// Its elements: indices into [`Plan::friction`].
-    pub elements: Vec<usize>,
-    /// Slots of its reactions.
-    pub slots: Vec<usize>,
-    /// The elements in its joints, where the laws reduce to the force in the inner hinge of a dyad, or to nothing unknown.
-    pub reduced: Option<[Option<usize>; 3]>,
-}
-
-/// The elements by joint where [`RubbingGroup::reduced`] holds: circles in the hinges of a dyad RRR, or of a dyad RRP whose
+/// The elements by joint where [`FrictionGroup::reduced`] holds: circles in the hinges of a dyad RRR, or of a dyad RRP whose
 /// guide rubs by its normal force; the one joint of a link whose effort acts in that joint.
 fn reduced(step: &ForceStep, elements: &[FrictionElement], from: usize) -> Option<[Option<usize>; 3]> {
     let joints: &[(usize, bool)] = match step {
@@ -96,9 +25,9 @@ fn reduced(step: &ForceStep, elements: &[FrictionElement], from: usize) -> Optio
     for (index, element) in elements.iter().enumerate() {
         let joint = joints.iter().position(|(slot, _)| *slot == element.slot)?;
         let fits = match element.kind {
-            Rub::Circle { .. } => !joints[joint].1,
-            Rub::Guide { .. } => joints[joint].1,
-            Rub::BothEnds { .. } | Rub::Contact { .. } => false,
+            FrictionLaw::Circle { .. } => !joints[joint].1,
+            FrictionLaw::Guide { .. } => joints[joint].1,
+            FrictionLaw::BothEnds { .. } | FrictionLaw::Contact { .. } => false,
         };
         if !fits || element.pin.is_some() || found[joint].is_some() {
             return None;
@@ -123,7 +52,8 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
             let element = element(mechanism, structure, joint, slot);
             // a replaced contact has two joints and rubs once
             let fresh = |e: &FrictionElement| {
-                !matches!(e.kind, Rub::Contact { .. }) || !plan.friction.iter().any(|o| o.pair == e.pair)
+                !matches!(e.kind, FrictionLaw::Contact { .. })
+                    || !plan.friction.iter().any(|o| o.pair == e.pair)
             };
             if let Some(element) = element.filter(fresh) {
                 plan.friction.push(element);
@@ -133,14 +63,14 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
             continue;
         }
         let plain = std::mem::replace(&mut plan.forces[index], ForceStep::Sequence(Vec::new()));
-        let rubbing = RubbingGroup {
+        let rubbing = FrictionGroup {
             reduced: reduced(&plain, &plan.friction[from..], from),
             bodies: group.bodies.iter().map(|b| b.0).collect(),
             bases: bases(group),
             elements: (from..plan.friction.len()).collect(),
             slots,
         };
-        plan.forces[index] = ForceStep::Rubbing { plain: Box::new(plain), group: Box::new(rubbing) };
+        plan.forces[index] = ForceStep::Friction { plain: Box::new(plain), group: Box::new(rubbing) };
     }
     if !foreign.is_empty() {
         foreign.iter().for_each(|pair| pin(mechanism, structure, plan, *pair));
@@ -188,7 +118,7 @@ fn pin(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan, id: PairId
             base: pins[0].link.index(),
             through: link,
             slot: *slot,
-            kind: Rub::Circle { radius },
+            kind: FrictionLaw::Circle { radius },
             pin: Some((from, plan.pin_slots.len())),
         });
     }
@@ -198,7 +128,7 @@ fn pin(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan, id: PairId
 fn together(plan: &mut Plan) {
     let steps: Vec<ForceStep> =
         plan.forces.iter_mut().map(|s| std::mem::replace(s, ForceStep::Sequence(Vec::new()))).collect();
-    let group = RubbingGroup {
+    let group = FrictionGroup {
         bodies: (1..plan.bodies).collect(),
         bases: vec![0],
         elements: (0..plan.friction.len()).collect(),
@@ -206,7 +136,7 @@ fn together(plan: &mut Plan) {
         reduced: None,
     };
     if let Some(last) = plan.forces.last_mut() {
-        *last = ForceStep::Rubbing { plain: Box::new(ForceStep::Sequence(steps)), group: Box::new(group) };
+        *last = ForceStep::Friction { plain: Box::new(ForceStep::Sequence(steps)), group: Box::new(group) };
     }
 }
 
@@ -242,14 +172,14 @@ fn element(
     };
     match (&pair.kind, pair.friction?) {
         (PairKind::Revolute(_), Friction::Circle(radius)) => {
-            (radius > 0.0).then(|| at(joint.body, joint.base, Rub::Circle { radius }))
+            (radius > 0.0).then(|| at(joint.body, joint.base, FrictionLaw::Circle { radius }))
         }
         (PairKind::Prismatic(guide), friction) => {
-            let way = super::forces::way(structure, *joint, slot);
+            let way = way(structure, *joint, slot);
             let kind = match friction {
-                Friction::Coefficient(coefficient) => Rub::Guide { coefficient, way },
+                Friction::Coefficient(coefficient) => FrictionLaw::Guide { coefficient, way },
                 Friction::BothEnds(coefficient) => {
-                    Rub::BothEnds { coefficient, way, contacts: guide.contacts? }
+                    FrictionLaw::BothEnds { coefficient, way, contacts: guide.contacts? }
                 }
                 Friction::Circle(_) => return None,
             };
@@ -257,7 +187,7 @@ fn element(
         }
         (PairKind::Slot(guide), friction) => {
             let prismatic = matches!(structure.replaced.joint(joint.joint).kind, JointKind::Prismatic { .. });
-            let kind = Rub::Contact {
+            let kind = FrictionLaw::Contact {
                 coefficient: friction.coefficient(),
                 first: ProfileShape::Point(guide.point),
                 second: ProfileShape::Line(guide.through, guide.along),
@@ -271,7 +201,7 @@ fn element(
             })
         }
         (PairKind::Contact { first, second, internal }, friction) => {
-            let kind = Rub::Contact {
+            let kind = FrictionLaw::Contact {
                 coefficient: friction.coefficient(),
                 first: first.shape,
                 second: second.shape,
@@ -281,19 +211,5 @@ fn element(
             (friction.coefficient() > 0.0).then(|| at(body(first.link), body(second.link), kind))
         }
         _ => None,
-    }
-}
-
-impl Rub {
-    /// The law with its radius or coefficient multiplied.
-    #[must_use]
-    pub const fn scaled(mut self, by: f64) -> Self {
-        match &mut self {
-            Self::Circle { radius: factor }
-            | Self::Guide { coefficient: factor, .. }
-            | Self::BothEnds { coefficient: factor, .. }
-            | Self::Contact { coefficient: factor, .. } => *factor *= by,
-        }
-        self
     }
 }

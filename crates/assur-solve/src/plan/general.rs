@@ -1,76 +1,11 @@
 //! Groups without a closed form: their joints, drives and efforts as scalar constraints for Newton's method.
 
+use super::general_step::{BalanceSystem, GeneralMotion, UnknownForce};
+use super::geometry::{pin_arm, way};
+use super::joint::Hinge;
 use crate::group::general::{Constraint, General, Law, Line, Point};
 use crate::math::Vec2;
 use crate::structure::{BodyId, EffortKind, EffortSource, Group, GroupJoint, JointKind, Structure};
-
-/// A group of motion. Bodies are slots: those of the group first, then those of known motion that it hangs on.
-#[derive(Clone, Debug)]
-pub struct GeneralMotion {
-    /// Slots of the bodies.
-    pub bodies: Vec<usize>,
-    /// How many of them belong to the group.
-    pub moving: usize,
-    /// The equations with their memory; `None` where there are not as many as unknowns.
-    pub equations: Option<General>,
-    /// Constraints that a drive sets: index, slot of the drive.
-    pub driven: Vec<(usize, usize)>,
-    /// Constraints of round profiles: index and radius, m.
-    pub round: Vec<(usize, f64)>,
-}
-
-/// A group of forces.
-#[derive(Clone, Debug)]
-pub struct BalanceSystem {
-    /// Slots of the bodies: those of the group first.
-    pub bodies: Vec<usize>,
-    /// How many of them belong to the group.
-    pub moving: usize,
-    /// The equations with their memory; `None` where there are not as many as unknowns.
-    pub equations: Option<General>,
-    /// What each constraint gives, in their order.
-    pub unknowns: Vec<UnknownForce>,
-    /// Constraints along the lines of unknown forces: index, slot of the effort.
-    pub lines: Vec<(usize, usize)>,
-    /// Angles in which unknown torques act: any position satisfies them.
-    pub torques: Vec<usize>,
-}
-
-/// What the force in a constraint is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum UnknownForce {
-    /// The force in a revolute, two numbers: slot.
-    Hinge {
-        /// Slot of the reaction.
-        slot: usize,
-        /// The hinge.
-        hinge: super::Hinge,
-    },
-    /// The couple of a prismatic joint on its slider.
-    Couple(super::Way),
-    /// The normal force of a prismatic joint on its slider.
-    Normal(super::Way),
-    /// A torque of `base` on `body`: slot of the effort.
-    Torque {
-        /// Slot of the effort.
-        effort: usize,
-        /// The body.
-        body: usize,
-        /// The other body.
-        base: usize,
-    },
-    /// A force on the slider of a prismatic joint along its line.
-    Along {
-        /// Slot of the effort.
-        effort: usize,
-        /// The joint.
-        way: super::Way,
-    },
-    /// A force on a body along the line of an effort: its slot.
-    Line(usize),
-    /// A torque that holds a passive freedom: nothing.
-    Passive,
-}
 
 /// Places of bodies in the slices of a system.
 struct Places {
@@ -176,12 +111,12 @@ pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: u
     for (i, &joint) in group.joints.iter().enumerate() {
         let slot = first_slot + i;
         if !joint.prismatic {
-            let pin = super::geometry::pin_arm(&structure.replaced, joint, joint.body);
-            let at = super::Hinge { body: joint.body.0, pin, base: joint.base.0, slot };
+            let pin = pin_arm(&structure.replaced, joint, joint.body);
+            let at = Hinge { body: joint.body.0, pin, base: joint.base.0, slot };
             constraints.push(hinge(structure, joint, &mut places));
             unknowns.push(UnknownForce::Hinge { slot, hinge: at });
         } else if let Some((angle, point, line, offset)) = prismatic(structure, joint, &mut places) {
-            let way = super::forces::way(structure, joint, slot);
+            let way = way(structure, joint, slot);
             if let Some(angle) = angle {
                 constraints.push(angle);
                 unknowns.push(UnknownForce::Couple(way));
@@ -211,7 +146,7 @@ pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: u
                 let Some(i) = group.joints.iter().position(|j| j.joint == id) else { continue };
                 let joint = group.joints[i];
                 let Some((_, point, line, _)) = prismatic(structure, joint, &mut places) else { continue };
-                let way = super::forces::way(structure, joint, first_slot + i);
+                let way = way(structure, joint, first_slot + i);
                 (Constraint::Coordinate { point, line, law: law(0.0) }, UnknownForce::Along { effort, way })
             }
             EffortKind::Line(body) => {

@@ -1,9 +1,10 @@
 //! From joints to the numbers of the steps.
 
 use super::formed::Formed;
+use super::joint::{Guide, Hinge};
 use super::step::{Anchor, Arm, Leg, Slide};
 use crate::math::Vec2;
-use crate::structure::{BodyId, GroupJoint, JointKind, Replaced};
+use crate::structure::{BodyId, GroupJoint, JointKind, Replaced, Structure};
 
 /// The point of a revolute joint in the frame of one of its bodies.
 pub(super) fn pin(replaced: &Replaced, joint: GroupJoint, body: BodyId) -> Vec2 {
@@ -94,4 +95,21 @@ pub(super) fn leg(replaced: &Replaced, outer: GroupJoint, inner: GroupJoint) -> 
         turn: direction / length,
         arm: Formed::between(from, to),
     }
+}
+
+pub(super) fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hinge {
+    Hinge {
+        body: joint.body.0,
+        pin: pin_arm(&structure.replaced, joint, joint.body),
+        base: joint.base.0,
+        slot,
+    }
+}
+
+pub(super) fn way(structure: &Structure, joint: GroupJoint, slot: usize) -> Guide {
+    let (slider, point, direction) = match structure.replaced.joint(joint.joint).kind {
+        JointKind::Prismatic { slider, point, direction, .. } => (slider, point, direction),
+        JointKind::Revolute(_) | JointKind::Law(_) => (joint.body, Vec2::zero(), Vec2::new(1.0, 0.0)),
+    };
+    Guide { body: joint.body.0, base: joint.base.0, slider: slider.0, point, direction, slot }
 }

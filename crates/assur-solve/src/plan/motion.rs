@@ -2,8 +2,9 @@
 
 use super::formed::Formed;
 use super::geometry::{anchor, arm, leg, pin, pin_arm, slide};
+use super::planned::Plan;
 use super::step::{DrivenJoint, DrivenLeg, MotionStep};
-use super::{Plan, TrainMember};
+use super::train_step::TrainMember;
 use crate::group::rrr::Sides;
 use crate::model::Mechanism;
 use crate::structure::{Dyad, EffortKind, EffortSource, Group, GroupKind, Structure};

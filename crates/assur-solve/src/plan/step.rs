@@ -1,7 +1,7 @@
 //! The steps of motion: plain numbers and slots, nothing to look up.
 
 use super::formed::Formed;
-use super::triad::TriadMotion;
+use super::triad_step::TriadMotion;
 use crate::group::rrr::Sides;
 use crate::math::{Scalar, V2, Vec2};
 

@@ -1,7 +1,7 @@
 //! Losses of a train group: its columns by the direction of the power, and whether they leave one solution for all loads.
 
-use super::Plan;
-use super::train::{LawSite, PlannedLaw, TrainForces, TrainSupport};
+use super::planned::Plan;
+use super::train_step::{LawSite, PlannedLaw, TrainForces, TrainSupport};
 use crate::math::{Magnitudes, Part, Vec2};
 
 impl TrainSupport {

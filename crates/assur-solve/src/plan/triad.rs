@@ -1,83 +1,13 @@
 //! Steps of a link on three legs.
 
-use super::force_step::{ForceStep, OuterJoint, Way};
-use super::forces::{hinge, way};
-use super::geometry::{arm, leg, pin, slide};
-use super::step::{Arm, Leg, MotionStep, Slide};
+use super::force_step::ForceStep;
+use super::geometry::{arm, hinge, leg, pin, slide, way};
+use super::joint::OuterJoint;
+use super::step::MotionStep;
+use super::triad_step::{TriadForceLeg, TriadForces, TriadHold, TriadLeg, TriadMotion};
 use crate::group::triad::Plate;
 use crate::math::Vec2;
 use crate::structure::{BodyId, Group, GroupJoint, JointKind, Structure};
-
-/// The motion of a triad.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TriadMotion {
-    /// Its legs.
-    pub legs: [TriadLeg; 3],
-    /// Slot of the link they carry.
-    pub body: usize,
-    /// The mean of its pins, in its frame, m.
-    pub mean: Vec2,
-    /// Its pins.
-    pub plate: Plate,
-}
-
-/// A leg on the side of motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum TriadLeg {
-    /// A link on a revolute.
-    Link(Leg),
-    /// A slider on a guide.
-    Slider {
-        /// The guide.
-        slide: Slide,
-        /// The inner revolute in the slider's frame, m.
-        pin: Arm,
-        /// The inner revolute from the sliding point to the left of the guide, m.
-        offset: f64,
-    },
-}
-
-/// The forces of a link on three legs, each a link between two joints of which at most one is a guide.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TriadForces {
-    /// Its legs.
-    pub legs: [TriadForceLeg; 3],
-    /// Slot of the link they carry.
-    pub body: usize,
-}
-
-/// A leg on the side of forces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TriadForceLeg {
-    /// Slot of its body.
-    pub body: usize,
-    /// What it hangs on.
-    pub outer: OuterJoint,
-    /// How it holds the link.
-    pub inner: TriadHold,
-}
-
-/// What joins a leg to the link it helps to carry.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum TriadHold {
-    /// A revolute.
-    Pin {
-        /// In the frame of the leg.
-        leg: Arm,
-        /// In the frame of the link, m.
-        link: Vec2,
-        /// Slot of its reaction.
-        slot: usize,
-        /// The reaction kept is this times the force of the leg on the link.
-        sign: f64,
-        /// Unit direction from the outer revolute to this one in the frame of the leg; of a slider nothing.
-        direction: Vec2,
-        /// 1 / distance of the two, 1/m.
-        inverse: f64,
-    },
-    /// A guide.
-    Guide(Way),
-}
 
 /// The link on the legs.
 fn carried(group: &Group) -> BodyId {
@@ -159,7 +89,7 @@ pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize) ->
             }
         };
         let outer_joint = if outer.prismatic {
-            OuterJoint::Way(way(structure, outer, first_slot + i))
+            OuterJoint::Guide(way(structure, outer, first_slot + i))
         } else {
             OuterJoint::Hinge(hinge(structure, outer, first_slot + i))
         };

@@ -19,7 +19,7 @@ pub struct BodyState<S = f64> {
     /// Angular acceleration, rad/s².
     pub alpha: S,
     /// Angle of a body that a drive or a train turns, whole turns included, rad.
-    pub way: S,
+    pub turned: S,
 }
 
 impl<S: Scalar> BodyState<S> {
@@ -27,7 +27,7 @@ impl<S: Scalar> BodyState<S> {
     #[must_use]
     pub fn rest() -> Self {
         let (zero, none) = (S::zero(), V2::zero());
-        Self { p: none, u: V2::new(S::one(), zero), v: none, omega: zero, a: none, alpha: zero, way: zero }
+        Self { p: none, u: V2::new(S::one(), zero), v: none, omega: zero, a: none, alpha: zero, turned: zero }
     }
 
     /// Position of a point of the body, m.

@@ -190,7 +190,7 @@ impl<S: Scalar> State<S> {
                 self.hinge_reaction(hinge, p_B, got.f_B);
                 (got.f_C, r_1.cross(r_2) / (r_1.norm() * r_2.norm()))
             }
-            OuterJoint::Way(way) => {
+            OuterJoint::Guide(way) => {
                 let d = self.direction(way);
                 let (F_2, M_2) = self.load_about(way.body, p_C);
                 let got = rrp::Rrp::new(r_1, d).reactions(F_1, M_1, F_2, M_2);
@@ -205,7 +205,7 @@ impl<S: Scalar> State<S> {
         for part in driven.iter().flatten() {
             match &part.joint {
                 OuterJoint::Hinge(hinge) => self.force_turn(hinge, &part.effort, part.value),
-                OuterJoint::Way(way) => self.force_shift(way, &part.effort, part.value),
+                OuterJoint::Guide(way) => self.force_shift(way, &part.effort, part.value),
             };
         }
         sine

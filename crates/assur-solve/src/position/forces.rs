@@ -7,7 +7,7 @@ use super::wrench::Reaction;
 use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
 use crate::math::{Scalar, V2};
 use crate::plan::step::unit;
-use crate::plan::{Arm, EffortLine, ForceStep, Hinge, Inner, Plan, Way};
+use crate::plan::{Arm, EffortLine, ForceStep, Guide, Hinge, Inner, Plan};
 
 impl State {
     /// Runs all steps of forces from the loads in `wrenches`, to which it adds the reactions. Allocates nothing.
@@ -18,7 +18,7 @@ impl State {
         }
         for (index, step) in plan.forces.iter().enumerate() {
             self.forces.conditions[index] = match step {
-                ForceStep::Rubbing { plain, group } => self.force_rubbing(plan, index, plain, group),
+                ForceStep::Friction { plain, group } => self.force_friction(plan, index, plain, group),
                 ForceStep::General { .. }
                 | ForceStep::Triad(_)
                 | ForceStep::Sequence(_)
@@ -35,7 +35,7 @@ impl State {
     pub fn run_forces_without_friction(&mut self, plan: &Plan) {
         for (index, step) in plan.forces.iter().enumerate() {
             self.forces.conditions[index] = match step {
-                ForceStep::Rubbing { plain, .. } => self.force_step(plan, plain),
+                ForceStep::Friction { plain, .. } => self.force_step(plan, plain),
                 ForceStep::Train { train } => self.force_train(plan, *train, false),
                 plain => self.force_step(plan, plain),
             };
@@ -85,7 +85,7 @@ impl<S: Scalar> State<S> {
             | ForceStep::Train { .. }
             | ForceStep::General { .. }
             | ForceStep::Sequence(_)
-            | ForceStep::Rubbing { .. } => S::zero(),
+            | ForceStep::Friction { .. } => S::zero(),
         }
     }
 
@@ -137,7 +137,7 @@ impl<S: Scalar> State<S> {
 
     /// Keeps the reaction of a guide, given at `p`, about the pair's reference point.
     #[inline(always)]
-    pub(super) fn way_reaction(&mut self, way: &Way, p: V2<S>, force: V2<S>, couple: S) -> (V2<S>, S) {
+    pub(super) fn way_reaction(&mut self, way: &Guide, p: V2<S>, force: V2<S>, couple: S) -> (V2<S>, S) {
         let reference = self.motion.bodies[way.slider].position(way.point);
         let couple = couple + (p - reference).cross(force);
         self.forces.reactions[way.slot] = Reaction { force, couple };
@@ -145,13 +145,13 @@ impl<S: Scalar> State<S> {
     }
 
     #[inline(always)]
-    pub(super) fn carried_way(&mut self, way: &Way, p: V2<S>, force: V2<S>, couple: S) {
+    pub(super) fn carried_way(&mut self, way: &Guide, p: V2<S>, force: V2<S>, couple: S) {
         let (reference, couple) = self.way_reaction(way, p, force, couple);
         self.carry_wrench(way.base, reference, force, couple);
     }
 
     #[inline(always)]
-    pub(super) fn direction(&self, way: &Way) -> V2<S> {
+    pub(super) fn direction(&self, way: &Guide) -> V2<S> {
         unit(way.direction).turned(self.motion.bodies[way.slider].u)
     }
 
@@ -183,7 +183,7 @@ impl<S: Scalar> State<S> {
 
     /// One body on a guide: the effort is found from the forces along it.
     #[inline(always)]
-    pub(super) fn force_shift(&mut self, way: &Way, effort: &EffortLine, (slot, sign): (usize, f64)) -> S {
+    pub(super) fn force_shift(&mut self, way: &Guide, effort: &EffortLine, (slot, sign): (usize, f64)) -> S {
         let d = self.direction(way);
         let p = self.motion.bodies[way.slider].position(way.point);
         let (mut force, mut moment) = self.load_about(way.body, p);
@@ -233,7 +233,7 @@ impl<S: Scalar> State<S> {
         &self,
         outer: &Hinge,
         inner: &Inner,
-        way: &Way,
+        way: &Guide,
         motion: Option<usize>,
     ) -> (rrp::Rrp<S>, S) {
         if let Some(step) = motion {
@@ -260,7 +260,7 @@ impl<S: Scalar> State<S> {
     }
 
     #[inline(always)]
-    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Way, motion: Option<usize>) -> S {
+    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Guide, motion: Option<usize>) -> S {
         let (group, sine) = self.dyad_rrp(outer, inner, way, motion);
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
         let (p_C, F_2, M_2) = self.load_at(way.body, &inner.second_pin);
@@ -273,7 +273,7 @@ impl<S: Scalar> State<S> {
     }
 
     #[inline(always)]
-    fn force_rpr(&mut self, outer: &[Hinge; 2], way: &Way) -> S {
+    fn force_rpr(&mut self, outer: &[Hinge; 2], way: &Guide) -> S {
         let [one, two] = outer;
         let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
         let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
@@ -289,7 +289,7 @@ impl<S: Scalar> State<S> {
     }
 
     #[inline(always)]
-    fn force_prp(&mut self, ways: &[Way; 2], inner: &Inner) -> S {
+    fn force_prp(&mut self, ways: &[Guide; 2], inner: &Inner) -> S {
         let p_C = self.motion.bodies[ways[0].body].position(inner.pin);
         let d = [self.direction(&ways[0]), self.direction(&ways[1])];
         let (F_1, M_1) = self.load_about(ways[0].body, p_C);
@@ -303,7 +303,7 @@ impl<S: Scalar> State<S> {
     }
 
     #[inline(never)]
-    fn force_rpp(&mut self, outer: &Hinge, inner: &Way, way: &Way) -> S {
+    fn force_rpp(&mut self, outer: &Hinge, inner: &Guide, way: &Guide) -> S {
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
         let p_R = self.motion.bodies[way.slider].position(way.point);
         let (d_1, d_2) = (self.direction(inner), self.direction(way));
@@ -320,7 +320,7 @@ impl<S: Scalar> State<S> {
 
     /// The couple is put on the first guide: how it is shared is not determined, and is not reported.
     #[inline(never)]
-    fn force_translation(&mut self, ways: &[Way; 2]) -> S {
+    fn force_translation(&mut self, ways: &[Guide; 2]) -> S {
         let p_R = self.motion.bodies[ways[0].slider].position(ways[0].point);
         let d = [self.direction(&ways[0]), self.direction(&ways[1])];
         let (F, M) = self.load_about(ways[0].body, p_R);

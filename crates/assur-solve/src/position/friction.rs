@@ -13,11 +13,11 @@
 //! where the determinant of ∂g/∂φ is 1, and accepts a solution where it is positive. Magnitudes have kinks where a force
 //! changes its sense: where Newton does not settle, all laws of the mechanism are searched (`friction_search`).
 
-use super::friction_work::RubbingWork;
+use super::friction_work::FrictionWork;
 use super::state::State;
 use super::wrench::{Reaction, Wrench};
 use crate::math::Vec2;
-use crate::plan::{ForceStep, FrictionElement, Plan, Rub, RubbingGroup};
+use crate::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw, Plan};
 
 /// Newton's steps are at most this many; with a solution four suffice.
 pub(super) const STEPS: u32 = 25;
@@ -26,13 +26,13 @@ pub(crate) const STILL: f64 = 1e-11;
 
 impl State {
     /// Line along which an element's force acts, and a point of it; `None` for a torque.
-    pub(crate) fn rubbing_line(&self, element: &FrictionElement) -> Option<(Vec2, Vec2)> {
+    pub(crate) fn friction_line(&self, element: &FrictionElement) -> Option<(Vec2, Vec2)> {
         match &element.kind {
-            Rub::Circle { .. } => None,
-            Rub::Guide { way, .. } | Rub::BothEnds { way, .. } => {
+            FrictionLaw::Circle { .. } => None,
+            FrictionLaw::Guide { way, .. } | FrictionLaw::BothEnds { way, .. } => {
                 Some((self.motion.bodies[way.slider].position(way.point), self.direction(way)))
             }
-            Rub::Contact { first, second, internal, .. } => {
+            FrictionLaw::Contact { first, second, internal, .. } => {
                 let (p, n) = self.touch((element.body, *first), (element.base, *second), *internal)?;
                 Some((p, n.perp()))
             }
@@ -40,9 +40,9 @@ impl State {
     }
 
     /// Velocity of the element's body against its base, rad/s or m/s, in the sense in which its effort counts.
-    pub(crate) fn rubbing_speed(&self, element: &FrictionElement) -> f64 {
+    pub(crate) fn sliding_speed(&self, element: &FrictionElement) -> f64 {
         let (body, base) = (&self.motion.bodies[element.body], &self.motion.bodies[element.base]);
-        match self.rubbing_line(element) {
+        match self.friction_line(element) {
             None => body.omega - base.omega,
             Some((p, d)) => {
                 let at = |b: &super::body::BodyState| b.v + (p - b.p).perp() * b.omega;
@@ -60,7 +60,7 @@ impl State {
             extent = f64::max(extent, (b.p - self.motion.bodies[0].p).dot(b.p - self.motion.bodies[0].p));
         }
         for (i, element) in plan.friction.iter().enumerate() {
-            self.forces.senses[i] = match self.rubbing_line(element) {
+            self.forces.senses[i] = match self.friction_line(element) {
                 None => self.motion.bodies[element.body].omega - self.motion.bodies[element.base].omega,
                 Some((p, d)) => {
                     let at = |b: &super::body::BodyState| b.v + (p - b.p).perp() * b.omega;
@@ -73,7 +73,7 @@ impl State {
         // where nothing turns, what is left of an angular velocity is a rounded velocity over a length
         let (unit, turn) = if extent > 0.0 { (extent, f64::max(turn * extent, square)) } else { (1.0, turn) };
         for (sense, element) in self.forces.senses.iter_mut().zip(&plan.friction) {
-            let turns = matches!(element.kind, Rub::Circle { .. });
+            let turns = matches!(element.kind, FrictionLaw::Circle { .. });
             let (unit, most) = if turns { (unit, turn) } else { (1.0, square) };
             let still = *sense * *sense * unit <= STILL * STILL * most;
             *sense = if still { 0.0 } else { sense.signum() };
@@ -90,7 +90,7 @@ impl State {
 
     /// Adds an element's effort to the loads of its bodies.
     pub(super) fn apply_rub(&mut self, element: &FrictionElement, effort: f64) {
-        match self.rubbing_line(element) {
+        match self.friction_line(element) {
             None => {
                 self.forces.wrenches[element.through].moment += effort;
                 self.forces.wrenches[element.base].moment -= effort;
@@ -102,13 +102,13 @@ impl State {
         }
     }
 
-    fn save(&self, group: &RubbingGroup, saved: &mut [Wrench]) {
+    fn save(&self, group: &FrictionGroup, saved: &mut [Wrench]) {
         for (slot, keep) in group.bodies.iter().chain(&group.bases).zip(saved) {
             *keep = self.forces.wrenches[*slot];
         }
     }
 
-    fn restore(&mut self, group: &RubbingGroup, saved: &[Wrench]) {
+    fn restore(&mut self, group: &FrictionGroup, saved: &[Wrench]) {
         for (slot, keep) in group.bodies.iter().chain(&group.bases).zip(saved) {
             self.forces.wrenches[*slot] = *keep;
         }
@@ -126,9 +126,9 @@ impl State {
         }
         let Reaction { force, couple } = self.forces.reactions[element.slot];
         match &element.kind {
-            Rub::Circle { .. } | Rub::Contact { .. } => force,
-            Rub::Guide { way, .. } => Vec2::new(self.direction(way).cross(force), 0.0),
-            Rub::BothEnds { way, contacts: [a, b], .. } => {
+            FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } => force,
+            FrictionLaw::Guide { way, .. } => Vec2::new(self.direction(way).cross(force), 0.0),
+            FrictionLaw::BothEnds { way, contacts: [a, b], .. } => {
                 let normal = self.direction(way).cross(force);
                 Vec2::new((couple - normal * b) / (a - b), (normal * a - couple) / (a - b))
             }
@@ -136,17 +136,17 @@ impl State {
     }
 
     /// A group with friction. Returns the condition figure of its plain step times that of the friction.
-    pub(super) fn force_rubbing(
+    pub(super) fn force_friction(
         &mut self,
         plan: &Plan,
         index: usize,
         plain: &ForceStep,
-        group: &RubbingGroup,
+        group: &FrictionGroup,
     ) -> f64 {
         if let Some(elements) = &group.reduced {
             let mut steps = 0;
             let sine = self.force_reduced(plan, plain, elements, &mut steps);
-            if let Some(Some(work)) = self.scratch.rubbing_work.get_mut(index) {
+            if let Some(Some(work)) = self.scratch.friction_work.get_mut(index) {
                 work.steps = steps;
             }
             return sine.unwrap_or_else(|| {
@@ -154,7 +154,7 @@ impl State {
                 self.force_step(plan, plain)
             });
         }
-        let Some(mut work) = self.scratch.rubbing_work.get_mut(index).and_then(Option::take) else {
+        let Some(mut work) = self.scratch.friction_work.get_mut(index).and_then(Option::take) else {
             return 0.0;
         };
         work.steps = 0;
@@ -178,7 +178,7 @@ impl State {
             self.forces.locked = true;
         }
         self.force_step(plan, plain);
-        self.scratch.rubbing_work[index] = Some(work);
+        self.scratch.friction_work[index] = Some(work);
         sine
     }
 
@@ -187,8 +187,8 @@ impl State {
         &mut self,
         plan: &Plan,
         plain: &ForceStep,
-        group: &RubbingGroup,
-        work: &mut RubbingWork,
+        group: &FrictionGroup,
+        work: &mut FrictionWork,
         unit: Option<usize>,
     ) -> f64 {
         if let Some(unit) = unit {
@@ -208,7 +208,7 @@ impl State {
 }
 
 /// Newton's method; on success the efforts are in `work.values` and the motion is possible.
-fn newton(plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork) -> bool {
+fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork) -> bool {
     let count = group.elements.len();
     work.values.fill(0.0);
     for _ in 0..STEPS {
@@ -223,11 +223,11 @@ fn newton(plan: &Plan, group: &RubbingGroup, work: &mut RubbingWork) -> bool {
             }
             // the gradient of the measure: of a length, of a sum of magnitudes
             let (gradient, measure) = match kind {
-                Rub::BothEnds { .. } | Rub::Guide { .. } => {
+                FrictionLaw::BothEnds { .. } | FrictionLaw::Guide { .. } => {
                     let signs = Vec2::new(sum.x.signum(), sum.y.signum());
                     (signs, signs.dot(sum))
                 }
-                Rub::Circle { .. } | Rub::Contact { .. } => {
+                FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } => {
                     let size = sum.norm();
                     (if size > 0.0 { sum / size } else { Vec2::zero() }, size)
                 }
@@ -285,7 +285,7 @@ fn eliminate(a: &mut [f64], b: &mut [f64]) -> f64 {
     determinant
 }
 
-impl Rub {
+impl FrictionLaw {
     /// Radius of the friction circle, m, or coefficient.
     #[must_use]
     pub const fn factor(&self) -> f64 {

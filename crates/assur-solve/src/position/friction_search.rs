@@ -6,7 +6,7 @@ use super::consistent::Consistent;
 use super::state::State;
 use super::wrench::Wrench;
 use crate::math::{Magnitudes, Part, Vec2};
-use crate::plan::{Plan, Rub};
+use crate::plan::{FrictionLaw, Plan};
 
 impl State {
     /// Finds forces that satisfy all laws from the loads as they were before any reaction, or leaves the state locked.
@@ -49,7 +49,7 @@ impl State {
         };
         let loss = |efforts: &Vec<f64>| -> f64 {
             let powers = moving.iter().zip(efforts);
-            powers.map(|(e, x)| (x * self.rubbing_speed(&plan.friction[*e])).abs()).sum()
+            powers.map(|(e, x)| (x * self.sliding_speed(&plan.friction[*e])).abs()).sum()
         };
         let least = all.found.into_iter().min_by(|a, b| loss(a).total_cmp(&loss(b)));
         (least, consistent)
@@ -80,14 +80,14 @@ impl State {
             };
             let number = |x: f64| Vec2::new(x, 0.0);
             match &element.kind {
-                Rub::Circle { .. } => part(true, &|v| v),
-                Rub::Guide { .. } => part(false, &|v| number(v.x)),
-                Rub::BothEnds { .. } => {
+                FrictionLaw::Circle { .. } => part(true, &|v| v),
+                FrictionLaw::Guide { .. } => part(false, &|v| number(v.x)),
+                FrictionLaw::BothEnds { .. } => {
                     part(false, &|v| number(v.x));
                     part(false, &|v| number(v.y));
                 }
-                Rub::Contact { .. } => {
-                    let along = self.rubbing_line(element).map_or(Vec2::new(1.0, 0.0), |line| line.1);
+                FrictionLaw::Contact { .. } => {
+                    let along = self.friction_line(element).map_or(Vec2::new(1.0, 0.0), |line| line.1);
                     part(false, &|v| number(along.cross(v)));
                 }
             }

@@ -2,11 +2,11 @@
 
 use super::wrench::Wrench;
 use crate::math::Vec2;
-use crate::plan::RubbingGroup;
+use crate::plan::FrictionGroup;
 
 /// Memory of a group with friction.
 #[derive(Clone, Debug)]
-pub struct RubbingWork {
+pub struct FrictionWork {
     /// Wrenches of the group's bodies and bases as the group finds them.
     pub(super) saved: Vec<Wrench>,
     /// What the law of each element measures, two numbers each: a row per element, from the loads and from each unit.
@@ -18,7 +18,7 @@ pub struct RubbingWork {
     pub(super) steps: u32,
 }
 
-impl RubbingWork {
+impl FrictionWork {
     /// Newton's steps at the last position, all attempts counted; zero where a closed form needs none.
     #[must_use]
     pub const fn steps(&self) -> u32 {
@@ -27,7 +27,7 @@ impl RubbingWork {
 
     /// Memory for a group.
     #[must_use]
-    pub fn new(group: &RubbingGroup) -> Self {
+    pub fn new(group: &FrictionGroup) -> Self {
         let count = group.elements.len();
         Self {
             saved: vec![Wrench::default(); group.bodies.len() + group.bases.len()],

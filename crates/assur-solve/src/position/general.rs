@@ -7,7 +7,7 @@ use crate::group::general::{
     self, Acceleration, Constraint, General, Law, Line, Load, Point, Pose, Velocity,
 };
 use crate::math::Vec2;
-use crate::plan::{BalanceSystem, GeneralMotion, Settings, UnknownForce, Way};
+use crate::plan::{BalanceSystem, GeneralMotion, Guide, Settings, UnknownForce};
 
 /// Starts of the search for assemblies: many for few bodies, as `group::general::assemblies` advises.
 pub(crate) const STARTS: usize = 400;
@@ -201,7 +201,7 @@ impl State {
 }
 
 /// What acts on the slider, counted on the joint's body.
-fn on_body(way: &Way, on_slider: f64) -> f64 {
+fn on_body(way: &Guide, on_slider: f64) -> f64 {
     if way.slider == way.body { on_slider } else { -on_slider }
 }
 

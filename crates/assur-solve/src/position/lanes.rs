@@ -235,7 +235,7 @@ impl Place<'_> {
                     omega: b.omega.0[*i],
                     a: vector(b.a, *i),
                     alpha: b.alpha.0[*i],
-                    way: b.way.0[*i],
+                    turned: b.turned.0[*i],
                 }
             }
         }

@@ -71,7 +71,7 @@ pub(super) fn line<S: Scalar>(bodies: &[BodyState<S>], slide: &Slide) -> Line<S>
 
 /// Puts a body so that its pin moves as given, at direction `u`, angular velocity and acceleration as given.
 #[inline(always)]
-pub(super) fn place<S: Scalar, const LEVEL: u8>(
+pub(crate) fn place<S: Scalar, const LEVEL: u8>(
     body: &mut BodyState<S>,
     pin: &Arm,
     point: Point<S>,
@@ -196,12 +196,12 @@ impl<S: Scalar> State<S> {
                     direction.turned(carrier.u),
                     carrier.omega + sign * input.rate,
                     carrier.alpha + sign * input.acceleration,
-                    carrier.way + sign * input.value,
+                    carrier.turned + sign * input.value,
                 )
             }
         };
         let body = &mut self.motion.bodies[body];
-        body.way = way;
+        body.turned = way;
         place::<S, LEVEL>(body, pin, hinge, u, omega, alpha);
     }
 

@@ -95,7 +95,7 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
         state.forces_of_law(law, slot, &mut add);
     }
     for (element, &value) in scene.plan.friction.iter().zip(&state.forces.frictions) {
-        match state.rubbing_line(element) {
+        match state.friction_line(element) {
             None => {
                 add(element.through, state.motion.bodies[element.through].p, Vec2::zero(), value);
                 add(element.base, state.motion.bodies[element.base].p, Vec2::zero(), -value);
@@ -182,7 +182,7 @@ fn power(scene: &Scene<'_>, state: &State) -> f64 {
         }
     }
     for (element, &value) in scene.plan.friction.iter().zip(&state.forces.frictions) {
-        add(value * state.rubbing_speed(element));
+        add(value * state.sliding_speed(element));
     }
     for (slot, law) in scene.plan.laws.iter().enumerate() {
         add(state.law_power(law, slot));

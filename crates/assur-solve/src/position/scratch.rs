@@ -1,7 +1,7 @@
 //! Memory of the steps that iterate or search, laid out once before the loop.
 
 use super::consistent::Searched;
-use super::friction_work::RubbingWork;
+use super::friction_work::FrictionWork;
 use super::general_work::Workspace;
 use super::train_work::TrainWork;
 use super::wrench::Wrench;
@@ -18,7 +18,7 @@ pub struct Scratch {
     /// Train groups of forces.
     pub train_work: Vec<TrainWork>,
     /// Groups with friction, by step of forces; nothing where nothing rubs.
-    pub rubbing_work: Vec<Option<RubbingWork>>,
+    pub friction_work: Vec<Option<FrictionWork>>,
     /// General groups of motion.
     pub motion_work: Vec<Option<Workspace>>,
     /// General groups of forces.
@@ -31,15 +31,15 @@ impl Scratch {
         let memory = |equations: &Option<General>, bodies: &[usize], moving| {
             equations.as_ref().map(|e| Workspace::new(e, bodies.len(), moving))
         };
-        let rubs = plan.forces.iter().any(|step| matches!(step, ForceStep::Rubbing { .. }));
+        let rubs = plan.forces.iter().any(|step| matches!(step, ForceStep::Friction { .. }));
         let rubbing = plan.forces.iter().map(|step| match step {
-            ForceStep::Rubbing { group, .. } => Some(RubbingWork::new(group)),
+            ForceStep::Friction { group, .. } => Some(FrictionWork::new(group)),
             _ => None,
         });
         let (motion, forces) = (plan.general.iter(), plan.balance_systems.iter());
         Self {
             train_work: plan.train_forces.iter().map(TrainWork::new).collect(),
-            rubbing_work: if rubs { rubbing.collect() } else { Vec::new() },
+            friction_work: if rubs { rubbing.collect() } else { Vec::new() },
             motion_work: motion.map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
             force_work: forces.map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
             ..Self::default()

@@ -6,6 +6,11 @@ use super::statics::Forces;
 use crate::math::Scalar;
 use crate::plan::Plan;
 
+/// Assemblies nearer than this, relative to the mechanism's extent, are one.
+pub(crate) const SAME: f64 = 1e-9;
+/// At and below this condition velocities and forces do not exist.
+pub(crate) const DEAD: f64 = 1e-12;
+
 /// The assembly of a group: kept over a sweep.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Branch {

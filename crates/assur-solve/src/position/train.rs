@@ -21,8 +21,8 @@ impl State {
         for source in &train.sources {
             if let TrainSource::Turn { body, followed: true } = source {
                 let body = &mut self.motion.bodies[*body];
-                let turns = ((body.way - body.u.angle()) / std::f64::consts::TAU).round();
-                body.way = body.u.angle() + std::f64::consts::TAU * turns;
+                let turns = ((body.turned - body.u.angle()) / std::f64::consts::TAU).round();
+                body.turned = body.u.angle() + std::f64::consts::TAU * turns;
             }
         }
         for (i, member) in train.members.iter().enumerate() {
@@ -39,7 +39,7 @@ impl State {
                     let hinge = point::<f64, LEVEL>(&self.motion.bodies, base);
                     let u = Vec2::direction(sum.value);
                     place::<f64, LEVEL>(&mut self.motion.bodies[*body], pin, hinge, u, sum.rate, sum.second);
-                    self.motion.bodies[*body].way = sum.value;
+                    self.motion.bodies[*body].turned = sum.value;
                 }
                 TrainMember::Shift(slide) => {
                     let guide = line(&self.motion.bodies, slide);
@@ -55,7 +55,7 @@ impl State {
         match source {
             TrainSource::Turn { body, .. } => {
                 let body = &self.motion.bodies[*body];
-                Coordinate { value: body.way, rate: body.omega, second: body.alpha }
+                Coordinate { value: body.turned, rate: body.omega, second: body.alpha }
             }
             TrainSource::Drive(drive) => {
                 let input = &self.motion.inputs[*drive];

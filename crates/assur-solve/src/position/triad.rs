@@ -145,7 +145,7 @@ impl State {
             let on_leg = got[i] - force;
             match &leg.outer {
                 OuterJoint::Hinge(hinge) => self.hinge_reaction(hinge, place, on_leg),
-                OuterJoint::Way(way) => self.carried_way(way, place, on_leg, -moment),
+                OuterJoint::Guide(way) => self.carried_way(way, place, on_leg, -moment),
             }
         }
         group.sine
@@ -167,14 +167,14 @@ impl State {
                 let d = self.direction(way).perp();
                 LegForce { d, at: place, couple: moment, ..balanced(place, (force, moment)) }
             }
-            (OuterJoint::Way(way), TriadHold::Pin { leg: pin, link: at, .. }) => {
+            (OuterJoint::Guide(way), TriadHold::Pin { leg: pin, link: at, .. }) => {
                 let along = self.direction(way);
                 let (place, force, moment) = self.load_at(leg.body, pin);
                 let (at, known) = (self.motion.bodies[link].position(*at), along * along.dot(force));
                 LegForce { d: along.perp(), at, known, ..balanced(place, (force, moment)) }
             }
             // the plan makes no leg of two guides
-            (OuterJoint::Way(_), TriadHold::Guide(_)) => balanced(zero, (zero, 0.0)),
+            (OuterJoint::Guide(_), TriadHold::Guide(_)) => balanced(zero, (zero, 0.0)),
         }
     }
 }

@@ -152,7 +152,7 @@ impl<'a> CamLaw<'a> {
             omega: follower.omega,
             a: carrier.a + r.perp() * carrier.alpha - r * (carrier.omega * carrier.omega),
             alpha: follower.alpha,
-            way: D::zero(),
+            turned: D::zero(),
         };
     }
 }

@@ -15,7 +15,7 @@ pub(super) enum Constraint<'a> {
     /// Direction b is direction a turned by a known angle.
     Turned { a: (usize, V2<Double>), b: (usize, V2<Double>), by: Moving },
     /// A point is where a known distance says, along a direction of another body.
-    Along(Way, Jet),
+    Along(GuideRow, Jet),
     /// The sum of coordinates times coefficients is nothing.
     Law(Vec<(Coordinate, Double)>),
     /// The follower of a designed cam has the lift of its law.
@@ -23,7 +23,7 @@ pub(super) enum Constraint<'a> {
 }
 
 /// A point of one body measured along a direction of another.
-pub(super) struct Way {
+pub(super) struct GuideRow {
     slider: usize,
     point: Vec2,
     guide: usize,
@@ -36,10 +36,10 @@ pub(super) enum Coordinate {
     /// The angle of a body, counted from a direction near its own.
     Turn { body: usize, angle: f64, near: V2<Double> },
     /// The coordinate of a prismatic joint.
-    Slide(Way),
+    Slide(GuideRow),
 }
 
-impl Way {
+impl GuideRow {
     fn jet(&self, bodies: &[BodyState<Double>]) -> Jet {
         let guide = &bodies[self.guide];
         let apart = Moving::point(&bodies[self.slider], self.point).less(Moving::point(guide, self.through));
@@ -182,15 +182,16 @@ fn prismatic(kind: &JointKind, state: &State, all: &mut Vec<Constraint<'_>>) {
     let height = along.turned(g.u).cross(s.position(*point) - g.position(*through));
     let side = if height < 0.0 { -offset } else { *offset };
     let normal = unit(*along).perp();
-    let way = Way { slider: slider.0, point: *point, guide: guide.0, through: *through, direction: normal };
+    let way =
+        GuideRow { slider: slider.0, point: *point, guide: guide.0, through: *through, direction: normal };
     all.push(Constraint::Along(way, Jet::constant(Double::of(side))));
 }
 
 /// The coordinate of a prismatic joint.
-fn way(scene: &Scene<'_>, joint: JointId) -> Option<Way> {
+fn way(scene: &Scene<'_>, joint: JointId) -> Option<GuideRow> {
     match scene.structure.replaced.joint(joint).kind {
         JointKind::Prismatic { slider, point, guide, through, along, .. } => {
-            Some(Way { slider: slider.0, point, guide: guide.0, through, direction: unit(along) })
+            Some(GuideRow { slider: slider.0, point, guide: guide.0, through, direction: unit(along) })
         }
         JointKind::Revolute(_) | JointKind::Law(_) => None,
     }
@@ -200,7 +201,7 @@ fn coordinate(scene: &Scene<'_>, state: &State, rate: BodyRate) -> Option<Coordi
     Some(match rate {
         BodyRate::Slide(joint) => Coordinate::Slide(way(scene, joint)?),
         BodyRate::Turn(body) => {
-            let angle = state.motion.bodies[body.0].way;
+            let angle = state.motion.bodies[body.0].turned;
             Coordinate::Turn { body: body.0, angle, near: Double::direction(angle) }
         }
     })

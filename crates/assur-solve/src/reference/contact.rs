@@ -5,24 +5,24 @@ use super::jet::unit;
 use super::motion::Motion;
 use crate::math::{Double, Scalar, V2};
 use crate::model::ProfileShape;
-use crate::plan::{FrictionElement, Rub};
+use crate::plan::{FrictionElement, FrictionLaw};
 use crate::position::{BodyState, State};
 
 type D = Double;
 
 /// Where an effort of friction acts, and along which direction; nothing inside for a torque. `None` where it does not exist.
-pub(super) fn rubbing_line(
+pub(super) fn friction_line(
     element: &FrictionElement,
     state: &State,
     motion: &Motion<'_>,
 ) -> Option<Option<(V2<D>, V2<D>)>> {
     match &element.kind {
-        Rub::Circle { .. } => Some(None),
-        Rub::Guide { way, .. } | Rub::BothEnds { way, .. } => {
+        FrictionLaw::Circle { .. } => Some(None),
+        FrictionLaw::Guide { way, .. } | FrictionLaw::BothEnds { way, .. } => {
             let slider = &motion.bodies[way.slider];
             Some(Some((slider.position(way.point), unit(way.direction).turned(slider.u))))
         }
-        Rub::Contact { first, second, internal, .. } => {
+        FrictionLaw::Contact { first, second, internal, .. } => {
             let sides = [(element.body, *first), (element.base, *second)];
             let (_, like) = state.touch(sides[0], sides[1], *internal)?;
             let (p, normal) = touch(motion, sides, *internal)?;

@@ -54,7 +54,7 @@ impl Exact {
                 omega: b.omega.rounded(),
                 a: rounded(b.a),
                 alpha: b.alpha.rounded(),
-                way: out.way,
+                turned: out.turned,
             };
         }
     }

@@ -6,7 +6,7 @@ use super::motion::Motion;
 use super::unknowns::{Kind, Unknown, unknowns};
 use crate::math::{Double, Factors, Scalar, V2};
 use crate::model::{LoadId, Value};
-use crate::plan::{FrictionElement, Rub};
+use crate::plan::{FrictionElement, FrictionLaw};
 use crate::position::{Reaction, Scene, State, Wrench};
 
 type D = Double;
@@ -195,7 +195,7 @@ impl System<'_> {
                 self.pin_slots[from..to].iter().flat_map(|(slot, sign)| force(*slot, *sign)).collect(),
             ];
         }
-        let Rub::BothEnds { contacts: [a, b], .. } = element.kind else {
+        let FrictionLaw::BothEnds { contacts: [a, b], .. } = element.kind else {
             return vec![force(element.slot, 1.0).collect()];
         };
         // N₁ (a − b) = M − N b and N₂ (a − b) = N a − M, N along the unit normal of the guide

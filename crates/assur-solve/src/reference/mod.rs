@@ -50,7 +50,7 @@ pub struct Reference {
 }
 
 /// The reference of a state, with the values of its loads that are expressions (see
-/// `View::evaluated_loads`). `None` where the position is so near to a singular one that there is none near the
+/// `PoseAnswers::evaluated_loads`). `None` where the position is so near to a singular one that there is none near the
 /// state's, or where the equations are not as many as the unknowns. A locked state has no forces.
 #[must_use]
 pub fn reference(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]) -> Option<Reference> {

@@ -71,7 +71,7 @@ pub(super) fn motion<'a>(scene: &Scene<'a>, state: &State) -> Option<Motion<'a>>
 
 fn at_rest(body: &BodyState) -> BodyState<Double> {
     let u: V2<Double> = V2::of(body.u);
-    BodyState { p: V2::of(body.p), u: u / u.norm(), way: Double::of(body.way), ..BodyState::rest() }
+    BodyState { p: V2::of(body.p), u: u / u.norm(), turned: Double::of(body.turned), ..BodyState::rest() }
 }
 
 /// The greatest coordinate in play, m; 1 where all are zero.
@@ -150,7 +150,7 @@ impl Motion<'_> {
             body.p -= V2::new(x, y) * size;
             let u = body.u - body.u.perp() * turn;
             body.u = u / u.norm();
-            body.way = body.way - turn;
+            body.turned = body.turned - turn;
         }
     }
 

@@ -1,10 +1,10 @@
 //! The unknown forces: what a unit of each does to the bodies.
 
-use super::contact::rubbing_line;
+use super::contact::friction_line;
 use super::jet::unit;
 use super::motion::Motion;
 use crate::math::{Double, Scalar, V2, Vec2};
-use crate::plan::{LawSite, PlannedLaw, Way};
+use crate::plan::{Guide, LawSite, PlannedLaw};
 use crate::position::{BodyState, Scene, State};
 use crate::structure::{BodyOrigin, EffortKind, JointKind};
 
@@ -103,7 +103,7 @@ pub(super) fn unknowns(scene: &Scene<'_>, state: &State, motion: &Motion<'_>) ->
         all.push(of_law(bodies, state, law, slot).of(Kind::Multiplier(slot)));
     }
     for (index, element) in scene.plan.friction.iter().enumerate() {
-        let unit = match rubbing_line(element, state, motion)? {
+        let unit = match friction_line(element, state, motion)? {
             None => unit().couple(element.through, element.base, D::one()),
             Some((p, along)) => unit().force(element.through, element.base, p, along),
         };
@@ -150,7 +150,7 @@ fn reactions(scene: &Scene<'_>, bodies: &[BodyState<D>]) -> Vec<Unknown> {
     all
 }
 
-fn along(bodies: &[BodyState<D>], way: &Way) -> V2<D> {
+fn along(bodies: &[BodyState<D>], way: &Guide) -> V2<D> {
     unit(way.direction).turned(bodies[way.slider].u)
 }
 

@@ -1,19 +1,14 @@
 //! Finds the assembly of the first position: all of them are tried, group by group, and `assemble` chooses.
 
-use super::choices::{ambiguous, not_met, point_of};
-use super::error::SolveError;
-use super::gap::gap_text;
-use super::words::{labels, links};
-use crate::answer::View;
+use crate::answer::PoseAnswers;
 use crate::math::Vec2;
+use crate::message::{SolveError, ambiguous, does_not_close, not_met};
 use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
-use crate::position::{BodyState, Branch, STARTS, Scene, State, Workspace, is_never_regular};
+use crate::position::{BodyState, Branch, SAME, STARTS, Scene, State, Workspace, extent};
 
 /// More assemblies than this are not followed: without a word on the first groups their number doubles with each.
 const MOST: usize = 256;
-/// Assemblies nearer than this, relative to the mechanism's extent, are one.
-pub(super) const SAME: f64 = 1e-9;
 
 /// An assembly as far as it is built, with the sum of squared distances that `near` asks for.
 #[derive(Clone)]
@@ -24,7 +19,7 @@ struct Candidate {
 
 /// A way in which a group can stand.
 #[derive(Clone)]
-pub(super) struct Way {
+pub(super) struct Assembly {
     branch: Branch,
     /// Signed condition figure.
     pub sine: f64,
@@ -34,7 +29,7 @@ pub(super) struct Way {
     work: Option<(usize, Workspace)>,
 }
 
-impl Way {
+impl Assembly {
     pub(crate) fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
         let work = match &scene.plan.motion[index] {
             MotionStep::General { problem, .. } => {
@@ -76,11 +71,11 @@ pub(crate) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveEr
 pub(super) fn assemble_from(scene: &Scene<'_>, start: State, starts: usize) -> Result<State, SolveError> {
     let mut start = start;
     start.start(scene.plan);
-    let extent = super::steps::extent(scene);
+    let extent = extent(scene);
     let hints = hints_by_group(scene);
     let mut candidates = vec![Candidate { state: start, far: 0.0 }];
     for (index, hints) in hints.iter().enumerate() {
-        let mut ways: Vec<(usize, Way)> = Vec::new();
+        let mut ways: Vec<(usize, Assembly)> = Vec::new();
         for (i, candidate) in candidates.iter_mut().enumerate() {
             ways.extend(
                 ways_from(scene, &mut candidate.state, index, extent, starts).into_iter().map(|way| (i, way)),
@@ -104,12 +99,18 @@ pub(super) fn assemble_from(scene: &Scene<'_>, start: State, starts: usize) -> R
 }
 
 /// All ways in which a group can stand, each once.
-pub(super) fn every_way(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64) -> Vec<Way> {
+pub(super) fn every_way(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64) -> Vec<Assembly> {
     ways_from(scene, state, index, extent, STARTS)
 }
 
-fn ways_from(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64, starts: usize) -> Vec<Way> {
-    let mut ways: Vec<Way> = Vec::new();
+fn ways_from(
+    scene: &Scene<'_>,
+    state: &mut State,
+    index: usize,
+    extent: f64,
+    starts: usize,
+) -> Vec<Assembly> {
+    let mut ways: Vec<Assembly> = Vec::new();
     for way in assemblies(scene, state, index, starts) {
         if !ways.iter().any(|w| w.is_same(&way, extent)) {
             ways.push(way);
@@ -119,17 +120,17 @@ fn ways_from(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64, st
 }
 
 /// All ways in which a group can stand; leaves it in one of them.
-fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize) -> Vec<Way> {
+fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize) -> Vec<Assembly> {
     let step = &scene.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
         let group = &scene.plan.general[*problem];
         let mut found = crate::position::general_assemblies(state, index, *problem, group, starts);
         found.retain(|state| cylinders_are_positive(scene, state, index));
-        return found.iter().map(|state| Way::of(scene, state, index)).collect();
+        return found.iter().map(|state| Assembly::of(scene, state, index)).collect();
     }
     if let MotionStep::Triad { triad, .. } = step {
         let found = crate::position::triad_assemblies(state, index, triad);
-        return found.iter().map(|state| Way::of(scene, state, index)).collect();
+        return found.iter().map(|state| Assembly::of(scene, state, index)).collect();
     }
     let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
     let round = radii(step).map(|r| r != 0.0);
@@ -142,7 +143,7 @@ fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize)
                 state.motion.open = None;
                 state.step::<0>(scene.plan, step);
                 if state.motion.open.is_none() && cylinders_are_positive(scene, state, index) {
-                    out.push(Way::of(scene, state, index));
+                    out.push(Assembly::of(scene, state, index));
                 }
             }
         }
@@ -159,7 +160,7 @@ fn cylinders_are_positive(scene: &Scene<'_>, state: &State, index: usize) -> boo
         .map(|j| scene.structure.replaced.joint(j.joint).pair);
     pairs
         .filter(|p| matches!(scene.mechanism.pair(*p).kind, PairKind::Cylinder { .. }))
-        .all(|p| View::bare(scene, state).displacement(p) >= 0.0)
+        .all(|p| PoseAnswers::bare(scene, state).displacement(p) >= 0.0)
 }
 
 /// Radii of the round profiles of a step's prismatic joints.
@@ -215,10 +216,10 @@ fn choose(
     scene: &Scene<'_>,
     hints: &[&Hint],
     mut candidates: Vec<Candidate>,
-    mut ways: Vec<(usize, Way)>,
+    mut ways: Vec<(usize, Assembly)>,
     index: usize,
 ) -> Result<Vec<Candidate>, SolveError> {
-    let built = |candidates: &[Candidate], ways: &[(usize, Way)]| -> Vec<Candidate> {
+    let built = |candidates: &[Candidate], ways: &[(usize, Assembly)]| -> Vec<Candidate> {
         let each = ways.iter().map(|(i, way)| {
             let mut candidate = candidates[*i].clone();
             way.put(scene, &mut candidate.state, index);
@@ -266,7 +267,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             if *left { side >= 0.0 } else { side <= 0.0 }
         }
         HintKind::Along { point, other, pair, ahead } => {
-            let view = View::bare(scene, state);
+            let view = PoseAnswers::bare(scene, state);
             let Some(guide) = view.guide(*pair) else { return true };
             let along = (at(point) - at(other)).dot(view.along(&guide));
             if *ahead { along >= 0.0 } else { along <= 0.0 }
@@ -276,7 +277,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             let revolute = matches!(scene.mechanism.pair(*pair).kind, PairKind::Revolute(_));
             let angles: Vec<f64> =
                 if revolute { state.motion.bodies.iter().map(|b| b.u.angle()).collect() } else { Vec::new() };
-            let view = View { angles: &angles, ..View::bare(scene, state) };
+            let view = PoseAnswers { angles: &angles, ..PoseAnswers::bare(scene, state) };
             let value = view.displacement(*pair);
             if *greater { value >= *bound } else { value <= *bound }
         }
@@ -287,7 +288,7 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
 /// The one candidate, or that with the least sum of squared distances.
 fn nearest(scene: &Scene<'_>, candidates: Vec<Candidate>) -> Result<State, SolveError> {
     let least = candidates.iter().map(|c| c.far).fold(f64::INFINITY, f64::min);
-    let close = super::steps::extent(scene) * SAME;
+    let close = extent(scene) * SAME;
     let mut best: Vec<Candidate> =
         candidates.into_iter().filter(|c| c.far.sqrt() <= least.sqrt() + close || c.far.is_nan()).collect();
     if best.len() == 1 { Ok(best.swap_remove(0).state) } else { Err(ambiguous(scene, &states(&best))) }
@@ -295,29 +296,4 @@ fn nearest(scene: &Scene<'_>, candidates: Vec<Candidate>) -> Result<State, Solve
 
 fn states(candidates: &[Candidate]) -> Vec<&State> {
     candidates.iter().map(|c| &c.state).collect()
-}
-
-/// What to say of a group that does not close.
-pub(super) fn does_not_close(scene: &Scene<'_>, state: State, index: usize, pose: &str) -> SolveError {
-    let mut state = state;
-    let step = &scene.plan.motion[index];
-    let group = &scene.structure.motion[index];
-    let labels = labels(scene, group, "does not close");
-    if let MotionStep::General { problem, .. } = step {
-        let help = match point_of(scene, group) {
-            _ if is_never_regular(&state, *problem, &scene.plan.general[*problem]) => {
-                "change a direction or a length: wherever these links stand, their pairs let them move or are too many, as \
-                 with two parallel guides"
-                    .to_owned()
-            }
-            Some(point) => format!(
-                "say where its points are about, as in `assemble {point} near (200 mm, 100 mm)`, or check the lengths"
-            ),
-            None => "check the lengths".to_owned(),
-        };
-        return SolveError::NotFound { pose: pose.to_owned(), links: links(scene, group), help, labels };
-    }
-    state.step::<0>(scene.plan, step);
-    let (gap, help) = gap_text(scene, &state, index);
-    SolveError::DoesNotClose { pose: pose.to_owned(), gap, help, labels }
 }

@@ -1,78 +1,37 @@
 //! Dead positions, strokes and time ratios: the extremes of a pair's coordinate over one turn of the drive.
 
-use super::error::{SolveError, label};
 use super::turn::{Failure, Turn};
-use super::words::four;
-use crate::answer::{Statics, every_query};
+use crate::answer::{NoExtreme, WholeCycle, every_query};
 use crate::language::Function;
+use crate::message::{SolveError, no_extreme};
 use crate::model::{Mechanism, PairId};
-use crate::position::Scene;
+use crate::position::{Scene, turns};
 
 /// Finds the extremes of every pair whose `dead`, `stroke`, `travel` or `time_ratio` the file names.
-pub(crate) fn statics(scene: &Scene<'_>) -> Result<Statics, SolveError> {
+pub(crate) fn statics(scene: &Scene<'_>) -> Result<WholeCycle, SolveError> {
     let wanted = wanted(scene.mechanism);
-    let Some(first) = wanted.first() else { return Ok(Statics::EMPTY) };
-    let drive = match scene.mechanism.drives.as_slice() {
-        [drive] if super::positions::turns(scene, drive) => drive,
-        [drive] => {
-            let why = format!("it takes a drive that turns, and `{}` slides", drive.name);
-            let help =
-                "drive the crank; the extremes of what moves to and fro are found over its turn".to_owned();
-            return Err(none(scene, first, why, help, vec![label("slides", drive.span)]));
-        }
-        drives => {
-            let why = format!("it takes one drive that turns, and there are {}", drives.len());
-            let labels = drives.iter().map(|d| label("one of the drives", d.span)).collect();
-            let help =
-                "the extremes of a coordinate over one turn are not defined where several drives move it";
-            return Err(none(scene, first, why, help.to_owned(), labels));
-        }
+    let Some(first) = wanted.first() else { return Ok(WholeCycle::EMPTY) };
+    let none = |ask: &Asked, why: NoExtreme| {
+        let pair = scene.mechanism.pair(ask.pair);
+        let which = ask.which.map_or_else(String::new, |which| format!(", {which}"));
+        no_extreme(scene, pair, format!("{}({}{which})", ask.function.name(), pair.name), why)
     };
+    match scene.mechanism.drives.as_slice() {
+        [drive] if turns(scene, drive) => {}
+        [_] => return Err(none(first, NoExtreme::Slides)),
+        _ => return Err(none(first, NoExtreme::Drives)),
+    }
     let pairs: Vec<PairId> = wanted.iter().map(|ask| ask.pair).collect();
     let turn = Turn::new(scene, &pairs).map_err(|why| match why {
         Failure::Error(e) => *e,
-        Failure::Open(limit) => {
-            let at = limit
-                .map_or_else(|| "at 0 deg".to_owned(), |x| format!("beyond {} deg", four(x.to_degrees())));
-            none(
-                scene,
-                first,
-                format!("`{}` cannot turn fully, the mechanism does not close {at}", drive.name),
-                "give the positions as numbers, or lengths with which the shortest link turns fully"
-                    .to_owned(),
-                vec![label("does not turn fully", drive.span)],
-            )
-        }
+        Failure::Open(limit) => none(first, NoExtreme::NoTurn(limit)),
     })?;
     let mut out = Vec::new();
     for (i, ask) in wanted.iter().enumerate() {
-        let extremes = turn.extremes(scene, i).ok_or_else(|| {
-            let why =
-                format!("the coordinate of `{}` does not go to and fro", scene.mechanism.pair(ask.pair).name);
-            let help = "name the pair of a link that swings or slides between two ends".to_owned();
-            none(scene, ask, why, help, Vec::new())
-        })?;
+        let extremes = turn.extremes(scene, i).ok_or_else(|| none(ask, NoExtreme::Monotonic))?;
         out.push((ask.pair, extremes));
     }
-    Ok(Statics { extremes: out, ..Statics::EMPTY })
-}
-
-fn none(
-    scene: &Scene<'_>,
-    ask: &Asked,
-    why: String,
-    help: String,
-    mut labels: Vec<miette::LabeledSpan>,
-) -> SolveError {
-    let pair = scene.mechanism.pair(ask.pair);
-    let which = ask.which.map_or_else(String::new, |which| format!(", {which}"));
-    labels.insert(0, label("this pair", pair.span));
-    SolveError::NoExtreme {
-        what: format!("{}({}{which})", ask.function.name(), pair.name),
-        why,
-        help,
-        labels,
-    }
+    Ok(WholeCycle { extremes: out, ..WholeCycle::EMPTY })
 }
 
 /// A pair whose extremes are asked for, with the query that does.

@@ -1,10 +1,9 @@
 //! From drive values to what the steps of motion read: directions, coordinates, rates.
 
-use super::solution::DriveValue;
-use crate::answer::{Statics, constant};
+use crate::answer::{WholeCycle, constant};
 use crate::math::Vec2;
 use crate::model::{Drive, Value};
-use crate::position::{DriveInput, Scene};
+use crate::position::{DriveInput, DriveValue, Scene};
 
 /// Rates of the drives: the same at every position.
 #[derive(Clone, Debug)]
@@ -12,7 +11,7 @@ pub(crate) struct Rates(Vec<DriveInput>);
 
 impl Rates {
     /// The speeds of the file. A drive with a sense and no speed moves by one unit, so that velocities are ratios.
-    pub(crate) fn of(scene: &Scene<'_>, statics: &Statics) -> Self {
+    pub(crate) fn of(scene: &Scene<'_>, statics: &WholeCycle) -> Self {
         Self(scene.mechanism.drives.iter().map(|d| rates(scene, statics, d)).collect())
     }
 
@@ -45,7 +44,7 @@ impl Rates {
     }
 }
 
-fn rates(scene: &Scene<'_>, statics: &Statics, drive: &Drive) -> DriveInput {
+fn rates(scene: &Scene<'_>, statics: &WholeCycle, drive: &Drive) -> DriveInput {
     let mut input = DriveInput::default();
     match drive.speed.as_ref().map(|e| constant(scene, statics, e)) {
         Some(Value::Scalar(x)) => input.rate = x,

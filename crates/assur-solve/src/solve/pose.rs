@@ -1,11 +1,8 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
 
-use super::error::SolveError;
-use super::notes;
-use super::out_of_scale::out_of_scale;
-use super::positions::Wanted;
-use crate::answer::{View, balanced};
-use crate::position::{Residuals, State, residuals};
+use crate::answer::{PoseAnswers, balanced};
+use crate::message::{SolveError, cannot_hold, dead, not_finite, out_of_scale};
+use crate::position::{DEAD, Residuals, State, Wanted, residuals};
 use crate::reference::exact;
 
 use super::solution::Solved;
@@ -14,8 +11,6 @@ use super::track::Tracker;
 use crate::model::{PairId, PairKind, Query, TransmissionKind, Value};
 use crate::plan::{ForceStep, Level, Numbers};
 
-/// At and below this condition velocities and forces do not exist.
-pub(super) const DEAD: f64 = 1e-12;
 /// A group below this σ loses digits that the groups behind it lose again: what is left of one that hangs on others goes by
 /// the product.
 const LOSES: f64 = 0.05;
@@ -41,7 +36,7 @@ impl Run<'_, '_> {
         let frictionless = scene.plan.effects.loses().then(|| {
             let mut state = state.clone();
             state.run_again_without_friction(scene.plan);
-            let values = View::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
+            let values = PoseAnswers::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
             Box::new((state.answer(), values))
         });
         if let (Some(free), false) = (&frictionless, state.forces.locked) {
@@ -49,7 +44,7 @@ impl Run<'_, '_> {
         }
         if state.forces.locked {
             state.forget_forces();
-        } else if let Some(error) = notes::not_finite(scene, &state, pose) {
+        } else if let Some(error) = not_finite(scene, &state, pose) {
             return Err(error);
         }
         let mut residuals = residuals(scene, &state);
@@ -65,11 +60,12 @@ impl Run<'_, '_> {
         let mut solved =
             Solved { state: answer, frictionless, quantities: Vec::new(), angles, residuals, condition };
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
-        let view = View::new(scene, &solved.state, &solved.angles, &self.statics);
-        solved.quantities = View { frictionless: ideal, ..view }.all_quantities();
+        let view = PoseAnswers::new(scene, &solved.state, &solved.angles, &self.statics);
+        solved.quantities = PoseAnswers { frictionless: ideal, ..view }.all_quantities();
         self.note_contacts(&solved, pose);
         self.note_trains(&solved, pose);
-        self.note_friction(&solved, pose);
+        let view = solved.view(scene, &self.statics);
+        self.friction.look(scene, &view, pose);
         Ok(solved)
     }
 
@@ -97,7 +93,7 @@ impl Run<'_, '_> {
         }
         let scene = self.scene;
         let mut groups = scene.structure.forces.iter().zip(&scene.plan.forces);
-        if let Some((group, _)) = groups.find(|(_, step)| matches!(step, ForceStep::Rubbing { .. })) {
+        if let Some((group, _)) = groups.find(|(_, step)| matches!(step, ForceStep::Friction { .. })) {
             self.notes.condition(scene, group, (share, "forces near self-locking", 1), pose);
         }
         share
@@ -115,7 +111,7 @@ impl Run<'_, '_> {
             let before = group.joints.iter().map(|j| carried[j.base.0]).fold(1.0, f64::min);
             group.bodies.iter().for_each(|b| carried[b.0] = before * (condition / LOSES).min(1.0));
             if level > Level::Positions && condition <= DEAD {
-                return Err(notes::dead(scene, group, condition, pose));
+                return Err(dead(scene, group, condition, pose));
             }
             let (what, power) = match level {
                 Level::Positions => ("positions", 1),
@@ -140,7 +136,7 @@ impl Run<'_, '_> {
             let condition = sine.abs();
             least = least.min(condition);
             if condition <= DEAD {
-                return Err(notes::cannot_hold(scene, group, condition, pose));
+                return Err(cannot_hold(scene, group, condition, pose));
             }
             self.notes.condition(scene, group, (condition, "forces", 2), pose);
         }
@@ -153,8 +149,8 @@ impl Run<'_, '_> {
             return;
         }
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
-        let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
-        let view = View { frictionless: ideal, ..view };
+        let view = PoseAnswers::new(self.scene, &solved.state, &solved.angles, &self.statics);
+        let view = PoseAnswers { frictionless: ideal, ..view };
         let mut ropes: Vec<(PairId, f64)> = Vec::new();
         let greatest = solved.state.forces.law_forces.iter().map(|f| f.multiplier.abs()).fold(0.0, f64::max);
         for law in &self.scene.plan.laws {
@@ -179,7 +175,7 @@ impl Run<'_, '_> {
         }
         for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
             let PairKind::Contact { first, .. } = &pair.kind else { continue };
-            let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
+            let view = PoseAnswers::new(self.scene, &solved.state, &solved.angles, &self.statics);
             let Value::Scalar(normal) = view.query(&Query::Normal(PairId::at(i), first.link)) else {
                 continue;
             };

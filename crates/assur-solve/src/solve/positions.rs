@@ -1,17 +1,8 @@
 //! Which positions are asked for: sweeps, named poses, and those an `expect … at` adds.
 
-use super::solution::{DriveValue, PoseOrigin};
-use crate::answer::{Statics, constant};
-use crate::model::{At, Drive, DriveId, DriveTarget, Expr, Positions, Value};
-use crate::position::Scene;
-
-/// A position to be solved.
-#[derive(Clone, Debug)]
-pub(crate) struct Wanted {
-    pub name: String,
-    pub origin: PoseOrigin,
-    pub drives: Vec<DriveValue>,
-}
+use crate::answer::{WholeCycle, constant};
+use crate::model::{At, Drive, DriveId, Expr, Positions, Value};
+use crate::position::{DriveValue, PoseOrigin, Scene, Wanted, turns};
 
 fn drive_value(value: Value) -> DriveValue {
     match value {
@@ -29,7 +20,7 @@ enum Values {
 }
 
 impl Values {
-    fn of(scene: &Scene<'_>, statics: &Statics, drive: &Drive) -> Self {
+    fn of(scene: &Scene<'_>, statics: &WholeCycle, drive: &Drive) -> Self {
         match &drive.positions {
             Positions::None => Self::List(vec![DriveValue::None]),
             Positions::List(list) => {
@@ -72,17 +63,6 @@ impl Values {
     }
 }
 
-/// Whether a drive's value is an angle.
-pub(crate) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
-    match drive.target {
-        DriveTarget::Link(_) => true,
-        DriveTarget::Pair(pair) => {
-            matches!(scene.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_))
-        }
-        DriveTarget::Point(..) => false,
-    }
-}
-
 /// The positions of the sweep, of which none is kept.
 #[derive(Clone, Debug)]
 pub(crate) struct Sweep {
@@ -91,7 +71,7 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    pub fn of(scene: &Scene<'_>, statics: &Statics) -> Self {
+    pub fn of(scene: &Scene<'_>, statics: &WholeCycle) -> Self {
         let drives = scene.mechanism.drives.iter().map(|d| Values::of(scene, statics, d));
         let drives: Vec<Values> = drives.collect();
         // `check` has seen to it that all are of one length, or single
@@ -115,7 +95,7 @@ impl Sweep {
 }
 
 /// Positions beside the sweep: drives that are not named keep the value of the sweep's first position.
-pub(super) fn beside(scene: &Scene<'_>, statics: &Statics, first: &Wanted) -> Vec<Wanted> {
+pub(super) fn beside(scene: &Scene<'_>, statics: &WholeCycle, first: &Wanted) -> Vec<Wanted> {
     let at = |list: &[(DriveId, Expr)]| {
         let mut drives = first.drives.clone();
         for (id, expr) in list {

@@ -1,11 +1,9 @@
 //! What solving gives: one state per position, with residuals and condition.
 
-use super::error::SolveError;
-use super::friction_error::FrictionError;
-use crate::answer::{Statics, View};
-use crate::math::Vec2;
+use crate::answer::{PoseAnswers, WholeCycle};
+use crate::message::{FrictionError, SolveError};
 use crate::model::Value;
-use crate::position::{Residuals, Scene, State};
+use crate::position::{DriveValue, PoseOrigin, Residuals, Scene, State};
 
 /// All positions of a file.
 #[derive(Debug, Default)]
@@ -16,7 +14,7 @@ pub struct Solution {
     /// How many positions the sweep has.
     pub positions: usize,
     /// Dead positions and strokes of the pairs asked for.
-    pub statics: Statics,
+    pub statics: WholeCycle,
     /// What deserves a warning.
     pub warnings: Vec<SolveError>,
     /// How many warnings more there are than are kept.
@@ -49,40 +47,6 @@ pub struct Pose {
     pub drives: Vec<DriveValue>,
     /// The state, or why there is none.
     pub outcome: Result<Solved, SolveError>,
-}
-
-/// Where a pose comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PoseOrigin {
-    /// The drives' own values; counted from 0.
-    Sweep(usize),
-    /// A `pose` statement: index into [`Mechanism::poses`].
-    Named(usize),
-    /// An `expect … at`: index into [`Mechanism::expects`].
-    Expected(usize),
-}
-
-/// Value of a drive.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum DriveValue {
-    /// Angle, rad, or coordinate, m.
-    Scalar(f64),
-    /// Place of a driven point, m.
-    Point(Vec2),
-    /// Rates only.
-    None,
-}
-
-impl DriveValue {
-    /// As a value of the language; `None` for rates only.
-    #[must_use]
-    pub const fn value(&self) -> Option<Value> {
-        match self {
-            Self::Scalar(x) => Some(Value::Scalar(*x)),
-            Self::Point(p) => Some(Value::Vector(*p)),
-            Self::None => None,
-        }
-    }
 }
 
 /// A solved position.
@@ -127,17 +91,17 @@ impl Pose {
 impl Solved {
     /// The position, seen from the language.
     #[must_use]
-    pub fn view<'a>(&'a self, scene: &Scene<'a>, statics: &'a Statics) -> View<'a> {
-        let view = View::new(scene, &self.state, &self.angles, statics);
+    pub fn view<'a>(&'a self, scene: &Scene<'a>, statics: &'a WholeCycle) -> PoseAnswers<'a> {
+        let view = PoseAnswers::new(scene, &self.state, &self.angles, statics);
         let frictionless = self.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
-        View { quantities: &self.quantities, frictionless, ..view }
+        PoseAnswers { quantities: &self.quantities, frictionless, ..view }
     }
 }
 
 impl Solution {
     /// One of its positions, seen from the language.
     #[must_use]
-    pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> View<'a> {
+    pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> PoseAnswers<'a> {
         solved.view(scene, &self.statics)
     }
 }

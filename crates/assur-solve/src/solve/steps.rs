@@ -1,28 +1,13 @@
 //! The way between drive values, divided into steps that a motion can be followed by.
 
-use super::positions::turns;
-use super::solution::DriveValue;
 use crate::math::Vec2;
 use crate::model::Drive;
-use crate::position::Scene;
-use crate::structure::JointKind;
+use crate::position::{DriveValue, Scene, extent, turns};
 
 /// The largest step of a turning drive, rad.
 const LARGEST_TURN: f64 = 2.0 * std::f64::consts::PI / 180.0;
 /// A longer way is not followed: 11,111 turns.
 pub(super) const MOST_STEPS: f64 = 2e6;
-
-/// A length of the mechanism's order, m: the farthest point of a joint from the origin of its body.
-#[must_use]
-pub fn extent(scene: &Scene<'_>) -> f64 {
-    let of = |kind: &JointKind| match kind {
-        JointKind::Revolute(members) => members.iter().map(|m| m.1.norm()).fold(0.0, f64::max),
-        JointKind::Prismatic { point, through, offset, .. } => point.norm().max(through.norm()).max(*offset),
-        JointKind::Law(_) => 0.0,
-    };
-    let extent = scene.structure.replaced.joints.iter().map(|j| of(&j.kind)).fold(0.0, f64::max);
-    if extent > 0.0 { extent } else { 1.0 }
-}
 
 /// Drive values part of the way between others.
 pub(super) fn between(a: DriveValue, b: DriveValue, part: f64) -> DriveValue {

@@ -1,22 +1,20 @@
 //! Solves all positions of a file.
 
-use super::assemble::{assemble_from, does_not_close};
+use super::assemble::assemble_from;
 use super::cycle::loads_name_quantities;
-use super::error::{SolveError, label};
 use super::extremes::statics;
-use super::free_roller::free_rollers;
-use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
-use super::notes::Notes;
-use super::open;
-use super::positions::{Sweep, Wanted, beside};
-use super::refused;
-use super::solution::{DriveValue, Pose, Solution, Solved};
+use super::positions::{Sweep, beside};
+use super::solution::{Pose, Solution, Solved};
 use super::track::{Switch, Tracker};
-use super::words::place;
-use crate::answer::Statics;
+use crate::answer::WholeCycle;
+use crate::message::{
+    Closing, FrictionNotes, Notes, SolveError, cams, does_not_close, free_rollers, friction_beside,
+    friction_couples, missing_speeds, not_supported, place, too_far, unit_speeds, with_pose, without_place,
+    without_position,
+};
 use crate::model::{LoadId, Value};
-use crate::position::{STARTS, Scene, State};
+use crate::position::{DriveValue, STARTS, Scene, State, Wanted};
 use std::collections::VecDeque;
 
 /// Positions in a row at which all starts of a search are tried in vain.
@@ -107,7 +105,7 @@ impl<'a, 's> Following<'a, 's> {
 
     /// Dead positions, strokes, functions over the sweep.
     #[must_use]
-    pub const fn statics(&self) -> &Statics {
+    pub const fn statics(&self) -> &WholeCycle {
         &self.run.statics
     }
 
@@ -135,11 +133,11 @@ impl<'a, 's> Following<'a, 's> {
     /// What is to be said of all positions.
     #[must_use]
     pub fn end(mut self) -> Solution {
-        let friction = self.run.friction_problems();
+        let friction = std::mem::take(&mut self.run.friction).problems(self.run.scene.mechanism);
         let (scene, closing) = (self.run.scene, self.run.closing);
         let (mut warnings, unlisted) = self.run.notes.into_warnings(scene, closing);
         warnings.extend(self.cycle_warnings);
-        warnings.extend(refused::unit_speeds(scene));
+        warnings.extend(unit_speeds(scene));
         let (statics, positions) = (self.run.statics, self.sweep.len());
         Solution { statics, warnings, unlisted, friction, positions, ..Solution::default() }
     }
@@ -147,7 +145,7 @@ impl<'a, 's> Following<'a, 's> {
     fn swept_pose(&mut self, pose: Wanted) -> Result<Pose, SolveError> {
         let run = &mut self.run;
         let came = match self.current.take() {
-            None => run.assembled(&pose).map(|t| (t, Way::Followed(Vec::new()))),
+            None => run.assembled(&pose).map(|t| (t, Arrival::Followed(Vec::new()))),
             Some(mut tracker) => run.moved(&mut tracker, &pose).map(|way| (tracker, way)),
         };
         let outcome = match came {
@@ -184,15 +182,6 @@ impl<'a, 's> Following<'a, 's> {
     }
 }
 
-/// How many positions of the sweep there are, and how many of them do not close.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Closing {
-    pub swept: usize,
-    pub open: usize,
-    /// One of them can be assembled in several ways.
-    pub ambiguous: bool,
-}
-
 /// A pose beside the sweep, with the tracker at the nearest position of the sweep that closed.
 struct Near {
     pose: Wanted,
@@ -226,14 +215,14 @@ pub fn refusals(scene: &Scene<'_>) -> Vec<SolveError> {
 
 /// Everything that can be refused before any position is looked at.
 pub(crate) fn can_be_solved(scene: &Scene<'_>) -> Result<(), Vec<SolveError>> {
-    let mut errors = refused::not_supported(scene.mechanism);
-    errors.extend(refused::cams(scene));
-    errors.extend(refused::missing_speeds(scene));
+    let mut errors = not_supported(scene.mechanism);
+    errors.extend(cams(scene));
+    errors.extend(missing_speeds(scene));
     errors.extend(free_rollers(scene));
-    errors.extend(open::without_position(scene));
-    errors.extend(open::without_place(scene));
-    errors.extend(open::friction_beside(scene));
-    errors.extend(open::friction_couples(scene));
+    errors.extend(without_position(scene));
+    errors.extend(without_place(scene));
+    errors.extend(friction_beside(scene));
+    errors.extend(friction_couples(scene));
     if errors.is_empty() { Ok(()) } else { Err(errors) }
 }
 
@@ -244,7 +233,7 @@ struct Stuck {
 }
 
 /// How a position was reached.
-enum Way {
+enum Arrival {
     /// From the one before, with the changes of assembly on the way.
     Followed(Vec<Switch>),
     /// The way does not close beyond these values, the position itself does.
@@ -254,7 +243,7 @@ enum Way {
 pub(super) struct Run<'a, 's> {
     pub scene: &'s Scene<'a>,
     pub rates: Rates,
-    pub statics: Statics,
+    pub statics: WholeCycle,
     pub evaluated: Vec<(LoadId, Value)>,
     pub loads_name_quantities: bool,
     /// Memory for the steps at one position.
@@ -292,7 +281,7 @@ impl Run<'_, '_> {
     }
 
     /// What is to be said of the way from the position before.
-    fn note_way(&mut self, way: Way, tracker: &Tracker, pose: &Wanted) {
+    fn note_way(&mut self, way: Arrival, tracker: &Tracker, pose: &Wanted) {
         let Some((name, drives)) = &self.last else { return };
         let back = || tracker.clone().limit(self.scene, &self.rates, drives);
         if self.notes.in_gap() {
@@ -301,12 +290,12 @@ impl Run<'_, '_> {
             return;
         }
         match way {
-            Way::Followed(switched) => {
+            Arrival::Followed(switched) => {
                 for switch in switched {
-                    self.notes.switched(self.scene, &switch, name, &pose.name);
+                    self.notes.switched(self.scene, (switch.group, &switch.at), name, &pose.name);
                 }
             }
-            Way::Blocked(limit) => {
+            Arrival::Blocked(limit) => {
                 let end = back();
                 self.notes.gap_begins(Some(limit));
                 self.notes.gap_ends(end);
@@ -314,23 +303,21 @@ impl Run<'_, '_> {
         }
     }
 
-    fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Way, Box<Stuck>> {
+    fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Arrival, Box<Stuck>> {
         if tracker.is_too_long(self.scene, &pose.drives) {
-            let labels =
-                self.scene.mechanism.drives.iter().map(|d| label("driven that far", d.span)).collect();
-            let error = SolveError::WayTooLong { pose: place(self.scene, pose), labels };
+            let error = too_far(self.scene, pose);
             return Err(Box::new(Stuck { error, back: Some(tracker.clone()) }));
         }
         let mut before = self.before.take().unwrap_or_else(|| tracker.clone());
         before.start_from(tracker);
         if let Ok(switched) = tracker.go(self.scene, &self.rates, &pose.drives) {
             self.before = Some(before);
-            return Ok(Way::Followed(switched));
+            return Ok(Arrival::Followed(switched));
         }
         // the way is closed somewhere; the position itself may not be
         tracker.start_from(&before);
         match tracker.jump(self.scene, &self.rates, &pose.drives) {
-            Ok(()) => Ok(Way::Blocked(before.limit(self.scene, &self.rates, &pose.drives))),
+            Ok(()) => Ok(Arrival::Blocked(before.limit(self.scene, &self.rates, &pose.drives))),
             Err(group) => {
                 let mut state = before.state.clone();
                 self.rates.at(&pose.drives, &mut state.motion.inputs);
@@ -376,15 +363,4 @@ fn away(a: &[DriveValue], b: &[DriveValue]) -> f64 {
 
 fn is_open(error: &SolveError) -> bool {
     matches!(error, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. })
-}
-
-pub(super) fn with_pose(mut error: SolveError, place: &str) -> SolveError {
-    match &mut error {
-        SolveError::DoesNotClose { pose, .. }
-        | SolveError::NotFound { pose, .. }
-        | SolveError::Ambiguous { pose, .. }
-        | SolveError::HintNotMet { pose, .. } => place.clone_into(pose),
-        _ => {}
-    }
-    error
 }

@@ -7,11 +7,10 @@
 //! of the root stays.
 
 use super::inputs::Rates;
-use super::solution::DriveValue;
-use super::steps::{MOST_STEPS, between, extent, length, steps, ways};
+use super::steps::{MOST_STEPS, between, length, steps, ways};
 use crate::math::Vec2;
 use crate::plan::MotionStep;
-use crate::position::{Scene, State};
+use crate::position::{DriveValue, Scene, State, extent};
 use crate::structure::BodyId;
 use std::rc::Rc;
 
@@ -76,7 +75,7 @@ impl Tracker {
             }
         }
         for &body in &scene.plan.turning {
-            angles[body] = state.motion.bodies[body].way;
+            angles[body] = state.motion.bodies[body].turned;
         }
         let spare = state.clone();
         Self { state, spare, angles, values: values.to_vec(), history: Vec::new(), extent: extent(scene) }
@@ -238,7 +237,7 @@ impl Tracker {
         }
         // a train turns further in one step than a direction tells
         for &body in &scene.plan.turning {
-            self.angles[body] = next.motion.bodies[body].way;
+            self.angles[body] = next.motion.bodies[body].turned;
         }
     }
 

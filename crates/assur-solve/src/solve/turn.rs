@@ -1,13 +1,12 @@
 //! One turn of the drive: where the coordinates of pairs turn back.
 
 use super::assemble::assemble;
-use super::error::SolveError;
 use super::inputs::Rates;
-use super::solution::DriveValue;
 use super::track::Tracker;
-use crate::answer::{Extremes, Statics, View};
+use crate::answer::{Extremes, PoseAnswers, WholeCycle};
+use crate::message::SolveError;
 use crate::model::PairId;
-use crate::position::{BodyState, Branch, Scene, State};
+use crate::position::{BodyState, Branch, DriveValue, Scene, State};
 use std::f64::consts::TAU;
 
 /// Why there is no turn.
@@ -125,7 +124,7 @@ impl Turn {
 
 /// Coordinate and its derivative with respect to the drive.
 fn seen(scene: &Scene<'_>, state: &State, angles: &[f64], pair: PairId) -> (f64, f64) {
-    let statics = Statics::EMPTY;
-    let view = View::new(scene, state, angles, &statics);
+    let statics = WholeCycle::EMPTY;
+    let view = PoseAnswers::new(scene, state, angles, &statics);
     (view.displacement(pair), view.relative_velocity(pair))
 }

@@ -37,7 +37,7 @@ fn wide_body<S: Edge>(b: &BodyState<S>) -> BodyState<Double> {
         omega: b.omega.widened(),
         a: wide(b.a),
         alpha: b.alpha.widened(),
-        way: b.way.widened(),
+        turned: b.turned.widened(),
     }
 }
 

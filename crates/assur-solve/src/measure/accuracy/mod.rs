@@ -6,13 +6,13 @@
 mod answer;
 mod clock;
 mod error;
-mod knob;
+mod setting;
 mod study;
 mod within;
 
 pub use answer::Source;
 pub use clock::micros;
 pub use error::{Error, Scales};
-pub use knob::{Absent, Kind, Knob, Row};
-pub use study::{Recommendation, Study, study};
-pub use within::{AccuracyError, Reached, candidates, out_of_reach, reached};
+pub use setting::{Kind, NotApplicable, Row, Setting};
+pub use study::{AccuracyStudy, Recommendation, study};
+pub use within::{AccuracyError, AchievedAccuracy, candidates, out_of_reach, reached};

@@ -3,12 +3,12 @@
 use super::answer::{Answer, Source};
 use super::clock::micros;
 use super::error::{errors, scales};
-use super::knob::{Absent, Kind, Knob, Row, not_closed};
+use super::setting::{Kind, NotApplicable, Row, Setting, not_closed};
 use super::{Error, Scales};
 use crate::math::Double;
 use crate::plan::{Plan, Settings};
 use crate::solve::{
-    Again, DriveColumns, DriveInput, Edge, Scene, SideBySide, Solution, State, Statics, WIDTH, over_cycle,
+    DriveColumns, DriveInput, Edge, Replay, Scene, SideBySide, Solution, State, WIDTH, WholeCycle, over_cycle,
 };
 use std::hint::black_box;
 
@@ -23,7 +23,7 @@ const FILL: usize = 16 * WIDTH;
 
 /// What accuracy costs in one problem.
 #[derive(Clone, Debug)]
-pub struct Study {
+pub struct AccuracyStudy {
     /// Number of positions.
     pub positions: usize,
     /// What answers are held against.
@@ -35,9 +35,9 @@ pub struct Study {
     /// Errors of the solver as it stands, kind by kind.
     pub full: Error,
     /// What can be set.
-    pub knobs: Vec<Knob>,
+    pub knobs: Vec<Setting>,
     /// What cannot.
-    pub absent: Vec<Absent>,
+    pub absent: Vec<NotApplicable>,
     /// The error that is wanted.
     pub wanted: f64,
     /// The cheapest settings that keep it.
@@ -60,7 +60,7 @@ pub struct Recommendation {
 /// The positions of a problem with the reference.
 struct Measured<'a, 's> {
     scene: &'s Scene<'a>,
-    again: Again<'a>,
+    again: Replay<'a>,
     inputs: Vec<DriveInput>,
     exact: Vec<Answer>,
     scales: Scales,
@@ -68,8 +68,8 @@ struct Measured<'a, 's> {
 
 /// Measures a solved file.
 #[must_use]
-pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Study {
-    let mut again = Again::new(scene, solution, MOST);
+pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> AccuracyStudy {
+    let mut again = Replay::new(scene, solution, MOST);
     let mut source = Source::DoubleDouble;
     let (mut exact, mut off) = (Vec::new(), 0.0_f64);
     for i in 0..again.len() {
@@ -100,7 +100,7 @@ pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Stud
         Source::DoubleDouble => off.max(DOUBLE),
         Source::Full => f64::EPSILON,
     } / condition;
-    let mut study = Study {
+    let mut study = AccuracyStudy {
         positions: all.again.len(),
         source,
         floor,
@@ -115,7 +115,7 @@ pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Stud
         study.knobs.push(all.scalars(floor, source, &mut study.absent));
         for kind in [Kind::Friction, Kind::Newton, Kind::Triad] {
             match kind.absent(scene.plan) {
-                Some(why) => study.absent.push(Absent { what: kind.name(), why }),
+                Some(why) => study.absent.push(NotApplicable { what: kind.name(), why }),
                 None => study.knobs.push(all.tolerances(kind, floor)),
             }
         }
@@ -147,7 +147,7 @@ impl Measured<'_, '_> {
         (self.micros(&plan), self.error(&plan).greatest())
     }
 
-    fn tolerances(&mut self, kind: Kind, floor: f64) -> Knob {
+    fn tolerances(&mut self, kind: Kind, floor: f64) -> Setting {
         let row = |&tolerance: &f64| {
             let settings = kind.setting(tolerance);
             let (micros, error) = self.with(settings);
@@ -156,10 +156,10 @@ impl Measured<'_, '_> {
             let setting = power(tolerance);
             Row { setting, samples: None, micros, error, is_floor, settings: Some(settings) }
         };
-        Knob { kind, rows: kind.tolerances().iter().map(row).collect() }
+        Setting { kind, rows: kind.tolerances().iter().map(row).collect() }
     }
 
-    fn scalars(&mut self, floor: f64, source: Source, absent: &mut Vec<Absent>) -> Knob {
+    fn scalars(&mut self, floor: f64, source: Source, absent: &mut Vec<NotApplicable>) -> Setting {
         let row = |setting: &str, micros: f64, error: f64, is_floor: bool| Row {
             setting: setting.to_owned(),
             samples: None,
@@ -176,7 +176,7 @@ impl Measured<'_, '_> {
                 let (micros, error) = self.lanes();
                 rows.push(row("f64 in lanes", micros, error, false));
             } else {
-                absent.push(Absent { what: "lanes", why: "an assembly changes on the way" });
+                absent.push(NotApplicable { what: "lanes", why: "an assembly changes on the way" });
             }
             let (micros, error) = self.closed::<f64>();
             rows.push(row("f64", micros, error, false));
@@ -186,14 +186,14 @@ impl Measured<'_, '_> {
             let plan = self.scene.plan;
             let (micros, error) = (self.micros(plan), self.error(plan).greatest());
             rows.push(row("f64", micros, error.max(floor), source == Source::Full));
-            absent.push(Absent { what: "f32, lanes", why: not_closed(plan) });
+            absent.push(NotApplicable { what: "f32, lanes", why: not_closed(plan) });
             if source == Source::DoubleDouble {
                 rows.push(row("double-double", self.reference_micros(), floor, true));
             } else {
-                absent.push(Absent { what: "double-double", why: not_closed(plan) });
+                absent.push(NotApplicable { what: "double-double", why: not_closed(plan) });
             }
         }
-        Knob { kind: Kind::Scalar, rows }
+        Setting { kind: Kind::Scalar, rows }
     }
 
     fn reference_micros(&mut self) -> f64 {
@@ -260,9 +260,11 @@ fn power(tolerance: f64) -> String {
     format!("{tolerance:.0e}")
 }
 
-fn over_the_cycle(scene: &Scene<'_>, found: &Statics, study: &mut Study) {
+fn over_the_cycle(scene: &Scene<'_>, found: &WholeCycle, study: &mut AccuracyStudy) {
     if found.cycles.is_empty() && found.flywheels.is_empty() {
-        study.absent.push(Absent { what: Kind::Samples.name(), why: "nothing is taken over the cycle" });
+        study
+            .absent
+            .push(NotApplicable { what: Kind::Samples.name(), why: "nothing is taken over the cycle" });
         return;
     }
     study.knobs.push(cycle_knob(scene, found, Kind::Samples));
@@ -270,11 +272,11 @@ fn over_the_cycle(scene: &Scene<'_>, found: &Statics, study: &mut Study) {
     if splits.any(|s| !s.is_empty()) {
         study.knobs.push(cycle_knob(scene, found, Kind::Root));
     } else {
-        study.absent.push(Absent { what: Kind::Root.name(), why: "all is smooth over the cycle" });
+        study.absent.push(NotApplicable { what: Kind::Root.name(), why: "all is smooth over the cycle" });
     }
 }
 
-fn cycle_knob(scene: &Scene<'_>, full: &Statics, kind: Kind) -> Knob {
+fn cycle_knob(scene: &Scene<'_>, full: &WholeCycle, kind: Kind) -> Setting {
     // the reference is the finest setting: its own error is estimated
     let floor = estimated(full);
     let row = |&tolerance: &f64| {
@@ -284,11 +286,11 @@ fn cycle_knob(scene: &Scene<'_>, full: &Statics, kind: Kind) -> Knob {
         let error = error.map(|e| e.max(floor));
         Row { setting: power(tolerance), samples, micros, error, is_floor, settings: Some(settings) }
     };
-    Knob { kind, rows: kind.tolerances().iter().map(row).collect() }
+    Setting { kind, rows: kind.tolerances().iter().map(row).collect() }
 }
 
 /// Time, error and samples of all functions over the sweep.
-fn cycle(scene: &Scene<'_>, full: &Statics, settings: Settings) -> (f64, Option<f64>, Option<usize>) {
+fn cycle(scene: &Scene<'_>, full: &WholeCycle, settings: Settings) -> (f64, Option<f64>, Option<usize>) {
     let plan = Plan { settings, ..scene.plan.clone() };
     let scene = Scene { plan: &plan, ..*scene };
     let micros = micros(|| drop(black_box(over_cycle(&scene, full))));
@@ -299,7 +301,7 @@ fn cycle(scene: &Scene<'_>, full: &Statics, settings: Settings) -> (f64, Option<
 }
 
 /// The greatest difference over its scale.
-fn cycle_error(found: &Statics, full: &Statics) -> f64 {
+fn cycle_error(found: &WholeCycle, full: &WholeCycle) -> f64 {
     let over = |x: f64, y: f64, scale: f64| {
         let difference = (x - y).abs();
         if difference.is_nan() { f64::INFINITY } else { difference / scale.max(f64::MIN_POSITIVE) }
@@ -315,7 +317,7 @@ fn cycle_error(found: &Statics, full: &Statics) -> f64 {
 }
 
 /// The greatest estimated error over its scale.
-pub(super) fn estimated(found: &Statics) -> f64 {
+pub(super) fn estimated(found: &WholeCycle) -> f64 {
     let over = |error: f64, scale: f64| error / scale.max(f64::MIN_POSITIVE);
     let known = found.cycles.iter().filter(|c| c.value.is_finite()).map(|c| over(c.error, c.scale));
     let wheels = found.flywheels.iter().map(|f| over(f.error, f.fluctuation));
@@ -323,7 +325,11 @@ pub(super) fn estimated(found: &Statics) -> f64 {
 }
 
 /// The cheapest setting of each kind that keeps the wanted error, and all of them together.
-fn recommend(all: &mut Measured<'_, '_>, statics: &Statics, study: &Study) -> Option<Recommendation> {
+fn recommend(
+    all: &mut Measured<'_, '_>,
+    statics: &WholeCycle,
+    study: &AccuracyStudy,
+) -> Option<Recommendation> {
     let (mut settings, mut chosen) = (Settings::FULL, Vec::new());
     let mut scalar = None;
     for knob in &study.knobs {

@@ -5,8 +5,8 @@
 
 use super::answer::{Answer, Source};
 use super::error::{errors, scales};
-use super::knob::Knob;
-use super::study::{Study, estimated};
+use super::setting::Setting;
+use super::study::{AccuracyStudy, estimated};
 use crate::model::Mechanism;
 use crate::plan::{Level, Numbers, Settings};
 use crate::solve::{Scene, Solution, Solved};
@@ -25,7 +25,7 @@ const ROUNDING: f64 = 64.0;
 
 /// What was wanted, and what was reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reached {
+pub struct AchievedAccuracy {
     /// The greatest error wanted.
     pub within: f64,
     /// The greatest error of all positions; measured or, without a reference of twice the digits, estimated from the condition.
@@ -81,7 +81,7 @@ pub fn candidates(scene: &Scene<'_>, wanted: f64) -> Vec<Settings> {
 
 /// What a solution reaches. Errors of functions over the sweep count as they are estimated.
 #[must_use]
-pub fn reached(scene: &Scene<'_>, solution: &Solution, within: f64) -> Reached {
+pub fn reached(scene: &Scene<'_>, solution: &Solution, within: f64) -> AchievedAccuracy {
     let poses = solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok());
     let solved: Vec<&Solved> = poses.filter(|s| !s.state.forces.locked).collect();
     let condition = solved.iter().map(|s| s.condition).fold(1.0, f64::min);
@@ -111,7 +111,7 @@ pub fn reached(scene: &Scene<'_>, solution: &Solution, within: f64) -> Reached {
         }
     };
     let error = error.max(estimated(&solution.statics));
-    Reached { within, error, source, settings, positions: got.len() }
+    AchievedAccuracy { within, error, source, settings, positions: got.len() }
 }
 
 /// The positions that are held against the reference: all of them by closed forms; else, because it takes its time, a few:
@@ -130,7 +130,7 @@ fn held(scene: &Scene<'_>, solved: &[&Solved]) -> Vec<usize> {
     chosen
 }
 
-impl Reached {
+impl AchievedAccuracy {
     /// Whether what is wanted is kept.
     #[must_use]
     pub fn is_kept(&self) -> bool {
@@ -146,9 +146,9 @@ impl Reached {
 
 /// What is said where no setting keeps what is wanted.
 #[must_use]
-pub fn out_of_reach(study: &Study, mechanism: &Mechanism) -> AccuracyError {
+pub fn out_of_reach(study: &AccuracyStudy, mechanism: &Mechanism) -> AccuracyError {
     // each kind of setting by its best: the worst of them is what all together reach
-    let best = |knob: &Knob| knob.rows.iter().filter_map(|r| r.error).fold(f64::INFINITY, f64::min);
+    let best = |knob: &Setting| knob.rows.iter().filter_map(|r| r.error).fold(f64::INFINITY, f64::min);
     let reached = study.knobs.iter().map(best).fold(0.0, f64::max);
     missed(mechanism, "--for", study.wanted, reached)
 }

@@ -1,19 +1,20 @@
 //! What a plan costs per position, measured on the spot.
 //!
-//! Two ladders of plans are run over the same places: one grows by a step at a time, the other by an effect at a time,
+//! Two rows of plans are run over the same places: one grows by a step at a time, the other by an effect at a time,
 //! both from the empty plan to the whole. Every plan is run again and again, in turn with the others, and its least time
 //! is kept; a step, or an effect, costs what the plan with it takes longer than the plan without it.
 
-mod ladder;
-mod places;
+mod incremental_plans;
+mod sample_positions;
 
 use crate::answer::balanced;
+use crate::message::SolveError;
 use crate::model::{LoadId, Value};
 use crate::position::{Scene, State, residuals};
-use crate::solve::{Rates, SolveError, Statics, Sweep, View, can_be_solved, cycles, statics};
-use ladder::Trial;
-pub use places::Over;
-use places::Place;
+use crate::solve::{PoseAnswers, Rates, Sweep, WholeCycle, can_be_solved, cycles, statics};
+use incremental_plans::Trial;
+pub use sample_positions::Over;
+use sample_positions::Place;
 use std::time::{Duration, Instant};
 
 /// Measuring ends after so long, but not before [`FEWEST`] rounds.
@@ -60,10 +61,10 @@ pub fn costs(scene: &Scene<'_>) -> Result<Option<Costs>, Vec<SolveError>> {
     let sweep = Sweep::of(scene, &statics);
     cycles(scene, &mut statics, &sweep).map_err(|e| vec![e])?;
     let rates = Rates::of(scene, &statics);
-    let (over, places) = places::places(scene, &statics, &rates).map_err(|e| vec![e])?;
-    let steps = ladder::steps(scene.plan);
-    let effects = ladder::effects(scene);
-    let beside = ladder::beside(scene);
+    let (over, places) = sample_positions::places(scene, &statics, &rates).map_err(|e| vec![e])?;
+    let steps = incremental_plans::steps(scene.plan);
+    let effects = incremental_plans::effects(scene);
+    let beside = incremental_plans::beside(scene);
     let all: Vec<&Trial> = steps.iter().chain(effects.iter().map(|(_, t)| t)).collect();
     let all: Vec<&Trial> = all.into_iter().chain(beside.iter().map(|(_, t)| t)).collect();
     let mut least = Bench::new(scene, &statics, &places).least(&all);
@@ -88,7 +89,7 @@ pub fn costs(scene: &Scene<'_>) -> Result<Option<Costs>, Vec<SolveError>> {
     }))
 }
 
-/// What each plan of a ladder takes longer than the one before. A plan takes no longer than one that does more: what a
+/// What each plan of a row takes longer than the one before. A plan takes no longer than one that does more: what a
 /// disturbed clock says against it is set right, so that the differences add up to the whole.
 fn differences(least: &mut [f64], whole: f64) -> Vec<f64> {
     let mut bound = whole;
@@ -102,7 +103,7 @@ fn differences(least: &mut [f64], whole: f64) -> Vec<f64> {
 /// One state, run through all places again and again.
 struct Bench<'a> {
     scene: &'a Scene<'a>,
-    statics: &'a Statics,
+    statics: &'a WholeCycle,
     places: &'a [Place],
     /// Some groups start from where their bodies stand.
     goes_on: bool,
@@ -111,7 +112,7 @@ struct Bench<'a> {
 }
 
 impl<'a> Bench<'a> {
-    fn new(scene: &'a Scene<'a>, statics: &'a Statics, places: &'a [Place]) -> Self {
+    fn new(scene: &'a Scene<'a>, statics: &'a WholeCycle, places: &'a [Place]) -> Self {
         let state = places.first().map_or_else(|| State::new(scene.plan), |place| place.state.clone());
         let goes_on = scene.plan.goes_on();
         Self { scene, statics, places, goes_on, state, evaluated: Vec::new() }
@@ -156,7 +157,7 @@ impl<'a> Bench<'a> {
                 std::hint::black_box(residuals(&scene, state));
             }
             if trial.quantities {
-                let view = View::new(&scene, state, &place.angles, self.statics);
+                let view = PoseAnswers::new(&scene, state, &place.angles, self.statics);
                 std::hint::black_box(view.all_quantities());
             }
             std::hint::black_box(&self.state);

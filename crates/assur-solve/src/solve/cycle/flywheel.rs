@@ -7,54 +7,52 @@
 //! links; the flywheel alone keeps δ = e_max − e_min with J = [W]/(ω_m² δ). With `with_links` the mean of J_r takes its
 //! share of it.
 
-use super::super::error::{SolveError, label};
-use super::super::positions::turns;
-use super::super::words::{four, short, with_unit};
 use super::panels::{Piecewise, piecewise};
 use super::sampler::Sampler;
 use super::switches::breaks;
-use super::undefined::Undefined;
-use crate::answer::{FlywheelAnswer, Statics, constant};
+use crate::answer::{FlywheelAnswer, NoFlywheel, Undefined, WholeCycle, constant};
 use crate::math::chebyshev::Series;
 use crate::model::{BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, Query, Value};
-use crate::position::Scene;
+use crate::position::{Scene, turns};
 use crate::structure::EffortSource;
-use crate::units::Dimension;
 
 /// How much the ratio of the shaft to the drive may vary, relative to its mean.
 const EVEN: f64 = 1e-9;
 /// Places at which that is looked at: no whole part of a turn of common mechanisms.
 const PLACES: u8 = 23;
 
-type Found = (FlywheelAnswer, Option<SolveError>);
+/// A flywheel, and what it was compared with.
+pub(super) struct Found {
+    pub answer: FlywheelAnswer,
+    /// It is not needed: moment of inertia of the links, and that needed in all.
+    pub needless: Option<[f64; 2]>,
+}
 
 /// Finds a flywheel.
 pub(super) fn flywheel(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     index: usize,
-) -> Result<Found, SolveError> {
+) -> Result<Found, NoFlywheel> {
     let wheel = &scene.mechanism.flywheels[index];
-    let refuse = |why: String, help: &str| refused(scene, wheel, why, help);
-    let rate = one_turning_drive(scene, statics, sampler, wheel)?;
+    let rate = one_turning_drive(scene, statics, sampler)?;
     let Some([torque, links]) = numbers(scene, statics, index) else {
-        let why = "nothing says which of several efforts it evens out".to_owned();
-        return Err(refuse(why, "name it: `flywheel J on crank for Mb { … }`"));
+        return Err(NoFlywheel::Efforts);
     };
-    let ratio = even_ratio(scene, statics, sampler, wheel, rate)?;
+    let ratio = even_ratio(statics, sampler, wheel, rate)?;
     let asked = [&torque, &links];
     sampler.begin();
     let found = breaks(scene, statics, sampler, &torque)
         .and_then(|breaks| Ok((piecewise(sampler, statics, &asked, &breaks)?, breaks)));
-    let (all, breaks) = found.map_err(|why| without_value(scene, sampler, wheel, why))?;
+    let (all, breaks) = found.map_err(NoFlywheel::Undefined)?;
     let [torque, links] = all.as_slice() else {
-        return Err(without_value(scene, sampler, wheel, Undefined::Unresolved));
+        return Err(NoFlywheel::Undefined(Undefined::Unresolved));
     };
     let mean_speed = match wheel.speed {
         Some(speed) => speed,
         None if scene.plan.effects.timed => (rate * ratio).abs(),
-        None => return Err(needs_speed(scene, wheel)),
+        None => return Err(NoFlywheel::NeedsSpeed),
     };
     let mean = torque.integral();
     let work = work(torque, mean, sampler.way.length());
@@ -66,12 +64,7 @@ pub(super) fn flywheel(
     let reduced = [links.integral(), least_links, greatest_links];
     let needed = fluctuation / (mean_speed * mean_speed * wheel.fluctuation);
     let own = if wheel.with_links { reduced[0] } else { 0.0 };
-    let warning = (needed <= own && wheel.with_links).then(|| SolveError::NeedlessFlywheel {
-        name: wheel.name.clone(),
-        have: with_unit(scene, own, Dimension::INERTIA),
-        needed: with_unit(scene, needed, Dimension::INERTIA),
-        span: wheel.span.into(),
-    });
+    let needless = (needed <= own && wheel.with_links).then_some([own, needed]);
     let answer = FlywheelAnswer {
         inertia: (needed - own).max(0.0),
         fluctuation,
@@ -86,41 +79,28 @@ pub(super) fn flywheel(
         work,
         way: (sampler.way.value(0.0), sampler.way.length()),
     };
-    Ok((answer, warning))
+    Ok(Found { answer, needless })
 }
 
 /// The speed of the one drive, which goes through whole turns.
 fn one_turning_drive(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &Sampler<'_>,
-    wheel: &Flywheel,
-) -> Result<f64, SolveError> {
-    let [drive] = scene.mechanism.drives.as_slice() else {
-        let why = format!("it takes one drive, and there are {}", scene.mechanism.drives.len());
-        return Err(refused(scene, wheel, why, "let one crank drive the mechanism"));
-    };
+) -> Result<f64, NoFlywheel> {
+    let [drive] = scene.mechanism.drives.as_slice() else { return Err(NoFlywheel::Drives) };
     if !turns(scene, drive) || !sampler.way.is_closed {
-        let why = match sampler.way.turns {
-            Some(turns) => format!("`{}` sweeps over {} turns, no whole cycle", drive.name, short(turns)),
-            None => format!("`{}` does not turn", drive.name),
-        };
-        let help = format!("sweep over whole turns: `drive {} = 0 deg .. 360 deg in 12 steps`", drive.name);
-        return Err(refused(scene, wheel, why, &help));
+        return Err(NoFlywheel::NoCycle(sampler.way.turns));
     }
-    let rate = rate(scene, statics);
-    if rate == 0.0 && scene.plan.effects.timed {
-        let why = format!("`{}` stands still", drive.name);
-        return Err(refused(scene, wheel, why, "give the drive its mean speed"));
+    match rate(scene, statics) {
+        0.0 if scene.plan.effects.timed => Err(NoFlywheel::StandsStill),
+        0.0 => Err(NoFlywheel::NeedsSpeed),
+        rate => Ok(rate),
     }
-    if rate == 0.0 {
-        return Err(needs_speed(scene, wheel));
-    }
-    Ok(rate)
 }
 
 /// Speed of the one drive, rad/s, or its sense; zero where it has neither.
-fn rate(scene: &Scene<'_>, statics: &Statics) -> f64 {
+fn rate(scene: &Scene<'_>, statics: &WholeCycle) -> f64 {
     let Some(drive) = scene.mechanism.drives.first() else { return 0.0 };
     let constant = |e: &Expr| match constant(scene, statics, e) {
         Value::Scalar(x) => Some(x),
@@ -130,7 +110,7 @@ fn rate(scene: &Scene<'_>, statics: &Statics) -> f64 {
 }
 
 /// What is followed over the cycle: the effort reduced to the drive, the reduced moment of inertia of the links.
-pub(super) fn numbers(scene: &Scene<'_>, statics: &Statics, index: usize) -> Option<[Expr; 2]> {
+pub(super) fn numbers(scene: &Scene<'_>, statics: &WholeCycle, index: usize) -> Option<[Expr; 2]> {
     let power = power(scene, &scene.mechanism.flywheels[index])?;
     let rate = Expr::number(rate(scene, statics));
     let torque = Expr::Binary(BinaryOp::Div, Box::new(power), Box::new(rate));
@@ -155,27 +135,23 @@ fn power(scene: &Scene<'_>, wheel: &Flywheel) -> Option<Expr> {
 
 /// The constant ratio of the flywheel's shaft to the drive.
 fn even_ratio(
-    scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     wheel: &Flywheel,
     rate: f64,
-) -> Result<f64, SolveError> {
+) -> Result<f64, NoFlywheel> {
     let speed = Expr::Query(Query::Omega(wheel.on));
     let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
     for place in 0..PLACES {
         let s = f64::from(place) / f64::from(PLACES);
         let here = sampler.sample(statics, s, &speed);
-        let ratio = here.map_err(|why| without_value(scene, sampler, wheel, why))? / rate;
+        let ratio = here.map_err(NoFlywheel::Undefined)? / rate;
         (least, greatest) = (least.min(ratio), greatest.max(ratio));
     }
     if greatest - least <= EVEN * greatest.abs() && greatest.abs() > 0.0 {
         return Ok(wheel.ratio * 0.5 * (least + greatest));
     }
-    let name = &scene.mechanism.link(wheel.on).name;
-    let range = format!("its speed over the drive's goes from {} to {}", four(least), four(greatest));
-    let why = format!("`{name}` does not turn evenly with the drive: {range}");
-    Err(refused(scene, wheel, why, "put it on the crank, or on a shaft that turns in constant ratio"))
+    Err(NoFlywheel::Uneven([least, greatest]))
 }
 
 /// The antiderivative of the difference to the mean over the drive's value, panel by panel.
@@ -212,29 +188,4 @@ fn extremes(torque: &Piecewise, work: &[Series], mean: f64) -> ((f64, f64), (f64
 fn bounds(of: &Piecewise) -> (f64, f64) {
     let values = of.candidates().into_iter().map(|c| c.value);
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)))
-}
-
-fn refused(scene: &Scene<'_>, wheel: &Flywheel, why: String, help: &str) -> SolveError {
-    let mut labels = vec![label("this flywheel", wheel.span)];
-    labels.extend(scene.mechanism.drives.iter().map(|d| label("drive", d.span)));
-    SolveError::NoFlywheel { name: wheel.name.clone(), why, help: help.to_owned(), labels }
-}
-
-fn without_value(scene: &Scene<'_>, sampler: &Sampler<'_>, wheel: &Flywheel, why: Undefined) -> SolveError {
-    let why = why.text(scene, sampler.way);
-    let help = "look at the poses there: `assur solve` says what is wrong with each";
-    refused(scene, wheel, why, help)
-}
-
-fn needs_speed(scene: &Scene<'_>, wheel: &Flywheel) -> SolveError {
-    let mut labels = vec![label("needed here", wheel.span)];
-    labels.extend(scene.mechanism.drives.iter().map(|d| label("without a speed", d.span)));
-    SolveError::NeedsSpeed {
-        what: "the mean speed of a flywheel",
-        needs: "a speed",
-        help:
-            "write `at 80 rpm` behind the drive, or `turning ccw` and `speed 80 rpm` in the flywheel's braces"
-                .to_owned(),
-        labels,
-    }
 }

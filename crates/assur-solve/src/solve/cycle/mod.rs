@@ -5,43 +5,41 @@
 //! integrated. Between them a quantity is a Chebyshev series per panel, halved until it has converged; a quantity that
 //! is smooth over whole turns has its mean from equally spaced samples, of which the fewest suffice.
 
+mod depends;
 mod flywheel;
+mod interval;
 mod panels;
 mod sampler;
 mod switches;
-mod undefined;
-mod way;
 
-pub(super) use sampler::loads_name_quantities;
+pub(super) use depends::loads_name_quantities;
 
-use super::error::SolveError;
 use super::positions::Sweep;
-use crate::answer::{CycleAnswer, Statics};
-use crate::model::{CycleFunction, Expr, FlywheelPart, Mechanism, Query};
+use crate::answer::{CycleAnswer, Undefined, WholeCycle};
+use crate::message::{SolveError, needless_flywheel, no_flywheel, no_sweep, undefined};
+use crate::model::{CycleFunction, Expr, FlywheelPart, Query};
 use crate::position::Scene;
-use panels::Piecewise;
+use depends::{counts_turns, hangs_on_forces, hangs_on_nothing_else};
+use interval::Interval;
+use panels::{COARSE, Piecewise};
 use sampler::Sampler;
-use undefined::Undefined;
-use way::Way;
 
 /// The most equally spaced samples.
 const MOST_SAMPLES: usize = 128;
 /// The fewest; half of them where few digits are wanted.
 const FEWEST_SAMPLES: usize = 16;
-/// More digits than this are not few.
-const COARSE: f64 = 1e-9;
 
 /// Finds the functions over the sweep and the flywheels of a file.
 pub(crate) fn cycles(
     scene: &Scene<'_>,
-    statics: &mut Statics,
+    statics: &mut WholeCycle,
     sweep: &Sweep,
 ) -> Result<Vec<SolveError>, SolveError> {
     let mechanism = scene.mechanism;
     if mechanism.cycles.is_empty() && mechanism.flywheels.is_empty() {
         return Ok(Vec::new());
     }
-    let way = Way::of(scene, statics, sweep)?;
+    let way = Interval::of(scene, statics, sweep).map_err(|why| no_sweep(scene, why))?;
     let mut sampler = Sampler::new(scene, statics, &way)?;
     statics.cycles = vec![CycleAnswer::default(); mechanism.cycles.len()];
     // those of motion alone first: loads may hang on them
@@ -57,9 +55,12 @@ pub(crate) fn cycles(
     let wheels = (0..mechanism.flywheels.len()).filter_map(|i| flywheel::numbers(scene, statics, i));
     sampler.share(of(&late).into_iter().filter(hangs_on_nothing_else).chain(wheels.flatten()));
     for index in 0..mechanism.flywheels.len() {
-        let found = flywheel::flywheel(scene, statics, &mut sampler, index)?;
-        warnings.extend(found.1);
-        statics.flywheels.push(found.0);
+        let wheel = &mechanism.flywheels[index];
+        let found = flywheel::flywheel(scene, statics, &mut sampler, index);
+        let found = found.map_err(|why| no_flywheel(scene, wheel, why, |s| way.value(s)))?;
+        let needless = found.needless.map(|[have, needed]| needless_flywheel(scene, wheel, have, needed));
+        warnings.extend(needless);
+        statics.flywheels.push(found.answer);
     }
     for index in late {
         statics.cycles[index] = cycle(scene, statics, &mut sampler, index);
@@ -71,7 +72,7 @@ pub(crate) fn cycles(
 ///
 /// # Errors
 /// As [`super::solve`]: a flywheel that cannot be found.
-pub fn over_cycle(scene: &Scene<'_>, found: &Statics) -> Result<Statics, SolveError> {
+pub fn over_cycle(scene: &Scene<'_>, found: &WholeCycle) -> Result<WholeCycle, SolveError> {
     let mut statics = found.clone();
     statics.flywheels.clear();
     let sweep = Sweep::of(scene, &statics);
@@ -79,46 +80,18 @@ pub fn over_cycle(scene: &Scene<'_>, found: &Statics) -> Result<Statics, SolveEr
     Ok(statics)
 }
 
-/// Whether an expression can be computed before any function over the sweep and any flywheel is known. Quantities may
-/// hang on them.
-fn hangs_on_nothing_else(expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| {
-        found |= matches!(part, Expr::Query(Query::Cycle(_) | Query::Flywheel(..)) | Expr::Quantity(_));
-    });
-    !found
-}
-
-/// Whether an expression hangs on forces, through quantities and other functions over the sweep too.
-fn hangs_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| {
-        found |= match part {
-            Expr::Quantity(id) => {
-                mechanism.quantities.get(id.index()).is_some_and(|q| hangs_on_forces(mechanism, &q.expr))
-            }
-            Expr::Query(Query::Cycle(index)) => {
-                mechanism.cycles.get(*index).is_some_and(|c| hangs_on_forces(mechanism, &c.expr))
-            }
-            Expr::Query(query) => query.facts().forces,
-            _ => false,
-        };
-    });
-    found
-}
-
-fn cycle(scene: &Scene<'_>, statics: &Statics, sampler: &mut Sampler<'_>, index: usize) -> CycleAnswer {
+fn cycle(scene: &Scene<'_>, statics: &WholeCycle, sampler: &mut Sampler<'_>, index: usize) -> CycleAnswer {
     let asked = &scene.mechanism.cycles[index];
     sampler.begin();
     match found(scene, statics, sampler, asked.how, &asked.expr) {
         Ok(answer) => CycleAnswer { samples: sampler.samples, ..answer },
-        Err(why) => CycleAnswer::undefined(why.text(scene, sampler.way)),
+        Err(why) => CycleAnswer::undefined(undefined(scene, why, |s| sampler.way.value(s))),
     }
 }
 
 fn found(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     how: CycleFunction,
     expr: &Expr,
@@ -156,7 +129,7 @@ fn found(
 }
 
 /// Extremes of a flywheel's work are known with it.
-fn of_work(statics: &Statics, how: CycleFunction, expr: &Expr) -> Option<CycleAnswer> {
+fn of_work(statics: &WholeCycle, how: CycleFunction, expr: &Expr) -> Option<CycleAnswer> {
     let (query, sign) = match expr {
         Expr::Query(query) => (query, 1.0),
         Expr::Negate(inner) => match &**inner {
@@ -182,7 +155,7 @@ fn of_work(statics: &Statics, how: CycleFunction, expr: &Expr) -> Option<CycleAn
 /// Whether the quantity is at the sweep's end what it was at its beginning: an angle that goes round is not.
 fn comes_again(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     expr: &Expr,
 ) -> Result<bool, Undefined> {
@@ -197,24 +170,9 @@ fn comes_again(
     Ok((first - last).abs() <= 1e-9 * first.abs().max(last.abs()).max(between.abs()))
 }
 
-/// Whether an expression asks for angles, which are continuous over the sweep.
-fn counts_turns(mechanism: &Mechanism, expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| {
-        found |= match part {
-            Expr::Quantity(id) => {
-                mechanism.quantities.get(id.index()).is_some_and(|q| counts_turns(mechanism, &q.expr))
-            }
-            Expr::Query(query) => query.facts().continuous.is_some(),
-            _ => false,
-        };
-    });
-    found
-}
-
 /// The mean of a smooth quantity over whole turns; `None` where samples do not converge.
 fn smooth_mean(
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     expr: &Expr,
 ) -> Result<Option<crate::math::periodic::Mean>, Undefined> {
@@ -244,7 +202,7 @@ fn smooth_mean(
 
 /// The greatest value (of the quantity times `sign`): where, and the quantity there.
 fn extreme(
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     expr: &Expr,
     piecewise: &Piecewise,

@@ -1,11 +1,12 @@
 //! Quantities as Chebyshev series, panel by panel.
 
-use super::COARSE;
 use super::sampler::Sampler;
-use super::undefined::Undefined;
-use crate::answer::Statics;
+use crate::answer::{Undefined, WholeCycle};
 use crate::math::chebyshev::{NODES, Nodes, Series};
 use crate::model::Expr;
+
+/// More digits than this are not few.
+pub(super) const COARSE: f64 = 1e-9;
 
 /// Panels per turn of the drive at the start.
 const PER_TURN: f64 = 8.0;
@@ -73,7 +74,7 @@ impl Piecewise {
 /// Numbers over the sweep that are smooth between the breaks.
 pub(super) fn piecewise(
     sampler: &mut Sampler<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     exprs: &[&Expr],
     breaks: &[f64],
 ) -> Result<Vec<Piecewise>, Undefined> {
@@ -152,7 +153,7 @@ type Sampled = Vec<([f64; NODES], Series)>;
 
 fn sample(
     sampler: &mut Sampler<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     exprs: &[&Expr],
     nodes: &Nodes,
     from: f64,

@@ -1,19 +1,18 @@
 //! Solves the mechanism anywhere on the sweep.
 
 use super::super::assemble::assemble;
-use super::super::error::SolveError;
 use super::super::inputs::Rates;
-use super::super::pose::DEAD;
-use super::super::solution::DriveValue;
-use super::super::steps::{extent, steps};
+use super::super::steps::steps;
 use super::super::track::{Tracker, continued};
-use super::hangs_on_forces;
-use super::undefined::Undefined;
-use super::way::Way;
-use crate::answer::{Statics, View, balanced, every_query};
-use crate::model::{About, Expr, LoadId, Mechanism, PairKind, Query, Value};
+use super::depends::{
+    asks_for_angles, asks_for_ideal, hangs_on_forces, loads_name_quantities, names_quantity,
+};
+use super::interval::Interval;
+use crate::answer::{PoseAnswers, Undefined, WholeCycle, balanced};
+use crate::message::SolveError;
+use crate::model::{Expr, LoadId, Value};
 use crate::plan::{Level, Settings};
-use crate::position::{BodyState, Branch, Scene, State};
+use crate::position::{BodyState, Branch, DEAD, DriveValue, Scene, State, extent};
 use std::collections::HashMap;
 
 /// The fewest intervals between places where the mechanism is known beforehand.
@@ -55,7 +54,7 @@ impl Need {
 pub(super) struct Sampler<'a> {
     scene: Scene<'a>,
     /// The sweep.
-    pub way: &'a Way,
+    pub way: &'a Interval,
     rates: Rates,
     anchors: Vec<Anchor>,
     /// Intervals between the anchors of the whole sweep.
@@ -85,7 +84,11 @@ pub(super) struct Sampler<'a> {
 
 impl<'a> Sampler<'a> {
     /// Follows the sweep once, in small steps.
-    pub(crate) fn new(scene: &Scene<'a>, statics: &Statics, way: &'a Way) -> Result<Self, SolveError> {
+    pub(crate) fn new(
+        scene: &Scene<'a>,
+        statics: &WholeCycle,
+        way: &'a Interval,
+    ) -> Result<Self, SolveError> {
         let rates = Rates::of(scene, statics);
         let mut state = State::new(scene.plan);
         rates.at(&way.from, &mut state.motion.inputs);
@@ -185,7 +188,7 @@ impl<'a> Sampler<'a> {
     }
 
     /// The value of a number at a place of the sweep.
-    pub(super) fn sample(&mut self, statics: &Statics, s: f64, expr: &Expr) -> Result<f64, Undefined> {
+    pub(super) fn sample(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<f64, Undefined> {
         let x = match self.shared.iter().position(|e| e == expr) {
             Some(which) => self.together(statics, s, which)?,
             None => match self.value(statics, s, expr)? {
@@ -197,7 +200,7 @@ impl<'a> Sampler<'a> {
     }
 
     /// One of the shared numbers: all are computed at a place that is new.
-    fn together(&mut self, statics: &Statics, s: f64, which: usize) -> Result<f64, Undefined> {
+    fn together(&mut self, statics: &WholeCycle, s: f64, which: usize) -> Result<f64, Undefined> {
         let known = self.kept.get(&s.to_bits()).copied();
         let first = match known {
             Some(first) => {
@@ -219,18 +222,18 @@ impl<'a> Sampler<'a> {
     }
 
     /// The value of an expression at a place of the sweep.
-    pub(super) fn value(&mut self, statics: &Statics, s: f64, expr: &Expr) -> Result<Value, Undefined> {
+    pub(super) fn value(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<Value, Undefined> {
         self.solve(statics, s, Need::of(&self.scene, expr))?;
         Ok(self.view(statics).value(expr))
     }
 
-    fn view<'v>(&'v self, statics: &'v Statics) -> View<'v> {
+    fn view<'v>(&'v self, statics: &'v WholeCycle) -> PoseAnswers<'v> {
         let ideal = self.ideal.as_ref().map(|(state, values)| (state, values.as_slice()));
-        let view = View::new(&self.scene, &self.state, &self.angles, statics);
-        View { quantities: &self.quantities, frictionless: ideal, ..view }
+        let view = PoseAnswers::new(&self.scene, &self.state, &self.angles, statics);
+        PoseAnswers { quantities: &self.quantities, frictionless: ideal, ..view }
     }
 
-    fn solve(&mut self, statics: &Statics, s: f64, need: Need) -> Result<(), Undefined> {
+    fn solve(&mut self, statics: &WholeCycle, s: f64, need: Need) -> Result<(), Undefined> {
         if self.last.is_some_and(|(at, done)| at == s && done.covers(need)) {
             return Ok(());
         }
@@ -272,10 +275,10 @@ impl<'a> Sampler<'a> {
         Ok(())
     }
 
-    fn without_friction(&self, statics: &Statics) -> (State, Vec<Value>) {
+    fn without_friction(&self, statics: &WholeCycle) -> (State, Vec<Value>) {
         let mut state = self.state.clone();
         state.run_again_without_friction(self.scene.plan);
-        let values = View::new(&self.scene, &state, &self.angles, statics).all_quantities();
+        let values = PoseAnswers::new(&self.scene, &state, &self.angles, statics).all_quantities();
         (state, values)
     }
 
@@ -301,39 +304,4 @@ impl<'a> Sampler<'a> {
             *angle = continued(*before, old.u, body.u);
         }
     }
-}
-
-fn names_quantity(expr: &Expr) -> bool {
-    let mut found = false;
-    expr.parts(&mut |part| found |= matches!(part, Expr::Quantity(_)));
-    found
-}
-
-/// Whether a load hangs on quantities of the file.
-pub(in super::super) fn loads_name_quantities(mechanism: &Mechanism) -> bool {
-    mechanism.loads.iter().any(|load| load.expressions().any(names_quantity))
-}
-
-/// Whether the file asks anywhere for angles, which are carried on from place to place.
-fn asks_for_angles(mechanism: &Mechanism) -> bool {
-    let mut asked = false;
-    every_query(mechanism, &mut |query, _| {
-        asked |= match query.facts().continuous {
-            Some(About::Pair(pair)) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
-            about => about.is_some(),
-        };
-    });
-    asked
-}
-
-/// Whether the file asks anywhere for what it would be without friction.
-fn asks_for_ideal(mechanism: &Mechanism) -> bool {
-    let exprs = mechanism.quantities.iter().map(|q| &q.expr).chain(mechanism.cycles.iter().map(|c| &c.expr));
-    let mut asked = false;
-    for expr in exprs {
-        expr.parts(&mut |part| {
-            asked |= matches!(part, Expr::Frictionless(_) | Expr::Query(Query::Efficiency | Query::Locked));
-        });
-    }
-    asked
 }

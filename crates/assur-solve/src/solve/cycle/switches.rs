@@ -3,8 +3,7 @@
 //! function.
 
 use super::sampler::Sampler;
-use super::undefined::Undefined;
-use crate::answer::Statics;
+use crate::answer::{Undefined, WholeCycle};
 use crate::math::{Vec2, root_within};
 use crate::model::{
     Axis, BinaryOp, Expr, Function, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, PointRef,
@@ -22,7 +21,7 @@ const NOISE: f64 = 0.25;
 /// Places of the sweep, between its ends, where the quantity is not smooth, in order.
 pub(super) fn breaks(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     expr: &Expr,
 ) -> Result<Vec<f64>, Undefined> {
@@ -178,7 +177,7 @@ impl<'a> Switches<'a> {
 }
 
 /// The roots of each function over the sweep. A vector counts where it is null.
-fn roots(statics: &Statics, sampler: &mut Sampler<'_>, all: &[Expr]) -> Result<Vec<Vec<f64>>, Undefined> {
+fn roots(statics: &WholeCycle, sampler: &mut Sampler<'_>, all: &[Expr]) -> Result<Vec<Vec<f64>>, Undefined> {
     let intervals = sampler.intervals();
     let tolerance = sampler.settings().root;
     let mut table: Vec<Vec<Vec2>> = vec![Vec::new(); all.len()];

@@ -1,16 +1,12 @@
 //! What deserves a warning, collected over all positions and said once.
 
-use super::consistent_notes::ConsistentNotes;
+use super::consistent_warnings::ConsistentNotes;
 use super::error::{SolveError, label};
-use super::positions::{Wanted, turns};
-use super::solution::DriveValue;
-use super::sweep::Closing;
-use super::track::Switch;
+use super::format::{drive_text, four, labels, links, place, short, with_unit};
 use super::train_error::TrainError;
-use super::words::{drive_text, four, labels, links, place, short, stands, with_unit};
 use crate::model::{Expr, PairId, Positions, Value};
-use crate::position::{Scene, State};
-use crate::structure::{EffortKind, EffortSource, Group};
+use crate::position::{DriveValue, Scene, Wanted, turns};
+use crate::structure::Group;
 use crate::units::Dimension;
 
 /// With fewer digits left a warning tells how many: σ = 1e-3 for accelerations, 5e-5 for velocities and forces.
@@ -39,9 +35,18 @@ struct Pull {
     poses: usize,
 }
 
+/// How many positions of the sweep there are, and how many of them do not close.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Closing {
+    pub swept: usize,
+    pub open: usize,
+    /// One of them can be assembled in several ways.
+    pub ambiguous: bool,
+}
+
 /// Warnings of a run.
 #[derive(Debug, Default)]
-pub(super) struct Notes {
+pub(crate) struct Notes {
     switches: Vec<SolveError>,
     /// Switches that are not kept.
     more_switches: usize,
@@ -56,18 +61,18 @@ pub(super) struct Notes {
     slack: Vec<Pull>,
     locking: Option<(TrainError, usize)>,
     /// Several states of the forces.
-    pub(super) consistent: ConsistentNotes,
+    pub(crate) consistent: ConsistentNotes,
     /// The greatest figure h beyond 1/2, with its warning, and how many positions have one.
     uncertified: Option<(f64, SolveError)>,
     uncertified_poses: usize,
 }
 
 impl Notes {
-    pub(super) const fn in_gap(&self) -> bool {
+    pub(crate) const fn in_gap(&self) -> bool {
         self.in_gap
     }
 
-    pub(super) fn gap_begins(&mut self, from: Option<Vec<DriveValue>>) {
+    pub(crate) fn gap_begins(&mut self, from: Option<Vec<DriveValue>>) {
         self.in_gap = true;
         if self.gaps.len() < MOST_GAPS {
             self.gaps.push(Gap { from, to: None });
@@ -76,30 +81,36 @@ impl Notes {
         }
     }
 
-    pub(super) fn gap_ends(&mut self, to: Vec<DriveValue>) {
+    pub(crate) fn gap_ends(&mut self, to: Vec<DriveValue>) {
         self.in_gap = false;
         if let Some(gap) = self.gaps.last_mut().filter(|_| self.more_gaps == 0) {
             gap.to = Some(to);
         }
     }
 
-    pub(super) fn switched(&mut self, scene: &Scene<'_>, switch: &Switch, from: &str, to: &str) {
+    pub(crate) fn switched(
+        &mut self,
+        scene: &Scene<'_>,
+        (group, at): (usize, &[DriveValue]),
+        from: &str,
+        to: &str,
+    ) {
         if self.switches.len() == MOST_SWITCHES {
             self.more_switches += 1;
             return;
         }
-        let group = &scene.structure.motion[switch.group];
+        let group = &scene.structure.motion[group];
         self.switches.push(SolveError::BranchSwitch {
             links: links(scene, group),
             from: from.to_owned(),
             to: to.to_owned(),
-            near: drive_text(scene, &rounded(scene, &switch.at, 1.0)),
+            near: drive_text(scene, &rounded(scene, at, 1.0)),
             labels: labels(scene, group, "this group"),
         });
     }
 
     /// The condition figure σ of a group; the error of what is asked of it grows as ε over this power of σ.
-    pub(super) fn condition(
+    pub(crate) fn condition(
         &mut self,
         scene: &Scene<'_>,
         group: &Group,
@@ -131,7 +142,7 @@ impl Notes {
     }
 
     /// The figure h of Newton and Kantorovich of a group that was solved by iteration.
-    pub(super) fn certificate(
+    pub(crate) fn certificate(
         &mut self,
         scene: &Scene<'_>,
         group: &Group,
@@ -156,7 +167,7 @@ impl Notes {
         self.uncertified = Some((h, warning));
     }
 
-    pub(super) fn pulls(&mut self, scene: &Scene<'_>, pair: PairId, normal: f64, pose: &Wanted) {
+    pub(crate) fn pulls(&mut self, scene: &Scene<'_>, pair: PairId, normal: f64, pose: &Wanted) {
         let here = || place(scene, pose);
         match self.pulls.iter_mut().find(|p| p.pair == pair) {
             Some(pull) => {
@@ -169,7 +180,7 @@ impl Notes {
         }
     }
 
-    pub(super) fn pushes(&mut self, scene: &Scene<'_>, pair: PairId, normal: f64, pose: &Wanted) {
+    pub(crate) fn pushes(&mut self, scene: &Scene<'_>, pair: PairId, normal: f64, pose: &Wanted) {
         match self.slack.iter_mut().find(|p| p.pair == pair) {
             Some(pull) => {
                 pull.poses += 1;
@@ -182,7 +193,7 @@ impl Notes {
     }
 
     /// The load cannot drive the mechanism.
-    pub(super) fn self_locking(&mut self, scene: &Scene<'_>, pose: &Wanted) {
+    pub(crate) fn self_locking(&mut self, scene: &Scene<'_>, pose: &Wanted) {
         if let Some((_, more)) = &mut self.locking {
             *more += 1;
             return;
@@ -212,7 +223,7 @@ impl Notes {
     }
 
     /// The warnings, and how many there are more.
-    pub(super) fn into_warnings(self, scene: &Scene<'_>, closing: Closing) -> (Vec<SolveError>, usize) {
+    pub(crate) fn into_warnings(self, scene: &Scene<'_>, closing: Closing) -> (Vec<SolveError>, usize) {
         let mut warnings = self.switches;
         if let Some((mut error, count)) = self.locking {
             if let TrainError::SelfLocking { more, .. } = &mut error {
@@ -332,95 +343,4 @@ fn closing_range(scene: &Scene<'_>, gaps: &[Gap]) -> Option<String> {
         (None, None) => return None,
     };
     Some(format!("drive {} = {} deg .. {} deg in {steps} steps", drive.name, short(begin), short(end)))
-}
-
-/// A group whose determinant vanishes.
-pub(super) fn dead(scene: &Scene<'_>, group: &Group, condition: f64, pose: &Wanted) -> SolveError {
-    SolveError::DeadPosition {
-        pose: place(scene, pose),
-        stands: stands(scene, group, condition),
-        help: format!(
-            "where a group is dead no velocity and no force follows from the drives: choose a position beside it, or \
-             drive {} itself",
-            one_of(&links(scene, group))
-        ),
-        labels: labels(scene, group, "dead"),
-    }
-}
-
-fn one_of(links: &str) -> String {
-    if links.contains(" and ") { format!("one of {links}") } else { links.to_owned() }
-}
-
-/// A group of forces whose determinant vanishes.
-pub(super) fn cannot_hold(scene: &Scene<'_>, group: &Group, condition: f64, pose: &Wanted) -> SolveError {
-    if group.efforts.is_empty() {
-        return dead(scene, group, condition, pose);
-    }
-    let links = links(scene, group);
-    let mut marks = Vec::new();
-    let mut line = false;
-    for &effort in &group.efforts {
-        let effort = &scene.structure.efforts[effort];
-        line |= matches!(effort.kind, EffortKind::Line(_));
-        let span = match effort.source {
-            EffortSource::Balance(id) => scene.mechanism.balances[id.index()].span,
-            EffortSource::Drive(id) => scene.mechanism.drives[id.index()].span,
-        };
-        marks.push(label("cannot hold them here", span));
-    }
-    let prismatic = group.joints.first().is_some_and(|j| j.prismatic);
-    let (why, help) = match (group.joints.len(), line, prismatic) {
-        (1, true, true) => (
-            format!("the unknown force stands across the guide of {links} and cannot hold it"),
-            "turn the force towards the guide",
-        ),
-        (1, true, false) => (
-            format!("the unknown force passes through the hinge of {links} and cannot hold it"),
-            "turn the force away from the hinge, or move its place",
-        ),
-        _ => (
-            format!("the unknown effort cannot hold {links} as they stand"),
-            "choose another place or direction for the effort, or another position",
-        ),
-    };
-    let sigma =
-        if condition > 0.0 { format!(" (condition figure σ = {condition:.1e})") } else { String::new() };
-    marks.extend(labels(scene, group, "held by this"));
-    SolveError::EffortCannotHold {
-        pose: place(scene, pose),
-        why: why + &sigma,
-        help: help.to_owned(),
-        labels: marks,
-    }
-}
-
-/// The first result that is no number.
-pub(super) fn not_finite(scene: &Scene<'_>, state: &State, pose: &Wanted) -> Option<SolveError> {
-    let body = |i: usize| super::words::body(scene, crate::structure::BodyId(i));
-    let pairs = scene.plan.reactions.iter().zip(&state.forces.reactions);
-    let bodies = || state.motion.bodies.iter().enumerate();
-    let what = bodies()
-        .find(|(_, b)| !(b.p.x + b.p.y + b.u.x + b.u.y).is_finite())
-        .map(|(i, _)| format!("the position of {}", body(i)))
-        .or_else(|| {
-            let found = bodies().find(|(_, b)| !(b.v.x + b.v.y + b.omega).is_finite());
-            found.map(|(i, _)| format!("the velocity of {}", body(i)))
-        })
-        .or_else(|| {
-            let found = bodies().find(|(_, b)| !(b.a.x + b.a.y + b.alpha).is_finite());
-            found.map(|(i, _)| format!("the acceleration of {}", body(i)))
-        })
-        .or_else(|| {
-            let found = pairs.clone().find(|(_, r)| !(r.force.x + r.force.y + r.couple).is_finite());
-            found.map(|(joint, _)| {
-                let pair = scene.structure.replaced.joint(joint.joint).pair;
-                format!("the reaction in `{}`", scene.mechanism.pair(pair).name)
-            })
-        })
-        .or_else(|| {
-            state.forces.efforts.iter().find(|e| !e.is_finite()).map(|_| "an unknown effort".to_owned())
-        })?;
-    let labels = scene.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
-    Some(SolveError::NotFinite { pose: place(scene, pose), what, labels })
 }

@@ -1,7 +1,8 @@
 //! Places to run a plan at: assembled and followed once, before anything is measured.
 
-use crate::position::{Scene, State};
-use crate::solve::{DriveValue, Rates, SolveError, Statics, Sweep, Tracker, assemble, turns};
+use crate::message::SolveError;
+use crate::position::{DriveValue, Scene, State, turns};
+use crate::solve::{Rates, Sweep, Tracker, WholeCycle, assemble};
 
 /// So many places are enough; more would leave the nearest memory.
 const ENOUGH: usize = 64;
@@ -26,7 +27,7 @@ pub(super) struct Place {
 /// The positions of a file that close; of one alone those of a turn of its drive.
 pub(super) fn places(
     scene: &Scene<'_>,
-    statics: &Statics,
+    statics: &WholeCycle,
     rates: &Rates,
 ) -> Result<(Over, Vec<Place>), SolveError> {
     let sweep = Sweep::of(scene, statics);

@@ -2,15 +2,14 @@
 
 use super::consistent_error::ConsistentError;
 use super::error::{SolveError, label};
-use super::positions::Wanted;
-use super::words::place;
+use super::format::place;
 use crate::model::PairId;
-use crate::position::{Consistent, Scene, Searched};
+use crate::position::{Consistent, Scene, Searched, Wanted};
 use miette::LabeledSpan;
 
 /// The first position with several solutions, and how many more there are.
 #[derive(Debug, Default)]
-pub(super) struct ConsistentNotes {
+pub(crate) struct ConsistentNotes {
     several: Option<(ConsistentError, usize)>,
     /// What searches have taken at the positions so far.
     pub searched: Searched,

@@ -25,7 +25,7 @@ use super::state::State;
 use super::wrench::Reaction;
 use crate::group::{rrp, rrr};
 use crate::math::Vec2;
-use crate::plan::{EffortLine, ForceStep, Hinge, Inner, Plan, Way};
+use crate::plan::{EffortLine, ForceStep, Guide, Hinge, Inner, Plan};
 
 /// A force below this part of the forces is none.
 const NOTHING: f64 = 1e-12;
@@ -179,7 +179,7 @@ impl Dyad {
 }
 
 impl State {
-    /// A group whose [`crate::plan::RubbingGroup::reduced`] holds. Returns the condition figure of its plain step and Newton's steps;
+    /// A group whose [`crate::plan::FrictionGroup::reduced`] holds. Returns the condition figure of its plain step and Newton's steps;
     /// `None` where there is no motion.
     #[inline(always)]
     pub(super) fn force_reduced(
@@ -283,7 +283,7 @@ impl State {
         &mut self,
         plan: &Plan,
         (group, sine): (rrp::Rrp<f64>, f64),
-        (outer, inner, way): (&Hinge, &Inner, &Way),
+        (outer, inner, way): (&Hinge, &Inner, &Guide),
         elements: &[Option<usize>; 3],
         steps: &mut u32,
     ) -> Option<f64> {

@@ -1,19 +1,18 @@
 //! The assemblies there are, each as a line to paste.
 
-use super::assemble::SAME;
 use super::error::{SolveError, label};
-use super::words::{labels, length, short};
-use crate::answer::View;
+use super::format::{labels, length, short};
+use crate::answer::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, PairKind};
-use crate::position::{Scene, State};
+use crate::position::{SAME, Scene, State, extent};
 use crate::structure::{BodyOrigin, Dyad, Group, GroupKind, JointKind};
 
 /// More lines than this are no help.
 const MOST_LINES: usize = 8;
 
 /// Several assemblies remain: the groups in which they differ, with the lines that choose.
-pub(super) fn ambiguous(scene: &Scene<'_>, states: &[&State]) -> SolveError {
+pub(crate) fn ambiguous(scene: &Scene<'_>, states: &[&State]) -> SolveError {
     let mut sections = Vec::new();
     let mut marks = Vec::new();
     for group in &scene.structure.motion {
@@ -33,7 +32,7 @@ pub(super) fn ambiguous(scene: &Scene<'_>, states: &[&State]) -> SolveError {
 }
 
 /// No candidate fits a hint: what there is instead.
-pub(super) fn not_met(scene: &Scene<'_>, hint: &Hint, states: &[&State], index: usize) -> SolveError {
+pub(crate) fn not_met(scene: &Scene<'_>, hint: &Hint, states: &[&State], index: usize) -> SolveError {
     let group = &scene.structure.motion[index];
     let ways = distinct(scene, states, group);
     let mut found = lines(scene, &ways, group);
@@ -63,7 +62,7 @@ fn section(lines: &[String]) -> String {
 
 /// One state for every way in which the group stands.
 fn distinct<'s>(scene: &Scene<'_>, states: &[&'s State], group: &Group) -> Vec<&'s State> {
-    let extent = super::steps::extent(scene);
+    let extent = extent(scene);
     let same = |a: &State, b: &State| {
         group.bodies.iter().all(|i| {
             let (x, y) = (&a.motion.bodies[i.0], &b.motion.bodies[i.0]);
@@ -80,7 +79,7 @@ fn distinct<'s>(scene: &Scene<'_>, states: &[&'s State], group: &Group) -> Vec<&
 }
 
 /// An `assemble` line for every way: by side, order or sign where these tell them apart, else by the place of a point.
-pub(super) fn lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
+pub(crate) fn lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for state in ways {
         match by_kind(scene, state, group) {
@@ -149,7 +148,7 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
 
 fn coordinate(scene: &Scene<'_>, state: &State, pair: crate::model::PairId) -> f64 {
     let angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
-    View { angles: &angles, ..View::bare(scene, state) }.displacement(pair)
+    PoseAnswers { angles: &angles, ..PoseAnswers::bare(scene, state) }.displacement(pair)
 }
 
 /// The points of a group that a clause can name, with their bodies.
@@ -168,12 +167,12 @@ fn points<'a>(scene: &Scene<'a>, group: &Group) -> Vec<(String, usize, Vec2)> {
 }
 
 /// A point of a group as a clause names it.
-pub(super) fn point_of(scene: &Scene<'_>, group: &Group) -> Option<String> {
+pub(crate) fn point_of(scene: &Scene<'_>, group: &Group) -> Option<String> {
     points(scene, group).into_iter().next().map(|p| p.0)
 }
 
 /// `assemble L.P near (x, y)` with the point that differs most from way to way.
-pub(super) fn near_lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
+pub(crate) fn near_lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
     let mut best: Option<(f64, (String, usize, Vec2))> = None;
     for point in points(scene, group) {
         let places: Vec<Vec2> = ways.iter().map(|s| s.motion.bodies[point.1].position(point.2)).collect();

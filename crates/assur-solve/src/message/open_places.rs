@@ -1,17 +1,18 @@
 //! What the file leaves open: drives without position, shafts and sliders without place. What hangs on it is not
 //! answered.
 
+use super::error::{SolveError, label};
+use super::format::{labels, links};
+use super::train_error::TrainError;
 use crate::answer::every_query;
+use crate::position::Scene;
 use miette::LabeledSpan;
 
-use super::error::{SolveError, label};
-use super::train_error::TrainError;
 use crate::model::{
     About, Bearing, Drive, FindKind, Friction, LinkId, PairId, PairKind, PointRef, Positions,
     TransmissionKind,
 };
 use crate::plan::LawSite;
-use crate::position::Scene;
 use crate::source::Span;
 use crate::structure::{EffortSource, GroupKind};
 
@@ -41,7 +42,7 @@ fn unplaced(scene: &Scene<'_>) -> Vec<Option<usize>> {
 }
 
 /// Positions that hang on a drive which has none.
-pub(super) fn without_position(scene: &Scene<'_>) -> Vec<SolveError> {
+pub(crate) fn without_position(scene: &Scene<'_>) -> Vec<SolveError> {
     let mechanism = scene.mechanism;
     if !mechanism.drives.iter().any(|d| matches!(d.positions, Positions::None)) {
         return Vec::new();
@@ -53,8 +54,8 @@ pub(super) fn without_position(scene: &Scene<'_>) -> Vec<SolveError> {
     });
     if let Some(group) = closed {
         let drive = group.bodies.first().and_then(|b| open[b.0]).unwrap_or(0);
-        let what = format!("how {} stand", super::words::links(scene, group));
-        let labels = super::words::labels(scene, group, "moves with it");
+        let what = format!("how {} stand", links(scene, group));
+        let labels = labels(scene, group, "moves with it");
         return vec![no_position(&mechanism.drives[drive], what, labels)];
     }
     let of_link = |l: LinkId| open[l.index()];
@@ -149,7 +150,7 @@ pub fn unplaced_reactions(scene: &Scene<'_>) -> Vec<bool> {
 }
 
 /// Reactions that are asked for and have no place.
-pub(super) fn without_place(scene: &Scene<'_>) -> Vec<SolveError> {
+pub(crate) fn without_place(scene: &Scene<'_>) -> Vec<SolveError> {
     let mechanism = scene.mechanism;
     if scene.plan.laws.is_empty() {
         return Vec::new();
@@ -195,7 +196,7 @@ pub(super) fn without_place(scene: &Scene<'_>) -> Vec<SolveError> {
 }
 
 /// Friction that goes by the forces at two contacts, in pairs whose couple is not determined.
-pub(super) fn friction_couples(scene: &Scene<'_>) -> Option<SolveError> {
+pub(crate) fn friction_couples(scene: &Scene<'_>) -> Option<SolveError> {
     let (mechanism, open) = (scene.mechanism, &scene.structure.undetermined_couples);
     if !scene.plan.effects.friction {
         return None;
@@ -212,7 +213,7 @@ pub(super) fn friction_couples(scene: &Scene<'_>) -> Option<SolveError> {
 }
 
 /// Friction in pairs beside transmissions.
-pub(super) fn friction_beside(scene: &Scene<'_>) -> Option<SolveError> {
+pub(crate) fn friction_beside(scene: &Scene<'_>) -> Option<SolveError> {
     if !scene.plan.effects.friction || scene.plan.laws.is_empty() {
         return None;
     }

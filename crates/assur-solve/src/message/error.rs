@@ -1,10 +1,10 @@
 //! Why a position has no solution, or one to be careful with.
 
+use super::consistent_error::ConsistentError;
+use super::train_error::TrainError;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 
-use super::consistent_error::ConsistentError;
-use super::train_error::TrainError;
 use crate::source::Span;
 
 /// A position that cannot be solved, or a warning about one.
@@ -394,6 +394,6 @@ pub enum SolveError {
     },
 }
 
-pub(super) fn label(text: impl Into<String>, span: Span) -> LabeledSpan {
+pub(crate) fn label(text: impl Into<String>, span: Span) -> LabeledSpan {
     LabeledSpan::new_with_span(Some(text.into()), span)
 }

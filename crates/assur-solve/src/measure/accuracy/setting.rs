@@ -38,7 +38,7 @@ pub struct Row {
 
 /// Settings of one kind.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Knob {
+pub struct Setting {
     /// What is set.
     pub kind: Kind,
     /// From coarse to fine.
@@ -47,7 +47,7 @@ pub struct Knob {
 
 /// Settings that a problem has no use for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Absent {
+pub struct NotApplicable {
     /// What would be set.
     pub what: &'static str,
     /// Why it is not.
@@ -131,7 +131,7 @@ impl Kind {
             Self::Scalar | Self::Samples | Self::Root => (true, ""),
             Self::Friction if !plan.effects.friction => (false, "none in this problem"),
             Self::Friction => {
-                let rubs = plan.forces.iter().any(|s| matches!(s, ForceStep::Rubbing { .. }));
+                let rubs = plan.forces.iter().any(|s| matches!(s, ForceStep::Friction { .. }));
                 (rubs, "a closed form, or that of trains")
             }
             Self::Newton => (motion(|s| matches!(s, MotionStep::General { .. })), "none in this problem"),
@@ -146,7 +146,7 @@ pub(super) fn not_closed(plan: &Plan) -> &'static str {
     let motion = |f: fn(&MotionStep) -> bool| plan.motion.iter().any(f);
     if motion(|s| matches!(s, MotionStep::General { .. } | MotionStep::Triad { .. })) {
         "a group is solved by iteration"
-    } else if plan.forces.iter().any(|s| matches!(s, ForceStep::Rubbing { .. })) {
+    } else if plan.forces.iter().any(|s| matches!(s, ForceStep::Friction { .. })) {
         "friction is solved by iteration"
     } else if plan.loads.iter().any(|l| matches!(l, LoadStep::Evaluated(_))) {
         "a load is evaluated at every position"

@@ -1,16 +1,14 @@
 //! Positions, lengths and links in words.
 
+use crate::position::{DriveValue, PoseOrigin, Scene, Wanted, turns};
 use miette::LabeledSpan;
 
-use super::positions::{Wanted, turns};
-use super::solution::{DriveValue, PoseOrigin};
 use crate::model::{LinkId, PairKind};
-use crate::position::Scene;
 use crate::structure::{BodyId, BodyOrigin, Dyad, Group, GroupKind, Joint, JointKind};
 use crate::units::Dimension;
 
 /// ` at pose 3 (crank = 60 deg)`; empty where nothing is driven.
-pub(super) fn place(scene: &Scene<'_>, pose: &Wanted) -> String {
+pub(crate) fn place(scene: &Scene<'_>, pose: &Wanted) -> String {
     let drives = drive_text(scene, &pose.drives);
     match pose.origin {
         _ if drives.is_empty() => String::new(),
@@ -36,19 +34,19 @@ pub(super) fn drive_text(scene: &Scene<'_>, values: &[DriveValue]) -> String {
 }
 
 /// Up to six decimals, without trailing zeros.
-pub(super) fn short(x: f64) -> String {
+pub(crate) fn short(x: f64) -> String {
     let text = format!("{x:.6}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 /// A length in the author's unit, to four significant digits.
-pub(super) fn length(scene: &Scene<'_>, length: f64) -> String {
+pub(crate) fn length(scene: &Scene<'_>, length: f64) -> String {
     with_unit(scene, length, Dimension::LENGTH)
 }
 
 /// A value in the author's unit, to four significant digits.
-pub(super) fn with_unit(scene: &Scene<'_>, si: f64, dimension: Dimension) -> String {
+pub(crate) fn with_unit(scene: &Scene<'_>, si: f64, dimension: Dimension) -> String {
     let display = scene.mechanism.display_of(dimension);
     format!("{} {}", four(display.of_si(si)), display.unit)
 }
@@ -75,7 +73,7 @@ pub(super) fn hinge(scene: &Scene<'_>, joint: &Joint) -> String {
 
 /// Four significant digits, without trailing zeros behind the point; very large and very small numbers with a power of
 /// ten.
-pub(super) fn four(x: f64) -> String {
+pub(crate) fn four(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return format!("{x}");
     }
@@ -104,7 +102,7 @@ pub(super) fn body(scene: &Scene<'_>, body: BodyId) -> String {
 }
 
 /// The links of a group: `` `rod` and `piston` ``.
-pub(super) fn links(scene: &Scene<'_>, group: &Group) -> String {
+pub(crate) fn links(scene: &Scene<'_>, group: &Group) -> String {
     let mut names: Vec<String> = group
         .bodies
         .iter()
@@ -119,7 +117,7 @@ pub(super) fn links(scene: &Scene<'_>, group: &Group) -> String {
 }
 
 /// Marks the pairs of a group, with the text at its inner one.
-pub(super) fn labels(scene: &Scene<'_>, group: &Group, text: &str) -> Vec<LabeledSpan> {
+pub(crate) fn labels(scene: &Scene<'_>, group: &Group, text: &str) -> Vec<LabeledSpan> {
     let pair = |j: &crate::structure::GroupJoint| scene.structure.replaced.joint(j.joint).pair;
     let main = group.joints.iter().find(|j| j.inner).or(group.joints.first()).map(pair);
     let mut pairs: Vec<_> = group.joints.iter().map(pair).collect();

@@ -1,41 +1,40 @@
 //! All assemblies of every group at the first position, each with the line that chooses it.
 
-use super::assemble::{Way, assemble, does_not_close, every_way};
-use super::choices::{lines, near_lines};
-use super::error::SolveError;
+use super::assemble::{Assembly, assemble, every_way};
 use super::extremes::statics;
 use super::inputs::Rates;
 use super::positions::Sweep;
-use super::refused;
-use super::words::place;
-use crate::position::{Scene, State};
+use crate::message::{
+    SolveError, does_not_close, lines, missing_speeds, near_lines, not_supported, place, with_pose,
+};
+use crate::position::{Scene, State, extent};
 use crate::structure::GroupKind;
 
 /// The assemblies at the first position.
 #[derive(Debug)]
-pub struct Modes {
+pub struct Assemblies {
     /// ` at pose 1 (crank = 20 deg)`, or empty.
     pub pose: String,
     /// The groups that can stand in several ways or are not driven links, in the order of solution.
-    pub groups: Vec<GroupModes>,
+    pub groups: Vec<GroupAssemblies>,
     /// Why the mechanism is not assembled, where it is not.
     pub problem: Option<SolveError>,
 }
 
 /// The assemblies of one group, the groups before it standing as `assemble` chooses, or in their first way.
 #[derive(Debug)]
-pub struct GroupModes {
+pub struct GroupAssemblies {
     /// Index into [`crate::structure::Structure::motion`].
     pub group: usize,
     /// Its assemblies.
-    pub modes: Vec<Mode>,
+    pub assemblies: Vec<AssemblyLine>,
     /// There is no proof that there are no others.
     pub searched: bool,
 }
 
 /// One assembly.
 #[derive(Debug)]
-pub struct Mode {
+pub struct AssemblyLine {
     /// The line that chooses it; none where there is no other.
     pub line: Option<String>,
     /// Its condition figure, in [0, 1].
@@ -48,13 +47,13 @@ pub struct Mode {
 ///
 /// # Errors
 /// Constructs not supported yet, requests without the speeds they need, strokes that do not exist.
-pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
-    let mut errors = refused::not_supported(scene.mechanism);
-    errors.extend(refused::missing_speeds(scene));
+pub fn assemblies(scene: &Scene<'_>) -> Result<Assemblies, Vec<SolveError>> {
+    let mut errors = not_supported(scene.mechanism);
+    errors.extend(missing_speeds(scene));
     if !errors.is_empty() {
         return Err(errors);
     }
-    let mut out = Modes { pose: String::new(), groups: Vec::new(), problem: None };
+    let mut out = Assemblies { pose: String::new(), groups: Vec::new(), problem: None };
     if scene.mechanism.links.len() < 2 {
         return Ok(out);
     }
@@ -67,29 +66,28 @@ pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
         Ok(whole) => Some(whole),
         Err(SolveError::Ambiguous { .. }) => None,
         Err(error) => {
-            out.problem = Some(super::sweep::with_pose(error, &out.pose));
+            out.problem = Some(with_pose(error, &out.pose));
             None
         }
     };
     state.start(scene.plan);
-    let extent = super::steps::extent(scene);
+    let extent = extent(scene);
     for (index, group) in scene.structure.motion.iter().enumerate() {
         let ways = every_way(scene, &mut state, index, extent);
         let Some(first) = ways.first() else {
             out.problem.get_or_insert_with(|| does_not_close(scene, state, index, &out.pose));
             break;
         };
-        let stands = whole.as_ref().map(|whole| Way::of(scene, whole, index));
-        let chosen = |way: &Way| stands.as_ref().is_some_and(|s| s.is_same(way, extent));
+        let stands = whole.as_ref().map(|whole| Assembly::of(scene, whole, index));
+        let chosen = |way: &Assembly| stands.as_ref().is_some_and(|s| s.is_same(way, extent));
         let next = ways.iter().find(|way| chosen(way)).unwrap_or(first);
         if ways.len() > 1 || group.kind != GroupKind::Driven {
-            let modes = ways.iter().zip(choosing(scene, &state, &ways, index)).map(|(way, line)| Mode {
-                line,
-                condition: way.sine.abs(),
-                chosen: chosen(way),
-            });
+            let modes = ways
+                .iter()
+                .zip(choosing(scene, &state, &ways, index))
+                .map(|(way, line)| AssemblyLine { line, condition: way.sine.abs(), chosen: chosen(way) });
             let searched = matches!(scene.plan.motion[index], crate::plan::MotionStep::General { .. });
-            out.groups.push(GroupModes { group: index, modes: modes.collect(), searched });
+            out.groups.push(GroupAssemblies { group: index, assemblies: modes.collect(), searched });
         }
         next.put(scene, &mut state, index);
     }
@@ -97,7 +95,7 @@ pub fn modes(scene: &Scene<'_>) -> Result<Modes, Vec<SolveError>> {
 }
 
 /// A line for every way; none for the only one.
-fn choosing(scene: &Scene<'_>, before: &State, ways: &[Way], index: usize) -> Vec<Option<String>> {
+fn choosing(scene: &Scene<'_>, before: &State, ways: &[Assembly], index: usize) -> Vec<Option<String>> {
     if ways.len() < 2 {
         return vec![None; ways.len()];
     }

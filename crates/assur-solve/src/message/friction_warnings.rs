@@ -1,13 +1,11 @@
 //! What is said of the friction of all positions: of each kind the first place, and how many more there are.
 
 use super::error::label;
+use super::format::place;
 use super::friction_error::FrictionError;
-use super::positions::Wanted;
-use super::solution::{PoseOrigin, Solved};
-use super::sweep::Run;
-use super::words::place;
-use crate::answer::{Locked, View};
+use crate::answer::{Locked, PoseAnswers};
 use crate::model::{FindKind, Friction, Mechanism, PairId, Value};
+use crate::position::{PoseOrigin, Scene, Wanted};
 use crate::units::{Dimension, significant};
 use miette::LabeledSpan;
 
@@ -18,62 +16,55 @@ const DIGITS: usize = 4;
 
 /// What was found so far.
 #[derive(Debug, Default)]
-pub(super) struct FrictionNotes {
+pub(crate) struct FrictionNotes {
     locked: Option<(FrictionError, usize)>,
     without_effort: Option<(FrictionError, usize)>,
     still: Vec<(PairId, String, usize)>,
 }
 
-impl Run<'_, '_> {
+impl FrictionNotes {
     /// Looks at the friction of a position.
-    pub(super) fn note_friction(&mut self, solved: &Solved, pose: &Wanted) {
-        if !self.scene.plan.effects.friction {
+    pub(crate) fn look(&mut self, scene: &Scene<'_>, view: &PoseAnswers<'_>, pose: &Wanted) {
+        if !scene.plan.effects.friction || matches!(pose.origin, PoseOrigin::Expected(_)) {
             return;
         }
-        let place = place(self.scene, pose);
-        if matches!(pose.origin, PoseOrigin::Expected(_)) {
-            return;
-        }
-        for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
+        let place = place(scene, pose);
+        for (i, pair) in scene.mechanism.pairs.iter().enumerate() {
             let (id, mut elements) =
-                (PairId::at(i), self.scene.plan.friction.iter().zip(&solved.state.forces.senses));
+                (PairId::at(i), scene.plan.friction.iter().zip(&view.state.forces.senses));
             let rubs = pair.friction.is_some_and(|f| f.is_some());
             if rubs && elements.all(|(e, sense)| e.pair != id || *sense == 0.0) {
-                match self.friction.still.iter_mut().find(|s| s.0 == id) {
+                match self.still.iter_mut().find(|s| s.0 == id) {
                     Some((_, _, more)) => *more += 1,
-                    None => self.friction.still.push((id, place.clone(), 0)),
+                    None => self.still.push((id, place.clone(), 0)),
                 }
             }
         }
-        let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
-        let view = View::new(self.scene, &solved.state, &solved.angles, &self.statics);
-        let view = View { frictionless: ideal, quantities: &solved.quantities, ..view };
         if view.efficiency() > 0.0 || view.efficiency().is_nan() || view.overcomes_friction_alone() {
             return;
         }
-        match &mut self.friction.locked {
+        match &mut self.locked {
             Some((_, more)) => *more += 1,
-            None => self.friction.locked = Some((locked(&view, &place), 0)),
+            None => self.locked = Some((locked(view, &place), 0)),
         }
-        if !solved.state.forces.locked {
+        if !view.state.forces.locked {
             return;
         }
-        match &mut self.friction.without_effort {
+        match &mut self.without_effort {
             Some((_, more)) => *more += 1,
-            None => self.friction.without_effort = without_effort(&view, &place).map(|e| (e, 0)),
+            None => self.without_effort = without_effort(view, &place).map(|e| (e, 0)),
         }
     }
 
     /// All that is to be said of friction.
-    pub(super) fn friction_problems(&mut self) -> Vec<FrictionError> {
-        let notes = std::mem::take(&mut self.friction);
+    pub(crate) fn problems(self, mechanism: &Mechanism) -> Vec<FrictionError> {
         let mut all = Vec::new();
-        for (id, pose, more) in notes.still {
-            let pair = self.scene.mechanism.pair(id);
+        for (id, pose, more) in self.still {
+            let pair = mechanism.pair(id);
             let (pair, span) = (pair.name.clone(), pair.span.into());
             all.push(FrictionError::NoSliding { pair, pose, more: and_more(more), span });
         }
-        for (mut error, count) in notes.locked.into_iter().chain(notes.without_effort) {
+        for (mut error, count) in self.locked.into_iter().chain(self.without_effort) {
             if let FrictionError::Locked { more, .. } | FrictionError::NoEffort { more, .. } = &mut error {
                 *more = and_more(count);
             }
@@ -91,9 +82,8 @@ fn and_more(count: usize) -> String {
     }
 }
 
-fn locked(view: &View<'_>, place: &str) -> FrictionError {
-    let scene =
-        crate::position::Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
+fn locked(view: &PoseAnswers<'_>, place: &str) -> FrictionError {
+    let scene = Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
     let mechanism = view.mechanism;
     let ideal = view.without_friction().power_of_efforts();
     let position = Locked { scene: &scene, state: view.state, ideal };
@@ -174,7 +164,7 @@ fn limit_of_given(mechanism: &Mechanism, name: &str, critical: f64) -> Option<St
 }
 
 /// What the file asks for that does not exist at a locked position.
-fn without_effort(view: &View<'_>, place: &str) -> Option<FrictionError> {
+fn without_effort(view: &PoseAnswers<'_>, place: &str) -> Option<FrictionError> {
     let missing = |kind: &FindKind| match kind {
         FindKind::Reactions => true,
         FindKind::Table(_) => false,

@@ -1,6 +1,6 @@
 //! By how much a group does not close, in words.
 
-use super::words::{body, hinge, length};
+use super::format::{body, hinge, length};
 use crate::group::triad::{Miss, gap};
 use crate::group::{Gap, rpr, rrp, rrr};
 use crate::math::Vec2;
@@ -10,7 +10,7 @@ use crate::position::{Scene, State};
 use crate::structure::GroupJoint;
 
 /// The gap with its numbers and points, and what would close it.
-pub(super) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (String, String) {
+pub(crate) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (String, String) {
     let group = &scene.structure.motion[index];
     let name = |i: usize| hinge(scene, scene.structure.replaced.joint(group.joints[i].joint));
     let mm = &|x: f64| length(scene, x);

@@ -2,13 +2,13 @@
 
 use super::cycle::loads_name_quantities;
 use super::inputs::Rates;
-use super::solution::{Pose, PoseOrigin, Solution, Solved};
+use super::solution::{Pose, Solution, Solved};
 use super::steps::step_before;
 use super::track::Tracker;
-use crate::answer::{Statics, balanced};
+use crate::answer::{WholeCycle, balanced};
 use crate::model::{LoadId, Value};
 use crate::plan::Plan;
-use crate::position::{BodyState, Branch, DriveInput, Scene, State};
+use crate::position::{BodyState, Branch, DriveInput, PoseOrigin, Scene, State};
 use crate::reference::{Reference, reference};
 
 /// Where a position is come from, and what it is asked for.
@@ -22,16 +22,16 @@ struct Start {
 
 /// Positions of a solved file, to be solved again.
 #[derive(Debug)]
-pub struct Again<'a> {
+pub struct Replay<'a> {
     scene: Scene<'a>,
-    statics: &'a Statics,
+    statics: &'a WholeCycle,
     starts: Vec<Start>,
     state: State,
     evaluated: Vec<(LoadId, Value)>,
     quantities: bool,
 }
 
-impl<'a> Again<'a> {
+impl<'a> Replay<'a> {
     /// The positions of a solution that have an answer, `most` of them, evenly spread.
     #[must_use]
     pub fn new(scene: &Scene<'a>, solution: &'a Solution, most: usize) -> Self {

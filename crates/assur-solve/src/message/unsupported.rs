@@ -1,18 +1,18 @@
 //! What is asked for that cannot be answered at any position.
 
+use super::error::{SolveError, label};
+use super::format::{four, short};
 use crate::answer::every_query;
+use crate::position::Scene;
 use miette::LabeledSpan;
 
-use super::error::{SolveError, label};
-use super::words::{four, short};
 use crate::model::{Drive, DriveTarget, Expr, Mechanism, PairKind, Positions, Value};
 use crate::plan::{Level, contact_in, is_follower};
-use crate::position::Scene;
 use crate::source::Span;
 use crate::structure::GroupKind;
 
 /// Constructs that are understood and cannot be solved yet, each kind once.
-pub(super) fn not_supported(mechanism: &Mechanism) -> Vec<SolveError> {
+pub(crate) fn not_supported(mechanism: &Mechanism) -> Vec<SolveError> {
     let mut kinds: Vec<(&str, Vec<LabeledSpan>)> = Vec::new();
     for unsupported in &mechanism.unsupported {
         let mark = label("not supported yet", unsupported.span);
@@ -28,7 +28,7 @@ pub(super) fn not_supported(mechanism: &Mechanism) -> Vec<SolveError> {
 }
 
 /// Contacts of designed cams that do not move their follower, or carry forces in a way that no step knows.
-pub(super) fn cams(scene: &Scene<'_>) -> Vec<SolveError> {
+pub(crate) fn cams(scene: &Scene<'_>) -> Vec<SolveError> {
     let (mechanism, structure) = (scene.mechanism, scene.structure);
     let mut found = Vec::new();
     let mut refuse = |pair: crate::model::PairId, what: &str| {
@@ -55,7 +55,7 @@ pub(super) fn cams(scene: &Scene<'_>) -> Vec<SolveError> {
 }
 
 /// Velocities and accelerations of a mechanism whose drives have no speed.
-pub(super) fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
+pub(crate) fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
     let (mechanism, effects) = (scene.mechanism, scene.plan.effects);
     let allowed = match (effects.moving, effects.timed) {
         (_, true) => return None,
@@ -104,7 +104,7 @@ pub(super) fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
 }
 
 /// Dampers and loads that hang on speeds, while no drive has one: what is to be said of them.
-pub(super) fn unit_speeds(scene: &Scene<'_>) -> Option<SolveError> {
+pub(crate) fn unit_speeds(scene: &Scene<'_>) -> Option<SolveError> {
     let (mechanism, effects) = (scene.mechanism, scene.plan.effects);
     let drive = mechanism.drives.first().filter(|_| effects.forces && !effects.timed)?;
     let (written, speed) = written(mechanism, drive);

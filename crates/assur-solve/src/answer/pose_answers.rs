@@ -1,6 +1,6 @@
 //! Answers questions about one position: from the state of the bodies to the results of the language.
 
-use super::whole_cycle::Statics;
+use super::whole_cycle::WholeCycle;
 use crate::math::Vec2;
 use crate::model::{LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
 use crate::plan::Plan;
@@ -9,7 +9,7 @@ use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
 
 /// One position, seen from the language. Angles of bodies are those followed over the sweep, by body slot.
 #[derive(Clone, Copy)]
-pub struct View<'a> {
+pub struct PoseAnswers<'a> {
     /// The mechanism.
     pub mechanism: &'a Mechanism,
     /// Its structure.
@@ -21,7 +21,7 @@ pub struct View<'a> {
     /// Angles of the bodies, continuous, rad.
     pub angles: &'a [f64],
     /// What needs no position: dead positions, strokes.
-    pub statics: &'a Statics,
+    pub statics: &'a WholeCycle,
     /// Values of the file's quantities as far as they are known, in the order of the mechanism's.
     pub quantities: &'a [Value],
     /// The same position without friction and its quantities, where the file declares any.
@@ -30,10 +30,10 @@ pub struct View<'a> {
 
 pub(super) const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
 
-impl<'a> View<'a> {
+impl<'a> PoseAnswers<'a> {
     /// A state seen from the language.
     #[must_use]
-    pub fn new(scene: &Scene<'a>, state: &'a State, angles: &'a [f64], statics: &'a Statics) -> Self {
+    pub fn new(scene: &Scene<'a>, state: &'a State, angles: &'a [f64], statics: &'a WholeCycle) -> Self {
         Self {
             mechanism: scene.mechanism,
             structure: scene.structure,
@@ -48,7 +48,7 @@ impl<'a> View<'a> {
 
     /// Of a position alone: without angles, and nothing known that needs no position.
     pub(crate) fn bare(scene: &Scene<'a>, state: &'a State) -> Self {
-        static NOTHING: Statics = Statics::EMPTY;
+        static NOTHING: WholeCycle = WholeCycle::EMPTY;
         Self::new(scene, state, &[], &NOTHING)
     }
 
@@ -58,14 +58,14 @@ impl<'a> View<'a> {
     pub fn all_quantities(&self) -> Vec<Value> {
         let mut done = Vec::with_capacity(self.mechanism.quantities.len());
         for quantity in &self.mechanism.quantities {
-            let value = View { quantities: &done, ..*self }.value(&quantity.expr);
+            let value = PoseAnswers { quantities: &done, ..*self }.value(&quantity.expr);
             done.push(value);
         }
         done
     }
 }
 
-impl View<'_> {
+impl PoseAnswers<'_> {
     /// The value of a quantity of the file at this position; NaN where it is not known yet.
     #[must_use]
     pub fn quantity(&self, id: QuantityId) -> Value {

@@ -6,7 +6,7 @@ use crate::model::{About, LinkId, PairId, PairKind, PointRef, Query};
 use crate::position::Scene;
 
 /// Angles, rates and points of rollers that hang on a rotation which is set aside.
-pub(super) fn free_rollers(scene: &Scene<'_>) -> Option<SolveError> {
+pub(crate) fn free_rollers(scene: &Scene<'_>) -> Option<SolveError> {
     let mut asked = Vec::new();
     every_query(scene.mechanism, &mut |query, span| {
         if let Some(roller) = scene.structure.passive.iter().find(|&&roller| hangs_on(scene, query, roller)) {

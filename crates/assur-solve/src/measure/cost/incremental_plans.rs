@@ -75,13 +75,13 @@ type Counts = fn(&LoadStep) -> Option<LoadStep>;
 
 /// Without forces: weights, then inertia forces, springs, given loads.
 fn loads(plan: &Plan) -> Vec<(&'static str, Plan)> {
-    let ladder: [(bool, &'static str, Counts); 4] = [
+    let row: [(bool, &'static str, Counts); 4] = [
         (plan.effects.gravity, "gravity", weights),
         (plan.effects.inertia, "inertia", masses),
         (plan.effects.springs, "springs", masses_and_springs),
         (plan.loads.iter().any(given), "loads", |load| Some(load.clone())),
     ];
-    let there = ladder.into_iter().filter(|(is_there, ..)| *is_there);
+    let there = row.into_iter().filter(|(is_there, ..)| *is_there);
     there.map(|(_, name, counts)| (name, without_losses(loaded(plan, counts, 0)))).collect()
 }
 
@@ -107,20 +107,20 @@ fn masses_and_springs(load: &LoadStep) -> Option<LoadStep> {
 
 /// Reactions without losses, then friction in the pairs, then losses of transmissions.
 fn forces(plan: &Plan) -> Vec<(&'static str, Plan)> {
-    let mut ladder = vec![("reactions", without_losses(plan.clone()))];
+    let mut row = vec![("reactions", without_losses(plan.clone()))];
     if plan.effects.friction {
-        ladder.push(("friction", without_efficiencies(plan.clone())));
+        row.push(("friction", without_efficiencies(plan.clone())));
     }
     if plan.effects.losses {
-        ladder.push(("losses", plan.clone()));
+        row.push(("losses", plan.clone()));
     }
-    ladder
+    row
 }
 
 /// The plan with the steps that its groups have without friction.
 fn without_losses(mut plan: Plan) -> Plan {
     for step in &mut plan.forces {
-        if let ForceStep::Rubbing { plain, .. } = step {
+        if let ForceStep::Friction { plain, .. } = step {
             *step = (**plain).clone();
         }
     }

@@ -1,0 +1,57 @@
+//! Why something over the sweep has no value.
+
+/// Why a function over the sweep has no value; places are shares of the sweep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Undefined {
+    /// It has none at this place.
+    At(f64),
+    /// Friction locks the mechanism there.
+    Locked(f64),
+    /// The mechanism does not close there.
+    Open(f64),
+    /// It changes too often.
+    Unresolved,
+}
+
+/// Why a coordinate has no extremes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoExtreme {
+    /// The one drive slides.
+    Slides,
+    /// There are several drives, or none.
+    Drives,
+    /// The drive cannot turn fully; the last value, rad, at which the mechanism closes.
+    NoTurn(Option<f64>),
+    /// It does not go to and fro.
+    Monotonic,
+}
+
+/// Why there is no sweep to take a function over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoSweep {
+    /// The file has one position.
+    OnePosition,
+    /// It is too long.
+    TooLong,
+    /// The positions of this drive are listed out of order.
+    Unordered(usize),
+}
+
+/// Why a flywheel cannot be found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoFlywheel {
+    /// One of several efforts is to be named.
+    Efforts,
+    /// There are several drives, or none.
+    Drives,
+    /// The drive does not go through whole turns; how many, where it turns.
+    NoCycle(Option<f64>),
+    /// The drive stands still.
+    StandsStill,
+    /// The drive has no speed.
+    NeedsSpeed,
+    /// The shaft over the drive: least and greatest ratio.
+    Uneven([f64; 2]),
+    /// What it evens out has no value.
+    Undefined(Undefined),
+}

@@ -1,0 +1,176 @@
+//! What is said of results over the sweep that do not exist.
+
+use super::error::{SolveError, label};
+use super::format::{four, short, with_unit};
+use crate::answer::{NoExtreme, NoFlywheel, NoSweep, Undefined};
+use crate::model::{Flywheel, Pair};
+use crate::position::{Scene, turns};
+use crate::units::Dimension;
+use miette::LabeledSpan;
+
+/// Why a function has no value; `value` is that of the first drive at a place of the sweep.
+pub(crate) fn undefined(scene: &Scene<'_>, why: Undefined, value: impl Fn(f64) -> f64) -> String {
+    let place = |s: f64| match scene.mechanism.drives.as_slice() {
+        [drive] if turns(scene, drive) => {
+            format!(" at {} = {} deg", drive.name, short(value(s).to_degrees()))
+        }
+        [drive] => format!(" at {} = {} mm", drive.name, four(value(s) * 1e3)),
+        _ => format!(" at {} % of the sweep", short(100.0 * s)),
+    };
+    match why {
+        Undefined::At(s) => format!("the quantity has no value{}", place(s)),
+        Undefined::Locked(s) => format!("friction locks the mechanism{}", place(s)),
+        Undefined::Open(s) => format!("the mechanism does not close{}", place(s)),
+        Undefined::Unresolved => "the quantity changes too often over the sweep".to_owned(),
+    }
+}
+
+/// The extremes of a pair do not exist; `what` asks for them.
+pub(crate) fn no_extreme(scene: &Scene<'_>, pair: &Pair, what: String, reason: NoExtreme) -> SolveError {
+    let drives = &scene.mechanism.drives;
+    let name = drives.first().map_or("", |d| d.name.as_str());
+    let mut labels = vec![label("this pair", pair.span)];
+    let mut mark = |text: &str| labels.extend(drives.iter().map(|d| label(text, d.span)));
+    let (why, help) = match reason {
+        NoExtreme::Slides => {
+            mark("slides");
+            (
+                format!("it takes a drive that turns, and `{name}` slides"),
+                "drive the crank; the extremes of what moves to and fro are found over its turn",
+            )
+        }
+        NoExtreme::Drives => {
+            mark("one of the drives");
+            (
+                format!("it takes one drive that turns, and there are {}", drives.len()),
+                "the extremes of a coordinate over one turn are not defined where several drives move it",
+            )
+        }
+        NoExtreme::NoTurn(limit) => {
+            mark("does not turn fully");
+            let at = limit
+                .map_or_else(|| "at 0 deg".to_owned(), |x| format!("beyond {} deg", four(x.to_degrees())));
+            (
+                format!("`{name}` cannot turn fully, the mechanism does not close {at}"),
+                "give the positions as numbers, or lengths with which the shortest link turns fully",
+            )
+        }
+        NoExtreme::Monotonic => (
+            format!("the coordinate of `{}` does not go to and fro", pair.name),
+            "name the pair of a link that swings or slides between two ends",
+        ),
+    };
+    SolveError::NoExtreme { what, why, help: help.to_owned(), labels }
+}
+
+/// There is no sweep to take functions over.
+pub(crate) fn no_sweep(scene: &Scene<'_>, reason: NoSweep) -> SolveError {
+    let drives = &scene.mechanism.drives;
+    let drive = drives.first();
+    let turning = |which: &[_]| matches!(which, [drive] if turns(scene, drive));
+    let mut labels = asked(scene);
+    let (why, help) = match reason {
+        NoSweep::OnePosition => {
+            labels.extend(drive.map(|d| label("one position", d.span)));
+            let (name, range) = match drive {
+                Some(d) if turns(scene, d) => (d.name.as_str(), "0 deg .. 360 deg in 12 steps"),
+                Some(d) => (d.name.as_str(), "0 mm .. 200 mm in 10 steps"),
+                None => ("crank", "0 deg .. 360 deg in 12 steps"),
+            };
+            ("the file has one position".to_owned(), format!("let the drive sweep: `drive {name} = {range}`"))
+        }
+        NoSweep::TooLong => {
+            labels.extend(drives.iter().map(|d| label("swept that far", d.span)));
+            let (most, help) = if turning(drives) {
+                ("111 turns", "look at the unit, or sweep over one cycle: `0 deg .. 360 deg in 12 steps`")
+            } else {
+                ("400 times the length of the mechanism", "look at the unit, or sweep over less")
+            };
+            (format!("the sweep is longer than {most}"), help.to_owned())
+        }
+        NoSweep::Unordered(drive) => {
+            labels.push(label("listed positions", drives[drive].span));
+            let help = "list the values of one drive in their order, or write a range: `0 deg .. 360 deg in 12 steps`";
+            ("the listed positions are no way from a first value to a last".to_owned(), help.to_owned())
+        }
+    };
+    SolveError::NoSweep { why, help, labels }
+}
+
+/// The functions that need a sweep.
+fn asked(scene: &Scene<'_>) -> Vec<LabeledSpan> {
+    let mechanism = scene.mechanism;
+    let cycles = mechanism.cycles.iter().map(|c| label("taken over the sweep", c.span));
+    let flywheels = mechanism.flywheels.iter().map(|f| label("found over a cycle", f.span));
+    cycles.chain(flywheels).collect()
+}
+
+/// A flywheel cannot be found; `value` is that of the first drive at a place of the sweep.
+pub(crate) fn no_flywheel(
+    scene: &Scene<'_>,
+    wheel: &Flywheel,
+    reason: NoFlywheel,
+    value: impl Fn(f64) -> f64,
+) -> SolveError {
+    let drives = &scene.mechanism.drives;
+    let name = drives.first().map_or("", |d| d.name.as_str());
+    let (why, help) = match reason {
+        NoFlywheel::NeedsSpeed => return flywheel_needs_speed(scene, wheel),
+        NoFlywheel::Efforts => (
+            "nothing says which of several efforts it evens out".to_owned(),
+            "name it: `flywheel J on crank for Mb { … }`".to_owned(),
+        ),
+        NoFlywheel::Drives => (
+            format!("it takes one drive, and there are {}", drives.len()),
+            "let one crank drive the mechanism".to_owned(),
+        ),
+        NoFlywheel::NoCycle(turns) => {
+            let why = match turns {
+                Some(turns) => format!("`{name}` sweeps over {} turns, no whole cycle", short(turns)),
+                None => format!("`{name}` does not turn"),
+            };
+            (why, format!("sweep over whole turns: `drive {name} = 0 deg .. 360 deg in 12 steps`"))
+        }
+        NoFlywheel::StandsStill => {
+            (format!("`{name}` stands still"), "give the drive its mean speed".to_owned())
+        }
+        NoFlywheel::Uneven([least, greatest]) => {
+            let shaft = &scene.mechanism.link(wheel.on).name;
+            let range = format!("its speed over the drive's goes from {} to {}", four(least), four(greatest));
+            (
+                format!("`{shaft}` does not turn evenly with the drive: {range}"),
+                "put it on the crank, or on a shaft that turns in constant ratio".to_owned(),
+            )
+        }
+        NoFlywheel::Undefined(why) => (
+            undefined(scene, why, value),
+            "look at the poses there: `assur solve` says what is wrong with each".to_owned(),
+        ),
+    };
+    let mut labels = vec![label("this flywheel", wheel.span)];
+    labels.extend(drives.iter().map(|d| label("drive", d.span)));
+    SolveError::NoFlywheel { name: wheel.name.clone(), why, help, labels }
+}
+
+fn flywheel_needs_speed(scene: &Scene<'_>, wheel: &Flywheel) -> SolveError {
+    let mut labels = vec![label("needed here", wheel.span)];
+    labels.extend(scene.mechanism.drives.iter().map(|d| label("without a speed", d.span)));
+    SolveError::NeedsSpeed {
+        what: "the mean speed of a flywheel",
+        needs: "a speed",
+        help:
+            "write `at 80 rpm` behind the drive, or `turning ccw` and `speed 80 rpm` in the flywheel's braces"
+                .to_owned(),
+        labels,
+    }
+}
+
+/// The links alone, of this reduced moment of inertia, run as evenly as `needed` would make them.
+pub(crate) fn needless_flywheel(scene: &Scene<'_>, wheel: &Flywheel, have: f64, needed: f64) -> SolveError {
+    SolveError::NeedlessFlywheel {
+        name: wheel.name.clone(),
+        have: with_unit(scene, have, Dimension::INERTIA),
+        needed: with_unit(scene, needed, Dimension::INERTIA),
+        span: wheel.span.into(),
+    }
+}

@@ -1,0 +1,11 @@
+//! A position too far from the one before.
+
+use super::error::{SolveError, label};
+use super::format::place;
+use crate::position::{Scene, Wanted};
+
+/// The way to a position is too long to be followed.
+pub(crate) fn too_far(scene: &Scene<'_>, pose: &Wanted) -> SolveError {
+    let labels = scene.mechanism.drives.iter().map(|d| label("driven that far", d.span)).collect();
+    SolveError::WayTooLong { pose: place(scene, pose), labels }
+}

@@ -1,0 +1,91 @@
+//! Friction in the joints of a group.
+
+use super::joint::Guide;
+use crate::model::{PairId, ProfileShape};
+
+/// Friction in one joint: an effort that opposes the relative motion, in proportion to the reaction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrictionElement {
+    /// The pair.
+    pub pair: PairId,
+    /// Slot of the body the effort is counted on.
+    pub body: usize,
+    /// Slot of the other body.
+    pub base: usize,
+    /// Slot of the body through which the effort reaches `body`: the block that stands for a pin in a slot, or `body`
+    /// itself. The link of the pin may have been solved before the block.
+    pub through: usize,
+    /// Slot of the reaction.
+    pub slot: usize,
+    /// The law.
+    pub kind: FrictionLaw,
+    /// Hinge of several links that its own link does not carry: the force on `body` is the sum of these reactions, a range
+    /// of [`super::Plan::pin_slots`], instead of the one in `slot`.
+    pub pin: Option<(usize, usize)>,
+}
+
+/// Laws of friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FrictionLaw {
+    /// A torque ρ |f| about a hinge.
+    Circle {
+        /// Radius of the friction circle, m.
+        radius: f64,
+    },
+    /// A force f |N| along a guide.
+    Guide {
+        /// Equivalent coefficient.
+        coefficient: f64,
+        /// The guide.
+        way: Guide,
+    },
+    /// A force f (|N_1| + |N_2|) along a guide with two contact points.
+    BothEnds {
+        /// Coefficient.
+        coefficient: f64,
+        /// The guide.
+        way: Guide,
+        /// Coordinates of the contact points relative to the pair's point, m.
+        contacts: [f64; 2],
+    },
+    /// A force f |N| along the tangent of a contact, or along a slot. `slot` holds the normal force.
+    Contact {
+        /// Coefficient.
+        coefficient: f64,
+        /// The profile on `body`.
+        first: ProfileShape,
+        /// The profile on `base`.
+        second: ProfileShape,
+        /// One circle lies inside the other.
+        internal: bool,
+    },
+}
+
+impl FrictionLaw {
+    /// The law with its radius or coefficient multiplied.
+    #[must_use]
+    pub const fn scaled(mut self, by: f64) -> Self {
+        match &mut self {
+            Self::Circle { radius: factor }
+            | Self::Guide { coefficient: factor, .. }
+            | Self::BothEnds { coefficient: factor, .. }
+            | Self::Contact { coefficient: factor, .. } => *factor *= by,
+        }
+        self
+    }
+}
+
+/// The bodies whose loads a group's step reads or changes, and the elements inside it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrictionGroup {
+    /// Slots of the group's bodies.
+    pub bodies: Vec<usize>,
+    /// Slots of the bodies that carry it.
+    pub bases: Vec<usize>,
+    /// Its elements: indices into [`super::Plan::friction`].
+    pub elements: Vec<usize>,
+    /// Slots of its reactions.
+    pub slots: Vec<usize>,
+    /// The elements in its joints, where the laws reduce to the force in the inner hinge of a dyad, or to nothing unknown.
+    pub reduced: Option<[Option<usize>; 3]>,
+}

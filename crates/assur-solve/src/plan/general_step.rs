@@ -1,0 +1,72 @@
+//! Groups that have no closed form.
+
+use super::joint::{Guide, Hinge};
+use crate::group::general::General;
+
+/// A group of motion. Bodies are slots: those of the group first, then those of known motion that it hangs on.
+#[derive(Clone, Debug)]
+pub struct GeneralMotion {
+    /// Slots of the bodies.
+    pub bodies: Vec<usize>,
+    /// How many of them belong to the group.
+    pub moving: usize,
+    /// The equations with their memory; `None` where there are not as many as unknowns.
+    pub equations: Option<General>,
+    /// Constraints that a drive sets: index, slot of the drive.
+    pub driven: Vec<(usize, usize)>,
+    /// Constraints of round profiles: index and radius, m.
+    pub round: Vec<(usize, f64)>,
+}
+
+/// A group of forces.
+#[derive(Clone, Debug)]
+pub struct BalanceSystem {
+    /// Slots of the bodies: those of the group first.
+    pub bodies: Vec<usize>,
+    /// How many of them belong to the group.
+    pub moving: usize,
+    /// The equations with their memory; `None` where there are not as many as unknowns.
+    pub equations: Option<General>,
+    /// What each constraint gives, in their order.
+    pub unknowns: Vec<UnknownForce>,
+    /// Constraints along the lines of unknown forces: index, slot of the effort.
+    pub lines: Vec<(usize, usize)>,
+    /// Angles in which unknown torques act: any position satisfies them.
+    pub torques: Vec<usize>,
+}
+
+/// What the force in a constraint is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum UnknownForce {
+    /// The force in a revolute, two numbers: slot.
+    Hinge {
+        /// Slot of the reaction.
+        slot: usize,
+        /// The hinge.
+        hinge: Hinge,
+    },
+    /// The couple of a prismatic joint on its slider.
+    Couple(Guide),
+    /// The normal force of a prismatic joint on its slider.
+    Normal(Guide),
+    /// A torque of `base` on `body`: slot of the effort.
+    Torque {
+        /// Slot of the effort.
+        effort: usize,
+        /// The body.
+        body: usize,
+        /// The other body.
+        base: usize,
+    },
+    /// A force on the slider of a prismatic joint along its line.
+    Along {
+        /// Slot of the effort.
+        effort: usize,
+        /// The joint.
+        way: Guide,
+    },
+    /// A force on a body along the line of an effort: its slot.
+    Line(usize),
+    /// A torque that holds a passive freedom: nothing.
+    Passive,
+}

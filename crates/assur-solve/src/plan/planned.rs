@@ -1,0 +1,111 @@
+//! The plan: flat lists of steps with slots.
+
+use super::cam_step::CamStep;
+use super::effects::Effects;
+use super::force_step::ForceStep;
+use super::friction_step::FrictionElement;
+use super::general_step::{BalanceSystem, GeneralMotion};
+use super::load_step::{ForceLine, LoadStep};
+use super::settings::Settings;
+use super::step::MotionStep;
+use super::train_step::{PlannedLaw, TrainForces, TrainMotion};
+use crate::math::Vec2;
+use crate::structure::{BodyOrigin, GroupJoint, Structure};
+
+/// What is done at every position, in this order: motion, loads, forces.
+#[derive(Clone, Debug, Default)]
+pub struct Plan {
+    /// Number of bodies, imaginary ones among them.
+    pub bodies: usize,
+    /// Number of drives.
+    pub drives: usize,
+    /// Bodies driven at a point: slot, the point in the body's frame (m), slot of the drive.
+    pub outer: Vec<(usize, Vec2, usize)>,
+    /// Steps of motion.
+    pub motion: Vec<MotionStep>,
+    /// Followers of designed cams.
+    pub cams: Vec<CamStep>,
+    /// Number of contacts of designed cams.
+    pub cam_contacts: usize,
+    /// Problems of the general steps.
+    pub general: Vec<GeneralMotion>,
+    /// Train groups of motion.
+    pub trains: Vec<TrainMotion>,
+    /// Slots of the bodies that turn in train groups: their angles count whole turns.
+    pub turning: Vec<usize>,
+    /// All laws of transmissions.
+    pub laws: Vec<PlannedLaw>,
+    /// Train groups of forces.
+    pub train_forces: Vec<TrainForces>,
+    /// Bodies without mass that something may act on: they start without load.
+    pub massless: Vec<usize>,
+    /// Steps that add loads to the bodies.
+    pub loads: Vec<LoadStep>,
+    /// Lines of unknown forces.
+    pub lines: Vec<ForceLine>,
+    /// Steps of forces.
+    pub forces: Vec<ForceStep>,
+    /// Systems of the general steps of forces.
+    pub balance_systems: Vec<BalanceSystem>,
+    /// The joint of every reaction slot.
+    pub reactions: Vec<GroupJoint>,
+    /// What rubs, group by group.
+    pub friction: Vec<FrictionElement>,
+    /// Slots of reactions with their signs: what presses on a link in a hinge of several, see [`FrictionElement::pin`].
+    pub pin_slots: Vec<(usize, f64)>,
+    /// Number of unknown efforts.
+    pub efforts: usize,
+    /// What is computed.
+    pub effects: Effects,
+    /// How accurately.
+    pub settings: Settings,
+}
+
+impl Plan {
+    /// Whether every step has a closed form and every load is a number, so that several positions go side by side.
+    #[must_use]
+    pub fn laned(&self) -> bool {
+        let closed = |step: &ForceStep| {
+            !matches!(
+                step,
+                ForceStep::Triad(_)
+                    | ForceStep::General { .. }
+                    | ForceStep::Sequence(_)
+                    | ForceStep::Friction { .. }
+            )
+        };
+        let followed = |step: &MotionStep| matches!(step, MotionStep::Triad { .. });
+        self.general.is_empty()
+            && !self.motion.iter().any(followed)
+            && self.cams.is_empty()
+            && self.laws.is_empty()
+            && self.forces.iter().all(closed)
+            && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
+    }
+
+    /// What [`Plan::massless`] is for the loads and forces planned. The closed forms do not ask what the ground carries: where
+    /// all is closed it is among them only if a load acts on it.
+    pub(crate) fn find_massless(&self) -> Vec<usize> {
+        let asked =
+            |slot: usize| slot > 0 || !self.laned() || self.loads.iter().any(|load| load.acts_on(slot));
+        let heavy = |slot: usize| {
+            self.loads.iter().any(|l| matches!(l, LoadStep::Mass { body, .. } if *body == slot))
+        };
+        (0..self.bodies).filter(|&slot| !heavy(slot) && asked(slot)).collect()
+    }
+
+    /// Whether a step of motion starts from where its bodies stand.
+    #[must_use]
+    pub fn goes_on(&self) -> bool {
+        let goes_on = |step: &MotionStep| {
+            matches!(step, MotionStep::Triad { .. } | MotionStep::Train { .. } | MotionStep::General { .. })
+        };
+        self.motion.iter().any(goes_on)
+    }
+
+    /// Whether a body replaces a higher pair.
+    #[must_use]
+    pub fn is_imaginary(structure: &Structure, body: usize) -> bool {
+        matches!(structure.replaced.bodies[body].origin, BodyOrigin::Imaginary(_))
+    }
+}
