@@ -1,32 +1,159 @@
-//! Small dense linear systems, solved in place with their condition.
+//! Small dense linear systems in `f64`: the one elimination, by nalgebra on memory taken once, and its condition beside.
 
-/// A square matrix with row-scaled LU factors beside it. All memory is taken once.
+use nalgebra::{DMatrix, DVector};
+
+/// A square matrix and, in its place, its LU factors with partial pivoting. All memory is taken once.
+#[derive(Clone, Debug)]
+pub struct Lu {
+    /// The matrix; the factors after [`Lu::factor`].
+    factors: DMatrix<f64>,
+    /// Row of the matrix that each row of the factors came from.
+    order: Vec<usize>,
+    sign: f64,
+    scratch: DVector<f64>,
+}
+
+impl Lu {
+    /// The null matrix of order `n`.
+    #[must_use]
+    pub fn new(n: usize) -> Self {
+        Self { factors: DMatrix::zeros(n, n), order: (0..n).collect(), sign: 0.0, scratch: DVector::zeros(n) }
+    }
+
+    /// Order of the matrix.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.order.len()
+    }
+
+    /// Element in row `i`, column `j`, to be written. Before the next [`Lu::factor`] every element must be.
+    pub fn at_mut(&mut self, i: usize, j: usize) -> &mut f64 {
+        &mut self.factors[(i, j)]
+    }
+
+    /// Writes row `i`.
+    pub fn set_row(&mut self, i: usize, row: impl Iterator<Item = f64>) {
+        self.factors.row_mut(i).iter_mut().zip(row).for_each(|(slot, x)| *slot = x);
+    }
+
+    /// Sets every element to zero.
+    pub fn clear(&mut self) {
+        self.factors.fill(0.0);
+    }
+
+    /// Factors the matrix in place; `false` when a pivot is zero or not finite.
+    pub fn factor(&mut self) -> bool {
+        self.sign = 0.0;
+        self.order.iter_mut().enumerate().for_each(|(i, row)| *row = i);
+        let mut sign = 1.0;
+        for k in 0..self.order() {
+            let pivot = k + self.factors.view_range(k.., k).icamax();
+            if pivot != k {
+                self.order.swap(k, pivot);
+                self.factors.swap_rows(k, pivot);
+                sign = -sign;
+            }
+            let diagonal = self.factors[(k, k)];
+            if diagonal == 0.0 || !diagonal.is_finite() {
+                return false;
+            }
+            sign *= diagonal.signum();
+            let (mut left, mut right) = self.factors.columns_range_pair_mut(k, k + 1..);
+            let mut ratios = left.rows_range_mut(k + 1..);
+            ratios /= diagonal;
+            for mut column in right.column_iter_mut() {
+                let (top, mut below) = column.rows_range_pair_mut(k, k + 1..);
+                below.axpy(-top[0], &ratios, 1.0);
+            }
+        }
+        self.sign = sign;
+        true
+    }
+
+    /// Sign of the determinant of what was factored; 0 when it could not be.
+    #[must_use]
+    pub fn sign(&self) -> f64 {
+        self.sign
+    }
+
+    /// The least magnitude of a pivot, after [`Lu::factor`].
+    #[must_use]
+    pub fn least_pivot(&self) -> f64 {
+        (0..self.order()).fold(f64::INFINITY, |least, i| least.min(self.factors[(i, i)].abs()))
+    }
+
+    /// Solves A x = b in place, after [`Lu::factor`]. Products are added by rising column: positions near a dead one depend
+    /// on the order.
+    pub fn solve(&mut self, b: &mut [f64]) {
+        let n = self.order();
+        let (factors, x) = (self.factors.as_slice(), self.scratch.as_mut_slice());
+        for i in 0..n {
+            let known: f64 = (0..i).map(|j| factors[j * n + i] * x[j]).sum();
+            x[i] = b[self.order[i]] - known;
+        }
+        for i in (0..n).rev() {
+            let known: f64 = (i + 1..n).map(|j| factors[j * n + i] * x[j]).sum();
+            x[i] = (x[i] - known) / factors[i * n + i];
+        }
+        b.copy_from_slice(x);
+    }
+
+    /// Solves Aᵀ x = b in place, after [`Lu::factor`].
+    pub fn solve_transposed(&mut self, b: &mut [f64]) {
+        let n = self.order();
+        let (factors, x) = (self.factors.as_slice(), self.scratch.as_mut_slice());
+        for i in 0..n {
+            let column = &factors[i * n..][..n];
+            let known: f64 = column[..i].iter().zip(&*x).map(|(a, x)| a * x).sum();
+            x[i] = (b[i] - known) / column[i];
+        }
+        for i in (0..n).rev() {
+            let column = &factors[i * n..][..n];
+            let known: f64 = column[i + 1..].iter().zip(&x[i + 1..]).map(|(a, x)| a * x).sum();
+            x[i] -= known;
+        }
+        for (x, &row) in self.scratch.iter().zip(&self.order) {
+            b[row] = *x;
+        }
+    }
+
+    /// Adds the magnitudes in each row of the inverse to `sums`, after [`Lu::factor`].
+    fn add_inverse_rows(&mut self, sums: &mut [f64]) {
+        for k in 0..self.order() {
+            self.scratch.fill(0.0);
+            self.scratch[k] = 1.0;
+            // nothing comes before the k-th
+            let lower = self.factors.view_range(k.., k..);
+            let _ = lower.solve_lower_triangular_with_diag_mut(&mut self.scratch.rows_range_mut(k..), 1.0);
+            let _ = self.factors.solve_upper_triangular_mut(&mut self.scratch);
+            for (sum, x) in sums.iter_mut().zip(self.scratch.iter()) {
+                *sum += x.abs();
+            }
+        }
+    }
+}
+
+impl Default for Lu {
+    fn default() -> Self {
+        Self::new(0)
+    }
+}
+
+/// A square matrix with row-scaled LU factors beside it, and their condition. All memory is taken once.
 #[derive(Clone, Debug)]
 pub struct Dense {
     n: usize,
     matrix: Vec<f64>,
     /// Factors of the matrix whose rows are scaled to unit sum of magnitudes.
-    factors: Vec<f64>,
+    factors: Lu,
     scale: Vec<f64>,
-    /// Row of the matrix that each row of the factors came from.
-    order: Vec<usize>,
-    sign: f64,
-    scratch: Vec<f64>,
 }
 
 impl Dense {
     /// The null matrix of order `n`.
     #[must_use]
     pub fn new(n: usize) -> Self {
-        Self {
-            n,
-            matrix: vec![0.0; n * n],
-            factors: vec![0.0; n * n],
-            scale: vec![0.0; n],
-            order: vec![0; n],
-            sign: 0.0,
-            scratch: vec![0.0; n],
-        }
+        Self { n, matrix: vec![0.0; n * n], factors: Lu::new(n), scale: vec![0.0; n] }
     }
 
     /// Order of the matrix.
@@ -53,46 +180,18 @@ impl Dense {
 
     /// Factors the matrix with partial pivoting; `false` when a pivot is zero or not finite.
     pub fn factor(&mut self) -> bool {
-        let n = self.n;
-        self.sign = 0.0;
-        for i in 0..n {
-            let sum: f64 = self.row(i).iter().map(|x| x.abs()).sum();
+        self.factors.sign = 0.0;
+        for i in 0..self.n {
+            let row = &self.matrix[i * self.n..][..self.n];
+            let sum: f64 = row.iter().map(|x| x.abs()).sum();
             if !(sum > 0.0 && sum.is_finite()) {
                 return false;
             }
-            self.scale[i] = 1.0 / sum;
-            self.order[i] = i;
-            for j in 0..n {
-                self.factors[i * n + j] = self.matrix[i * n + j] * self.scale[i];
-            }
+            let scale = 1.0 / sum;
+            self.scale[i] = scale;
+            self.factors.set_row(i, row.iter().map(|x| x * scale));
         }
-        let mut sign = 1.0;
-        for k in 0..n {
-            let column = |i: usize| self.factors[i * n + k].abs();
-            let pivot = (k + 1..n).fold(k, |best, i| if column(i) > column(best) { i } else { best });
-            if pivot != k {
-                self.order.swap(k, pivot);
-                let (head, tail) = self.factors.split_at_mut(pivot * n);
-                head[k * n..][..n].swap_with_slice(&mut tail[..n]);
-                sign = -sign;
-            }
-            let diagonal = self.factors[k * n + k];
-            if diagonal == 0.0 || diagonal.is_nan() {
-                return false;
-            }
-            sign *= diagonal.signum();
-            let (head, tail) = self.factors.split_at_mut((k + 1) * n);
-            let pivot_row = &head[k * n..][..n];
-            for row in tail.chunks_exact_mut(n) {
-                let ratio = row[k] / diagonal;
-                row[k] = ratio;
-                for j in k + 1..n {
-                    row[j] -= ratio * pivot_row[j];
-                }
-            }
-        }
-        self.sign = sign;
-        true
+        self.factors.factor()
     }
 
     /// What row `i` was multiplied by before it was factored: 1 over the sum of its magnitudes.
@@ -104,66 +203,29 @@ impl Dense {
     /// Sign of the determinant of what was factored; 0 when it could not be.
     #[must_use]
     pub fn sign(&self) -> f64 {
-        self.sign
+        self.factors.sign
     }
 
     /// Solves A x = b in place, after [`Dense::factor`].
     pub fn solve(&mut self, b: &mut [f64]) {
-        for i in 0..self.n {
-            self.scratch[i] = b[self.order[i]] * self.scale[self.order[i]];
-        }
-        self.substitute();
-        b.copy_from_slice(&self.scratch);
-    }
-
-    /// L U y = scratch, y left in scratch.
-    fn substitute(&mut self) {
-        let n = self.n;
-        for i in 0..n {
-            let row = &self.factors[i * n..][..n];
-            let known: f64 = (0..i).map(|j| row[j] * self.scratch[j]).sum();
-            self.scratch[i] -= known;
-        }
-        for i in (0..n).rev() {
-            let row = &self.factors[i * n..][..n];
-            let known: f64 = (i + 1..n).map(|j| row[j] * self.scratch[j]).sum();
-            self.scratch[i] = (self.scratch[i] - known) / row[i];
-        }
+        b.iter_mut().zip(&self.scale).for_each(|(x, scale)| *x *= scale);
+        self.factors.solve(b);
     }
 
     /// Solves Aᵀ x = b in place, after [`Dense::factor`].
     pub fn solve_transposed(&mut self, b: &mut [f64]) {
-        let n = self.n;
-        let at = |i: usize, j: usize| self.factors[i * n + j];
-        self.scratch.copy_from_slice(b);
-        for i in 0..n {
-            let known: f64 = (0..i).map(|j| at(j, i) * self.scratch[j]).sum();
-            self.scratch[i] = (self.scratch[i] - known) / at(i, i);
-        }
-        for i in (0..n).rev() {
-            let known: f64 = (i + 1..n).map(|j| at(j, i) * self.scratch[j]).sum();
-            self.scratch[i] -= known;
-        }
-        for i in 0..n {
-            b[self.order[i]] = self.scratch[i] * self.scale[self.order[i]];
-        }
+        self.factors.solve_transposed(b);
+        b.iter_mut().zip(&self.scale).for_each(|(x, scale)| *x *= scale);
     }
 
     /// 1 / (‖A‖ ‖A⁻¹‖) of the row-scaled matrix in the greatest row sum, in (0, 1]; 0 when it could not be factored.
     /// `sums` is room for one number per row.
     pub fn reciprocal_condition(&mut self, sums: &mut [f64]) -> f64 {
-        if self.sign == 0.0 {
+        if self.sign() == 0.0 {
             return 0.0;
         }
         sums.fill(0.0);
-        for k in 0..self.n {
-            self.scratch.fill(0.0);
-            self.scratch[k] = 1.0;
-            self.substitute();
-            for (sum, x) in sums.iter_mut().zip(&self.scratch) {
-                *sum += x.abs();
-            }
-        }
+        self.factors.add_inverse_rows(sums);
         if !sums.iter().all(|sum| sum.is_finite()) {
             return 0.0;
         }

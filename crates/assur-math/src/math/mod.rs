@@ -16,7 +16,7 @@ mod scalar;
 mod vec2;
 
 pub use angular::Angular;
-pub use dense::Dense;
+pub use dense::{Dense, Lu};
 pub use double::Double;
 pub use factors::Factors;
 pub use lanes::Lanes;

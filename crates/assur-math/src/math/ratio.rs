@@ -1,5 +1,7 @@
 //! Exact rational numbers, as far as 128 bits carry them.
 
+use super::Lu;
+
 /// A fraction in lowest terms with a positive denominator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ratio {
@@ -110,7 +112,7 @@ pub fn solve(a: &[f64], b: &[f64], n: usize) -> Option<Vec<f64>> {
     let columns = b.len() / n;
     match exactly(a, b, n, columns) {
         Some(exact) => exact,
-        None => eliminated(a, b, n, columns),
+        None => rounded(a, b, n, columns),
     }
 }
 
@@ -150,36 +152,25 @@ fn exactly(a: &[f64], b: &[f64], n: usize, columns: usize) -> Option<Option<Vec<
 /// Pivots below this part of the greatest number of their row are rounding.
 const SINGULAR: f64 = 1e-13;
 
-fn eliminated(a: &[f64], b: &[f64], n: usize, columns: usize) -> Option<Vec<f64>> {
-    let width = n + columns;
-    let mut rows = Vec::with_capacity(n * width);
-    for i in 0..n {
-        let row = &a[i * n..][..n];
-        let greatest = row.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        if !(greatest > 0.0 && greatest.is_finite()) {
+fn rounded(a: &[f64], b: &[f64], n: usize, columns: usize) -> Option<Vec<f64>> {
+    let (mut lu, mut greatest) = (Lu::new(n), Vec::with_capacity(n));
+    for (i, row) in a.chunks_exact(n).enumerate() {
+        let most = row.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        if !(most > 0.0 && most.is_finite()) {
             return None;
         }
-        rows.extend(row.iter().chain(&b[i * columns..][..columns]).map(|x| x / greatest));
+        lu.set_row(i, row.iter().map(|x| x / most));
+        greatest.push(most);
     }
-    for k in 0..n {
-        let size = |i: usize| rows[i * width + k].abs();
-        let pivot = (k..n).fold(k, |best, i| if size(i) > size(best) { i } else { best });
-        if size(pivot) <= SINGULAR || size(pivot).is_nan() {
-            return None;
-        }
-        for j in 0..width {
-            rows.swap(k * width + j, pivot * width + j);
-        }
-        let diagonal = rows[k * width + k];
-        for i in (0..n).filter(|&i| i != k) {
-            let factor = rows[i * width + k] / diagonal;
-            if factor != 0.0 {
-                for j in k..width {
-                    rows[i * width + j] -= factor * rows[k * width + j];
-                }
-            }
-        }
+    if !lu.factor() || lu.least_pivot() <= SINGULAR {
+        return None;
     }
-    let value = |i: usize, j: usize| rows[i * width + n + j] / rows[i * width + i];
-    Some((0..n).flat_map(|i| (0..columns).map(move |j| (i, j))).map(|(i, j)| value(i, j)).collect())
+    let mut found = vec![0.0; n * columns];
+    let mut x = vec![0.0; n];
+    for j in 0..columns {
+        (0..n).for_each(|i| x[i] = b[i * columns + j] / greatest[i]);
+        lu.solve(&mut x);
+        (0..n).for_each(|i| found[i * columns + j] = x[i]);
+    }
+    Some(found)
 }

@@ -2,7 +2,7 @@
 
 use super::planned::Plan;
 use super::train_step::{LawSite, PlannedLaw, TrainForces, TrainSupport};
-use crate::math::{Magnitudes, Part, Vec2};
+use crate::math::{Lu, Magnitudes, Part, Vec2};
 
 impl TrainSupport {
     /// Coefficient of a law with losses on the member's coordinate, with what is left of the forces on its two sides.
@@ -44,26 +44,32 @@ fn acts_on(site: &LawSite, member: &TrainSupport) -> bool {
 #[must_use]
 pub fn loss_system(
     n: usize,
-    middle: Vec<f64>,
+    middle: &[f64],
     loads: &[f64],
     departures: &[Vec<f64>],
     columns: &[usize],
 ) -> Option<Magnitudes> {
-    let mut right: Vec<f64> = loads.to_vec();
-    departures.iter().for_each(|d| right.extend(d));
-    let factors = nalgebra::DMatrix::from_row_slice(n, n, &middle).full_piv_lu();
-    let orientation = factors.determinant().signum();
-    let solved = factors.solve(&nalgebra::DMatrix::from_column_slice(n, 1 + departures.len(), &right))?;
-    let number = |row: usize, column: usize| Vec2::new(-solved[(row, column)], 0.0);
+    let mut lu = Lu::new(n);
+    middle.chunks_exact(n).enumerate().for_each(|(i, row)| lu.set_row(i, row.iter().copied()));
+    if !lu.factor() {
+        return None;
+    }
+    let mut solved = |right: &[f64]| {
+        let mut x = right.to_vec();
+        lu.solve(&mut x);
+        x
+    };
+    let (constant, slopes) = (solved(loads), departures.iter().map(|d| solved(d)).collect::<Vec<_>>());
+    let number = |x: f64| Vec2::new(-x, 0.0);
     let parts = columns.iter().enumerate().map(|(row, &column)| Part {
         row,
         plane: false,
-        constant: number(column, 0),
-        slopes: (0..columns.len()).map(|k| number(column, k + 1)).collect(),
+        constant: number(constant[column]),
+        slopes: slopes.iter().map(|x| number(x[column])).collect(),
     });
     let parts: Vec<Part> = parts.collect();
     let finite = parts.iter().all(|p| p.constant.x.is_finite() && p.slopes.iter().all(|s| s.x.is_finite()));
-    finite.then(|| Magnitudes { orientation, weights: vec![-1.0; columns.len()], parts })
+    finite.then(|| Magnitudes { orientation: lu.sign(), weights: vec![-1.0; columns.len()], parts })
 }
 
 /// Whether a group has one solution whatever its loads and the senses of its rates.
@@ -80,5 +86,5 @@ pub(super) fn unique(members: &[TrainSupport], laws: &[usize], matrix: &[f64], p
         departures.push(there.iter().zip(&back).map(|(a, b)| 0.5 * (a - b)).collect());
         columns.push(index);
     }
-    loss_system(n, middle, &vec![0.0; n], &departures, &columns).is_some_and(|laws| laws.unique())
+    loss_system(n, &middle, &vec![0.0; n], &departures, &columns).is_some_and(|laws| laws.unique())
 }

@@ -237,13 +237,13 @@ fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork) -> bool {
             scale = scale.max((weight * measure).abs());
             for j in 0..count {
                 let slope = if work.senses[j] == 0.0 { 0.0 } else { gradient.dot(row[j + 1]) };
-                work.jacobian[i * count + j] = f64::from(u8::from(i == j)) + weight * slope;
+                *work.jacobian.at_mut(i, j) = f64::from(u8::from(i == j)) + weight * slope;
             }
         }
-        let determinant = eliminate(&mut work.jacobian, &mut work.right);
-        if determinant == 0.0 || !determinant.is_finite() {
+        if !work.jacobian.factor() {
             return false;
         }
+        work.jacobian.solve(&mut work.right);
         let mut step = 0.0_f64;
         for (x, dx) in work.values.iter_mut().zip(&work.right) {
             *x += dx;
@@ -251,38 +251,10 @@ fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork) -> bool {
         }
         // the error left is of the order of the square of the step
         if step <= plan.settings.friction_step * scale {
-            return determinant > 0.0;
+            return work.jacobian.sign() > 0.0;
         }
     }
     false
-}
-
-/// Solves A x = b in place by elimination with partial pivoting; b becomes x. Returns the determinant.
-fn eliminate(a: &mut [f64], b: &mut [f64]) -> f64 {
-    let n = b.len();
-    let mut determinant = 1.0;
-    for k in 0..n {
-        let pivot = (k..n).max_by(|&i, &j| a[i * n + k].abs().total_cmp(&a[j * n + k].abs())).unwrap_or(k);
-        if pivot != k {
-            (0..n).for_each(|j| a.swap(k * n + j, pivot * n + j));
-            b.swap(k, pivot);
-            determinant = -determinant;
-        }
-        let diagonal = a[k * n + k];
-        determinant *= diagonal;
-        for i in k + 1..n {
-            let factor = a[i * n + k] / diagonal;
-            for j in k + 1..n {
-                a[i * n + j] -= factor * a[k * n + j];
-            }
-            b[i] -= factor * b[k];
-        }
-    }
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| a[k * n + j] * b[j]).sum();
-        b[k] = (b[k] - known) / a[k * n + k];
-    }
-    determinant
 }
 
 impl FrictionLaw {

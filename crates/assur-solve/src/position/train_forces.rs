@@ -66,10 +66,8 @@ impl State {
     /// Solves the system with the sides as they are set.
     pub(super) fn unknowns(&self, plan: &Plan, train: &TrainForces, work: &mut TrainWork) -> bool {
         let n = train.members.len();
-        let width = n + 1;
-        for i in 0..n {
-            work.rows[i * width..][..n].copy_from_slice(&train.matrix[i * n..][..n]);
-            work.rows[i * width + n] = -work.loads[i];
+        for (i, row) in train.matrix.chunks_exact(n).enumerate() {
+            work.system.set_row(i, row.iter().copied());
         }
         for (column, &slot) in train.laws.iter().enumerate() {
             let law = &plan.laws[slot];
@@ -79,14 +77,16 @@ impl State {
             let sides = self.forces.law_forces[slot].sides;
             for (i, member) in train.members.iter().enumerate() {
                 if let Some(value) = member.coefficient(law, sides) {
-                    work.rows[i * width + column] = value;
+                    *work.system.at_mut(i, column) = value;
                 }
             }
         }
-        eliminate(&mut work.rows, n) && {
-            (0..n).for_each(|i| work.trial[i] = work.rows[i * width + n]);
-            true
+        let regular = work.system.factor();
+        if regular {
+            work.trial.iter_mut().zip(&work.loads).for_each(|(x, load)| *x = -load);
+            work.system.solve(&mut work.trial);
         }
+        regular
     }
 
     /// Puts multipliers and efforts on the bodies, and finds what holds the members.
@@ -133,26 +133,4 @@ impl State {
             }
         }
     }
-}
-
-/// Gauss and Jordan with partial pivoting on n rows of n + 1 numbers; `false` where the matrix is singular.
-fn eliminate(rows: &mut [f64], n: usize) -> bool {
-    let width = n + 1;
-    for k in 0..n {
-        let size = |i: usize| rows[i * width + k].abs();
-        let pivot = (k..n).fold(k, |best, i| if size(i) > size(best) { i } else { best });
-        if size(pivot) == 0.0 || size(pivot).is_nan() {
-            return false;
-        }
-        (0..width).for_each(|j| rows.swap(k * width + j, pivot * width + j));
-        let diagonal = rows[k * width + k];
-        (0..width).for_each(|j| rows[k * width + j] /= diagonal);
-        for i in (0..n).filter(|&i| i != k) {
-            let factor = rows[i * width + k];
-            if factor != 0.0 {
-                (0..width).for_each(|j| rows[i * width + j] -= factor * rows[k * width + j]);
-            }
-        }
-    }
-    true
 }

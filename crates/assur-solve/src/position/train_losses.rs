@@ -141,7 +141,7 @@ impl State {
             departures.push((0..n).map(|i| sense * (there[i] - back[i])).collect::<Vec<f64>>());
         }
         let columns: Vec<usize> = lossy.iter().map(|l| l.0).collect();
-        loss_system(n, middle, loads, &departures, &columns)
+        loss_system(n, &middle, loads, &departures, &columns)
     }
 
     /// Whether a law has losses, and its sides move.

@@ -1,13 +1,13 @@
 //! Memory of the steps that solve the forces of a train.
 
-use crate::math::Vec2;
+use crate::math::{Lu, Vec2};
 use crate::plan::TrainForces;
 
 /// Memory of a train group of forces.
 #[derive(Clone, Debug, Default)]
 pub struct TrainWork {
-    /// The system with its right side.
-    pub(super) rows: Vec<f64>,
+    /// The system.
+    pub(super) system: Lu,
     /// Loads on the members' coordinates.
     pub(super) loads: Vec<f64>,
     /// Forces that members get from those that stand on them.
@@ -22,7 +22,7 @@ impl TrainWork {
     pub(super) fn new(train: &TrainForces) -> Self {
         let (n, unknowns) = (train.members.len(), train.laws.len() + train.efforts.len());
         Self {
-            rows: vec![0.0; n * (unknowns + 1)],
+            system: Lu::new(n),
             loads: vec![0.0; n],
             carried: vec![(Vec2::zero(), 0.0); n],
             found: vec![0.0; unknowns],

@@ -19,9 +19,8 @@ impl Magnitudes {
         while reached < 1.0 {
             let next: f64 = f64::min(1.0, reached + step);
             let taken = at(next).and_then(|system| {
-                let found = system
-                    .newton(&x)
-                    .filter(|f| f.determinant * system.orientation * start.orientation > 0.0)?;
+                let found =
+                    system.newton(&x).filter(|f| f.sign * system.orientation * start.orientation > 0.0)?;
                 let now: Vec<_> = system.parts.iter().map(|p| p.at(&found.x)).collect();
                 let most = parts.iter().chain(&now).map(|v| v.norm()).fold(0.0, f64::max);
                 let change = now.iter().zip(&parts).map(|(a, b)| (*a - *b).norm()).fold(0.0, f64::max);

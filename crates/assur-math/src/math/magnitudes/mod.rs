@@ -91,32 +91,3 @@ impl Magnitudes {
         relative.fold(0.0, f64::max)
     }
 }
-
-/// Gauss and Jordan on rows of `n` coefficients followed by right sides, `width` numbers in all. Returns the determinant;
-/// zero where a pivot is zero or not finite.
-fn eliminate(rows: &mut [f64], n: usize, width: usize) -> f64 {
-    let mut determinant = 1.0;
-    for k in 0..n {
-        let size = |i: usize| rows[i * width + k].abs();
-        let pivot = (k..n).fold(k, |best, i| if size(i) > size(best) { i } else { best });
-        if size(pivot) == 0.0 || !size(pivot).is_finite() {
-            return 0.0;
-        }
-        if pivot != k {
-            (0..width).for_each(|j| rows.swap(k * width + j, pivot * width + j));
-            determinant = -determinant;
-        }
-        let diagonal = rows[k * width + k];
-        determinant *= diagonal;
-        rows[k * width..][..width].iter_mut().for_each(|x| *x /= diagonal);
-        for i in (0..n).filter(|&i| i != k) {
-            let factor = rows[i * width + k];
-            if factor != 0.0 {
-                for j in k..width {
-                    rows[i * width + j] -= factor * rows[k * width + j];
-                }
-            }
-        }
-    }
-    determinant
-}

@@ -7,9 +7,9 @@
 //! by a solution of the linear system with some direction of each sector: where none of these is singular there is one at
 //! most, and Newton's method finds it or not. Sectors are halved until either decides.
 
+use super::Magnitudes;
 use super::simplex::Equations;
-use super::{Magnitudes, eliminate};
-use crate::math::Vec2;
+use crate::math::{Lu, Vec2};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 /// Half-angle of the narrowest sector, rad.
@@ -175,44 +175,39 @@ impl Search<'_> {
         })
     }
 
-    /// Rows of the linear system with the middle direction of every sector.
-    fn middle(&self, node: &[Sector], width: usize) -> Vec<f64> {
+    /// The linear system with the middle direction of every sector, factored; `None` where it is singular.
+    fn middle(&self, node: &[Sector]) -> Option<Lu> {
         let n = self.system.len();
-        let mut rows = vec![0.0; n * width];
-        (0..n).for_each(|i| rows[i * width + i] = 1.0);
+        let mut middle = Lu::new(n);
+        (0..n).for_each(|i| *middle.at_mut(i, i) = 1.0);
         for (part, sector) in self.system.parts.iter().zip(node) {
             let Sector::Around { direction, .. } = *sector else { continue };
-            let (weight, row) = (self.system.weights[part.row], part.row * width);
+            let weight = self.system.weights[part.row];
             for (j, slope) in part.slopes.iter().enumerate() {
-                rows[row + j] += weight * direction.dot(*slope);
+                *middle.at_mut(part.row, j) += weight * direction.dot(*slope);
             }
         }
-        rows
+        middle.factor().then_some(middle)
     }
 
     /// The solution of that system.
     fn centre(&self, node: &[Sector]) -> Option<Vec<f64>> {
-        let n = self.system.len();
-        let mut rows = self.middle(node, n + 1);
+        let mut middle = self.middle(node)?;
+        let mut x = vec![0.0; self.system.len()];
         for (part, sector) in self.system.parts.iter().zip(node) {
             if let Sector::Around { direction, .. } = *sector {
-                let weight = self.system.weights[part.row];
-                rows[part.row * (n + 1) + n] -= weight * direction.dot(part.constant);
+                x[part.row] -= self.system.weights[part.row] * direction.dot(part.constant);
             }
         }
-        (eliminate(&mut rows, n, n + 1) != 0.0).then(|| (0..n).map(|i| rows[i * (n + 1) + n]).collect())
+        middle.solve(&mut x);
+        Some(x)
     }
 
     /// Whether every choice of directions in the sectors gives a regular linear system: with its inverse in the middle and
     /// the greatest departures H from it, |A⁻¹| H has a spectral radius below 1.
     fn one_at_most(&self, node: &[Sector]) -> bool {
         let n = self.system.len();
-        let width = 2 * n;
-        let mut rows = self.middle(node, width);
-        (0..n).for_each(|i| rows[i * width + n + i] = 1.0);
-        if eliminate(&mut rows, n, width) == 0.0 {
-            return false;
-        }
+        let Some(mut middle) = self.middle(node) else { return false };
         let mut departure = vec![0.0; n * n];
         for (part, sector) in self.system.parts.iter().zip(node) {
             let weight = self.system.weights[part.row].abs() * spread(*sector);
@@ -221,18 +216,23 @@ impl Search<'_> {
             }
         }
         // (1 − T) y = 1 has a positive solution
-        let mut test = vec![0.0; n * (n + 1)];
-        for i in 0..n {
-            for k in 0..n {
-                let inverse = rows[i * width + n + k].abs();
+        let (mut test, mut column) = (Lu::new(n), vec![0.0; n]);
+        for k in 0..n {
+            column.fill(0.0);
+            column[k] = 1.0;
+            middle.solve(&mut column);
+            for (i, inverse) in column.iter().enumerate() {
                 for j in 0..n {
-                    test[i * (n + 1) + j] -= inverse * departure[k * n + j];
+                    *test.at_mut(i, j) -= inverse.abs() * departure[k * n + j];
                 }
             }
-            test[i * (n + 1) + i] += 1.0;
-            test[i * (n + 1) + n] = 1.0;
         }
-        eliminate(&mut test, n, n + 1) != 0.0 && (0..n).all(|i| test[i * (n + 1) + n] > 0.0)
+        (0..n).for_each(|i| *test.at_mut(i, i) += 1.0);
+        column.fill(1.0);
+        test.factor() && {
+            test.solve(&mut column);
+            column.iter().all(|y| *y > 0.0)
+        }
     }
 
     /// Whether the linear bounds of the sectors leave anything.

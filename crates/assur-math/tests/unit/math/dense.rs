@@ -1,6 +1,6 @@
 //! Dense linear systems.
 
-use assur_math::math::Dense;
+use assur_math::math::{Dense, Lu};
 
 fn filled(rows: &[&[f64]]) -> Dense {
     let mut a = Dense::new(rows.len());
@@ -40,4 +40,31 @@ fn tells_its_condition() {
     assert!(!a.factor());
     assert_eq!((a.sign(), a.reciprocal_condition(&mut sums)), (0.0, 0.0));
     assert!(!filled(&[&[f64::NAN]]).factor());
+}
+
+#[test]
+fn factors_in_place() {
+    let rows = [[1.0, 2.0], [4.0, 2.0]];
+    let mut lu = Lu::new(2);
+    let mut fill = |rows: [[f64; 2]; 2]| {
+        rows.iter().enumerate().for_each(|(i, row)| lu.set_row(i, row.iter().copied()));
+        (lu.factor(), lu.clone())
+    };
+    let (regular, mut lu) = fill(rows);
+    assert!(regular);
+    assert_eq!((lu.order(), lu.sign(), lu.least_pivot()), (2, -1.0, 1.5));
+    let mut b = [5.0, 8.0];
+    lu.solve(&mut b);
+    assert_eq!(b, [1.0, 2.0]);
+    let (regular, lu) = fill([[3.0, 7.0], [3.0, 7.0]]);
+    assert!(!regular && lu.sign() == 0.0);
+    assert!(!fill([[1.0, 0.0], [0.0, f64::NAN]]).0);
+}
+
+#[test]
+fn nothing_is_regular() {
+    let mut lu = Lu::new(0);
+    assert!(lu.factor());
+    lu.solve(&mut []);
+    lu.solve_transposed(&mut []);
 }
