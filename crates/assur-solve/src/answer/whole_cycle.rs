@@ -8,11 +8,11 @@ use std::f64::consts::TAU;
 #[derive(Clone, Debug, Default)]
 pub struct WholeCycle {
     pub(crate) extremes: Vec<(PairId, Extremes)>,
-    /// Values at which locking begins, by index into [`Mechanism::criticals`].
+    /// Values at which locking begins, by index into [`crate::model::Mechanism::criticals`].
     pub criticals: Vec<f64>,
-    /// Functions over the sweep, by index into [`Mechanism::cycles`].
+    /// Functions over the sweep, by index into [`crate::model::Mechanism::cycles`].
     pub cycles: Vec<CycleAnswer>,
-    /// Flywheels, by index into [`Mechanism::flywheels`].
+    /// Flywheels, by index into [`crate::model::Mechanism::flywheels`].
     pub flywheels: Vec<FlywheelAnswer>,
 }
 

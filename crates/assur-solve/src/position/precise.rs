@@ -43,7 +43,7 @@ impl Edge for Double {
 /// Motion, loads and forces of the position that a state's inputs ask for, with its assemblies, all operations with twice
 /// the digits; angles of drives are turned into directions with as many. `None` where a step has no closed form or a load
 /// is evaluated at every position, see [`Plan::laned`]. What the plan forms of points, directions, masses and gravity is
-/// formed with twice the digits too. The closed forms with more digits: what they are worth shows [`super::reference()`], which
+/// formed with twice the digits too. The closed forms with more digits: what they are worth shows `reference`, which
 /// does not use them.
 #[must_use]
 pub fn precise(plan: &Plan, reference: &State) -> Option<State<Double>> {
