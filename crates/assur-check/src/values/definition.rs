@@ -52,16 +52,7 @@ impl Definitions {
         expr.parts(&mut |part| {
             poseless &= match part {
                 model::Expr::Quantity(id) => self.needs_no_pose(*id),
-                model::Expr::Query(q) => {
-                    matches!(
-                        q,
-                        model::Query::Stroke(_)
-                            | model::Query::TimeRatio(_)
-                            | model::Query::Dead(..)
-                            | model::Query::Critical(_)
-                            | model::Query::Cycle(_)
-                    ) || matches!(q, model::Query::Flywheel(_, part) if part.needs_no_pose())
-                }
+                model::Expr::Query(query) => query.facts().poseless,
                 _ => true,
             };
         });

@@ -174,6 +174,8 @@ pub enum Query {
     Displacement(PairId),
     /// First derivative of the coordinate.
     RelativeVelocity(PairId),
+    /// Sliding velocity in a prismatic pair, a slot or a contact.
+    Sliding(PairId),
     /// Second derivative of the coordinate.
     RelativeAcceleration(PairId),
     /// Coriolis acceleration in a pair, a vector: 2 ω × v_rel with ω of the line's link.

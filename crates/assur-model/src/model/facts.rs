@@ -143,7 +143,9 @@ impl Query {
                     ..NUMBER
                 }
             }
-            Self::RelativeVelocity(pair) => Facts { turned: Some(About::Pair(pair)), ..RATE },
+            Self::RelativeVelocity(pair) | Self::Sliding(pair) => {
+                Facts { turned: Some(About::Pair(pair)), ..RATE }
+            }
             Self::RelativeAcceleration(pair) => Facts { turned: Some(About::Pair(pair)), ..SECOND_RATE },
             Self::Coriolis(_) => Facts { answer: Answer::Vector, ..RATE },
             Self::TransmissionAngle(_) => NUMBER,

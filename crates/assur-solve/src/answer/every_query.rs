@@ -5,7 +5,7 @@ use crate::source::Span;
 
 /// Calls `look` on every result that the file asks for, with the place of its statement.
 pub(crate) fn every_query(mechanism: &Mechanism, look: &mut impl FnMut(&Query, Span)) {
-    use crate::model::{At, FindKind, LoadKind, Relation};
+    use crate::model::{At, FindKind, Relation};
     let mut ask = |expr: &Expr, span: Span| expr.queries(&mut |query| look(query, span));
     for drive in &mechanism.drives {
         match &drive.positions {
@@ -24,13 +24,7 @@ pub(crate) fn every_query(mechanism: &Mechanism, look: &mut impl FnMut(&Query, S
     mechanism.quantities.iter().for_each(|q| ask(&q.expr, q.span));
     mechanism.cycles.iter().for_each(|c| ask(&c.expr, c.span));
     for load in &mechanism.loads {
-        load.when.iter().for_each(|e| ask(e, load.span));
-        match &load.kind {
-            LoadKind::Force { value, .. }
-            | LoadKind::ForceAgainstMotion { value, .. }
-            | LoadKind::Torque { value, .. }
-            | LoadKind::InPair { value, .. } => ask(value, load.span),
-        }
+        load.expressions().for_each(|e| ask(e, load.span));
     }
     for find in &mechanism.finds {
         if let FindKind::Value { expr, .. } = &find.kind {

@@ -85,6 +85,7 @@ impl PoseAnswers<'_> {
             Query::LinkDirection(link) => Value::Vector(self.body(*link).u),
             Query::Displacement(pair) => Value::Scalar(self.displacement(*pair)),
             Query::RelativeVelocity(pair) => Value::Scalar(self.relative_velocity(*pair)),
+            Query::Sliding(pair) => Value::Scalar(self.sliding(*pair)),
             Query::RelativeAcceleration(pair) => Value::Scalar(self.relative_acceleration(*pair)),
             Query::Coriolis(pair) => Value::Vector(self.coriolis(*pair)),
             Query::Reaction(pair, link) => Value::Vector(self.reaction(*pair, *link)),
@@ -161,6 +162,19 @@ impl PoseAnswers<'_> {
     pub(super) fn acceleration(&self, point: &PointRef) -> Vec2 {
         let (link, at) = self.local(point);
         self.body(link).acceleration(at)
+    }
+
+    /// Of a contact the part of the relative velocity across the common normal.
+    fn sliding(&self, pair: PairId) -> f64 {
+        let PairKind::Contact { first, second, .. } = &self.mechanism.pair(pair).kind else {
+            return self.relative_velocity(pair);
+        };
+        let Some((place, normal)) = self.contact_normal(pair) else { return f64::NAN };
+        let [v_1, v_2] = [first.link, second.link].map(|link| {
+            let body = self.body(link);
+            body.v + (place - body.p).perp() * body.omega
+        });
+        (v_1 - v_2).dot(normal.perp())
     }
 
     fn inertia_force(&self, link: LinkId) -> Vec2 {

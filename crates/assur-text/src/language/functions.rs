@@ -124,6 +124,11 @@ functions! {
         [form(&[J], Varies("that of the coordinate per time²"), "second rate of the coordinate")],
     Coriolis "coriolis" Motion "coriolis(D)"
         [form(&[J], Vector(Dimension::ACCELERATION), "Coriolis acceleration in the pair")],
+    SlipSpeed "slip_speed" Motion "slip_speed(D)" [form(
+        &[J],
+        Number(Dimension::VELOCITY),
+        "magnitude of the sliding velocity in a guide, slot or contact",
+    )],
     Travel "travel" Motion "travel(D)" [form(&[J], COORDINATE, "coordinate above its least value")],
     Stroke "stroke" Cycle "stroke(D)" [form(&[J], COORDINATE, "greatest less least coordinate")],
     TimeRatio "time_ratio" Cycle "time_ratio(D)"

@@ -55,6 +55,7 @@ pub const UNITS: &[Symbol] = &[
     row("rpm", PI / 30.0, Dimension::ANGULAR_VELOCITY, &["RPM", "upm"]),
     row("Hz", 1.0, Dimension::FREQUENCY, &["hertz", "Гц"]),
     row("N", 1.0, Dimension::FORCE, &["newton", "newtons", "Н"]),
+    row("daN", 10.0, Dimension::FORCE, &["dekanewton", "даН"]),
     row("kN", 1e3, Dimension::FORCE, &["кН"]),
     row("MN", 1e6, Dimension::FORCE, &["МН"]),
     row("lbf", LB * G, Dimension::FORCE, &["pound-force"]),

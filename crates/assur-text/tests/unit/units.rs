@@ -55,6 +55,7 @@ fn every_unit_has_its_value() {
         ("rpm", 0.104_719_755_119_659_77, Dimension::ANGULAR_VELOCITY),
         ("Hz", 1.0, Dimension::FREQUENCY),
         ("N", 1.0, Dimension::FORCE),
+        ("daN", 10.0, Dimension::FORCE),
         ("kN", 1000.0, Dimension::FORCE),
         ("MN", 1_000_000.0, Dimension::FORCE),
         ("lbf", 4.448_221_615_260_5, Dimension::FORCE),

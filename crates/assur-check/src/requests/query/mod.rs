@@ -17,6 +17,7 @@ mod substitution;
 
 use crate::expr::context::Context;
 use crate::expr::results::{Call, Results};
+use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{self, CamPart, CycleFunction, FlywheelPart, Query};
 use assur_text::language::Function;
@@ -85,6 +86,12 @@ impl Context<'_> {
             F::Displacement => self.of_coordinate(call, Query::Displacement, 0),
             F::RelativeVelocity => self.of_coordinate(call, Query::RelativeVelocity, 1),
             F::RelativeAcceleration => self.of_coordinate(call, Query::RelativeAcceleration, 2),
+            F::SlipSpeed => {
+                let kinds = (has_normal as fn(&_) -> bool, None);
+                let t = self.of_pair(call, kinds, Query::Sliding, Type::number(Dimension::VELOCITY))?;
+                // a magnitude of its own is known to have a kink where it is zero
+                Some(Typed { expr: fold::call(model::Function::Abs, vec![t.expr]), ..t })
+            }
             F::Travel => self.of_coordinate(call, Query::Travel, 0),
             F::Stroke => self.of_coordinate(call, Query::Stroke, 0),
             F::TimeRatio => self.time_ratio(call),
