@@ -4,11 +4,11 @@
 #[path = "../tests/mechanics/support/machines.rs"]
 mod machines;
 
-use assur::math::Vec2;
-use assur::model::{Friction, Mechanism, PairKind};
-use assur::plan::Plan;
-use assur::solve::{DriveColumns, DriveInput, Scene, SideBySide, State, solve};
-use assur::structure::Structure;
+use assur::internals::math::Vec2;
+use assur::internals::model::{Friction, Mechanism, PairKind};
+use assur::internals::plan::Plan;
+use assur::internals::solve::{DriveColumns, DriveInput, Scene, SideBySide, State, solve};
+use assur::internals::structure::Structure;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 
@@ -42,8 +42,9 @@ struct Bench {
 
 impl Bench {
     fn new(mechanism: Mechanism) -> Self {
-        let (structure, _) = assur::structure::structure(&mechanism).expect("the machine is sound");
-        let plan = assur::plan::plan(&mechanism, &structure);
+        let (structure, _) =
+            assur::internals::structure::structure(&mechanism).expect("the machine is sound");
+        let plan = assur::internals::plan::plan(&mechanism, &structure);
         let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
         let solution = solve(&scene).expect("the machine closes");
         let first = solution.poses[0].outcome.as_ref().expect("the first position is regular");

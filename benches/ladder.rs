@@ -3,9 +3,9 @@
 
 mod run;
 
-use assur::math::Vec2;
-use assur::model::Mechanism;
-use assur::solve::State;
+use assur::internals::math::Vec2;
+use assur::internals::model::Mechanism;
+use assur::internals::solve::State;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use run::{Run, asking, side_by_side};

@@ -1,8 +1,8 @@
 //! The whole shaper project, 360 positions with flywheel, after its text has been parsed. `cargo bench --bench shaper`.
 
-use assur::check::{Overrides, check};
-use assur::source::Source;
-use assur::syntax::document::Document;
+use assur::internals::check::{Overrides, check};
+use assur::internals::source::Source;
+use assur::internals::syntax::document::Document;
 use divan::{Bencher, black_box};
 
 fn main() {
@@ -18,7 +18,7 @@ fn text() -> String {
 }
 
 fn document() -> Document {
-    let (document, problems) = assur::syntax::parse(&Source::new("shaper-a.mech", text()));
+    let (document, problems) = assur::internals::syntax::parse(&Source::new("shaper-a.mech", text()));
     assert!(problems.is_empty());
     document
 }
@@ -27,10 +27,10 @@ fn document() -> Document {
 fn solved(document: &Document) -> f64 {
     let (mechanism, _) = check(document, &Overrides::none());
     let mechanism = mechanism.expect("it is sound");
-    let (structure, _) = assur::structure::structure(&mechanism).expect("it is determined");
-    let plan = assur::plan::plan(&mechanism, &structure);
-    let scene = assur::solve::Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
-    let solution = assur::solve::solve(&scene).expect("it is solved");
+    let (structure, _) = assur::internals::structure::structure(&mechanism).expect("it is determined");
+    let plan = assur::internals::plan::plan(&mechanism, &structure);
+    let scene = assur::internals::solve::Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
+    let solution = assur::internals::solve::solve(&scene).expect("it is solved");
     assert_eq!(solution.poses.len(), 363);
     solution.statics.flywheels[0].inertia
 }
@@ -46,7 +46,7 @@ fn after_parsing(bencher: Bencher<'_, '_>) {
 fn with_parsing(bencher: Bencher<'_, '_>) {
     let text = text();
     bencher.bench_local(|| {
-        let (document, _) = assur::syntax::parse(&Source::new("shaper-a.mech", text.clone()));
+        let (document, _) = assur::internals::syntax::parse(&Source::new("shaper-a.mech", text.clone()));
         black_box(solved(&document))
     });
 }

@@ -1,10 +1,10 @@
 //! Rows of variants of a crank-slider with all reactions, from numbers to solutions on one thread: checked, solved,
 //! without reading and writing. Items are rows. `cargo bench --bench variants`.
 
-use assur::check::{Overrides, Row, RowCell, RowColumn, columns};
-use assur::exercise::table::Table;
-use assur::pipeline::VariantSolver;
-use assur::source::Source;
+use assur::internals::check::{Overrides, Row, RowCell, RowColumn, columns};
+use assur::internals::exercise::table::Table;
+use assur::internals::pipeline::VariantSolver;
+use assur::internals::source::Source;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use std::sync::Arc;
@@ -19,7 +19,7 @@ fn main() {
 #[divan::bench]
 fn crank_slider(bencher: Bencher<'_, '_>) {
     let source = Source::new("crank-slider.mech", include_str!("../examples/variants/crank-slider.mech"));
-    let (document, _) = assur::syntax::parse(&source);
+    let (document, _) = assur::internals::syntax::parse(&source);
     let document = Arc::new(document);
     let none = Overrides::none();
     let header =

@@ -1,25 +1,57 @@
 //! `assur`: a small declarative language for planar mechanism problems, and the compiler that solves them.
+//!
+//! A text goes in, answers come out by name: [`solve()`]. `docs/library.md` has a page of examples.
+//!
+//! ```
+//! let solution = assur::solve("
+//! shaft I { wheel a teeth 20 }
+//! shaft O { wheel b teeth 50 }
+//! mesh k: a - b
+//! drive I at 10 rad/s
+//! find omega(O)
+//! ")?;
+//! assert_eq!(solution.poses()[0]["omega(O)"].number(), Some(-4.0));
+//! # Ok::<(), assur::Diagnostics>(())
+//! ```
 
 #[cfg(feature = "cli")]
+#[doc(hidden)]
 pub mod cli;
+#[doc(hidden)]
 pub mod exercise;
 mod front;
+#[doc(hidden)]
 pub mod pipeline;
+#[doc(hidden)]
 pub mod report;
 
-pub use assur_check as check;
-pub use assur_math::{element, force, group, math};
-pub use assur_model::{model, structure};
-pub use assur_solve::{answer, measure, message, plan, position, reference, solve};
-pub use assur_syntax as syntax;
-pub use assur_text::{diagnostic, language, source, units};
-pub use measure::accuracy;
+use assur_check as check;
+use assur_math::{element, math};
+use assur_model::{model, structure};
+use assur_solve::{measure, plan, solve};
+use assur_syntax as syntax;
+use assur_text::{diagnostic, source, units};
+use measure::accuracy;
 
 pub use front::{Answer, Diagnostics, Expectation, Options, Pose, Problem, Quantity, Solution, solve};
-pub use pipeline::{
-    Compiled, Origin, Solved, check_source, compile, diagnose, solve_each, solve_source, solve_within,
-    test_source,
-};
+
+/// The floors below the front door, for the program, the benchmarks and the tests. They change without notice.
+#[doc(hidden)]
+pub mod internals {
+    #[cfg(feature = "cli")]
+    pub use crate::cli;
+    pub use crate::pipeline::{
+        Compiled, Origin, Solved, check_source, compile, diagnose, solve_each, solve_source, solve_within,
+        test_source,
+    };
+    pub use crate::{exercise, pipeline, report};
+    pub use assur_check as check;
+    pub use assur_math::{element, force, group, math};
+    pub use assur_model::{model, structure};
+    pub use assur_solve::{answer, measure, measure::accuracy, message, plan, position, reference, solve};
+    pub use assur_syntax as syntax;
+    pub use assur_text::{diagnostic, language, source, units};
+}
 
 // the examples of the page run as tests
 #[cfg(doctest)]

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    assur::cli::run(std::env::args_os())
+    assur::internals::cli::run(std::env::args_os())
 }

@@ -4,11 +4,11 @@
 
 mod folder;
 
-use assur::check::Overrides;
-use assur::diagnostic::{Problems, Style, render};
-use assur::exercise::grade::{Sheet, grade};
-use assur::exercise::table::{Fault, Lines, Table};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::{Problems, Style, render};
+use assur::internals::exercise::grade::{Sheet, grade};
+use assur::internals::exercise::table::{Fault, Lines, Table};
+use assur::internals::source::Source;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::Path;
 
@@ -42,7 +42,7 @@ fn stage_of(code: &str) -> &str {
 /// stages are no whole mechanisms: they are read, or checked, but not solved.
 fn said(source: &Source, stage: &str) -> String {
     if stage == "syntax" {
-        return render(&assur::syntax::parse(source).1, source, Style::PLAIN);
+        return render(&assur::internals::syntax::parse(source).1, source, Style::PLAIN);
     }
     if let Some(shown) = beside(source) {
         return shown;
@@ -52,15 +52,15 @@ fn said(source: &Source, stage: &str) -> String {
     let overrides = Overrides::set(values);
     let within = source.text.lines().next().and_then(|line| line.strip_prefix("// --within ")?.parse().ok());
     if let Some(within) = within {
-        let (compiled, mut problems) = assur::compile(source, &Overrides::none());
+        let (compiled, mut problems) = assur::internals::compile(source, &Overrides::none());
         if let Some(compiled) = compiled {
-            problems.append(assur::solve_within(compiled, Some(within)).1);
+            problems.append(assur::internals::solve_within(compiled, Some(within)).1);
         }
         return render(&problems, source, Style::PLAIN);
     }
     let problems = match stage {
-        "name" | "unit" | "geometry" => assur::check_source(source, &overrides).1,
-        _ => assur::test_source(source, &overrides).1,
+        "name" | "unit" | "geometry" => assur::internals::check_source(source, &overrides).1,
+        _ => assur::internals::test_source(source, &overrides).1,
     };
     render(&problems, source, Style::PLAIN)
 }
@@ -80,8 +80,9 @@ fn beside(source: &Source) -> Option<String> {
             Ok(table) => table,
             Err(fault) => return Some(shown(fault)),
         };
-        let (document, _) = assur::syntax::parse(source);
-        let (columns, problems) = assur::check::columns(&document, &Overrides::none(), &table.columns);
+        let (document, _) = assur::internals::syntax::parse(source);
+        let (columns, problems) =
+            assur::internals::check::columns(&document, &Overrides::none(), &table.columns);
         let Some(columns) = columns else { return Some(render(&problems, &table.header, Style::PLAIN)) };
         let (columns, mut lines) = (columns.into(), Lines::default());
         table.lines(1000, &mut lines).ok()?;
@@ -104,7 +105,7 @@ fn shows(path: &Path) -> Result<(), Failed> {
     let source = Source::new(&name, std::fs::read_to_string(path)?);
     let code = code_of(path).ok_or("a stage and a code")?;
     let shown = said(&source, stage_of(&code));
-    if assur::diagnostic::explain(&code).is_none() {
+    if assur::internals::diagnostic::explain(&code).is_none() {
         return Err(format!("{code} has no page").into());
     }
     if !shown.contains(&code) {
@@ -126,7 +127,7 @@ fn shows(path: &Path) -> Result<(), Failed> {
 /// Every code has a folder of files and a page; the page's examples are what it says they are.
 fn every_code() -> Result<(), Failed> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");
-    for code in assur::diagnostic::CODES {
+    for code in assur::internals::diagnostic::CODES {
         let path = code.code.strip_prefix("mech::").ok_or("a code begins with mech::")?;
         let (stage, name) = path.split_once("::").ok_or("a code names its stage")?;
         if !root.join(stage).join(name).is_dir() {

@@ -4,13 +4,13 @@
 
 mod folder;
 
-use assur::check::Overrides;
-use assur::diagnostic::Problems;
-use assur::report::document::Report;
-use assur::report::text::Look;
-use assur::report::{self, Precision};
-use assur::source::Source;
-use assur::{Compiled, Solved};
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::Problems;
+use assur::internals::report::document::Report;
+use assur::internals::report::text::Look;
+use assur::internals::report::{self, Precision};
+use assur::internals::source::Source;
+use assur::internals::{Compiled, Solved};
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::{Path, PathBuf};
 
@@ -29,10 +29,10 @@ fn main() {
 
 fn holds(path: &Path, name: &str) -> Result<(), Failed> {
     let source = Source::new(name.replace('\\', "/"), std::fs::read_to_string(path)?);
-    let (compiled, mut problems) = assur::compile(&source, &Overrides::none());
+    let (compiled, mut problems) = assur::internals::compile(&source, &Overrides::none());
     let mut stages = compiled.as_ref().map(|c| structure(&source, c)).unwrap_or_default();
     let (solved, found) = match compiled.filter(|_| !problems.has_errors()) {
-        Some(compiled) => assur::pipeline::solve(compiled),
+        Some(compiled) => assur::internals::pipeline::solve(compiled),
         None => return stands(path, &shown(FAILED, &stages, &problems, &source)),
     };
     problems.append(found);
@@ -64,7 +64,7 @@ fn shown(outcome: &str, stages: &Report, problems: &Problems, source: &Source) -
 /// Diagnostics by code and line: their words have tests of their own.
 fn list(problems: &Problems, source: &Source) -> String {
     let views = problems.views(source);
-    let line = |v: &assur::diagnostic::DiagnosticView| {
+    let line = |v: &assur::internals::diagnostic::DiagnosticView| {
         let at = v.spans.first().map(|s| format!(", line {}", s.start.line)).unwrap_or_default();
         format!("  {} {}{at}\n", v.severity, v.code.as_deref().unwrap_or("without code"))
     };
@@ -74,16 +74,20 @@ fn list(problems: &Problems, source: &Source) -> String {
 
 /// Every row of a table of variants is solved, and meets its expectations.
 fn rows_hold(source: &Source) -> Result<(), Failed> {
-    let (document, _) = assur::syntax::parse(source);
+    let (document, _) = assur::internals::syntax::parse(source);
     let document = std::sync::Arc::new(document);
     let overrides = Overrides::none();
-    let rows = match assur::pipeline::FileVariants::of(&document, &overrides) {
+    let rows = match assur::internals::pipeline::FileVariants::of(&document, &overrides) {
         None => return Ok(()),
         Some(rows) => rows.map_err(|_| "the table of variants has an error")?,
     };
     for row in rows.solve(true) {
         if row.problems.has_errors() || row.solved.is_none() {
-            let shown = assur::diagnostic::render(&row.problems, source, assur::diagnostic::Style::PLAIN);
+            let shown = assur::internals::diagnostic::render(
+                &row.problems,
+                source,
+                assur::internals::diagnostic::Style::PLAIN,
+            );
             return Err(format!("row {}: {shown}", row.number).into());
         }
     }
@@ -92,11 +96,12 @@ fn rows_hold(source: &Source) -> Result<(), Failed> {
 
 fn answer_key(solved: &Solved, source: &Source) -> Result<(), Failed> {
     let mut mismatches = Problems::new();
-    mismatches.extend(assur::exercise::mismatches(&solved.outcomes));
+    mismatches.extend(assur::internals::exercise::mismatches(&solved.outcomes));
     if mismatches.is_empty() {
         return Ok(());
     }
-    Err(assur::diagnostic::render(&mismatches, source, assur::diagnostic::Style::PLAIN).into())
+    Err(assur::internals::diagnostic::render(&mismatches, source, assur::internals::diagnostic::Style::PLAIN)
+        .into())
 }
 
 /// Compares with the snapshot beside the file.

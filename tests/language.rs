@@ -2,9 +2,9 @@
 
 mod folder;
 
-use assur::diagnostic::{Style, render};
-use assur::source::Source;
-use assur::syntax::document::{Member, Statement};
+use assur::internals::diagnostic::{Style, render};
+use assur::internals::source::Source;
+use assur::internals::syntax::document::{Member, Statement};
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::Path;
 
@@ -24,7 +24,7 @@ fn reads(path: &Path) -> Result<(), Failed> {
     let text = std::fs::read_to_string(path)?;
     for text in [text.clone(), text.replace('\n', "\r\n")] {
         let source = Source::new("text.mech", text);
-        let (document, problems) = assur::syntax::parse(&source);
+        let (document, problems) = assur::internals::syntax::parse(&source);
         if !problems.is_empty() {
             return Err(render(&problems, &source, Style::PLAIN).into());
         }
@@ -40,7 +40,8 @@ fn reads(path: &Path) -> Result<(), Failed> {
         }
         // Fragments do not stand alone; whole programs also check.
         if path.parent().and_then(Path::file_name).is_some_and(|folder| folder == "language") {
-            let (mechanism, problems) = assur::check_source(&source, &assur::check::Overrides::none());
+            let (mechanism, problems) =
+                assur::internals::check_source(&source, &assur::internals::check::Overrides::none());
             if mechanism.is_none() || !problems.is_empty() {
                 return Err(render(&problems, &source, Style::PLAIN).into());
             }

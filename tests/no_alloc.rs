@@ -3,14 +3,14 @@
 #[path = "mechanics/support/machines.rs"]
 mod machines;
 
-use assur::math::Vec2;
-use assur::model::{Friction, Mechanism, PairKind};
-use assur::solve::{DriveInput, Scene, solve};
+use assur::internals::math::Vec2;
+use assur::internals::model::{Friction, Mechanism, PairKind};
+use assur::internals::solve::{DriveInput, Scene, solve};
 
 /// Allocations of this thread over a revolution of a machine, after it was assembled.
 fn allocations(mechanism: &Mechanism) -> u64 {
-    let (structure, _) = assur::structure::structure(mechanism).expect("the machine is sound");
-    let plan = assur::plan::plan(mechanism, &structure);
+    let (structure, _) = assur::internals::structure::structure(mechanism).expect("the machine is sound");
+    let plan = assur::internals::plan::plan(mechanism, &structure);
     let scene = Scene { mechanism, structure: &structure, plan: &plan };
     let solution = solve(&scene).expect("the machine closes");
     let first = solution.poses[0].outcome.as_ref().expect("the first position is regular");
@@ -48,7 +48,7 @@ fn the_loop_over_positions_allocates_nothing() {
 fn a_balance_far_from_the_drive_allocates_nothing() {
     let mut m = machines::six_bar(machines::list(&[0.0]));
     m.balances.clear();
-    machines::balance(&mut m, assur::model::LinkId::at(5));
+    machines::balance(&mut m, assur::internals::model::LinkId::at(5));
     // the six-bar's last link is a rocker: over a whole turn its torque cannot always hold the crank, but it is counted
     assert_eq!(allocations(&m), 0);
 }
@@ -68,8 +68,8 @@ fn friction_allocates_nothing() {
 #[test]
 fn a_cam_allocates_nothing() {
     let text = include_str!("../examples/cams/lever.mech");
-    let source = assur::source::Source::new("lever.mech", text);
-    let (mechanism, _) = assur::check_source(&source, &assur::check::Overrides::none());
+    let source = assur::internals::source::Source::new("lever.mech", text);
+    let (mechanism, _) = assur::internals::check_source(&source, &assur::internals::check::Overrides::none());
     assert_eq!(allocations(&mechanism.expect("the example is sound")), 0);
 }
 
@@ -106,8 +106,9 @@ find effort(S)
 
 #[test]
 fn a_train_allocates_nothing() {
-    let source = assur::source::Source::new("train.mech", TRAIN);
-    let (mechanism, problems) = assur::check_source(&source, &assur::check::Overrides::none());
+    let source = assur::internals::source::Source::new("train.mech", TRAIN);
+    let (mechanism, problems) =
+        assur::internals::check_source(&source, &assur::internals::check::Overrides::none());
     let mechanism = mechanism.unwrap_or_else(|| panic!("{problems:?}"));
     assert_eq!(allocations(&mechanism), 0);
 }

@@ -1,11 +1,11 @@
 //! A `.mech` text, compiled once, and its plan run over the text's positions through the public interface.
 #![allow(dead_code)] // every bench uses some of it
 
-use assur::Compiled;
-use assur::check::Overrides;
-use assur::plan::Level;
-use assur::solve::{DriveColumns, DriveInput, SideBySide, State, solve};
-use assur::source::Source;
+use assur::internals::Compiled;
+use assur::internals::check::Overrides;
+use assur::internals::plan::Level;
+use assur::internals::solve::{DriveColumns, DriveInput, SideBySide, State, solve};
+use assur::internals::source::Source;
 
 /// A text ready to be run.
 pub struct Run {
@@ -21,7 +21,7 @@ impl Run {
     /// position.
     pub fn of(text: &str) -> Self {
         let (compiled, problems) =
-            assur::compile(&Source::new("scene.mech", text.to_owned()), &Overrides::none());
+            assur::internals::compile(&Source::new("scene.mech", text.to_owned()), &Overrides::none());
         assert!(!problems.has_errors(), "the scene is sound");
         let compiled = compiled.expect("the scene compiles");
         let solution = solve(&compiled.scene()).expect("the scene is solved");

@@ -4,13 +4,13 @@
 
 #![no_main]
 
-use assur::diagnostic::{Style, render};
-use assur::source::Source;
+use assur::internals::diagnostic::{Style, render};
+use assur::internals::source::Source;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {
     let source = Source::new("fuzz.mech", text);
-    let (document, problems) = assur::syntax::parse(&source);
+    let (document, problems) = assur::internals::syntax::parse(&source);
     for statement in &document.statements {
         assert!(text.get(statement.span.start..statement.span.end).is_some());
     }

@@ -4,14 +4,14 @@
 
 #![no_main]
 
-use assur::check::Overrides;
-use assur::diagnostic::{Style, render};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::{Style, render};
+use assur::internals::source::Source;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|text: &str| {
     let source = Source::new("fuzz.mech", text);
-    let (_, problems) = assur::solve_source(&source, &Overrides::none());
+    let (_, problems) = assur::internals::solve_source(&source, &Overrides::none());
     let _ = render(&problems, &source, Style::PLAIN);
     let _ = problems.views(&source);
 });

@@ -10,9 +10,9 @@ use super::reply::{Reply, Status, complaint, for_each_file};
 use super::screen::Screen;
 use crate::accuracy::{AccuracyStudy, micros, out_of_reach, study};
 use crate::check::Overrides;
+use crate::pipeline::{Solved, solve_source};
 use crate::report::{self, Precision};
 use crate::source::Source;
-use crate::{Solved, solve_source};
 
 /// Prints what accuracy costs in time.
 pub fn run(args: &Accuracy, screen: &Screen) -> Status {

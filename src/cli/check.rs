@@ -3,9 +3,9 @@
 use super::args::Check;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
-use crate::Compiled;
 use crate::diagnostic::Problems;
 use crate::measure::Costs;
+use crate::pipeline::Compiled;
 use crate::report;
 use crate::report::document::Report;
 
@@ -14,7 +14,7 @@ use crate::report::document::Report;
 pub fn run(args: &Check, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
     for_each_file(&args.problem.files, screen, "\n", |source, _| {
-        let (compiled, mut problems) = crate::compile(source, &overrides);
+        let (compiled, mut problems) = crate::pipeline::compile(source, &overrides);
         let results = compiled.map_or_else(String::new, |c| {
             let costs = if args.plan && !problems.has_errors() { costs(&c, &mut problems) } else { None };
             let mut report = report::of_structure(source, &c.scene(), costs.as_ref());

@@ -11,7 +11,7 @@ use crate::report;
 pub fn run(args: &Profile, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
     for_each_file(&args.problem.files, screen, "", |source, _| {
-        let (mechanism, mut problems) = crate::check_source(source, &overrides);
+        let (mechanism, mut problems) = crate::pipeline::check_source(source, &overrides);
         let results = match mechanism.as_ref().map(|m| (m, chosen(m, args.cam.as_deref()))) {
             Some((mechanism, Ok(plate))) => match args.format {
                 ProfileFormat::Csv => {

@@ -6,6 +6,7 @@ use super::screen::Screen;
 use super::stream;
 use crate::check::RowColumn;
 use crate::diagnostic::Problems;
+use crate::pipeline::{Compiled, Solved};
 use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words, is_long};
 use crate::report::document::{Column, Table};
 use crate::report::json::Variant;
@@ -13,7 +14,6 @@ use crate::report::{self, Answers, Precision};
 use crate::source::Source;
 use crate::syntax;
 use crate::units::significant;
-use crate::{Compiled, Solved};
 use std::sync::Arc;
 
 /// Prints the answers.
@@ -47,7 +47,7 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
         };
         let solved = match compiled {
             Some(compiled) if !problems.has_errors() => {
-                let (solved, found) = crate::solve_within(compiled, args.within);
+                let (solved, found) = crate::pipeline::solve_within(compiled, args.within);
                 problems.append(found);
                 solved.map_err(Some)
             }

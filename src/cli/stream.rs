@@ -4,11 +4,11 @@ use super::args::Format;
 use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
 use crate::diagnostic::Problems;
+use crate::pipeline::{Compiled, Solved};
 use crate::report::lines::CsvLines;
 use crate::report::{Answers, Precision, json};
 use crate::solve::Pose;
 use crate::source::Source;
-use crate::{Compiled, Solved};
 
 /// Text is written in pieces of this size.
 const PIECE: usize = 1 << 16;
@@ -25,7 +25,7 @@ pub fn positions(
     printer: &mut Printer<'_>,
 ) -> Reply {
     let mut out = Out::new(format, source, &compiled, printer);
-    let (solved, found) = crate::solve_each(compiled, &mut |answers, pose| out.add(answers, pose));
+    let (solved, found) = crate::pipeline::solve_each(compiled, &mut |answers, pose| out.add(answers, pose));
     problems.append(found);
     if let Ok(solved) = &solved {
         out.end(solved);

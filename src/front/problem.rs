@@ -24,7 +24,7 @@ pub struct Options {
 /// ```
 /// let problem = assur::Problem::new("gears", "shaft I { wheel a teeth 20 }
 /// shaft O { wheel b teeth 50 }
-/// mesh a - b
+/// mesh k: a - b
 /// drive I at 10 rad/s
 /// find omega(O)
 /// ");

@@ -2,12 +2,12 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
-use assur::accuracy::{AccuracyStudy, Kind, Setting, Source as Reference, candidates, study};
-use assur::check::Overrides;
-use assur::plan::{Numbers, Settings};
-use assur::solve::{PoseOrigin, Solution, State, extent};
-use assur::source::Source;
-use assur::{Solved, solve_source, solve_within};
+use assur::internals::accuracy::{AccuracyStudy, Kind, Setting, Source as Reference, candidates, study};
+use assur::internals::check::Overrides;
+use assur::internals::plan::{Numbers, Settings};
+use assur::internals::solve::{PoseOrigin, Solution, State, extent};
+use assur::internals::source::Source;
+use assur::internals::{Solved, solve_source, solve_within};
 use std::path::Path;
 
 fn example(name: &str) -> Source {
@@ -66,7 +66,7 @@ fn velocities_are_held_against_the_greatest() {
 #[test]
 fn a_chain_keeps_what_it_says() {
     let source = example("accuracy/chain-of-40-dyads.mech");
-    let (compiled, _) = assur::compile(&source, &Overrides::none());
+    let (compiled, _) = assur::internals::compile(&source, &Overrides::none());
     let mut compiled = compiled.unwrap();
     for (within, numbers) in [(1e-9, Numbers::Double), (1e-15, Numbers::DoubleDouble)] {
         let (found, problems) = solve_within(compiled, Some(within));
@@ -199,7 +199,7 @@ fn what_is_wanted_is_kept() {
         let (full, _) = solve_source(&source, &Overrides::none());
         let Some(full) = full else { continue };
         for wanted in [1e-2, 1e-4, 1e-6, 1e-9, 1e-12] {
-            let (compiled, _) = assur::compile(&source, &Overrides::none());
+            let (compiled, _) = assur::internals::compile(&source, &Overrides::none());
             let (found, problems) = solve_within(compiled.unwrap(), Some(wanted));
             let Ok(found) = found else {
                 wrong.push(format!("{} has no answer within {wanted:e}", source.name));
@@ -232,7 +232,7 @@ fn what_is_wanted_is_kept() {
 fn what_is_chosen_hangs_on_no_clock() {
     let source = example("shaper/shaper-a.mech");
     let run = || {
-        let (compiled, _) = assur::compile(&source, &Overrides::none());
+        let (compiled, _) = assur::internals::compile(&source, &Overrides::none());
         let found = solve_within(compiled.unwrap(), Some(1e-6)).0.unwrap();
         (found.reached.unwrap(), found.solution.statics.flywheels[0].fluctuation.to_bits())
     };

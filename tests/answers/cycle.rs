@@ -1,10 +1,10 @@
 //! Quantities over the sweep and flywheels, against `tests/reference/cycle.py`, closed formulas and brute force.
 
-use assur::Solved;
-use assur::check::Overrides;
-use assur::diagnostic::{Style, render};
-use assur::model::Value;
-use assur::source::Source;
+use assur::internals::Solved;
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::{Style, render};
+use assur::internals::model::Value;
+use assur::internals::source::Source;
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
@@ -29,7 +29,7 @@ force P on piston at C = (-4 kN, 0) when 0.2 < travel(D)/stroke(D) < 0.7 and vel
 
 fn solved(text: &str) -> Solved {
     let source = Source::new("test.mech", text.to_owned());
-    let (solved, problems) = assur::test_source(&source, &Overrides::none());
+    let (solved, problems) = assur::internals::test_source(&source, &Overrides::none());
     assert!(problems.is_empty(), "{}", render(&problems, &source, Style::PLAIN));
     solved.expect("it is solved")
 }
@@ -177,7 +177,7 @@ fn friction_is_split_where_it_changes_its_sense() {
         .replace("gravity 9.81 m/s^2", "force on piston at C = 1 kN against motion")
         .replace("12 steps", "7200 steps");
     let source = Source::new("test.mech", format!("{text}find Mb, mean(Mb), mean(frictionless(Mb))\n"));
-    let (solved, _) = assur::solve_source(&source, &Overrides::none());
+    let (solved, _) = assur::internals::solve_source(&source, &Overrides::none());
     let solution = solved.expect("it is solved").solution;
     let efforts =
         solution.poses.iter().map(|p| p.outcome.as_ref().expect("it moves").state.forces.efforts[0]);
@@ -205,7 +205,7 @@ fn a_mechanism_that_does_not_close_has_no_mean() {
         expect mean(angle(rocker)) = 1 rad within 1 rad
         ";
     let source = Source::new("test.mech", text.to_owned());
-    let (_, problems) = assur::test_source(&source, &Overrides::none());
+    let (_, problems) = assur::internals::test_source(&source, &Overrides::none());
     let said = render(&problems, &source, Style::PLAIN);
     assert!(said.contains("does not close at crank"), "{said}");
 }

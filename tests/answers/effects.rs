@@ -3,11 +3,11 @@
 //! One machine, a four-bar with a slider behind it, is written with every combination of effects declared and with
 //! different things asked.
 
-use assur::check::Overrides;
-use assur::plan::{ForceStep, Level, LoadStep, Plan};
-use assur::solve::State;
-use assur::source::Source;
-use assur::{Compiled, Solved};
+use assur::internals::check::Overrides;
+use assur::internals::plan::{ForceStep, Level, LoadStep, Plan};
+use assur::internals::solve::State;
+use assur::internals::source::Source;
+use assur::internals::{Compiled, Solved};
 
 /// What the file declares beside the machine and its motion.
 #[derive(Clone, Copy, Default)]
@@ -94,13 +94,13 @@ fn text(declared: Declared, drive: Drive, find: &str) -> String {
 
 fn compiled(text: &str) -> Compiled {
     let source = Source::new("effects.mech", text.to_owned());
-    let (compiled, problems) = assur::compile(&source, &Overrides::none());
-    assert!(!problems.has_errors(), "{}", assur::diagnose(&source));
+    let (compiled, problems) = assur::internals::compile(&source, &Overrides::none());
+    assert!(!problems.has_errors(), "{}", assur::internals::diagnose(&source));
     compiled.unwrap_or_else(|| panic!("it compiles:\n{text}"))
 }
 
 fn solved(text: &str) -> Solved {
-    assur::pipeline::solve(compiled(text)).0.unwrap_or_else(|_| panic!("it is solved:\n{text}"))
+    assur::internals::pipeline::solve(compiled(text)).0.unwrap_or_else(|_| panic!("it is solved:\n{text}"))
 }
 
 fn states(solved: &Solved) -> impl Iterator<Item = &State> {

@@ -1,7 +1,7 @@
 //! The rules by which an answer is held against the answer key.
 
-use assur::check::Overrides;
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::source::Source;
 
 const CRANK_SLIDER: &str = r#"mechanism "Crank-slider"
 given r = 100 mm
@@ -21,8 +21,9 @@ const SWEEP: &str = "drive crank = 0 deg, 90 deg, 360 deg at 100 rad/s\npose qua
 /// Truths of the outcomes of the last line, with the names of their poses.
 fn outcomes(drive: &str, expect: &str) -> Vec<(Option<String>, bool)> {
     let source = Source::new("a.mech", format!("{CRANK_SLIDER}{drive}{expect}\n"));
-    let (solved, problems) = assur::solve_source(&source, &Overrides::none());
-    let said = assur::diagnostic::render(&problems, &source, assur::diagnostic::Style::PLAIN);
+    let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
+    let said =
+        assur::internals::diagnostic::render(&problems, &source, assur::internals::diagnostic::Style::PLAIN);
     let solved = solved.unwrap_or_else(|| panic!("{expect}: {said}"));
     assert!(!problems.has_errors(), "{expect}: {said}");
     solved.outcomes.into_iter().map(|o| (o.pose, o.passed)).collect()
@@ -102,7 +103,7 @@ fn poses() {
 /// The code of the first error of a file that ends with these lines.
 fn error(drive: &str, expect: &str) -> Option<String> {
     let source = Source::new("a.mech", format!("{CRANK_SLIDER}{drive}{expect}\n"));
-    let (_, problems) = assur::test_source(&source, &Overrides::none());
+    let (_, problems) = assur::internals::test_source(&source, &Overrides::none());
     problems.views(&source).into_iter().find_map(|d| d.code)
 }
 

@@ -1,9 +1,9 @@
 //! Values, dimensions, units and questions as `check` understands them.
 
-use assur::check::Overrides;
-use assur::diagnostic::{Style, render};
-use assur::model::{At, Expr, FindKind, Mechanism, Query, Relation, Tolerance, Value};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::{Style, render};
+use assur::internals::model::{At, Expr, FindKind, Mechanism, Query, Relation, Tolerance, Value};
+use assur::internals::source::Source;
 
 const CRANK_SLIDER: &str = "
 ground { A (0, 0); line guide through A along 0 deg }
@@ -21,7 +21,7 @@ assemble C ahead of B
 fn read(text: &str, set: &[(&str, &str)]) -> Result<Mechanism, String> {
     let source = Source::new("text.mech", text);
     let values = set.iter().map(|(n, v)| ((*n).to_owned(), (*v).to_owned())).collect();
-    let (mechanism, problems) = assur::check_source(&source, &Overrides::set(values));
+    let (mechanism, problems) = assur::internals::check_source(&source, &Overrides::set(values));
     mechanism.ok_or_else(|| render(&problems, &source, Style::PLAIN))
 }
 

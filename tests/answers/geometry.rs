@@ -1,18 +1,18 @@
 //! What the machine of a text becomes in the model: points, pairs, masses, drives, assembly, loads.
 
-use assur::check::{Overrides, check};
-use assur::diagnostic::{Style, render};
-use assur::math::Vec2;
-use assur::model::{
+use assur::internals::check::{Overrides, check};
+use assur::internals::diagnostic::{Style, render};
+use assur::internals::math::Vec2;
+use assur::internals::model::{
     BalanceKind, DriveTarget, Expr, Guide, HintKind, LoadKind, Mechanism, PairKind, Place, Positions, Value,
 };
-use assur::source::Source;
+use assur::internals::source::Source;
 use std::path::Path;
 
 /// The mechanism of a text and what is said of it.
 fn checked(text: &str) -> (Option<Mechanism>, String) {
     let source = Source::new("text.mech", text);
-    let (document, mut problems) = assur::syntax::parse(&source);
+    let (document, mut problems) = assur::internals::syntax::parse(&source);
     let (mechanism, more) = check(&document, &Overrides::none());
     problems.append(more);
     let mechanism = mechanism.filter(|_| !problems.has_errors());

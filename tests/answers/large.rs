@@ -3,11 +3,11 @@
 //! `cargo test --release --test answers large -- --nocapture` prints how long each stage takes.
 
 use crate::busy::Busy;
-use assur::check::{Overrides, check};
-use assur::plan::plan;
-use assur::source::Source;
-use assur::structure::structure;
-use assur::syntax::parse;
+use assur::internals::check::{Overrides, check};
+use assur::internals::plan::plan;
+use assur::internals::source::Source;
+use assur::internals::structure::structure;
+use assur::internals::syntax::parse;
 use std::fmt::Write;
 use std::time::Duration;
 
@@ -54,8 +54,8 @@ fn a_thousand_dyads() {
     assert_eq!(structure.motion.len(), DYADS + 1);
     let plan = plan(&mechanism, &structure);
     let planned = start.elapsed();
-    let scene = assur::solve::Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
-    let solution = assur::solve::solve(&scene).expect("it closes");
+    let scene = assur::internals::solve::Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
+    let solution = assur::internals::solve::solve(&scene).expect("it closes");
     let solved = start.elapsed();
     assert!(solution.poses[0].outcome.is_ok());
     println!(

@@ -1,14 +1,15 @@
 //! Files on which an answer or a verdict was once wrong, in `tests/cases/numbers`, with what is right.
 
-use assur::check::Overrides;
-use assur::model::Value;
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::model::Value;
+use assur::internals::source::Source;
 
 /// The value of a find at the first position, and all messages.
 fn solved(text: &str, name: &str) -> (Option<f64>, String) {
     let source = Source::new("case.mech", text);
-    let (solved, problems) = assur::test_source(&source, &Overrides::none());
-    let words = assur::diagnostic::render(&problems, &source, assur::diagnostic::Style::PLAIN);
+    let (solved, problems) = assur::internals::test_source(&source, &Overrides::none());
+    let words =
+        assur::internals::diagnostic::render(&problems, &source, assur::internals::diagnostic::Style::PLAIN);
     let value = solved.and_then(|solved| {
         let scene = solved.compiled.scene();
         let pose = solved.solution.poses[0].outcome.as_ref().ok()?;
@@ -17,7 +18,7 @@ fn solved(text: &str, name: &str) -> (Option<f64>, String) {
         let view = solved.solution.view(&scene, pose);
         let find = scene.mechanism.finds.iter().find(|f| f.name == name)?;
         match &find.kind {
-            assur::model::FindKind::Value { expr, .. } => match view.value(expr) {
+            assur::internals::model::FindKind::Value { expr, .. } => match view.value(expr) {
                 Value::Scalar(x) => Some(x),
                 _ => None,
             },

@@ -2,14 +2,14 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
-use assur::check::Overrides;
-use assur::report::lines::CsvLines;
-use assur::report::{Precision, csv, json, table_of_poses};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::report::lines::CsvLines;
+use assur::internals::report::{Precision, csv, json, table_of_poses};
+use assur::internals::source::Source;
 use std::path::Path;
 
-fn compiled(source: &Source) -> Option<assur::Compiled> {
-    let (compiled, problems) = assur::compile(source, &Overrides::none());
+fn compiled(source: &Source) -> Option<assur::internals::Compiled> {
+    let (compiled, problems) = assur::internals::compile(source, &Overrides::none());
     compiled.filter(|_| !problems.has_errors())
 }
 
@@ -20,11 +20,11 @@ fn every_example_comes_out_the_same() {
     for path in crate::folder::files(&root, "mech") {
         let source = Source::new(path.display().to_string(), std::fs::read_to_string(&path).unwrap());
         let (Some(first), Some(second)) = (compiled(&source), compiled(&source)) else { continue };
-        let (Ok(all), _) = assur::pipeline::solve(first) else { continue };
+        let (Ok(all), _) = assur::internals::pipeline::solve(first) else { continue };
         let answers = all.answers(Precision::READABLE);
         let mut rows = CsvLines::of(&second.scene());
         let (mut text, mut objects) = (rows.header(), Vec::new());
-        let (solved, _) = assur::solve_each(second, &mut |answers, pose| {
+        let (solved, _) = assur::internals::solve_each(second, &mut |answers, pose| {
             rows.add(answers, pose, &mut text);
             objects.push(json::render_position("a", None, answers, Some(pose)));
             true
@@ -58,7 +58,7 @@ fn peak(name: &str, steps: usize) -> u64 {
         let compiled = compiled(&source).unwrap();
         let mut rows = CsvLines::of(&compiled.scene());
         let mut text = String::new();
-        let (solved, _) = assur::solve_each(compiled, &mut |answers, pose| {
+        let (solved, _) = assur::internals::solve_each(compiled, &mut |answers, pose| {
             text.clear();
             rows.add(answers, pose, &mut text);
             lines += 1;

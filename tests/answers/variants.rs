@@ -1,12 +1,12 @@
 //! A row of variants is solved on what was found once for all rows; it comes out, bit for bit, as the file with these
 //! values set from outside.
 
-use assur::check::{self, Overrides, Row, RowCell, RowColumn};
-use assur::pipeline::VariantSolver;
-use assur::report::{self, Precision, csv, rows::AnswerColumns, rows::FULL};
-use assur::source::Source;
-use assur::syntax::document::Variants;
-use assur::{Solved, diagnostic::Problems};
+use assur::internals::check::{self, Overrides, Row, RowCell, RowColumn};
+use assur::internals::pipeline::VariantSolver;
+use assur::internals::report::{self, Precision, csv, rows::AnswerColumns, rows::FULL};
+use assur::internals::source::Source;
+use assur::internals::syntax::document::Variants;
+use assur::internals::{Solved, diagnostic::Problems};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -76,7 +76,7 @@ fn a_row_is_the_file_with_these_values() {
     let (mut solved_rows, mut failed_rows) = (0, 0);
     for file in FILES {
         let source = example(file);
-        let (document, _) = assur::syntax::parse(&source);
+        let (document, _) = assur::internals::syntax::parse(&source);
         let document = Arc::new(document);
         let givens = givens(&source);
         assert!(!givens.is_empty(), "{file}");
@@ -93,7 +93,7 @@ fn a_row_is_the_file_with_these_values() {
             let (fast, fast_problems) = family.solve(&row);
             let set =
                 givens.iter().zip(&values).map(|((name, unit, _), v)| (name.clone(), format!("{v:?}{unit}")));
-            let (whole, problems) = assur::solve_source(&source, &Overrides::set(set.collect()));
+            let (whole, problems) = assur::internals::solve_source(&source, &Overrides::set(set.collect()));
             assert_eq!(shown(fast.as_ref()), shown(whole.as_ref()), "{file} with {}", row.words());
             assert_eq!(
                 codes(&fast_problems, &source),
@@ -114,9 +114,9 @@ fn columns_of(source: &Source, givens: &[(String, String, f64)]) -> Arc<[RowColu
         unit => format!("{name} [{unit}]"),
     });
     let text = header.collect::<Vec<_>>().join(",") + "\n";
-    let table = assur::exercise::table::Table::open("t.csv", text.as_bytes()).expect("read");
+    let table = assur::internals::exercise::table::Table::open("t.csv", text.as_bytes()).expect("read");
     let table: Variants = table.map_err(|_| "a header").expect("a header").columns;
-    let (document, _) = assur::syntax::parse(source);
+    let (document, _) = assur::internals::syntax::parse(source);
     let document = Arc::new(document);
     let (columns, problems) = check::columns(&document, &Overrides::none(), &table);
     assert!(problems.is_empty());
@@ -128,7 +128,7 @@ fn a_batch_writes_what_solve_writes() {
     let mut written = 0;
     for file in FILES {
         let source = example(file);
-        let (solved, _) = assur::solve_source(&source, &Overrides::none());
+        let (solved, _) = assur::internals::solve_source(&source, &Overrides::none());
         let Some(solved) = solved else { continue };
         let answers = solved.answers(Precision::READABLE);
         let columns = AnswerColumns::of(&answers.scene);

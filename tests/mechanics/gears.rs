@@ -4,7 +4,7 @@
 #![allow(clippy::disallowed_methods, reason = "an independent computation")]
 #![allow(clippy::excessive_precision, reason = "the digits of the reference")]
 
-use assur::element::gear::{GearFault, GearPair, Teeth, involute};
+use assur::internals::element::gear::{GearFault, GearPair, Teeth, involute};
 
 fn teeth(z: [f64; 2], module: f64, shift: [f64; 2], internal: bool) -> Teeth {
     let pressure_angle = 20.0_f64.to_radians();

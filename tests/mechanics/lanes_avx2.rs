@@ -2,14 +2,14 @@
 
 #![cfg(target_arch = "x86_64")]
 
-use assur::check::Overrides;
-use assur::solve::{DriveColumns, DriveInput, Place, SideBySide, WIDTH, block_in_avx2, solve};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::solve::{DriveColumns, DriveInput, Place, SideBySide, WIDTH, block_in_avx2, solve};
+use assur::internals::source::Source;
 
 #[test]
 fn avx2_has_the_bits_of_one_lane() {
     let text = include_str!("../../examples/kinetostatics/andrews.mech").to_owned();
-    let (compiled, _) = assur::compile(&Source::new("andrews.mech", text), &Overrides::none());
+    let (compiled, _) = assur::internals::compile(&Source::new("andrews.mech", text), &Overrides::none());
     let compiled = compiled.expect("the example compiles");
     let (scene, plan) = (compiled.scene(), &compiled.plan);
     let solution = solve(&scene).expect("the example is solved");

@@ -5,9 +5,9 @@ use crate::support::draft::Draft;
 use crate::support::generate::finish;
 use crate::support::random::Random;
 use crate::support::run::Run;
-use assur::math::Vec2;
-use assur::model::LinkId;
-use assur::plan::ForceStep;
+use assur::internals::math::Vec2;
+use assur::internals::model::LinkId;
+use assur::internals::plan::ForceStep;
 
 /// A leg's joints from below.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +91,7 @@ fn forces_of_a_link_on_legs_of_any_mix() {
 /// At a pole of the three lines nothing holds the link, and the figure says so.
 #[test]
 fn lines_that_meet_hold_nothing() {
-    use assur::group::triad::Triad;
+    use assur::internals::group::triad::Triad;
     let pole = Vec2::new(0.2, -0.1);
     let arms = [Vec2::new(1.0, 0.0), Vec2::new(-0.5, 0.8), Vec2::new(-0.5, -0.8)];
     for apart in [0.0, 1e-9, 1e-3] {

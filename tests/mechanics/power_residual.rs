@@ -1,8 +1,8 @@
 //! The residuals are in proportion to what is wrong with a state.
 
-use assur::check::Overrides;
-use assur::solve::{Scene, State, residuals};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::solve::{Scene, State, residuals};
+use assur::internals::source::Source;
 
 /// A crank-slider with friction behind a pair of wheels with losses is refused; these two together have all terms of the
 /// virtual power: loads, inertia, efforts, friction, losses.
@@ -54,7 +54,8 @@ fn a_wrong_state_has_residuals() {
         ],
     ];
     for (text, changes) in FILES.iter().zip(changes) {
-        let (solved, problems) = assur::solve_source(&Source::new("power.mech", *text), &Overrides::none());
+        let (solved, problems) =
+            assur::internals::solve_source(&Source::new("power.mech", *text), &Overrides::none());
         let solved = solved.unwrap_or_else(|| panic!("{problems:?}"));
         let scene = solved.compiled.scene();
         let state = &solved.solution.poses[0].outcome.as_ref().expect("it moves").state;

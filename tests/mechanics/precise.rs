@@ -1,8 +1,8 @@
 //! One position with twice the digits closes and balances to as many, and tells what `f64` loses.
 
 use crate::support::machines;
-use assur::math::{Double, Scalar, V2, Vec2};
-use assur::solve::{BodyState, DriveInput, Scene, precise, solve};
+use assur::internals::math::{Double, Scalar, V2, Vec2};
+use assur::internals::solve::{BodyState, DriveInput, Scene, precise, solve};
 
 const LENGTHS: [f64; 4] = [0.1, 0.35, 0.3, 0.4];
 
@@ -13,8 +13,8 @@ fn position(b: &BodyState<Double>, x: f64) -> V2<Double> {
 #[test]
 fn a_four_bar_to_thirty_digits() {
     let mechanism = machines::four_bar(LENGTHS, true, machines::list(&[0.0]));
-    let (structure, _) = assur::structure::structure(&mechanism).expect("the machine is sound");
-    let plan = assur::plan::plan(&mechanism, &structure);
+    let (structure, _) = assur::internals::structure::structure(&mechanism).expect("the machine is sound");
+    let plan = assur::internals::plan::plan(&mechanism, &structure);
     let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
     let solution = solve(&scene).expect("the machine closes");
     let first = solution.poses[0].outcome.as_ref().expect("the first position is regular");
@@ -51,8 +51,8 @@ fn a_four_bar_to_thirty_digits() {
 #[test]
 fn what_has_no_closed_form_has_no_such_answer() {
     let mechanism = machines::triad(machines::list(&[0.0]));
-    let (structure, _) = assur::structure::structure(&mechanism).expect("the machine is sound");
-    let plan = assur::plan::plan(&mechanism, &structure);
+    let (structure, _) = assur::internals::structure::structure(&mechanism).expect("the machine is sound");
+    let plan = assur::internals::plan::plan(&mechanism, &structure);
     assert!(!plan.laned());
-    assert!(precise(&plan, &assur::solve::State::new(&plan)).is_none());
+    assert!(precise(&plan, &assur::internals::solve::State::new(&plan)).is_none());
 }

@@ -2,12 +2,12 @@
 //! once: what `f64` and its closed forms lose stays below the bound of docs/stability.md.
 
 use crate::support::digits::{closed_form_errors, force_error, motion_errors};
-use assur::check::Overrides;
-use assur::math::{Double, Scalar, V2};
-use assur::plan::Level;
-use assur::solve::{Reference, Scene, Solved, precise};
-use assur::source::Source;
-use assur::structure::{EffortKind, JointKind};
+use assur::internals::check::Overrides;
+use assur::internals::math::{Double, Scalar, V2};
+use assur::internals::plan::Level;
+use assur::internals::solve::{Reference, Scene, Solved, precise};
+use assur::internals::source::Source;
+use assur::internals::structure::{EffortKind, JointKind};
 use std::path::{Path, PathBuf};
 
 /// The constant of docs/stability.md.
@@ -41,7 +41,7 @@ fn each_position(mut judge: impl FnMut(&str, &Scene<'_>, &Solved, &Reference)) -
         let name = path.strip_prefix(root).expect("below the root").display().to_string();
         let source = Source::new(&name, std::fs::read_to_string(&path).expect("a file"));
         // files that are variants of others are none by themselves
-        let (Some(solved), _) = assur::solve_source(&source, &Overrides::none()) else { continue };
+        let (Some(solved), _) = assur::internals::solve_source(&source, &Overrides::none()) else { continue };
         let scene = solved.compiled.scene();
         for pose in &solved.solution.poses {
             let Ok(at) = &pose.outcome else { continue };

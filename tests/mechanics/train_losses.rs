@@ -2,9 +2,9 @@
 //! directions of the power, one after the other where they are few.
 
 use crate::support::random::Random;
-use assur::check::Overrides;
-use assur::model::{FindKind, Value};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::model::{FindKind, Value};
+use assur::internals::source::Source;
 use std::collections::BTreeMap;
 
 /// A mesh of two wheels on shafts; the carrier of the first or second shaft, if one is a planet.
@@ -258,8 +258,9 @@ fn solve(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
 /// What the program says: answers by name, or its messages; and whether it warns that there are several.
 fn said(text: &str) -> (Result<BTreeMap<String, f64>, String>, bool) {
     let source = Source::new("train.mech", text);
-    let (solved, problems) = assur::solve_source(&source, &Overrides::none());
-    let words = assur::diagnostic::render(&problems, &source, assur::diagnostic::Style::PLAIN);
+    let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
+    let words =
+        assur::internals::diagnostic::render(&problems, &source, assur::internals::diagnostic::Style::PLAIN);
     let several = words.contains("mech::solve::several_balances");
     let Some(solved) = solved else { return (Err(words), several) };
     let scene = solved.compiled.scene();

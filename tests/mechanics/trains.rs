@@ -2,16 +2,18 @@
 //! points where wheels touch, equilibrium of every shaft, the balance of powers.
 
 use crate::support::random::Random;
-use assur::check::Overrides;
-use assur::model::{FindKind, Value};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::model::{FindKind, Value};
+use assur::internals::source::Source;
 use std::collections::BTreeMap;
 
 /// What a text asks, by name; panics with the diagnostics where it is not solved.
 fn answers(text: &str) -> BTreeMap<String, f64> {
     let source = Source::new("train.mech", text);
-    let (solved, problems) = assur::test_source(&source, &Overrides::none());
-    let told = || assur::diagnostic::render(&problems, &source, assur::diagnostic::Style::PLAIN);
+    let (solved, problems) = assur::internals::test_source(&source, &Overrides::none());
+    let told = || {
+        assur::internals::diagnostic::render(&problems, &source, assur::internals::diagnostic::Style::PLAIN)
+    };
     let solved = solved.unwrap_or_else(|| panic!("{text}\n{}", told()));
     let scene = solved.compiled.scene();
     let pose = &solved.solution.poses[0];

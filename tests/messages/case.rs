@@ -1,8 +1,8 @@
 //! Files with a mistake below `tests/cases`: what is reported about them, and what becomes of them where help is followed.
 
-use assur::check::Overrides;
-use assur::diagnostic::{DiagnosticView, Problems};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::{DiagnosticView, Problems};
+use assur::internals::source::Source;
 use std::path::{Path, PathBuf};
 
 /// A file with a mistake.
@@ -92,7 +92,7 @@ pub fn errors(problems: &Problems, source: &Source) -> Vec<DiagnosticView> {
 /// The errors of a text that is solved and compared with its answer key.
 pub fn tested(text: &str) -> Vec<DiagnosticView> {
     let source = Source::new("case.mech", text);
-    errors(&assur::test_source(&source, &Overrides::none()).1, &source)
+    errors(&assur::internals::test_source(&source, &Overrides::none()).1, &source)
 }
 
 /// Messages and help.

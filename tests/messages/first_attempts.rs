@@ -1,8 +1,8 @@
 //! What people wrote at the first attempt and that is read as they meant it, or answered with one message.
 
 use crate::case::text;
-use assur::check::Overrides;
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::source::Source;
 
 /// A file below `tests/cases`, the one code reported, and words of its help.
 const CASES: &[(&str, Option<&str>, &[&str])] = &[
@@ -40,7 +40,7 @@ const CASES: &[(&str, Option<&str>, &[&str])] = &[
 fn one_message_or_none() {
     for (case, code, words) in CASES {
         let source = Source::new("case.mech", text(case));
-        let found = assur::test_source(&source, &Overrides::none()).1.views(&source);
+        let found = assur::internals::test_source(&source, &Overrides::none()).1.views(&source);
         let codes: Vec<&str> = found.iter().filter_map(|d| d.code.as_deref()).collect();
         assert_eq!(codes, code.iter().copied().collect::<Vec<_>>(), "{case}: {found:#?}");
         for words in *words {

@@ -1,14 +1,14 @@
 //! What a help offers to paste does what it says.
 
 use crate::paste::{pasted, read};
-use assur::check::Overrides;
-use assur::diagnostic::DiagnosticView;
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::DiagnosticView;
+use assur::internals::source::Source;
 use std::path::{Path, PathBuf};
 
 fn diagnostics(text: &str) -> Vec<DiagnosticView> {
     let source = Source::new("text.mech", text);
-    assur::solve_source(&source, &Overrides::none()).1.views(&source)
+    assur::internals::solve_source(&source, &Overrides::none()).1.views(&source)
 }
 
 fn files(code: &str) -> Vec<PathBuf> {
@@ -110,9 +110,9 @@ fn what_holds_or_drives() {
 /// The assemblies that `assur check --modes` lists: the line of each, and which the file chooses.
 fn listed(text: &str) -> Vec<(Option<String>, bool)> {
     let source = Source::new("text.mech", text);
-    let (compiled, _) = assur::compile(&source, &Overrides::none());
+    let (compiled, _) = assur::internals::compile(&source, &Overrides::none());
     let compiled = compiled.expect("it is sound");
-    let modes = assur::solve::assemblies(&compiled.scene()).expect("it is solved");
+    let modes = assur::internals::solve::assemblies(&compiled.scene()).expect("it is solved");
     modes.groups.into_iter().flat_map(|g| g.assemblies).map(|m| (m.line, m.chosen)).collect()
 }
 

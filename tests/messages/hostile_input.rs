@@ -1,8 +1,8 @@
 //! No text makes the reader panic, overflow its stack or take more than linear time.
 
 use crate::busy::Busy;
-use assur::source::Source;
-use assur::syntax::{SyntaxError, parse};
+use assur::internals::source::Source;
+use assur::internals::syntax::{SyntaxError, parse};
 use proptest::prelude::*;
 use std::time::Duration;
 
@@ -163,20 +163,20 @@ proptest! {
     #[test]
     fn any_text(text in "\\PC{0,60}(\\n\\PC{0,30}){0,3}") {
         read(&text);
-        let _ = assur::diagnose(&Source::new("text.mech", &text));
+        let _ = assur::internals::diagnose(&Source::new("text.mech", &text));
     }
 
     #[test]
     fn any_bytes(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
         let text = String::from_utf8_lossy(&bytes).into_owned();
-        let _ = assur::diagnose(&Source::new("text.mech", &text));
+        let _ = assur::internals::diagnose(&Source::new("text.mech", &text));
         read(&text);
     }
 
     #[test]
     fn any_words(text in soup()) {
         read(&text);
-        let _ = assur::diagnose(&Source::new("text.mech", &text));
+        let _ = assur::internals::diagnose(&Source::new("text.mech", &text));
     }
 
     #[test]

@@ -280,7 +280,7 @@ fn units_of_many_countries() {
         ("kN m", 1e3),
         ("N.mm", 1e-3),
     ] {
-        let found = assur::units::lookup(unit).unwrap_or_else(|e| panic!("{unit}: {e}")).factor;
+        let found = assur::internals::units::lookup(unit).unwrap_or_else(|e| panic!("{unit}: {e}")).factor;
         assert!((found / si - 1.0).abs() < 1e-14, "{unit}: {found}");
         let read = checked(&format!("given x = 5 {unit}\nfind y = 2*x\n"));
         assert!(read.is_empty(), "{unit}: {read:#?}");

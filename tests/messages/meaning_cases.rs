@@ -3,7 +3,7 @@
 
 use crate::case::Paste::{Before, Line, Part, Whole};
 use crate::case::{Case, judge, near, tested, text};
-use assur::diagnostic::DiagnosticView;
+use assur::internals::diagnostic::DiagnosticView;
 
 const UNKNOWN: &[&str] = &["mech::name::unknown"];
 const KIND: &[&str] = &["mech::name::wrong_kind"];

@@ -3,7 +3,7 @@
 
 use crate::case::text;
 use crate::paste::{checked, paste, pasted, read};
-use assur::diagnostic::DiagnosticView;
+use assur::internals::diagnostic::DiagnosticView;
 
 /// The files with the number of errors, the code of the first, and what its message or help says.
 const CASES: &[(&str, usize, &str, &[&str])] = &[

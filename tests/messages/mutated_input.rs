@@ -1,9 +1,9 @@
 //! Mutated programs: whatever a file says, it is read, checked, split, planned, solved and reported
 //! without a panic, and in bounded time.
 
-use assur::check::Overrides;
-use assur::diagnostic::{Style, render};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::{Style, render};
+use assur::internals::source::Source;
 use proptest::prelude::*;
 use std::path::Path;
 use std::sync::{LazyLock, mpsc};
@@ -48,7 +48,7 @@ fn through(text: &str) {
     let owned = text.to_owned();
     let run = std::thread::spawn(move || {
         let source = Source::new("text.mech", owned);
-        let (solved, problems) = assur::solve_source(&source, &Overrides::none());
+        let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
         let _ = render(&problems, &source, Style::PLAIN);
         let _ = render(&problems, &source, Style::Narrated);
         let _ = problems.views(&source);

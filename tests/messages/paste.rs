@@ -1,20 +1,20 @@
 //! What a help offers to paste, and the text with it.
 
 use crate::case::errors;
-use assur::check::Overrides;
-use assur::diagnostic::DiagnosticView;
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::DiagnosticView;
+use assur::internals::source::Source;
 
 /// The errors of a text.
 pub fn checked(text: &str) -> Vec<DiagnosticView> {
     let source = Source::new("text.mech", text);
-    errors(&assur::check_source(&source, &Overrides::none()).1, &source)
+    errors(&assur::internals::check_source(&source, &Overrides::none()).1, &source)
 }
 
 /// The errors of reading a text.
 pub fn read(text: &str) -> Vec<DiagnosticView> {
     let source = Source::new("text.mech", text);
-    errors(&assur::syntax::parse(&source).1, &source)
+    errors(&assur::internals::syntax::parse(&source).1, &source)
 }
 
 /// The texts that a help offers to paste: lines behind `write:` or `write one of`, which replace the line of the mistake,

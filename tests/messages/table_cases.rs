@@ -2,9 +2,9 @@
 
 use crate::case::{errors, folder};
 use crate::paste::words;
-use assur::check::Overrides;
-use assur::exercise::table::{Lines, Table, TableError};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::exercise::table::{Lines, Table, TableError};
+use assur::internals::source::Source;
 
 /// The message and help of a table beside the crank-slider.
 fn table_says(name: &str, text: &[u8]) -> (String, Option<String>) {
@@ -16,8 +16,8 @@ fn table_says(name: &str, text: &[u8]) -> (String, Option<String>) {
         Ok(table) => table,
         Err((_, error)) => return said(&error),
     };
-    let document = assur::syntax::parse(&Source::new("text.mech", SLIDER)).0;
-    let (columns, problems) = assur::check::columns(&document, &Overrides::none(), &table.columns);
+    let document = assur::internals::syntax::parse(&Source::new("text.mech", SLIDER)).0;
+    let (columns, problems) = assur::internals::check::columns(&document, &Overrides::none(), &table.columns);
     let Some(columns) = columns else {
         let found = errors(&problems, &table.header);
         assert_eq!(found.len(), 1, "{name}: {found:#?}");
@@ -74,7 +74,7 @@ fn values_from_outside() {
         let source = Source::new("text.mech", SLIDER);
         let set = |value: &str| {
             let overrides = Overrides::set(vec![(name.to_owned(), value.to_owned())]);
-            errors(&assur::check_source(&source, &overrides).1, &source)
+            errors(&assur::internals::check_source(&source, &overrides).1, &source)
         };
         let found = set(value);
         assert_eq!(found.len(), 1, "{name}={value}: {found:#?}");

@@ -1,9 +1,9 @@
 //! A reply where the program itself fails.
 
-use assur::cli::args::Args;
-use assur::cli::reply::{Status, guarded};
-use assur::cli::screen::Screen;
-use assur::source::Source;
+use assur::internals::cli::args::Args;
+use assur::internals::cli::reply::{Status, guarded};
+use assur::internals::cli::screen::Screen;
+use assur::internals::source::Source;
 use clap::Parser;
 
 #[test]

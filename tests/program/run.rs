@@ -177,7 +177,11 @@ pub fn rounded(text: &str) -> String {
 /// The cells of a table.
 pub fn rows(text: &str) -> Vec<Vec<String>> {
     let cells = |line: &str| {
-        let cells = assur::exercise::table::cells(line, assur::exercise::table::Separator::Comma).unwrap();
+        let cells = assur::internals::exercise::table::cells(
+            line,
+            assur::internals::exercise::table::Separator::Comma,
+        )
+        .unwrap();
         cells.into_iter().map(|c| c.text.into_owned()).collect()
     };
     text.lines().map(cells).collect()

@@ -36,6 +36,23 @@ fn table() -> Vec<Row> {
     rows
 }
 
+/// The first name of every path that begins at a crate: `crate::name`, `assur_math::name`; of `assur_check`, the crate.
+fn floors_named(text: &str) -> Vec<String> {
+    let word =
+        |part: &str| -> String { part.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect() };
+    let own = text.split("crate::").skip(1).map(word);
+    let others = text.split("assur_").skip(1).flat_map(|part| {
+        let name = word(part);
+        let inner = part[name.len()..].strip_prefix("::").unwrap_or_default();
+        let listed =
+            inner.strip_prefix('{').and_then(|list| list.split_once('}')).map_or(inner, |(list, _)| list);
+        let names =
+            listed.split(',').map(|n| word(n.trim())).take(if inner.starts_with('{') { 99 } else { 1 });
+        names.chain([name.clone()]).collect::<Vec<_>>()
+    });
+    own.chain(others).collect()
+}
+
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
@@ -50,8 +67,7 @@ fn every_folder_uses_only_those_before_it() {
         assert!(!files.is_empty(), "{}", row.path.display());
         for path in files {
             let text = std::fs::read_to_string(&path).expect("a source file");
-            for part in text.split("crate::").skip(1) {
-                let used: String = part.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+            for used in floors_named(&text) {
                 let known = rows.iter().any(|r| r.name == used);
                 if known && used != row.name && !row.uses.contains(&used) {
                     wrong.push(format!("{} uses {used}", path.display()));

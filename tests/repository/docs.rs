@@ -1,8 +1,8 @@
 //! Every snippet of the documents: whole files check, fragments read.
 
-use assur::check::Overrides;
-use assur::diagnostic::{Style, render};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::diagnostic::{Style, render};
+use assur::internals::source::Source;
 use std::path::Path;
 
 /// Blocks fenced by ```` ```mech ```` (true) or ```` ```mech fragment ```` (false).
@@ -44,9 +44,9 @@ fn every_snippet_is_right() {
             count += 1;
             let source = Source::new(&name, block);
             let problems = if whole {
-                assur::compile(&source, &Overrides::none()).1
+                assur::internals::compile(&source, &Overrides::none()).1
             } else {
-                assur::syntax::parse(&source).1
+                assur::internals::syntax::parse(&source).1
             };
             if problems.has_errors() {
                 wrong.push(render(&problems, &source, Style::PLAIN));

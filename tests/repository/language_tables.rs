@@ -1,10 +1,10 @@
 //! The tables of the language against its reference and its grammar, in both directions.
 
-use assur::language::{
+use assur::internals::language::{
     CAM_MEMBERS, FUNCTIONS, LAWS, MEMBERS, PAIRS, PROPERTIES, Place, Property, UNITS, WORDS, Word, words_of,
 };
-use assur::source::Source;
-use assur::{syntax, units};
+use assur::internals::source::Source;
+use assur::internals::{syntax, units};
 use std::collections::BTreeSet;
 
 fn read(path: &str) -> String {

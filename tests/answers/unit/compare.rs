@@ -1,9 +1,9 @@
 //! How values are compared.
 
-use assur::exercise::compare::equal::{difference, shaped_like};
-use assur::exercise::compare::is_within;
-use assur::math::Vec2;
-use assur::model::Value;
+use assur::internals::exercise::compare::equal::{difference, shaped_like};
+use assur::internals::exercise::compare::is_within;
+use assur::internals::math::Vec2;
+use assur::internals::model::Value;
 use std::f64::consts::{PI, TAU};
 
 #[test]

@@ -1,7 +1,7 @@
 //! Tables as comma-separated values.
 
-use assur::report::csv::{field, render};
-use assur::report::document::{Column, Table};
+use assur::internals::report::csv::{field, render};
+use assur::internals::report::document::{Column, Table};
 
 #[test]
 fn formulas_are_texts() {

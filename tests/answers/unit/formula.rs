@@ -1,6 +1,6 @@
 //! Cells that a spreadsheet would run.
 
-use assur::exercise::table::{as_cell, from_cell};
+use assur::internals::exercise::table::{as_cell, from_cell};
 
 #[test]
 fn formulas_come_back_and_numbers_stay() {

@@ -1,7 +1,7 @@
 //! Cells of a line.
 
-use assur::exercise::table::{Separator, cells};
-use assur::source::Span;
+use assur::internals::exercise::table::{Separator, cells};
+use assur::internals::source::Span;
 
 fn texts(line: &str) -> Vec<String> {
     cells(line, Separator::of(line))

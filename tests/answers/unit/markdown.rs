@@ -1,7 +1,7 @@
 //! Reports in Markdown.
 
-use assur::report::document::{Block, Column, Report, Section, Table};
-use assur::report::markdown::render;
+use assur::internals::report::document::{Block, Column, Report, Section, Table};
+use assur::internals::report::markdown::render;
 
 #[test]
 fn signs_of_markdown_are_escaped() {

@@ -1,6 +1,6 @@
 //! Numbers in tables.
 
-use assur::exercise::table::{Separator, Written};
+use assur::internals::exercise::table::{Separator, Written};
 
 #[test]
 fn numbers_with_point_or_comma() {

@@ -1,7 +1,7 @@
 //! Symbols from the numbers of links.
 
-use assur::model::{Link, LinkId, Mechanism};
-use assur::report::symbols::reaction;
+use assur::internals::model::{Link, LinkId, Mechanism};
+use assur::internals::report::symbols::reaction;
 
 fn symbols(numbers: &[Option<&str>]) -> Vec<Option<String>> {
     let link = |n: &Option<&str>| Link { number: n.map(str::to_owned), ..Link::default() };

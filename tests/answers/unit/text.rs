@@ -1,7 +1,7 @@
 //! Reports for a terminal.
 
-use assur::report::document::{Block, Column, Report, Section, Table};
-use assur::report::text::{Look, render};
+use assur::internals::report::document::{Block, Column, Report, Section, Table};
+use assur::internals::report::text::{Look, render};
 
 fn sweep() -> Report {
     let mut table = Table::new(vec![Column::words("pose"), Column::numbers("phi [deg]")], 1);

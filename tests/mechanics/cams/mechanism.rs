@@ -2,12 +2,12 @@
 //! the equilibrium and power of all bodies, which the solver looks at by equations of its own.
 
 use super::random::{Random, random_cam};
-use assur::check::Overrides;
-use assur::element::cam::{Cam, Follower, Law, Shape};
-use assur::math::Vec2;
-use assur::model::LinkId;
-use assur::solve::BodyState;
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::element::cam::{Cam, Follower, Law, Shape};
+use assur::internals::math::Vec2;
+use assur::internals::model::LinkId;
+use assur::internals::solve::BodyState;
+use assur::internals::source::Source;
 use std::fmt::Write;
 
 /// Moments on both sides of the one looked at.
@@ -176,7 +176,7 @@ fn build(random: &mut Random, cam: &Cam, friction: f64) -> Build {
 
 struct Found {
     lever: Vec<BodyState>,
-    residuals: assur::solve::Residuals,
+    residuals: assur::internals::solve::Residuals,
     normal: f64,
 }
 
@@ -204,7 +204,8 @@ fn solve(build: &Build, cam: &Cam, phi: f64, alpha: f64) -> Found {
         let _ = writeln!(text, "drive base = {} at {:?} rad/s", list(&turned), build.frame_omega);
     }
     text += "find reactions, normal(K, lever)\n";
-    let (solved, problems) = assur::solve_source(&Source::new("cam.mech", &text), &Overrides::none());
+    let (solved, problems) =
+        assur::internals::solve_source(&Source::new("cam.mech", &text), &Overrides::none());
     let Some(solved) = solved else { panic!("{text}\n{:?}", problems) };
     let links = &solved.compiled.mechanism.links;
     let lever = links.iter().position(|l| l.name == "lever").unwrap();
@@ -213,9 +214,11 @@ fn solve(build: &Build, cam: &Cam, phi: f64, alpha: f64) -> Found {
     let outcomes: Vec<_> = outcomes.collect();
     let scene = solved.compiled.scene();
     let view = solved.solution.view(&scene, outcomes[SIDE]);
-    let pair = assur::model::PairId::at(scene.mechanism.pairs.iter().position(|p| p.name == "K").unwrap());
-    let query = assur::model::Query::Normal(pair, LinkId::at(lever));
-    let assur::model::Value::Scalar(normal) = view.query(&query) else { panic!("a number") };
+    let pair = assur::internals::model::PairId::at(
+        scene.mechanism.pairs.iter().position(|p| p.name == "K").unwrap(),
+    );
+    let query = assur::internals::model::Query::Normal(pair, LinkId::at(lever));
+    let assur::internals::model::Value::Scalar(normal) = view.query(&query) else { panic!("a number") };
     Found {
         lever: outcomes.iter().map(|s| s.state.motion.bodies[lever]).collect(),
         residuals: outcomes[SIDE].residuals,

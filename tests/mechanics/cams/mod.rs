@@ -8,8 +8,8 @@ mod mechanism;
 mod random;
 mod shaper;
 
-use assur::element::cam::{Cam, CamPoint, Follower, Law, Program, Quantity, Shape};
-use assur::math::Vec2;
+use assur::internals::element::cam::{Cam, CamPoint, Follower, Law, Program, Quantity, Shape};
+use assur::internals::math::Vec2;
 use random::{Random, random_cam};
 use std::f64::consts::TAU;
 
@@ -265,7 +265,7 @@ fn smallest_base_circle_reaches_the_allowed_angle() {
 
 #[test]
 fn what_cannot_stand_or_follow_is_found() {
-    use assur::element::cam::{Fault, Misfit};
+    use assur::internals::element::cam::{Fault, Misfit};
     let program = |h: f64| rise_dwell_fall(1.0, 0.1, 1.0, h, [Law::Cycloidal; 2]);
     let roller = |r: f64| Follower::Translating { shape: Shape::Roller(r), offset: 0.0 };
     let cam = Cam::new(0.03, true, roller(0.02), program(0.04)).unwrap();

@@ -1,6 +1,6 @@
 //! Random cams.
 
-use assur::element::cam::{Cam, Follower, Law, Program, Shape};
+use assur::internals::element::cam::{Cam, Follower, Law, Program, Shape};
 
 const LAWS: [Law; 7] = [
     Law::Parabolic,

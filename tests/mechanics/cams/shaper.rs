@@ -1,7 +1,7 @@
 //! The two cams of the shaper against their key.
 
 use super::{deg, near, rise_dwell_fall};
-use assur::element::cam::{Cam, Follower, Law, Shape};
+use assur::internals::element::cam::{Cam, Follower, Law, Shape};
 
 struct ShaperCam {
     lift: f64,

@@ -9,7 +9,7 @@ use crate::support::generate;
 use crate::support::random::Random;
 use crate::support::reference::Reference;
 use crate::support::run::Run;
-use assur::model::{Friction, Mechanism, PairKind};
+use assur::internals::model::{Friction, Mechanism, PairKind};
 use nalgebra::{DMatrix, DVector};
 
 /// Positions with a slower sliding velocity, other than none, are left out.

@@ -7,12 +7,12 @@ use crate::support::equilibrium::{Forces, equilibrium};
 use crate::support::generate;
 use crate::support::reference::Reference;
 use crate::support::run::Run;
-use assur::check::Overrides;
-use assur::math::Vec2;
-use assur::model::{Friction, Mechanism, PairKind};
-use assur::plan::ForceStep;
-use assur::solve::Scene;
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::math::Vec2;
+use assur::internals::model::{Friction, Mechanism, PairKind};
+use assur::internals::plan::ForceStep;
+use assur::internals::solve::Scene;
+use assur::internals::source::Source;
 
 /// Positions with a slower sliding velocity, other than none, are left out.
 const SLOWEST: f64 = 1e-7;
@@ -145,7 +145,7 @@ fn dyads_agree_with_the_laws_taken_one_by_one() {
         }
         let Ok(quick) = run.solved(0) else { continue };
         let scene = Scene { plan: &plan, ..run.scene() };
-        let Ok(solution) = assur::solve::solve(&scene) else { continue };
+        let Ok(solution) = assur::internals::solve::solve(&scene) else { continue };
         let Some(Ok(slow)) = solution.poses.first().map(|p| &p.outcome) else { continue };
         if reduced == 0 || quick.condition < 1e-3 {
             continue;
@@ -259,7 +259,7 @@ find efficiency(), locked()
                 list.join(", ")
             );
             let source = Source::new("grid.mech", text);
-            let (solved, problems) = assur::solve_source(&source, &Overrides::none());
+            let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
             let Some(solved) = solved else { panic!("{problems:?}") };
             let scene = solved.compiled.scene();
             assert_eq!(solved.solution.poses.len(), angles.len());

@@ -2,9 +2,11 @@
 
 use crate::support::equilibrium::{Forces, Outside};
 use crate::support::reference::Reference;
-use assur::math::Vec2;
-use assur::model::{Expr, Friction, LinkId, Load, LoadKind, Mechanism, PairId, PairKind, Place, Value};
-use assur::source::Span;
+use assur::internals::math::Vec2;
+use assur::internals::model::{
+    Expr, Friction, LinkId, Load, LoadKind, Mechanism, PairId, PairKind, Place, Value,
+};
+use assur::internals::source::Span;
 
 /// Slower velocities are none.
 const STILL: f64 = 1e-12;
@@ -76,7 +78,7 @@ impl PairFriction {
     }
 
     /// Whether that answer is its own, whichever link it is stated for.
-    pub fn is_of(&self, r: &assur::solve::PairFriction) -> bool {
+    pub fn is_of(&self, r: &assur::internals::solve::PairFriction) -> bool {
         let links = [r.on, r.from];
         r.pair == self.pair && links.contains(&self.on) && links.contains(&self.from)
     }

@@ -3,9 +3,9 @@
 //!
 //! The references come from tests/reference/hard/catalogue.py.
 
-use assur::check::Overrides;
-use assur::model::{FindKind, Value};
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::model::{FindKind, Value};
+use assur::internals::source::Source;
 use std::path::Path;
 
 /// c in the bound c ε/σ^k.
@@ -86,7 +86,8 @@ fn ran(rows: Vec<Row>) -> Ran {
     let source = Source::new(&name, std::fs::read_to_string(root().join(&name)).expect("an example"));
     let pairs = settings.split_whitespace().filter_map(|s| s.split_once('='));
     let values = pairs.map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
-    let (solved, problems) = assur::solve_source(&source, &Overrides { values, ..Overrides::none() });
+    let (solved, problems) =
+        assur::internals::solve_source(&source, &Overrides { values, ..Overrides::none() });
     let told = problems.views(&source).iter().filter_map(|v| v.code.clone()).collect();
     let met = rows.into_iter().map(|row| {
         let solution = solved.as_ref().map(|s| (&s.compiled, &s.solution));

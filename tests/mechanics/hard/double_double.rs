@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use assur::math::Scalar;
+use assur::internals::math::Scalar;
 
 /// The unevaluated sum of two doubles, the second below half an ulp of the first.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,9 @@
 //! The closed forms of the groups, with the accuracy each reaches, against double-double arithmetic on the same numbers.
 
 use super::double_double::DoubleDouble;
-use assur::group::general::{Constraint, General, Point, Pose};
-use assur::group::{rrp, rrr};
-use assur::math::{Scalar, V2, Vec2};
+use assur::internals::group::general::{Constraint, General, Point, Pose};
+use assur::internals::group::{rrp, rrr};
+use assur::internals::math::{Scalar, V2, Vec2};
 
 const ROWS: [f64; 4] = [1e-1, 1e-5, 1e-9, 1e-13];
 const DYADS: usize = 300;

@@ -1,10 +1,10 @@
 //! Long chains and long sweeps.
 
 use super::catalogue::{BOUND, rows};
-use assur::check::Overrides;
-use assur::model::{FindKind, Value};
-use assur::source::Source;
-use assur::{Solved, solve_source};
+use assur::internals::check::Overrides;
+use assur::internals::model::{FindKind, Value};
+use assur::internals::source::Source;
+use assur::internals::{Solved, solve_source};
 use std::fmt::Write;
 
 fn solved(text: String) -> Solved {

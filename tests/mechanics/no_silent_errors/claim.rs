@@ -6,9 +6,9 @@ use crate::support::digits::force_errors;
 use crate::support::equilibrium::{Forces, equilibrium};
 use crate::support::reference::{Body, Rates};
 use crate::support::run::{Run, scalar, vector};
-use assur::math::{V2, Vec2};
-use assur::model::{BalanceId, DriveId, LinkId, Mechanism, PairKind, Query};
-use assur::solve::{PoseAnswers, SolveError, Solved};
+use assur::internals::math::{V2, Vec2};
+use assur::internals::model::{BalanceId, DriveId, LinkId, Mechanism, PairKind, Query};
+use assur::internals::solve::{PoseAnswers, SolveError, Solved};
 
 /// Digits that an answer claims where no warning says how many are left.
 pub const UNWARNED: f64 = 7.0;
@@ -143,9 +143,9 @@ fn off(run: &Run, view: &PoseAnswers<'_>, forces: &Forces, size: f64) -> f64 {
             (Query::Effort(DriveId::at(i)), m.drives.get(i).is_some_and(|d| turns(m, &d.target)))
         } else {
             let torque = match &m.balances[i].kind {
-                assur::model::BalanceKind::Torque(_) => true,
-                assur::model::BalanceKind::Force { .. } => false,
-                assur::model::BalanceKind::InPair(pair) => {
+                assur::internals::model::BalanceKind::Torque(_) => true,
+                assur::internals::model::BalanceKind::Force { .. } => false,
+                assur::internals::model::BalanceKind::InPair(pair) => {
                     matches!(m.pair(*pair).kind, PairKind::Revolute(_))
                 }
             };
@@ -157,10 +157,12 @@ fn off(run: &Run, view: &PoseAnswers<'_>, forces: &Forces, size: f64) -> f64 {
     worst
 }
 
-fn turns(m: &Mechanism, target: &assur::model::DriveTarget) -> bool {
+fn turns(m: &Mechanism, target: &assur::internals::model::DriveTarget) -> bool {
     match target {
-        assur::model::DriveTarget::Link(link) => *link != LinkId::GROUND,
-        assur::model::DriveTarget::Pair(pair) => matches!(m.pair(*pair).kind, PairKind::Revolute(_)),
-        assur::model::DriveTarget::Point(..) => false,
+        assur::internals::model::DriveTarget::Link(link) => *link != LinkId::GROUND,
+        assur::internals::model::DriveTarget::Pair(pair) => {
+            matches!(m.pair(*pair).kind, PairKind::Revolute(_))
+        }
+        assur::internals::model::DriveTarget::Point(..) => false,
     }
 }

@@ -3,8 +3,8 @@
 
 use crate::hard::double_double::DoubleDouble;
 use crate::support::reference::{Body, Direction, Rates, Solver, constraints};
-use assur::math::{Scalar, V2, Vec2};
-use assur::model::Mechanism;
+use assur::internals::math::{Scalar, V2, Vec2};
+use assur::internals::model::Mechanism;
 use nalgebra::{DMatrix, DVector};
 
 type Real = DoubleDouble;

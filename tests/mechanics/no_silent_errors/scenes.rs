@@ -3,8 +3,8 @@
 use crate::support::change::Change;
 use crate::support::generate;
 use crate::support::random::Random;
-use assur::math::Vec2;
-use assur::model::{Expr, Mechanism, Positions, Value};
+use assur::internals::math::Vec2;
+use assur::internals::model::{Expr, Mechanism, Positions, Value};
 
 /// General groups cost most of the time: this share of them is kept.
 const GENERAL: f64 = 0.1;

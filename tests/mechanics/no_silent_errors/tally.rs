@@ -3,7 +3,7 @@
 use super::claim::{KINDS, UNWARNED, judge};
 use super::scenes;
 use crate::support::run::Run;
-use assur::solve::SolveError;
+use assur::internals::solve::SolveError;
 use std::collections::BTreeMap;
 
 /// Counts, the worst of each kind, and what was wrong.

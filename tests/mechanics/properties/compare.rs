@@ -3,9 +3,9 @@
 use crate::support::draft::Draft;
 use crate::support::reference::Reference;
 use crate::support::run::{Run, scalar, vector};
-use assur::math::Vec2;
-use assur::model::{BalanceId, DriveId, LinkId, PairId, PairKind, PointRef, Query};
-use assur::solve::PoseAnswers;
+use assur::internals::math::Vec2;
+use assur::internals::model::{BalanceId, DriveId, LinkId, PairId, PairKind, PointRef, Query};
+use assur::internals::solve::PoseAnswers;
 
 /// Errors are told in units of this, relative to the largest magnitude in play, over a power of the condition figure.
 pub const TOLERANCE: f64 = 1e-12;

@@ -5,11 +5,11 @@ use crate::support::generate;
 use crate::support::machines::{self, at, crank_slider, four_bar, list};
 use crate::support::random::Random;
 use crate::support::run::Run;
-use assur::math::Vec2;
-use assur::model::{
+use assur::internals::math::Vec2;
+use assur::internals::model::{
     BalanceKind, Expr, LinkId, LoadKind, Mechanism, PairKind, Place, Positions, ProfileShape, Value,
 };
-use assur::solve::SolveError;
+use assur::internals::solve::SolveError;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// The gap in words of a mechanism that does not close, and its last length, m.
@@ -69,7 +69,7 @@ fn swinging_guide([r, _, offset, frame]: [f64; 4], angle: f64) -> (Mechanism, f6
     machines::revolute(&mut m, "B", (crank, at(r, 0.0)), (block, at(0.0, 0.0)));
     machines::revolute(&mut m, "D", (LinkId::GROUND, at(frame, 0.0)), (bar, at(0.0, 0.0)));
     let line = machines::prismatic(&mut m, block, bar, at(0.0, offset), at(1.0, 0.0));
-    let hint = assur::model::HintKind::Coordinate { pair: line, bound: 0.0, greater: true };
+    let hint = assur::internals::model::HintKind::Coordinate { pair: line, bound: 0.0, greater: true };
     machines::hint(&mut m, hint);
     machines::drive(&mut m, crank, list(&[angle]));
     (m, offset)

@@ -5,8 +5,8 @@ use super::compare::Worst;
 use crate::support::draft::Draft;
 use crate::support::reference::number;
 use crate::support::run::{Run, scalar, vector};
-use assur::math::Vec2;
-use assur::model::{Expr, LinkId, Mechanism, PointRef, Positions, Query};
+use assur::internals::math::Vec2;
+use assur::internals::model::{Expr, LinkId, Mechanism, PointRef, Positions, Query};
 
 /// Step in time, s.
 const STEP: f64 = 1e-3;

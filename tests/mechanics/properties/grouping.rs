@@ -1,8 +1,8 @@
 //! What the decomposition found against how the mechanism was put together.
 
 use crate::support::draft::Draft;
-use assur::model::LinkId;
-use assur::structure::{
+use assur::internals::model::LinkId;
+use assur::internals::structure::{
     BodyId, BodyOrigin, Effort, EffortKind, Group, GroupKind, JointKind, Replaced, Structure,
 };
 

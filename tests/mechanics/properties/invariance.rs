@@ -5,8 +5,10 @@ use crate::support::change::Change;
 use crate::support::draft::Draft;
 use crate::support::reference::{Reference, rollers};
 use crate::support::run::{Run, scalar, vector};
-use assur::math::Vec2;
-use assur::model::{BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, PairId, PairKind, PointRef, Query};
+use assur::internals::math::Vec2;
+use assur::internals::model::{
+    BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, PairId, PairKind, PointRef, Query,
+};
 
 /// The changes tried on a mechanism.
 fn changes(draft: &mut Draft) -> Vec<(&'static str, Change)> {

@@ -1,9 +1,9 @@
 //! Positions side by side have the bits of each alone.
 
 use crate::support::run::Run;
-use assur::math::Vec2;
-use assur::plan::Level;
-use assur::solve::{DriveColumns, DriveInput, Place, SideBySide, State, WIDTH};
+use assur::internals::math::Vec2;
+use assur::internals::plan::Level;
+use assur::internals::solve::{DriveColumns, DriveInput, Place, SideBySide, State, WIDTH};
 
 /// Two full blocks and a rest.
 const POSITIONS: usize = 2 * WIDTH + 3;

@@ -165,12 +165,13 @@ fn answers_agree_with_thirty_digits() {
         }
         positions += 1;
         // the angles of two guides of one body agree to rounding only: which of them holds is taken differently
-        let twice_guided =
-            |m: &assur::plan::MotionStep| matches!(m, assur::plan::MotionStep::Translation { .. });
+        let twice_guided = |m: &assur::internals::plan::MotionStep| {
+            matches!(m, assur::internals::plan::MotionStep::Translation { .. })
+        };
         if run.plan.motion.iter().any(twice_guided) {
             continue;
         }
-        let Some(precise) = assur::solve::precise(&run.plan, &solved.state) else { continue };
+        let Some(precise) = assur::internals::solve::precise(&run.plan, &solved.state) else { continue };
         let errors = digits::closed_form_errors(&precise, &exact);
         for (error, power) in errors.into_iter().zip([1, 2, 3, 3]) {
             let bound = 1e-28 / sigma.powi(power);

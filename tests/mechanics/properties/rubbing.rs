@@ -6,9 +6,9 @@ use crate::support::draft::Draft;
 use crate::support::equilibrium::{Outside, Wrench};
 use crate::support::reference::{Body, Reference};
 use crate::support::run::{Run, scalar, vector};
-use assur::math::Vec2;
-use assur::model::{BalanceId, DriveId, Friction, LinkId, PairId, PairKind, Query};
-use assur::solve::PoseAnswers;
+use assur::internals::math::Vec2;
+use assur::internals::model::{BalanceId, DriveId, Friction, LinkId, PairId, PairKind, Query};
+use assur::internals::solve::PoseAnswers;
 
 /// Gives about half of the pairs friction.
 pub fn roughen(draft: &mut Draft) {

@@ -3,13 +3,13 @@
 use crate::support::machines::{self, at, crank_slider, four_bar, list, turn};
 use crate::support::random::Random;
 use crate::support::run::{Run, scalar, vector};
-use assur::math::Vec2;
-use assur::model::{
+use assur::internals::math::Vec2;
+use assur::internals::model::{
     Display, Expr, Find, FindKind, HintKind, LinkId, Load, LoadKind, Mechanism, PairId, Place, PointRef,
     Positions, Query,
 };
-use assur::solve::SolveError;
-use assur::source::Span;
+use assur::internals::solve::SolveError;
+use assur::internals::source::Span;
 use std::f64::consts::{PI, TAU};
 
 const CRANK: LinkId = LinkId::at(1);

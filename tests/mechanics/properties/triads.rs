@@ -3,12 +3,14 @@
 use crate::support::generate;
 use crate::support::machines::{self, list, turn};
 use crate::support::run::Run;
-use assur::group::general::{Acceleration, Constraint, General, Load, Point, Pose, Velocity, assemblies};
-use assur::math::Vec2;
-use assur::plan::{MotionStep, TriadLeg};
-use assur::solve::{self, Scene, State};
+use assur::internals::group::general::{
+    Acceleration, Constraint, General, Load, Point, Pose, Velocity, assemblies,
+};
+use assur::internals::math::Vec2;
+use assur::internals::plan::{MotionStep, TriadLeg};
+use assur::internals::solve::{self, Scene, State};
 
-fn run(m: &assur::model::Mechanism) -> Run {
+fn run(m: &assur::internals::model::Mechanism) -> Run {
     Run::new(m).expect("the structure is sound")
 }
 

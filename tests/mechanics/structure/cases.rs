@@ -1,7 +1,7 @@
 //! Files of use on which the verdict was wrong or misleading once, with what is wanted of each.
 
-use assur::check::Overrides;
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::source::Source;
 use std::path::Path;
 
 /// A file, the code of its first error or warning, and words of the message and the help.
@@ -74,9 +74,9 @@ fn problems(name: &str) -> Vec<(String, String)> {
         Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/structure").join(format!("{name}.mech"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
     let source = Source::new(name, text);
-    let (_, problems) = assur::compile(&source, &Overrides::none());
+    let (_, problems) = assur::internals::compile(&source, &Overrides::none());
     let views = problems.views(&source).into_iter();
-    let shown = |d: assur::diagnostic::DiagnosticView| {
+    let shown = |d: assur::internals::diagnostic::DiagnosticView| {
         (d.code.unwrap_or_default(), format!("{}\n{}", d.message, d.help.unwrap_or_default()))
     };
     views.map(shown).collect()

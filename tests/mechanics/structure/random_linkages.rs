@@ -5,8 +5,8 @@ use super::help::{apply, pastes, removals};
 use super::linkage::{Kind, Linkage, Pair, link_name};
 use super::oracle::{Truth, truth};
 use crate::support::random::Random;
-use assur::check::Overrides;
-use assur::source::Source;
+use assur::internals::check::Overrides;
+use assur::internals::source::Source;
 
 const LINKAGES: u64 = 3_000;
 
@@ -19,7 +19,7 @@ struct Verdict {
 
 fn verdict(text: &str) -> Verdict {
     let source = Source::new("random.mech", text);
-    let (_, problems) = assur::compile(&source, &Overrides::none());
+    let (_, problems) = assur::internals::compile(&source, &Overrides::none());
     let views = problems.views(&source);
     let codes = views.iter().filter_map(|d| d.code.clone()).collect();
     let first = views.into_iter().next();

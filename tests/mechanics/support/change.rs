@@ -2,8 +2,8 @@
 //! pairs renamed and declared in another order.
 
 use crate::support::reference::{number, vector};
-use assur::math::Vec2;
-use assur::model::{
+use assur::internals::math::Vec2;
+use assur::internals::model::{
     BalanceKind, Comparison, DriveTarget, Expr, HintKind, Link, LinkId, LoadKind, Mechanism, Pair, PairId,
     PairKind, Place, Positions, ProfileShape, Query, Value,
 };

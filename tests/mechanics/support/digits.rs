@@ -1,8 +1,8 @@
 //! What answers in `f64`, and the closed forms with twice the digits, are off from the reference of 30 digits.
 
-use assur::math::{Double, Scalar, V2, Vec2};
-use assur::solve::{Reference, Scene, Solved, State};
-use assur::structure::{EffortKind, JointKind};
+use assur::internals::math::{Double, Scalar, V2, Vec2};
+use assur::internals::solve::{Reference, Scene, Solved, State};
+use assur::internals::structure::{EffortKind, JointKind};
 
 fn off(got: Vec2, want: V2<Double>) -> f64 {
     (V2::of(got) - want).norm().high

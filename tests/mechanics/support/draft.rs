@@ -1,12 +1,12 @@
 //! A mechanism under construction: the poses of all links are known before the pairs are, so that every pair closes.
 
 use crate::support::random::Random;
-use assur::math::Vec2;
-use assur::model::{
+use assur::internals::math::Vec2;
+use assur::internals::model::{
     Drive, DriveTarget, Expr, Guide, Hint, HintKind, Link, LinkId, Mechanism, Pair, PairId, PairKind, Pin,
     Positions, Profile, ProfileShape, Value,
 };
-use assur::source::Span;
+use assur::internals::source::Span;
 
 /// Where a link stands: the origin and the x axis of its frame.
 #[derive(Clone, Copy, Debug)]

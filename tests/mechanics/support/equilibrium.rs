@@ -2,8 +2,8 @@
 //! they are declared and the unknown efforts, as one linear system. Moments are taken about the origin of the ground.
 
 use crate::support::reference::{Body, Rates, Solver, number, rollers, vector};
-use assur::math::Vec2;
-use assur::model::{
+use assur::internals::math::Vec2;
+use assur::internals::model::{
     BalanceKind, DriveTarget, Expr, Guide, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, Profile,
     ProfileShape, Query,
 };

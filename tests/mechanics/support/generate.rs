@@ -3,8 +3,8 @@
 use crate::support::draft::Draft;
 use crate::support::random::Random;
 use crate::support::reference::Reference;
-use assur::model::{Find, FindKind};
-use assur::source::Span;
+use assur::internals::model::{Find, FindKind};
+use assur::internals::source::Span;
 
 /// The mechanism of this number.
 pub fn mechanism(seed: u64) -> Draft {

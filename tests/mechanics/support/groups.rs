@@ -4,8 +4,8 @@
 mod contacts;
 
 use crate::support::draft::{Anchor, Draft, Frame, Made};
-use assur::math::Vec2;
-use assur::model::{DriveTarget, LinkId, PairId, PairKind};
+use assur::internals::math::Vec2;
+use assur::internals::model::{DriveTarget, LinkId, PairId, PairKind};
 
 /// The least condition figure a group is drawn with.
 const MARGIN: f64 = 0.35;

@@ -1,6 +1,6 @@
 //! A number with its first and second derivative in time.
 
-use assur::math::{Scalar, V2, Vec2};
+use assur::internals::math::{Scalar, V2, Vec2};
 use std::ops::{Add, Mul, Sub};
 
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,12 +1,12 @@
 //! Random masses, loads, springs and unknown efforts.
 
 use crate::support::draft::Draft;
-use assur::math::Vec2;
-use assur::model::{
+use assur::internals::math::Vec2;
+use assur::internals::model::{
     Balance, BalanceKind, Comparison, Expr, Gravity, LinkId, Load, LoadKind, MassProperties, PairId,
     PairKind, Place, Query, Spring, Value,
 };
-use assur::source::Span;
+use assur::internals::source::Span;
 
 pub fn vector(v: Vec2) -> Expr {
     Expr::Constant(Value::Vector(v))

@@ -1,12 +1,12 @@
 //! Well-known machines with masses, for the tests of sweeps and for the measurements. Lengths in metres.
 #![allow(dead_code)] // every test and bench uses some of them
 
-use assur::math::Vec2;
-use assur::model::{
+use assur::internals::math::Vec2;
+use assur::internals::model::{
     Balance, BalanceKind, Drive, DriveTarget, Expr, Find, FindKind, Gravity, Guide, Hint, HintKind, Link,
     LinkId, MassProperties, Mechanism, Pair, PairId, PairKind, Pin, Positions,
 };
-use assur::source::Span;
+use assur::internals::source::Span;
 
 /// A turning speed for all of them, rad/s.
 pub const SPEED: f64 = 30.0;

@@ -1,6 +1,6 @@
 //! A small deterministic generator (SplitMix64): the same mechanisms in every run.
 
-use assur::math::Vec2;
+use assur::internals::math::Vec2;
 
 #[derive(Clone, Debug)]
 pub struct Random(u64);

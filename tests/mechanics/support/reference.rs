@@ -6,8 +6,8 @@
 use crate::support::draft::Frame;
 use crate::support::equilibrium::{Forces, equilibrium};
 use crate::support::jet::{Jet, Moving};
-use assur::math::{Scalar, V2, Vec2};
-use assur::model::{
+use assur::internals::math::{Scalar, V2, Vec2};
+use assur::internals::model::{
     Drive, DriveTarget, Expr, Guide, LinkId, Mechanism, PairKind, Positions, Profile, ProfileShape, Value,
 };
 use nalgebra::{DMatrix, DVector};

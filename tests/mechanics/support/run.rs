@@ -1,10 +1,10 @@
 //! Runs a mechanism through structure, plan and solve.
 
-use assur::math::Vec2;
-use assur::model::{Mechanism, Query, Value};
-use assur::plan::Plan;
-use assur::solve::{PoseAnswers, Scene, Solution, SolveError, Solved, solve};
-use assur::structure::Structure;
+use assur::internals::math::Vec2;
+use assur::internals::model::{Mechanism, Query, Value};
+use assur::internals::plan::Plan;
+use assur::internals::solve::{PoseAnswers, Scene, Solution, SolveError, Solved, solve};
+use assur::internals::structure::Structure;
 
 /// A mechanism with everything that comes of it.
 pub struct Run {
@@ -18,8 +18,9 @@ impl Run {
     /// Errors of structure are returned in words.
     pub fn new(mechanism: &Mechanism) -> Result<Self, String> {
         let mechanism = mechanism.clone();
-        let (structure, _) = assur::structure::structure(&mechanism).map_err(|e| format!("{e:?}"))?;
-        let plan = assur::plan::plan(&mechanism, &structure);
+        let (structure, _) =
+            assur::internals::structure::structure(&mechanism).map_err(|e| format!("{e:?}"))?;
+        let plan = assur::internals::plan::plan(&mechanism, &structure);
         let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
         let solution = solve(&scene);
         Ok(Self { mechanism, structure, plan, solution })

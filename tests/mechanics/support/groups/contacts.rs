@@ -2,8 +2,8 @@
 
 use super::sine;
 use crate::support::draft::{Draft, Frame};
-use assur::math::Vec2;
-use assur::model::{DriveTarget, LinkId};
+use assur::internals::math::Vec2;
+use assur::internals::model::{DriveTarget, LinkId};
 
 impl Draft {
     fn radius(&mut self) -> f64 {
