@@ -25,14 +25,6 @@ pub mod pipeline;
 #[doc(hidden)]
 pub mod report;
 
-use assur_check as check;
-use assur_math::{element, math};
-use assur_model::{model, structure};
-use assur_solve::{measure, plan, solve};
-use assur_syntax as syntax;
-use assur_text::{diagnostic, source, units};
-use measure::accuracy;
-
 pub use front::{Answer, Diagnostics, Expectation, Options, Pose, Problem, Quantity, Solution, solve};
 
 /// The floors below the front door, for the program, the benchmarks and the tests. They change without notice.

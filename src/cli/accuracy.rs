@@ -8,11 +8,11 @@ use super::error::CliError;
 use super::files;
 use super::reply::{Reply, Status, complaint, for_each_file};
 use super::screen::Screen;
-use crate::accuracy::{AccuracyStudy, micros, out_of_reach, study};
-use crate::check::Overrides;
 use crate::pipeline::{Solved, solve_source};
 use crate::report::{self, Precision};
-use crate::source::Source;
+use assur_check::Overrides;
+use assur_solve::measure::accuracy::{AccuracyStudy, micros, out_of_reach, study};
+use assur_text::source::Source;
 
 /// Prints what accuracy costs in time.
 pub fn run(args: &Accuracy, screen: &Screen) -> Status {

@@ -2,7 +2,7 @@
 
 use clap::{Parser, Subcommand, ValueEnum};
 
-use crate::check::Overrides;
+use assur_check::Overrides;
 
 /// Solves planar mechanism problems written as text.
 ///

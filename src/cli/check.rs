@@ -3,11 +3,11 @@
 use super::args::Check;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
-use crate::diagnostic::Problems;
-use crate::measure::Costs;
 use crate::pipeline::Compiled;
 use crate::report;
 use crate::report::document::Report;
+use assur_solve::measure::Costs;
+use assur_text::diagnostic::Problems;
 
 /// Prints what the mechanisms are built from and, where it is asked for, what their plans cost and how they can be
 /// assembled.
@@ -28,7 +28,7 @@ pub fn run(args: &Check, screen: &Screen) -> Status {
 }
 
 fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {
-    match crate::measure::costs(&compiled.scene()) {
+    match assur_solve::measure::costs(&compiled.scene()) {
         Ok(costs) => costs,
         Err(errors) => {
             problems.extend(errors);
@@ -39,7 +39,7 @@ fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {
 
 fn add_modes(report: &mut Report, compiled: &Compiled, problems: &mut Problems) {
     let scene = compiled.scene();
-    match crate::solve::assemblies(&scene) {
+    match assur_solve::solve::assemblies(&scene) {
         Ok(modes) => {
             report::add_modes(report, &scene, &modes);
             problems.extend(modes.problem);

@@ -4,7 +4,7 @@ use super::args::Explain;
 use super::error::CliError;
 use super::reply::{Status, complaint};
 use super::screen::Screen;
-use crate::diagnostic::{CODES, did_you_mean, explain};
+use assur_text::diagnostic::{CODES, did_you_mean, explain};
 
 /// Prints the page of a code, or lists all codes.
 pub fn run(args: &Explain, screen: &Screen) -> Status {

@@ -8,7 +8,7 @@ use globset::GlobBuilder;
 use ignore::WalkBuilder;
 
 use super::error::CliError;
-use crate::source::Source;
+use assur_text::source::Source;
 
 /// Standard input's name.
 const STDIN: &str = "-";

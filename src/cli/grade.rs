@@ -7,10 +7,10 @@ use super::args::{Grade, GradeFormat};
 use super::error::CliError;
 use super::reply::{Status, complaint};
 use super::screen::Screen;
-use crate::diagnostic::Problems;
 use crate::exercise::grade::{Sheet, grade};
 use crate::exercise::table::Fault;
 use crate::report;
+use assur_text::diagnostic::Problems;
 
 /// Holds answers against a key: 0 where all are right, 1 where one is not.
 pub fn run(args: &Grade, screen: &Screen) -> Status {

@@ -4,8 +4,8 @@ use super::args::{Profile, ProfileFormat};
 use super::error::CliError;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
-use crate::model::{CAM_PARTS, Mechanism, PlateCam};
 use crate::report;
+use assur_model::model::{CAM_PARTS, Mechanism, PlateCam};
 
 /// Prints the profile of a cam for other programs.
 pub fn run(args: &Profile, screen: &Screen) -> Status {

@@ -5,8 +5,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use super::error::CliError;
 use super::files::{self, Input};
 use super::screen::Screen;
-use crate::diagnostic::Problems;
-use crate::source::Source;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
 
 /// Errors of `--set`.
 const SET_UNKNOWN: &str = "mech::request::set_unknown";

@@ -9,9 +9,9 @@ use super::args::Args;
 use super::args::Color;
 use super::error::CliError;
 use super::reply::complaint;
-use crate::diagnostic::{Problems, Style, render_most};
 use crate::report::text::Look;
-use crate::source::Source;
+use assur_text::diagnostic::{Problems, Style, render_most};
+use assur_text::source::Source;
 
 /// Width of what is not written to a terminal.
 const WIDTH: usize = 100;

@@ -4,16 +4,16 @@ use super::args::{Format, Solve};
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
 use super::stream;
-use crate::check::RowColumn;
-use crate::diagnostic::Problems;
 use crate::pipeline::{Compiled, Solved};
 use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words, is_long};
 use crate::report::document::{Column, Table};
 use crate::report::json::Variant;
 use crate::report::{self, Answers, Precision};
-use crate::source::Source;
-use crate::syntax;
-use crate::units::significant;
+use assur_check::RowColumn;
+use assur_syntax as syntax;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
+use assur_text::units::significant;
 use std::sync::Arc;
 
 /// Prints the answers.

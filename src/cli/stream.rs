@@ -3,12 +3,12 @@
 use super::args::Format;
 use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
-use crate::diagnostic::Problems;
 use crate::pipeline::{Compiled, Solved};
 use crate::report::lines::CsvLines;
 use crate::report::{Answers, Precision, json};
-use crate::solve::Pose;
-use crate::source::Source;
+use assur_solve::solve::Pose;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
 
 /// Text is written in pieces of this size.
 const PIECE: usize = 1 << 16;

@@ -3,11 +3,11 @@
 use super::args::Problem;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
-use crate::diagnostic::Problems;
 use crate::exercise::Outcome;
 use crate::pipeline::{FileVariants, test_document};
-use crate::source::{Source, shown_in_line};
-use crate::syntax;
+use assur_syntax as syntax;
+use assur_text::diagnostic::Problems;
+use assur_text::source::{Source, shown_in_line};
 use std::sync::Arc;
 
 /// The code of expectations that are not met; they are counted apart.

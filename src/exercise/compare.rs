@@ -1,6 +1,6 @@
 //! How values are compared.
 
-use crate::model::{Comparison, Display, Value};
+use assur_model::model::{Comparison, Display, Value};
 
 /// Rounding of the tolerance itself does not decide: 1.73 and 1.72 differ by 0.01.
 const SLACK: f64 = 1.0 + 1e-9;
@@ -32,8 +32,8 @@ pub(super) fn bound(
 
 /// Differences between a value and the one expected.
 pub mod equal {
-    use crate::math::Vec2;
-    use crate::model::Value;
+    use assur_math::math::Vec2;
+    use assur_model::model::Value;
     use std::f64::consts::TAU;
 
     /// A literal 0 fits any shape.

@@ -3,10 +3,10 @@
 use miette::Diagnostic;
 use thiserror::Error;
 
-use crate::diagnostic::did_you_mean;
-use crate::model::Expect;
-use crate::solve::{Pose, PoseOrigin, SolveError};
-use crate::source::Span;
+use assur_model::model::Expect;
+use assur_solve::solve::{Pose, PoseOrigin, SolveError};
+use assur_text::diagnostic::did_you_mean;
+use assur_text::source::Span;
 
 /// An expectation that does not hold, or that cannot be evaluated.
 #[derive(Clone, Debug, Error, Diagnostic)]

@@ -3,9 +3,9 @@
 use super::compare::{bound, equal, is_within};
 use super::error::ExpectError;
 use super::undefined::{truth, why_undefined, without_cycle};
-use crate::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
-use crate::solve::{DriveValue, Pose, PoseAnswers, PoseOrigin, Scene, Solution, State, compare};
-use crate::source::Span;
+use assur_model::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
+use assur_solve::solve::{DriveValue, Pose, PoseAnswers, PoseOrigin, Scene, Solution, State, compare};
+use assur_text::source::Span;
 
 /// What became of one expectation at one pose.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! What is said of a file with a row of variants.
 
-use crate::diagnostic::{AnyDiagnostic, Problems};
-use crate::source::Span;
+use assur_text::diagnostic::{AnyDiagnostic, Problems};
+use assur_text::source::Span;
 use miette::{Diagnostic, LabeledSpan, Severity};
 use std::fmt::{self, Display};
 

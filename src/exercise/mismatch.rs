@@ -2,7 +2,7 @@
 
 use super::error::ExpectError;
 use super::expect::Outcome;
-use crate::model::Value;
+use assur_model::model::Value;
 
 /// What is wrong with the answers: one error per `expect`, however many poses it is for.
 #[must_use]

@@ -1,7 +1,7 @@
 //! Why a value does not exist.
 
-use crate::model::{Expr, Query, Value};
-use crate::solve::{PoseAnswers, Scene, Solution, compare};
+use assur_model::model::{Expr, Query, Value};
+use assur_solve::solve::{PoseAnswers, Scene, Solution, compare};
 
 /// Whether a condition holds; `None` where that depends on a value that does not exist.
 pub(super) fn truth(view: &PoseAnswers<'_>, expr: &Expr) -> Option<bool> {

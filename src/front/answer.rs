@@ -1,7 +1,7 @@
 //! One answer at one pose.
 
-use crate::math::Vec2;
-use crate::model::{Display, Value};
+use assur_math::math::Vec2;
+use assur_model::model::{Display, Value};
 use std::fmt;
 
 /// What an answer is.

@@ -1,7 +1,7 @@
 //! The messages about a text.
 
-use crate::diagnostic::{DiagnosticView, Problems, Style, render};
-use crate::source::Source;
+use assur_text::diagnostic::{DiagnosticView, Problems, Style, render};
+use assur_text::source::Source;
 use std::fmt;
 
 /// Errors and warnings about a text, in the order of their places. Printed, they are what the command line shows, without

@@ -2,11 +2,12 @@
 
 use super::diagnostics::Diagnostics;
 use super::solution::Solution;
-use crate::check::Overrides;
-use crate::diagnostic::Problems;
 use crate::pipeline::{FileVariants, compile_document, solve_within, test_document};
-use crate::source::Source;
-use crate::syntax::{self, document::Document};
+use assur_check::Overrides;
+use assur_syntax as syntax;
+use assur_syntax::document::Document;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
 use std::sync::Arc;
 
 /// What is set from outside a text.

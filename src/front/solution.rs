@@ -6,7 +6,7 @@ use crate::exercise::Outcome;
 use crate::pipeline::Solved;
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, Precision};
-use crate::solve;
+use assur_solve::solve;
 use std::ops::Index;
 use std::sync::Arc;
 
@@ -106,7 +106,7 @@ impl Pose {
     fn of(
         answers: &Answers<'_>,
         columns: &AnswerColumns,
-        whole: &[Option<crate::model::Value>],
+        whole: &[Option<assur_model::model::Value>],
         names: &Arc<[String]>,
         pose: &solve::Pose,
     ) -> Self {

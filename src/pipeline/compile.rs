@@ -1,13 +1,15 @@
 //! Text → mechanism, structure and plan. A text is read once, however often it is checked.
 
-use crate::check::{self, Overrides};
-use crate::diagnostic::{DiagnosticView, Problems};
-use crate::model::Mechanism;
-use crate::plan::{self, Plan};
-use crate::solve::Scene;
-use crate::source::Source;
-use crate::structure::{self, Structure};
-use crate::syntax::{self, document::Document};
+use assur_check as check;
+use assur_check::Overrides;
+use assur_model::model::Mechanism;
+use assur_model::structure::{self, Structure};
+use assur_solve::plan::{self, Plan};
+use assur_solve::solve::Scene;
+use assur_syntax as syntax;
+use assur_syntax::document::Document;
+use assur_text::diagnostic::{DiagnosticView, Problems};
+use assur_text::source::Source;
 use std::sync::Arc;
 
 /// A checked mechanism with its structure and its plan.

@@ -6,12 +6,14 @@
 //! drives where it drove, or resists where it resisted, which is another question.
 
 use super::compile::Origin;
-use crate::check::{self, Overrides};
-use crate::model::{Display, Expr, Find, FindKind, Mechanism, Positions, Query, Value};
-use crate::solve::{self, Scene};
-use crate::source::Span;
-use crate::syntax::document::Document;
-use crate::{plan, structure};
+use assur_check as check;
+use assur_check::Overrides;
+use assur_model::model::{Display, Expr, Find, FindKind, Mechanism, Positions, Query, Value};
+use assur_model::structure;
+use assur_solve::plan;
+use assur_solve::solve::{self, Scene};
+use assur_syntax::document::Document;
+use assur_text::source::Span;
 
 /// First step, relative to the value.
 const FIRST: f64 = 1e-2;

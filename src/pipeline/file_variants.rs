@@ -2,11 +2,12 @@
 
 use super::solved::Solved;
 use super::variant_solver::VariantSolver;
-use crate::check::{self, FileRow, Overrides, RowColumn};
-use crate::diagnostic::Problems;
 use crate::exercise::{ForRow, mismatches};
-use crate::solve::refusals;
-use crate::syntax::document::Document;
+use assur_check as check;
+use assur_check::{FileRow, Overrides, RowColumn};
+use assur_solve::solve::refusals;
+use assur_syntax::document::Document;
+use assur_text::diagnostic::Problems;
 use std::sync::Arc;
 
 /// A file with a table of variants.

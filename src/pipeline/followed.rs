@@ -4,9 +4,9 @@
 use super::compile::Origin;
 use super::critical::criticals;
 use super::open_sizes::open_sizes;
-use crate::diagnostic::Problems;
-use crate::model::{At, Mechanism, Positions, Relation};
-use crate::solve::{Following, Pose, PoseOrigin, Scene, Solution};
+use assur_model::model::{At, Mechanism, Positions, Relation};
+use assur_solve::solve::{Following, Pose, PoseOrigin, Scene, Solution};
+use assur_text::diagnostic::Problems;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 

@@ -4,10 +4,12 @@
 //! it; what does not is an error where it is asked, and is left out where it is not.
 
 use super::compile::Origin;
-use crate::model::{Expr, FindKind, Mechanism, Relation, Scale, Value};
-use crate::solve::{self, Following, OpenSizes, Pose, Scene, WholeCycle};
-use crate::source::Span;
-use crate::{check, plan, structure};
+use assur_check as check;
+use assur_model::model::{Expr, FindKind, Mechanism, Relation, Scale, Value};
+use assur_model::structure;
+use assur_solve::plan;
+use assur_solve::solve::{self, Following, OpenSizes, Pose, Scene, WholeCycle};
+use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 

@@ -1,11 +1,11 @@
 //! Whether the answer key belongs to another assembly of the mechanism.
 
 use super::solved::{Solved, solve_source};
-use crate::check::Overrides;
 use crate::exercise::ExpectError;
-use crate::solve;
-use crate::source::{Source, Span};
-use crate::syntax::document::{Document, Statement};
+use assur_check::Overrides;
+use assur_solve::solve;
+use assur_syntax::document::{Document, Statement};
+use assur_text::source::{Source, Span};
 
 /// Most assemblies that are tried.
 const TRIES: usize = 8;
@@ -47,7 +47,7 @@ fn fitting(
 
 /// The places of all `assemble` statements.
 fn places(document: &Document) -> Vec<Span> {
-    let is_assemble = |s: &&crate::source::Spanned<Statement>| matches!(s.node, Statement::Assemble(_));
+    let is_assemble = |s: &&assur_text::source::Spanned<Statement>| matches!(s.node, Statement::Assemble(_));
     document.statements.iter().filter(is_assemble).map(|s| s.span).collect()
 }
 

@@ -2,14 +2,14 @@
 
 use super::compile::{Compiled, compile_document};
 use super::followed::{Followed, followed};
-use crate::accuracy::{self, AchievedAccuracy};
-use crate::check::Overrides;
-use crate::diagnostic::Problems;
 use crate::exercise::{self, Outcome};
 use crate::report;
-use crate::solve::{Pose, Scene, Solution};
-use crate::source::Source;
-use crate::syntax;
+use assur_check::Overrides;
+use assur_solve::measure::accuracy::{self, AchievedAccuracy};
+use assur_solve::solve::{Pose, Scene, Solution};
+use assur_syntax as syntax;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
 use std::sync::Arc;
 
 /// A compiled mechanism, solved, with what became of its expectations.

@@ -4,11 +4,12 @@ use super::compile::compile_document;
 use super::file_variants::FileVariants;
 use super::other_assembly::in_other_assembly;
 use super::solved::{Solved, solve_each};
-use crate::check::Overrides;
-use crate::diagnostic::{self, Problems};
 use crate::exercise;
-use crate::source::Source;
-use crate::syntax::{self, document::Document};
+use assur_check::Overrides;
+use assur_syntax as syntax;
+use assur_syntax::document::Document;
+use assur_text::diagnostic::{self, Problems};
+use assur_text::source::Source;
 use std::sync::Arc;
 
 /// Text → [`Solved`], with all that was found on the way, failed expectations among it. A text with variants is tested

@@ -2,10 +2,11 @@
 
 use super::compile::{Compiled, Origin, plan_mechanism};
 use super::solved::{Solved, solve_within};
-use crate::check::{self, Overrides, Row, Template};
-use crate::diagnostic::Problems;
-use crate::structure::Structure;
-use crate::syntax::document::Document;
+use assur_check as check;
+use assur_check::{Overrides, Row, Template};
+use assur_model::structure::Structure;
+use assur_syntax::document::Document;
+use assur_text::diagnostic::Problems;
 use std::sync::Arc;
 
 /// A document that many rows of variants are solved for. Every row comes out as the file with these values would.

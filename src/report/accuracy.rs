@@ -2,7 +2,7 @@
 
 use super::answers::{Answers, NONE, Precision};
 use super::document::{Column, Report, Section, Table};
-use crate::solve::{Pose, Solved};
+use assur_solve::solve::{Pose, Solved};
 
 /// Residuals and condition per pose; the worst of all where there are many.
 pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
@@ -22,7 +22,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
         for residual in [Some(residuals.closure), residuals.equilibrium, residuals.power] {
             cells.push(residual.map_or_else(|| NONE.to_owned(), |r| order_of(r, precision)));
         }
-        cells.push(crate::units::significant(solved.condition, 3));
+        cells.push(assur_text::units::significant(solved.condition, 3));
         table.row(cells);
     }
     let mut section = Section::new("Accuracy: residuals of independent equations, condition (1 is best)");

@@ -1,10 +1,10 @@
 //! What a report of answers is made from.
 
-use crate::accuracy::AchievedAccuracy;
 use crate::exercise::Outcome;
-use crate::model::{DriveTarget, FindKind};
-use crate::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution};
-use crate::units::significant;
+use assur_model::model::{DriveTarget, FindKind};
+use assur_solve::measure::accuracy::AchievedAccuracy;
+use assur_solve::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution};
+use assur_text::units::significant;
 
 /// A solved file.
 #[derive(Clone, Copy, Debug)]

@@ -2,10 +2,10 @@
 
 use super::answers::{Answers, NONE};
 use crate::exercise::why_undefined;
-use crate::model::{Display, Expr, Find, FindKind, Query, Value};
-use crate::solve::{Pose, PoseAnswers, Scene, Solved, State};
-use crate::structure::{EffortKind, EffortSource};
-use crate::units::Dimension;
+use assur_model::model::{Display, Expr, Find, FindKind, Query, Value};
+use assur_model::structure::{EffortKind, EffortSource};
+use assur_solve::solve::{Pose, PoseAnswers, Scene, Solved, State};
+use assur_text::units::Dimension;
 
 /// A quantity and its values.
 #[derive(Clone, Debug)]
@@ -111,7 +111,7 @@ impl<'a> Answers<'a> {
         if self.scene.plan.forces.is_empty() {
             return Vec::new();
         }
-        let entry = |(slot, effort): (usize, &crate::structure::Effort)| {
+        let entry = |(slot, effort): (usize, &assur_model::structure::Effort)| {
             let (name, of_drive) = match effort.source {
                 EffortSource::Balance(id) => (mechanism.balances[id.index()].name.clone(), false),
                 EffortSource::Drive(id) => (format!("effort({})", mechanism.drives[id.index()].name), true),

@@ -1,9 +1,9 @@
 //! What the plan costs per position: by step, by effect, and what costs nothing because nothing asks for it.
 
 use super::document::{Block, Column, Section, Table};
-use crate::measure::{Costs, Over};
-use crate::solve::Scene;
-use crate::structure::{BodyOrigin, Group};
+use assur_model::structure::{BodyOrigin, Group};
+use assur_solve::measure::{Costs, Over};
+use assur_solve::solve::Scene;
 
 /// Adds time and share to the rows of the steps: motion, loads, forces.
 pub(super) fn add_columns(costs: &Costs, table: &mut Table) {

@@ -3,9 +3,9 @@
 use super::answers::{Answers, NONE};
 use super::document::{Column, Report, Section, Table};
 use super::scale::Scale;
-use crate::model::{Display, Expr, FindKind, Flywheel, Query, Value};
-use crate::solve::{CycleAnswer, FlywheelAnswer};
-use crate::units::Dimension;
+use assur_model::model::{Display, Expr, FindKind, Flywheel, Query, Value};
+use assur_solve::solve::{CycleAnswer, FlywheelAnswer};
+use assur_text::units::Dimension;
 
 /// One section for all flywheels.
 pub(super) fn flywheels(answers: &Answers<'_>, report: &mut Report) {

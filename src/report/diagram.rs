@@ -1,7 +1,7 @@
 //! Error against time, both logarithmic, one line per kind of setting: a drawing in SVG.
 
-use crate::accuracy::{AccuracyStudy, Kind, Setting};
-use crate::units::significant;
+use assur_solve::measure::accuracy::{AccuracyStudy, Kind, Setting};
+use assur_text::units::significant;
 use std::fmt::Write;
 
 const WIDTH: f64 = 760.0;

@@ -1,8 +1,8 @@
 //! A cam as a drawing: DXF R12, millimetres, the cam's centre in the origin, its axes those of the drawing.
 
-use crate::element::cam::Shape;
-use crate::math::Vec2;
-use crate::model::PlateCam;
+use assur_math::element::cam::Shape;
+use assur_math::math::Vec2;
+use assur_model::model::PlateCam;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
@@ -20,7 +20,7 @@ pub fn render(plate: &PlateCam, steps: usize) -> String {
     pair(0, "SECTION");
     pair(2, "ENTITIES");
     let cam = &plate.cam;
-    let curve = |of: fn(&crate::element::cam::CamPoint) -> Vec2| -> Vec<Vec2> {
+    let curve = |of: fn(&assur_math::element::cam::CamPoint) -> Vec2| -> Vec<Vec2> {
         let angles = (0..steps).map(|i| TAU * i as f64 / steps as f64);
         angles.map(|phi| cam.in_cam(of(&cam.at(phi)), phi)).collect()
     };

@@ -2,10 +2,10 @@
 
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
-use crate::element::cam::Law;
-use crate::model::{self, Display, FindKind, Mechanism, PlateCam, Value};
-use crate::solve::Scene;
-use crate::units::{Dimension, significant};
+use assur_math::element::cam::Law;
+use assur_model::model::{self, Display, FindKind, Mechanism, PlateCam, Value};
+use assur_solve::solve::Scene;
+use assur_text::units::{Dimension, significant};
 
 /// What each designed cam does over a turn, the dwell that is left of it among them.
 pub(super) fn cams(scene: &Scene<'_>, report: &mut Report) {

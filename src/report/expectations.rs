@@ -3,7 +3,7 @@
 use super::answers::{Answers, NONE};
 use super::document::{Column, Report, Section, Table};
 use crate::exercise::Outcome;
-use crate::units::significant;
+use assur_text::units::significant;
 
 /// A difference that is shown though the key allows it, in parts of the expected value.
 const VISIBLE: f64 = 0.01;
@@ -58,8 +58,8 @@ fn table(failed: &[&Outcome], digits: usize) -> Table {
     let mut table = Table::new(columns, 2);
     for outcome in failed {
         let expected = outcome.expectation(digits);
-        let within = outcome.within.map(|w| outcome.display.text(crate::model::Value::Scalar(w), 3));
-        let difference = crate::model::Value::Scalar(outcome.difference().magnitude());
+        let within = outcome.within.map(|w| outcome.display.text(assur_model::model::Value::Scalar(w), 3));
+        let difference = assur_model::model::Value::Scalar(outcome.difference().magnitude());
         table.row(vec![
             outcome.text.clone(),
             outcome.pose.clone().unwrap_or_else(|| NONE.to_owned()),
@@ -73,5 +73,5 @@ fn table(failed: &[&Outcome], digits: usize) -> Table {
 }
 
 fn expected_is_truth(outcome: &Outcome) -> bool {
-    matches!(outcome.expected, crate::model::Value::Truth(_))
+    matches!(outcome.expected, assur_model::model::Value::Truth(_))
 }

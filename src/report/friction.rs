@@ -2,9 +2,9 @@
 
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
-use crate::model::{Display, Value};
-use crate::solve::{PairFriction, Pose, PoseAnswers, Solved};
-use crate::units::{Dimension, significant};
+use assur_model::model::{Display, Value};
+use assur_solve::solve::{PairFriction, Pose, PoseAnswers, Solved};
+use assur_text::units::{Dimension, significant};
 
 /// Digits of what the file itself says.
 const LAW_DIGITS: usize = 4;

@@ -3,7 +3,7 @@
 use super::csv;
 use super::document::{Block, Column, Report, Section, Table};
 use crate::exercise::grade::{Graded, GradedRow, Mark, NAMES, Verdict};
-use crate::units::significant;
+use assur_text::units::significant;
 use serde::Serialize;
 
 /// Name and version of the format.

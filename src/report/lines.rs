@@ -3,8 +3,8 @@
 use super::answers::Answers;
 use super::csv::LINE_END;
 use super::rows::{AnswerColumns, FULL, write_text};
-use crate::model::Value;
-use crate::solve::{Pose, Scene};
+use assur_model::model::Value;
+use assur_solve::solve::{Pose, Scene};
 
 /// Writes lines.
 #[derive(Clone, Debug)]

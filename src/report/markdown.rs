@@ -1,7 +1,7 @@
 //! A report in Markdown (GitHub's tables).
 
 use super::document::{Align, Block, Report, Table};
-use crate::source::{shown, shown_in_line};
+use assur_text::source::{shown, shown_in_line};
 
 /// The report as Markdown.
 #[must_use]

@@ -2,9 +2,9 @@
 
 use super::document::{Block, Column, Report, Section, Table};
 use super::train::kind_name;
-use crate::model::BalanceKind;
-use crate::solve::Scene;
-use crate::structure::{BodyId, BodyOrigin, Effort, EffortSource, Group, GroupKind, Structure};
+use assur_model::model::BalanceKind;
+use assur_model::structure::{BodyId, BodyOrigin, Effort, EffortSource, Group, GroupKind, Structure};
+use assur_solve::solve::Scene;
 
 /// The numbers of a group: links, lower pairs, higher pairs of the mechanism as declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -38,9 +38,9 @@ pub use element::full as full_table;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
 pub use tradeoff::{of_study, study_json};
 
-use crate::measure::Costs;
-use crate::solve::{Assemblies, Scene};
-use crate::source::Source;
+use assur_solve::measure::Costs;
+use assur_solve::solve::{Assemblies, Scene};
+use assur_text::source::Source;
 use document::Report;
 
 /// What `check` prints: structure, order of solution, effects, steps, with their costs where they were measured. Nothing is

@@ -1,7 +1,7 @@
 //! All assemblies of every group at the first pose.
 
 use super::document::{Column, Section, Table};
-use crate::solve::{Assemblies, Scene};
+use assur_solve::solve::{Assemblies, Scene};
 
 /// One row per assembly.
 pub(super) fn section(scene: &Scene<'_>, modes: &Assemblies) -> Section {
@@ -17,7 +17,7 @@ pub(super) fn section(scene: &Scene<'_>, modes: &Assemblies) -> Section {
                 (group.group + 1).to_string(),
                 structure.kind_name().to_owned(),
                 format!("{} of {}", i + 1, group.assemblies.len()),
-                crate::units::significant(mode.condition, 3),
+                assur_text::units::significant(mode.condition, 3),
                 if mode.chosen { "chosen" } else { "" }.to_owned(),
                 mode.line.clone().unwrap_or_default(),
             ]);

@@ -1,6 +1,6 @@
 //! Pairs as an author writes them.
 
-use crate::model::{LinkId, Mechanism, PairKind, Profile};
+use assur_model::model::{LinkId, Mechanism, PairKind, Profile};
 
 /// What a pair joins: `piston.C - ground.guide`.
 pub(super) fn pair_text(mechanism: &Mechanism, kind: &PairKind) -> String {

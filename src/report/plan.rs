@@ -4,13 +4,13 @@ use super::cost;
 use super::document::{Report, Section, Table};
 use super::mobility::{link_names, source_name};
 use super::train::motion_in_words as train_in_words;
-use crate::diagnostic::place;
-use crate::measure::Costs;
-use crate::model::{LinkId, LoadKind, Unsupported};
-use crate::plan::{ForceStep, LoadStep, MotionStep};
-use crate::solve::Scene;
-use crate::source::Source;
-use crate::structure::{Effort, Group, GroupKind};
+use assur_model::model::{LinkId, LoadKind, Unsupported};
+use assur_model::structure::{Effort, Group, GroupKind};
+use assur_solve::measure::Costs;
+use assur_solve::plan::{ForceStep, LoadStep, MotionStep};
+use assur_solve::solve::Scene;
+use assur_text::diagnostic::place;
+use assur_text::source::Source;
 
 /// What is done at every position, at which cost where it was measured, and what is understood but not solved yet.
 pub(super) fn sections(source: &Source, scene: &Scene<'_>, costs: Option<&Costs>, report: &mut Report) {

@@ -3,10 +3,10 @@
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
 use super::symbols;
-use crate::math::Vec2;
-use crate::model::{Guide, LinkId, Mechanism, PairId, PairKind, Query, Value};
-use crate::solve::{PoseAnswers, Solved, unplaced_reactions};
-use crate::units::Dimension;
+use assur_math::math::Vec2;
+use assur_model::model::{Guide, LinkId, Mechanism, PairId, PairKind, Query, Value};
+use assur_solve::solve::{PoseAnswers, Solved, unplaced_reactions};
+use assur_text::units::Dimension;
 
 /// The reaction between two links of a pair, SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -219,7 +219,7 @@ fn remarks(mechanism: &Mechanism, answers: &Answers<'_>) -> Vec<String> {
     }
     let unplaced = unplaced_reactions(&answers.scene);
     let pairs = mechanism.pairs.iter().zip(unplaced);
-    let bearing = |p: &crate::model::Pair| !matches!(p.kind, PairKind::Transmission(_));
+    let bearing = |p: &assur_model::model::Pair| !matches!(p.kind, PairKind::Transmission(_));
     let open: Vec<&str> = pairs.filter(|(p, u)| *u && bearing(p)).map(|(p, _)| p.name.as_str()).collect();
     if !open.is_empty() {
         remarks.push(format!("the reactions in {} are not known: a place is left open", open.join(", ")));

@@ -2,9 +2,9 @@
 
 use super::document::{Report, Section, Table};
 use super::pair::{pair_text, profile_text};
-use crate::model::{LinkId, PairKind, Profile, ProfileShape};
-use crate::solve::Scene;
-use crate::units::Dimension;
+use assur_model::model::{LinkId, PairKind, Profile, ProfileShape};
+use assur_solve::solve::Scene;
+use assur_text::units::Dimension;
 
 /// One row per higher pair.
 pub(super) fn section(scene: &Scene<'_>, report: &mut Report) {
@@ -36,7 +36,7 @@ fn point(scene: &Scene<'_>, link: LinkId, name: &str) -> String {
 fn contact(scene: &Scene<'_>, first: &Profile, second: &Profile, internal: bool) -> String {
     let length = |x: f64| {
         let display = scene.mechanism.display_of(Dimension::LENGTH);
-        display.text(crate::model::Value::Scalar(x), 6)
+        display.text(assur_model::model::Value::Scalar(x), 6)
     };
     let radius = |p: &Profile| match p.shape {
         ProfileShape::Point(_) => Some(0.0),

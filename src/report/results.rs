@@ -6,9 +6,9 @@ use super::document::{Align, Column, Report, Section, Table};
 use super::reactions::{ReactionEntry, reactions};
 use super::scale::Scale;
 use super::symbols;
-use crate::model::{Display, Value};
-use crate::solve::Pose;
-use crate::units::{Dimension, significant};
+use assur_model::model::{Display, Value};
+use assur_solve::solve::Pose;
+use assur_text::units::{Dimension, significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
 const FULL: usize = 15;

@@ -3,10 +3,10 @@
 use super::answers::{Answers, with_unit};
 use super::csv;
 use super::reactions::{ReactionEntry, reactions};
-use crate::math::Vec2;
-use crate::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
-use crate::solve::{DriveValue, Pose, PoseAnswers, Scene, Solved, State, unplaced_reactions};
-use crate::units::{Dimension, write_significant};
+use assur_math::math::Vec2;
+use assur_model::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
+use assur_solve::solve::{DriveValue, Pose, PoseAnswers, Scene, Solved, State, unplaced_reactions};
+use assur_text::units::{Dimension, write_significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
 pub const FULL: usize = 15;
@@ -69,7 +69,7 @@ impl AnswerColumns {
             })
         };
         answers.extend(finds(false));
-        let solution = crate::solve::Solution::default();
+        let solution = assur_solve::solve::Solution::default();
         let precision = super::Precision::READABLE;
         let blank = Answers { scene: *scene, solution: &solution, outcomes: &[], reached: None, precision };
         for (slot, effort) in blank.efforts().into_iter().enumerate() {

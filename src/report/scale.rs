@@ -1,9 +1,9 @@
 //! How large the quantities of a solved file are: what a rounding error is small against.
 
 use super::answers::Answers;
-use crate::math::Vec2;
-use crate::model::{Display, LinkId};
-use crate::solve::Solved;
+use assur_math::math::Vec2;
+use assur_model::model::{Display, LinkId};
+use assur_solve::solve::Solved;
 
 /// The greatest length, angular velocity and force of all poses, in SI; every other dimension follows from them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

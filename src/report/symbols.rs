@@ -1,6 +1,6 @@
 //! Symbols of the textbook from the numbers of links: R12, ω2.
 
-use crate::model::{Expr, Find, FindKind, LinkId, Mechanism, Query};
+use assur_model::model::{Expr, Find, FindKind, LinkId, Mechanism, Query};
 
 /// `R12`: the reaction of link 1 on link 2; `None` where one of them has no number. The ground is 0 unless it says otherwise.
 #[must_use]

@@ -1,7 +1,7 @@
 //! A report for a terminal.
 
 use super::document::{Align, Block, Report, Section, Table};
-use crate::source::{shown, shown_in_line};
+use assur_text::source::{shown, shown_in_line};
 use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
 

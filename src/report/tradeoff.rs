@@ -5,10 +5,12 @@ use serde::Serialize;
 use super::answers::NONE;
 use super::document::{Column, Report, Section, Table};
 use super::headed;
-use crate::accuracy::{AccuracyStudy, AchievedAccuracy, Kind, Recommendation, Row, Setting, Source};
-use crate::plan::{Numbers, Settings};
-use crate::solve::{Scene, WIDTH, instructions};
-use crate::units::significant;
+use assur_solve::measure::accuracy::{
+    AccuracyStudy, AchievedAccuracy, Kind, Recommendation, Row, Setting, Source,
+};
+use assur_solve::plan::{Numbers, Settings};
+use assur_solve::solve::{Scene, WIDTH, instructions};
+use assur_text::units::significant;
 
 /// Name and version of the format.
 const SCHEMA: &str = "assur.accuracy/1";

@@ -3,11 +3,11 @@
 use super::answers::{Answers, with_unit};
 use super::document::{Column, Report, Section, Table};
 use super::pair::pair_text;
-use crate::model::{LinkId, Mechanism, PairId, PairKind, Rate, Transmission, TransmissionKind};
-use crate::plan::{TrainMember, TrainMotion, TrainSource};
-use crate::solve::{Pose, PoseAnswers, Scene, Solved};
-use crate::structure::{BodyId, Group, GroupKind};
-use crate::units::{Dimension, significant};
+use assur_model::model::{LinkId, Mechanism, PairId, PairKind, Rate, Transmission, TransmissionKind};
+use assur_model::structure::{BodyId, Group, GroupKind};
+use assur_solve::plan::{TrainMember, TrainMotion, TrainSource};
+use assur_solve::solve::{Pose, PoseAnswers, Scene, Solved};
+use assur_text::units::{Dimension, significant};
 
 /// Digits of coefficients.
 const DIGITS: usize = 6;

@@ -19,13 +19,15 @@ use super::rows::{Chunk, Rows};
 use super::sink::Sink;
 use super::stop;
 use super::tally::{Kind, Tally};
-use crate::check::{self, ColumnUse, Overrides, RowColumn};
-use crate::diagnostic::Problems;
 use crate::exercise::table::{Fault, Lines, Table};
 use crate::pipeline::VariantSolver;
 use crate::report::rows::AnswerColumns;
-use crate::source::Source;
-use crate::syntax::{self, document::Document};
+use assur_check as check;
+use assur_check::{ColumnUse, Overrides, RowColumn};
+use assur_syntax as syntax;
+use assur_syntax::document::Document;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
 
 /// The first chunk of rows; it grows until a chunk takes its time.
 const FIRST_CHUNK: usize = 256;

@@ -7,8 +7,6 @@ use super::super::args::BatchFormat;
 use super::job::Job;
 use super::layout::Layout;
 use super::rows::Input;
-use crate::accuracy::AchievedAccuracy;
-use crate::diagnostic::Problems;
 use crate::exercise::ForRow;
 use crate::exercise::table::Fault;
 use crate::pipeline::Solved;
@@ -17,8 +15,10 @@ use crate::report::csv::LINE_END;
 use crate::report::json::{self, Variant};
 use crate::report::rows::{AnswerColumns, FULL, write_text};
 use crate::report::{Answers, Precision};
-use crate::source::Source;
-use crate::units::write_significant;
+use assur_solve::measure::accuracy::AchievedAccuracy;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
+use assur_text::units::write_significant;
 
 /// Where a row is written.
 pub struct Written<'a> {
@@ -153,7 +153,7 @@ impl Written<'_> {
         &mut self,
         number: usize,
         error: &str,
-        views: impl FnOnce() -> Vec<crate::diagnostic::DiagnosticView>,
+        views: impl FnOnce() -> Vec<assur_text::diagnostic::DiagnosticView>,
     ) {
         if self.format == BatchFormat::Jsonl {
             let variant = Some(Variant::unread(number));

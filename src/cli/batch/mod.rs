@@ -16,7 +16,7 @@ use super::error::CliError;
 use super::files;
 use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
-use crate::source::shown_in_line;
+use assur_text::source::shown_in_line;
 use job::{Job, Run};
 use layout::Layout;
 pub use sink::Sink;

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::check::{FileRow, Row, RowColumn};
 use crate::exercise::table::{Cell, Fault, Lines, RawRow, Separator};
-use crate::source::Span;
+use assur_check::{FileRow, Row, RowColumn};
+use assur_text::source::Span;
 
 /// Where rows come from.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! What became of the rows, in one line.
 
-use crate::accuracy::AchievedAccuracy;
+use assur_solve::measure::accuracy::AchievedAccuracy;
 use indexmap::IndexMap;
 
 /// So many rows are named, the others counted.

@@ -7,8 +7,8 @@ pub use sheet::{Entry, NAMES, Quantity, Sheet, SheetRow};
 pub use slip::Slip;
 
 use crate::exercise::table::{Fault, TableError};
-use crate::source::Span;
-use crate::units::Dimension;
+use assur_text::source::Span;
+use assur_text::units::Dimension;
 use std::f64::consts::TAU;
 use std::path::Path;
 

@@ -1,10 +1,10 @@
 //! Sheets of a key and of answers: quantities by name with their units, rows by number, variant, file and pose.
 
-use crate::diagnostic::did_you_mean;
 use crate::exercise::table::{Fault, Lines, Separator, Table, TableError, Written, cells, from_cell};
-use crate::source::{Source, Span, shown};
-use crate::syntax::document::Column;
-use crate::units::{Dimension, Unit, lookup};
+use assur_syntax::document::Column;
+use assur_text::diagnostic::did_you_mean;
+use assur_text::source::{Source, Span, shown};
+use assur_text::units::{Dimension, Unit, lookup};
 use std::io::{self, BufRead};
 
 /// What names a row.

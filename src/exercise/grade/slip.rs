@@ -91,7 +91,7 @@ impl Slip {
             }
             Self::Factor { factor, what, sign } => {
                 let (n, way) = if *factor < 1.0 { (1.0 / factor, "small") } else { (*factor, "large") };
-                let n = crate::units::significant(n, 4);
+                let n = assur_text::units::significant(n, 4);
                 format!("too {way} by a factor of {n} ({what}){}", also(sign))
             }
             Self::Swapped => "the other component of the vector".to_owned(),

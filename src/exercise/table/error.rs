@@ -1,6 +1,6 @@
 //! What can be wrong with a table beside a file.
 
-use crate::source::Span;
+use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 

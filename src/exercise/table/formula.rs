@@ -1,6 +1,6 @@
 //! Texts that a spreadsheet would run: written with an apostrophe before them, and read without it. Controls are spelt out.
 
-use crate::source::shown;
+use assur_text::source::shown;
 use std::borrow::Cow;
 
 /// What begins a formula.

@@ -1,7 +1,7 @@
 //! A line of comma-separated values, RFC 4180. A cell does not go over the end of its line, so that a quote too much
 //! spoils one line and no more.
 
-use crate::source::Span;
+use assur_text::source::Span;
 use std::borrow::Cow;
 
 /// What separates cells, found in the header.

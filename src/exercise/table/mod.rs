@@ -10,10 +10,10 @@ pub use formula::{as_cell, from_cell};
 pub use line::{Cell, Separator, cells};
 pub use number::Written;
 
-use crate::check::{ColumnUse, Row, RowCell, RowColumn};
-use crate::source::{Source, Span, Spanned};
-use crate::syntax::document::{Column, Name, Variants};
-use crate::units::lookup;
+use assur_check::{ColumnUse, Row, RowCell, RowColumn};
+use assur_syntax::document::{Column, Name, Variants};
+use assur_text::source::{Source, Span, Spanned};
+use assur_text::units::lookup;
 use std::io::{self, BufRead};
 use std::sync::Arc;
 use unicode_normalization::UnicodeNormalization;

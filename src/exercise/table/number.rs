@@ -1,8 +1,8 @@
 //! Numbers as spreadsheets and people write them.
 
 use super::Separator;
-use crate::syntax::{between_digits, readings};
-use crate::units::{is_unit, lookup};
+use assur_syntax::{between_digits, readings};
+use assur_text::units::{is_unit, lookup};
 
 /// Powers of ten with exact values.
 const EXACT: usize = 22;

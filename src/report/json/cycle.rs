@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use super::entries::{Entries, Number};
-use crate::model::FlywheelPart;
 use crate::report::answers::Answers;
 use crate::report::cycle::{all_flywheels, named};
-use crate::solve::{CycleAnswer, PoseAnswers, State};
+use assur_model::model::FlywheelPart;
+use assur_solve::solve::{CycleAnswer, PoseAnswers, State};
 
 #[derive(Serialize)]
 pub(super) struct FlywheelView {

@@ -3,8 +3,8 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::math::Vec2;
-use crate::model::Value;
+use assur_math::math::Vec2;
+use assur_model::model::Value;
 
 /// A finite number; zero has no sign.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -11,12 +11,12 @@ mod train;
 use serde::Serialize;
 
 use super::answers::Answers;
-use crate::check::{ColumnUse, Row};
-use crate::diagnostic::DiagnosticView;
 use crate::exercise::Outcome;
-use crate::model::{Find, FindKind, TableEntry};
-use crate::solve::{Pose, Scene};
-use crate::source::is_obeyed;
+use assur_check::{ColumnUse, Row};
+use assur_model::model::{Find, FindKind, TableEntry};
+use assur_solve::solve::{Pose, Scene};
+use assur_text::diagnostic::DiagnosticView;
+use assur_text::source::is_obeyed;
 use cycle::{AccuracyView, FlywheelView};
 use entries::{Entries, Number, Reading};
 use pose::PoseView;

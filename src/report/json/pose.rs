@@ -7,10 +7,10 @@ use super::super::answers::Answers;
 use super::super::reactions::{ReactionEntry, reactions};
 use super::entries::{Entries, Number, Pair, Reading};
 use super::train::{PartView, ShaftView, SliderView, elements, is_element, transmissions};
-use crate::math::Vec2;
-use crate::model::{DriveTarget, Link, LinkId};
-use crate::plan::{Effects, Level};
-use crate::solve::{BodyState, DriveValue, Pose, SolveError, Solved};
+use assur_math::math::Vec2;
+use assur_model::model::{DriveTarget, Link, LinkId};
+use assur_solve::plan::{Effects, Level};
+use assur_solve::solve::{BodyState, DriveValue, Pose, SolveError, Solved};
 
 #[derive(Serialize)]
 pub(super) struct PoseView<'a> {

@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::super::mobility::{GroupCount, link_names};
 use super::super::train::kind_name;
-use crate::solve::Scene;
-use crate::structure::{Group, GroupKind};
+use assur_model::structure::{Group, GroupKind};
+use assur_solve::solve::Scene;
 
 #[derive(Serialize)]
 pub(super) struct StructureView<'a> {

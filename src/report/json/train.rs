@@ -5,9 +5,9 @@ use serde::Serialize;
 use super::super::answers::Answers;
 use super::super::train::pulls;
 use super::entries::{Entries, Number};
-use crate::model::{LinkId, Mechanism, PairId, PairKind, TransmissionKind};
-use crate::plan::Level;
-use crate::solve::Solved;
+use assur_model::model::{LinkId, Mechanism, PairId, PairKind, TransmissionKind};
+use assur_solve::plan::Level;
+use assur_solve::solve::Solved;
 
 #[derive(Serialize)]
 pub(super) struct ShaftView {
@@ -62,9 +62,9 @@ pub(super) fn elements(answers: &Answers<'_>, solved: &Solved) -> Elements {
         match &pair.kind {
             PairKind::Prismatic(g) if !answers.solution.open.links.contains(&g.slider.index()) => {
                 let v = view.relative_velocity(id);
-                let query = crate::model::Query::RelativeAcceleration(id);
+                let query = assur_model::model::Query::RelativeAcceleration(id);
                 let a = match view.query(&query) {
-                    crate::model::Value::Scalar(a) => a,
+                    assur_model::model::Value::Scalar(a) => a,
                     _ => f64::NAN,
                 };
                 sliders.push((
