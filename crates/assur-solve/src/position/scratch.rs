@@ -15,10 +15,10 @@ pub struct Scratch {
     pub searched: Searched,
     /// Loads before the first reaction was added, where there is friction.
     pub(super) loads_before: Vec<Wrench>,
-    /// Train groups of forces.
-    pub train_work: Vec<TrainWork>,
+    /// Train groups of forces. A step takes its memory out while it runs: in a box it does not move.
+    pub train_work: Vec<Option<Box<TrainWork>>>,
     /// Groups with friction, by step of forces; nothing where nothing rubs.
-    pub friction_work: Vec<Option<FrictionWork>>,
+    pub friction_work: Vec<Option<Box<FrictionWork>>>,
     /// General groups of motion.
     pub motion_work: Vec<Option<Workspace>>,
     /// General groups of forces.
@@ -33,12 +33,12 @@ impl Scratch {
         };
         let rubs = plan.forces.iter().any(|step| matches!(step, ForceStep::Friction { .. }));
         let rubbing = plan.forces.iter().map(|step| match step {
-            ForceStep::Friction { group, .. } => Some(FrictionWork::new(group)),
+            ForceStep::Friction { group, .. } => Some(Box::new(FrictionWork::new(group))),
             _ => None,
         });
         let (motion, forces) = (plan.general.iter(), plan.balance_systems.iter());
         Self {
-            train_work: plan.train_forces.iter().map(TrainWork::new).collect(),
+            train_work: plan.train_forces.iter().map(|t| Some(Box::new(TrainWork::new(t)))).collect(),
             friction_work: if rubs { rubbing.collect() } else { Vec::new() },
             motion_work: motion.map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),
             force_work: forces.map(|g| memory(&g.equations, &g.bodies, g.moving)).collect(),

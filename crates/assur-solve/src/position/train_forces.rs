@@ -13,7 +13,7 @@ impl State {
         if train.inverse.is_empty() {
             return 0.0;
         }
-        let Some(mut work) = self.scratch.train_work.get_mut(index).map(std::mem::take) else { return 0.0 };
+        let Some(mut work) = self.scratch.train_work.get_mut(index).and_then(Option::take) else { return 0.0 };
         self.train_loads(train, &mut work);
         let n = train.members.len();
         for i in 0..n {
@@ -28,7 +28,7 @@ impl State {
             self.forces.law_forces[law].multiplier = *unknown;
         }
         self.train_reactions(plan, train, &work);
-        self.scratch.train_work[index] = work;
+        self.scratch.train_work[index] = Some(work);
         if consistent != Consistent::One {
             self.forces.consistent = consistent;
         }
