@@ -13,7 +13,9 @@ impl State {
         if train.inverse.is_empty() {
             return 0.0;
         }
-        let Some(mut work) = self.scratch.train_work.get_mut(index).and_then(Option::take) else { return 0.0 };
+        let Some(mut work) = self.scratch.train_work.get_mut(index).and_then(Option::take) else {
+            return 0.0;
+        };
         self.train_loads(train, &mut work);
         let n = train.members.len();
         for i in 0..n {
