@@ -78,7 +78,7 @@ impl<'a> Key<'a> {
         failed.map_or(Ok(()), Err)
     }
 
-    /// Values that hang on no pose are asked of a mechanism at rest.
+    /// Values that depend on no pose are asked of a mechanism at rest.
     fn without_pose(&mut self, expect: &Expect) -> Result<(), ExpectError> {
         let plan = self.scene.plan;
         let state = State::new(plan);

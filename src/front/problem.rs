@@ -2,7 +2,7 @@
 
 use super::diagnostics::Diagnostics;
 use super::solution::Solution;
-use crate::pipeline::{FileVariants, compile_document, solve_within, test_document};
+use crate::pipeline::{FileVariants, SolvedRow, compile_document, solve_within, test_text};
 use assur_check::Overrides;
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
@@ -36,25 +36,27 @@ pub struct Options {
 pub struct Problem {
     source: Source,
     document: Arc<Document>,
+    /// What was found on reading.
+    found: Problems,
     options: Options,
 }
 
 /// Solves a text: [`Problem::solve`] without options.
 ///
 /// # Errors
-/// What keeps it from being solved.
+/// The diagnostics of a text that cannot be solved.
 pub fn solve(text: impl Into<String>) -> Result<Solution, Diagnostics> {
     Problem::new("problem.mech", text).solve()
 }
 
 impl Problem {
-    /// Reads a text; `name` stands in its messages, usually the name of its file. A text that does not read is reported by
-    /// every method that follows.
+    /// Reads a text. Messages show `name`, usually the name of its file. Where the text cannot be read, the methods below report
+    /// why.
     #[must_use]
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
         let source = Source::new(name, text);
-        let (document, _) = syntax::parse(&source);
-        Self { source, document: Arc::new(document), options: Options::default() }
+        let (document, found) = syntax::parse(&source);
+        Self { source, document: Arc::new(document), found, options: Options::default() }
     }
 
     /// With other options.
@@ -73,19 +75,21 @@ impl Problem {
     /// Checks names, units, geometry and structure, without solving anything.
     #[must_use]
     pub fn check(&self) -> Diagnostics {
-        let (_, problems) = compile_document(&self.source, &self.document, self.found(), &self.overrides());
-        self.told(&problems)
+        let (_, problems) =
+            compile_document(&self.source, &self.document, self.found.clone(), &self.overrides());
+        self.diagnostics(&problems)
     }
 
-    /// Solves it at all its positions. Of a text with variants it is the row that its `given` statements make.
+    /// Solves the text at all its positions. A table of `variants` is ignored: the `given` values are used, see
+    /// [`Problem::solve_variants`].
     ///
     /// # Errors
-    /// What keeps it from being solved. A single position without a solution is no error where others have one: see
+    /// The diagnostics of a text that cannot be solved. A position without a solution is reported by
     /// [`Pose::failure`](super::Pose::failure).
     pub fn solve(&self) -> Result<Solution, Diagnostics> {
         let overrides = self.overrides();
         let (compiled, mut problems) =
-            compile_document(&self.source, &self.document, self.found(), &overrides);
+            compile_document(&self.source, &self.document, self.found.clone(), &overrides);
         let solved = match compiled.filter(|_| !problems.has_errors()) {
             Some(compiled) => {
                 let (solved, found) = solve_within(compiled, self.options.within);
@@ -94,41 +98,44 @@ impl Problem {
             }
             None => None,
         };
-        let diagnostics = self.told(&problems);
+        let diagnostics = self.diagnostics(&problems);
         solved.map(|solved| Solution::of(&solved, diagnostics.clone())).ok_or(diagnostics)
     }
 
-    /// Solves every row of the text's own table of `variants`; empty where it has none, or where the table itself is wrong.
-    #[must_use]
-    pub fn solve_variants(&self) -> Vec<Result<Solution, Diagnostics>> {
+    /// Solves every row of the text's own table of `variants`, in order; no row where it has no table.
+    ///
+    /// # Errors
+    /// The diagnostics of a text or a table that cannot be read, and of what is wrong in every row. What is wrong in one row is
+    /// in its place in the list.
+    pub fn solve_variants(&self) -> Result<Vec<Result<Solution, Diagnostics>>, Diagnostics> {
+        if self.found.has_errors() {
+            return Err(self.diagnostics(&self.found));
+        }
         let overrides = self.overrides();
-        let Some(Ok(rows)) = FileVariants::of(&self.document, &overrides) else { return Vec::new() };
+        let Some(rows) = FileVariants::of(&self.document, &overrides) else { return Ok(Vec::new()) };
+        let rows = rows.map_err(|problems| self.diagnostics(&problems))?;
         let rows = rows.within(self.options.within).solve(false);
-        rows.map(|row| {
-            let diagnostics = self.told(&row.problems);
+        let answer = |row: SolvedRow| {
+            let diagnostics = self.diagnostics(&row.problems);
             let solved = row.solved.as_ref();
             solved.map(|solved| Solution::of(solved, diagnostics.clone())).ok_or(diagnostics)
-        })
-        .collect()
+        };
+        Ok(rows.map(answer).collect())
     }
 
-    /// Solves it and compares the answers with its `expect` lines. What comes back is empty where all is well.
+    /// Solves the text, every row of a table of `variants` too, and compares the answers with its `expect` lines. Empty where
+    /// all are met and there is no warning.
     #[must_use]
     pub fn test(&self) -> Diagnostics {
-        let (_, problems) = test_document(&self.source, &self.document, self.found(), &self.overrides());
-        self.told(&problems)
-    }
-
-    /// What was found on reading, once more: messages are not copied.
-    fn found(&self) -> Problems {
-        syntax::parse(&self.source).1
+        let (_, problems) = test_text(&self.source, &self.document, self.found.clone(), &self.overrides());
+        self.diagnostics(&problems)
     }
 
     fn overrides(&self) -> Overrides {
         Overrides::set(self.options.set.clone())
     }
 
-    fn told(&self, problems: &Problems) -> Diagnostics {
+    fn diagnostics(&self, problems: &Problems) -> Diagnostics {
         Diagnostics::of(problems, &self.source)
     }
 }

@@ -30,7 +30,7 @@ pub struct Pose {
     failure: Option<String>,
 }
 
-/// What became of one `expect`.
+/// The outcome of one `expect`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expectation {
     /// Its left side, as written.
@@ -83,7 +83,7 @@ impl Solution {
         &self.expectations
     }
 
-    /// What there is to say about it: warnings, and poses without a solution.
+    /// Warnings, and the poses without a solution.
     #[must_use]
     pub const fn diagnostics(&self) -> &Diagnostics {
         &self.diagnostics

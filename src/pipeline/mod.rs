@@ -15,5 +15,5 @@ pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
 pub use followed::{Each, Followed, SizeError, is_long, most_positions};
 pub use open_sizes::ScaleError;
 pub use solved::{Solved, solve, solve_each, solve_source, solve_within};
-pub use test::{diagnose, test_document, test_source};
+pub use test::{diagnose, test_document, test_source, test_text};
 pub use variant_solver::VariantSolver;

@@ -1,6 +1,6 @@
-//! Wheels whose size the file leaves open: answers may not hang on it.
+//! Wheels whose size the file leaves open: answers may not depend on it.
 //!
-//! The file is checked and solved again with another size of each such wheel. What comes out the same does not hang on
+//! The file is checked and solved again with another size of each such wheel. What comes out the same does not depend on
 //! it; what does not is an error where it is asked, and is left out where it is not.
 
 use super::compile::Origin;
@@ -13,10 +13,10 @@ use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// Numbers that differ by more than this part hang on what was changed.
+/// Numbers that differ by more than this part depend on what was changed.
 const EQUAL: f64 = 1e-9;
 
-/// An answer that hangs on a size that is not given.
+/// An answer that depends on a size that is not given.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum ScaleError {
     /// On the radius of a wheel, or the module of its teeth.

@@ -16,20 +16,29 @@ use std::sync::Arc;
 /// with every row; the solution is that of the first row that has one.
 #[must_use]
 pub fn test_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {
-    let (document, mut problems) = syntax::parse(source);
-    let document = Arc::new(document);
-    if let (false, Some(rows)) = (problems.has_errors(), FileVariants::of(&document, overrides)) {
-        let mut first = None;
-        match rows {
-            Ok(rows) => rows.solve(true).for_each(|row| {
-                problems.append(row.problems);
-                first = first.take().or(row.solved);
-            }),
-            Err(found) => problems.append(found),
-        }
-        return (first, problems);
+    let (document, found) = syntax::parse(source);
+    test_text(source, &Arc::new(document), found, overrides)
+}
+
+/// As [`test_source`], of a document in which `found` was found on reading.
+#[must_use]
+pub fn test_text(
+    source: &Source,
+    document: &Arc<Document>,
+    mut found: Problems,
+    overrides: &Overrides,
+) -> (Option<Solved>, Problems) {
+    let rows = if found.has_errors() { None } else { FileVariants::of(document, overrides) };
+    let Some(rows) = rows else { return test_document(source, document, found, overrides) };
+    let mut first = None;
+    match rows {
+        Ok(rows) => rows.solve(true).for_each(|row| {
+            found.append(row.problems);
+            first = first.take().or(row.solved);
+        }),
+        Err(problems) => found.append(problems),
     }
-    test_document(source, &document, problems, overrides)
+    (first, found)
 }
 
 /// As [`test_source`], of a document without variants in which `found` was found on reading.
@@ -54,8 +63,7 @@ pub fn test_document(
     (solved, problems)
 }
 
-/// What the author of a text is told about it, failed expectations included, without colour, 100 columns wide; empty
-/// where nothing is wrong.
+/// The diagnostics of a text, failed expectations included, without colour, 100 columns wide; empty where there are none.
 #[must_use]
 pub fn diagnose(source: &Source) -> String {
     let (_, problems) = test_source(source, &Overrides::none());

@@ -1,4 +1,4 @@
-//! A file that is solved with one row of variants after another: what hangs on no value is done once.
+//! A file that is solved with one row of variants after another: what depends on no value is done once.
 
 use super::compile::{Compiled, Origin, plan_mechanism};
 use super::solved::{Solved, solve_within};

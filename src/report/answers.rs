@@ -35,7 +35,7 @@ pub struct Precision {
 impl Precision {
     /// What people read.
     pub const READABLE: Self = Self { digits: 6, noise: 1e-13, coarse_residuals: false };
-    /// What does not hang on the last digits of the arithmetic.
+    /// What does not depend on the last digits of the arithmetic.
     pub const STABLE: Self = Self { digits: 6, noise: 1e-9, coarse_residuals: true };
 
     /// A number in figures; `scale` is the greatest magnitude in its column.

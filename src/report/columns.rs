@@ -123,7 +123,7 @@ impl<'a> Answers<'a> {
             EffortEntry { name, of_drive, display: mechanism.display_of(dimension), slot }
         };
         let all = self.scene.structure.efforts.iter().enumerate();
-        // what hangs on sizes that are left open is not told
+        // what depends on sizes that are left open is not told
         all.filter(|(slot, _)| !self.solution.open.efforts.contains(slot)).map(entry).collect()
     }
 }

@@ -133,7 +133,7 @@ fn cw_negates_the_value_before_it() {
          torque on crank = 6 N*m cw",
     );
     let drive = &m.drives[0];
-    let Positions::List(list) = &drive.positions else { panic!() };
+    let Positions::List(list) = &drive.positions else { panic!("another form than written") };
     assert_eq!(list.iter().map(constant).collect::<Vec<_>>(), [-1.0, 2.0]);
     assert_eq!(drive.speed.as_ref().map(constant), Some(-20.0));
     assert_eq!(drive.acceleration.as_ref().map(constant), Some(5.0));
@@ -159,7 +159,9 @@ fn assembly_clauses_find_their_points_and_guides() {
          prismatic D: piston.C - ground.guide\ndrive crank = 45 deg\n\
          assemble C ahead of B, D > 0, rod.C right of A-B, D near (0.4 m, 0)",
     );
-    let HintKind::Along { point, pair, ahead: true, .. } = &m.hints[0].kind else { panic!() };
+    let HintKind::Along { point, pair, ahead: true, .. } = &m.hints[0].kind else {
+        panic!("another form than written")
+    };
     assert_eq!((point.0.index(), pair.index()), (2, 3));
     assert!(matches!(m.hints[1].kind, HintKind::Coordinate { bound: 0.0, greater: true, .. }));
     assert!(matches!(m.hints[2].kind, HintKind::Side { left: false, from, .. } if from.0.index() == 0));
@@ -173,10 +175,12 @@ fn loads_and_balances_have_their_frames() {
          force on crank at B = (1 N, 2 N) in crank\nforce R on crank at (1 m, 0) = 14 N against motion\n\
          balance force F on crank at B along 90 deg in crank",
     );
-    let LoadKind::Force { frame, .. } = &m.loads[0].kind else { panic!() };
+    let LoadKind::Force { frame, .. } = &m.loads[0].kind else { panic!("another form than written") };
     assert_eq!(frame.map(|f| f.index()), Some(1));
     assert!(matches!(m.loads[1].kind, LoadKind::ForceAgainstMotion { at: Place::Ground(_), .. }));
-    let BalanceKind::Force { along, frame, .. } = &m.balances[0].kind else { panic!() };
+    let BalanceKind::Force { along, frame, .. } = &m.balances[0].kind else {
+        panic!("another form than written")
+    };
     near(*along, (0.0, 1.0));
     assert_eq!(frame.map(|f| f.index()), Some(1));
 }

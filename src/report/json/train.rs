@@ -50,7 +50,7 @@ pub(super) fn is_element(mechanism: &Mechanism, link: LinkId) -> bool {
 
 type Elements = (Vec<(String, ShaftView)>, Vec<(String, SliderView)>);
 
-/// Rates of shafts and sliders, as far as the plan follows them and they hang on no size that is left open.
+/// Rates of shafts and sliders, as far as the plan follows them and they depend on no size that is left open.
 pub(super) fn elements(answers: &Answers<'_>, solved: &Solved) -> Elements {
     let (mechanism, level) = (answers.scene.mechanism, answers.scene.plan.effects.level);
     let view = answers.solution.view(&answers.scene, solved);

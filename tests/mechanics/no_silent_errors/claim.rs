@@ -103,7 +103,7 @@ fn forces(
     let bodies: Vec<Body> =
         (0..rates.len()).map(|i| Body::moving(rounded(exact.p[i]), rounded(exact.u[i]), &rates[i])).collect();
     let Some(forces) = equilibrium(m, &bodies, &rates) else { return Ok(None) };
-    // a load that hangs on the sign of nothing
+    // a load that depends on the sign of nothing
     if forces.doubtful {
         return Ok(None);
     }

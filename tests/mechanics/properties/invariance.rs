@@ -1,4 +1,4 @@
-//! Answers do not hang on how a mechanism lies, how large it is, and how it is written down.
+//! Answers do not depend on how a mechanism lies, how large it is, and how it is written down.
 
 use super::compare::Worst;
 use crate::support::change::Change;

@@ -59,7 +59,7 @@ pub struct Forces {
     pub condition: f64,
     /// The greatest force and moment in play.
     pub most: (f64, f64),
-    /// A load hangs on the sign of something that is zero but for rounding.
+    /// A load depends on the sign of something that is zero but for rounding.
     pub doubtful: bool,
     /// Sum of the powers of loads, inertia and efforts.
     pub power: f64,

@@ -31,7 +31,7 @@ impl Draft {
             }
             let mut centre = self.random.vector(0.4);
             if self.rollers.contains(&LinkId::at(i)) {
-                // a roller that hangs on its mass centre stays as it is
+                // a roller that depends on its mass centre stays as it is
                 for pair in &self.mechanism.pairs {
                     if let PairKind::Revolute(pins) = &pair.kind {
                         centre = pins.iter().find(|p| p.link.index() == i).map_or(centre, |p| p.at);

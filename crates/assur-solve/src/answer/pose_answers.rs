@@ -52,7 +52,7 @@ impl<'a> PoseAnswers<'a> {
         Self::new(scene, state, &[], &NOTHING)
     }
 
-    /// Values of all quantities of the file at this position. They stand in the order in which one hangs on another, so
+    /// Values of all quantities of the file at this position. They stand in the order in which one depends on another, so
     /// that none is evaluated twice, however long the chain.
     #[must_use]
     pub fn all_quantities(&self) -> Vec<Value> {

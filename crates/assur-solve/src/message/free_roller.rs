@@ -5,7 +5,7 @@ use crate::answer::every_query;
 use crate::model::{About, LinkId, PairId, PairKind, PointRef, Query};
 use crate::position::Scene;
 
-/// Angles, rates and points of rollers that hang on a rotation which is set aside.
+/// Angles, rates and points of rollers that depend on a rotation which is set aside.
 pub(crate) fn free_rollers(scene: &Scene<'_>) -> Option<SolveError> {
     let mut asked = Vec::new();
     every_query(scene.mechanism, &mut |query, span| {

@@ -1,4 +1,4 @@
-//! What the file leaves open: drives without position, shafts and sliders without place. What hangs on it is not
+//! What the file leaves open: drives without position, shafts and sliders without place. What depends on it is not
 //! answered.
 
 use super::error::{SolveError, label};
@@ -16,7 +16,7 @@ use crate::plan::LawSite;
 use crate::source::Span;
 use crate::structure::{EffortSource, GroupKind};
 
-/// For each body, the first drive without position that its motion hangs on.
+/// For each body, the first drive without position that its motion depends on.
 fn unplaced(scene: &Scene<'_>) -> Vec<Option<usize>> {
     let mut open: Vec<Option<usize>> = vec![None; scene.plan.bodies];
     for group in &scene.structure.motion {
@@ -41,7 +41,7 @@ fn unplaced(scene: &Scene<'_>) -> Vec<Option<usize>> {
     open
 }
 
-/// Positions that hang on a drive which has none.
+/// Positions that depend on a drive which has none.
 pub(crate) fn without_position(scene: &Scene<'_>) -> Vec<SolveError> {
     let mechanism = scene.mechanism;
     if !mechanism.drives.iter().any(|d| matches!(d.positions, Positions::None)) {

@@ -6,7 +6,7 @@ use thiserror::Error;
 /// An error or a warning about a train.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum TrainError {
-    /// A position that hangs on a drive which has a rate only.
+    /// A position that depends on a drive which has a rate only.
     #[error("{what} hangs on the position of `{drive}`, which the file does not give")]
     #[diagnostic(code(mech::train::no_position))]
     NoPosition {

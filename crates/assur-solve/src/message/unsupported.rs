@@ -103,7 +103,7 @@ pub(crate) fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
     Some(SolveError::NeedsSpeed { what, needs, help, labels })
 }
 
-/// Dampers and loads that hang on speeds, while no drive has one: what is to be said of them.
+/// Dampers and loads that depend on speeds, while no drive has one: what is to be said of them.
 pub(crate) fn unit_speeds(scene: &Scene<'_>) -> Option<SolveError> {
     let (mechanism, effects) = (scene.mechanism, scene.plan.effects);
     let drive = mechanism.drives.first().filter(|_| effects.forces && !effects.timed)?;
@@ -134,7 +134,7 @@ pub(crate) fn unit_speeds(scene: &Scene<'_>) -> Option<SolveError> {
     })
 }
 
-/// Whether a value hangs on speeds, through quantities of the file too.
+/// Whether a value depends on speeds, through quantities of the file too.
 fn takes_speeds(mechanism: &Mechanism, value: &Expr) -> bool {
     let mut found = false;
     value.parts(&mut |part| {

@@ -3,7 +3,7 @@
 use super::joint::{Guide, Hinge};
 use crate::group::general::General;
 
-/// A group of motion. Bodies are slots: those of the group first, then those of known motion that it hangs on.
+/// A group of motion. Bodies are slots: those of the group first, then those of known motion that it depends on.
 #[derive(Clone, Debug)]
 pub struct GeneralMotion {
     /// Slots of the bodies.

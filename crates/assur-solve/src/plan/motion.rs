@@ -133,7 +133,7 @@ fn driven_legs(structure: &Structure, group: &Group, branch: usize, kind: Dyad) 
     })
 }
 
-/// The leg that hangs on the outer joint of this index.
+/// The leg that depends on the outer joint of this index.
 fn driven_leg(structure: &Structure, group: &Group, outer: usize) -> Option<DrivenLeg> {
     let replaced = &structure.replaced;
     let (outer, inner) = (group.joints[outer], group.joints[1]);

@@ -9,7 +9,7 @@ use crate::model::{Meeting, PairId};
 pub struct TrainMotion {
     /// Its bodies, each after those it stands on.
     pub members: Vec<TrainMember>,
-    /// The rates that it hangs on.
+    /// The rates that it depends on.
     pub sources: Vec<TrainSource>,
     /// One row per member, one column per source.
     pub coefficients: Vec<f64>,

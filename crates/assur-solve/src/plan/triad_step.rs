@@ -48,7 +48,7 @@ pub struct TriadForces {
 pub struct TriadForceLeg {
     /// Slot of its body.
     pub body: usize,
-    /// What it hangs on.
+    /// What it depends on.
     pub outer: OuterJoint,
     /// How it holds the link.
     pub inner: TriadHold,

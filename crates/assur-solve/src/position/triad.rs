@@ -32,7 +32,7 @@ impl State {
         true
     }
 
-    /// What the legs hang on where the bases are now.
+    /// What the legs depend on where the bases are now.
     pub(crate) fn triad_ends(&self, triad: &TriadMotion) -> [End; 3] {
         [0, 1, 2].map(|i| match &triad.legs[i] {
             TriadLeg::Link(leg) => {
@@ -46,7 +46,7 @@ impl State {
         })
     }
 
-    /// What the legs hang on as they stand.
+    /// What the legs depend on as they stand.
     fn triad_stands(&self, triad: &TriadMotion) -> [End; 3] {
         [0, 1, 2].map(|i| match &triad.legs[i] {
             TriadLeg::Link(leg) => {

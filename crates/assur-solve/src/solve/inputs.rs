@@ -37,7 +37,7 @@ impl Rates {
                     input.place = Vec2::direction(*x);
                 }
                 DriveValue::Point(p) => input.place = *p,
-                // rates only: what is asked does not hang on the position
+                // rates only: what is asked does not depend on the position
                 DriveValue::None => input.place = Vec2::new(1.0, 0.0),
             }
         }

@@ -11,7 +11,7 @@ use super::track::Tracker;
 use crate::model::{PairId, PairKind, Query, TransmissionKind, Value};
 use crate::plan::{ForceStep, Level, Numbers};
 
-/// A group below this σ loses digits that the groups behind it lose again: what is left of one that hangs on others goes by
+/// A group below this σ loses digits that the groups behind it lose again: what is left of one that depends on others goes by
 /// the product.
 const LOSES: f64 = 0.05;
 /// Forces without friction over those with it, below which the mechanism is near self-locking.

@@ -21,11 +21,11 @@ pub struct Solution {
     pub unlisted: usize,
     /// What is to be said of friction.
     pub friction: Vec<FrictionError>,
-    /// What hangs on sizes that the file leaves open: nothing of it is reported.
+    /// What depends on sizes that the file leaves open: nothing of it is reported.
     pub open: OpenSizes,
 }
 
-/// Results that hang on sizes of wheels that the file leaves open.
+/// Results that depend on sizes of wheels that the file leaves open.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct OpenSizes {
     /// Links whose rates do.

@@ -1,12 +1,13 @@
 //! The collection.
 
 use miette::{Diagnostic, Severity};
+use std::sync::Arc;
 
 /// Any stage's diagnostic.
-pub type AnyDiagnostic = Box<dyn Diagnostic + Send + Sync + 'static>;
+pub type AnyDiagnostic = Arc<dyn Diagnostic + Send + Sync + 'static>;
 
 /// All that is wrong with, or worth saying about, one text.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Problems {
     items: Vec<AnyDiagnostic>,
     /// Errors that are counted, not kept.
@@ -42,7 +43,7 @@ impl Problems {
 
     /// Adds one.
     pub fn push(&mut self, problem: impl Diagnostic + Send + Sync + 'static) {
-        self.items.push(Box::new(problem));
+        self.items.push(Arc::new(problem));
     }
 
     /// Adds all of another collection.

@@ -9,7 +9,7 @@ const HALVINGS: usize = 60;
 
 impl Cam {
     /// The smallest base radius on which no pressure angle exceeds `allowed` (rad, 0 < α < π/2), m. `None` where there is
-    /// none, and for a flat face across the way, whose pressure angle hangs on no radius.
+    /// none, and for a flat face across the way, whose pressure angle depends on no radius.
     ///
     /// Knife edge or roller, translating: tan α = |s′ − e| / (d₀ + s), so that d₀ = max(|s′ − e| / tan α − s).
     #[must_use]

@@ -41,7 +41,7 @@ const STEPS: usize = 8;
 /// Steps without: at a dead position every step halves the error only.
 const MANY_STEPS: usize = 60;
 
-/// What a leg hangs on at one position.
+/// What a leg depends on at one position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
     /// The revolute of a link of this length.

@@ -228,7 +228,7 @@ fn a_triad_moves_and_balances() {
     assert!(checked > 20, "only {checked}");
 }
 
-/// Body 0 is driven along and about a turning line, body 1 hangs on a pin and on a cylinder to body 0.
+/// Body 0 is driven along and about a turning line, body 1 depends on a pin and on a cylinder to body 0.
 fn driven(random: &mut Random) -> Scene {
     let known = vec![Body::random(random), Body::random(random)];
     let line = Line { body: 2, r: random.vector(1.0), d: random.direction() };

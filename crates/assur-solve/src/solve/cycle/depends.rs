@@ -4,7 +4,7 @@ use crate::answer::every_query;
 use crate::model::{About, Expr, Mechanism, PairKind, Query};
 
 /// Whether an expression can be computed before any function over the sweep and any flywheel is known. Quantities may
-/// hang on them.
+/// depend on them.
 pub(super) fn hangs_on_nothing_else(expr: &Expr) -> bool {
     let mut found = false;
     expr.parts(&mut |part| {
@@ -13,7 +13,7 @@ pub(super) fn hangs_on_nothing_else(expr: &Expr) -> bool {
     !found
 }
 
-/// Whether an expression hangs on forces, through quantities and other functions over the sweep too.
+/// Whether an expression depends on forces, through quantities and other functions over the sweep too.
 pub(super) fn hangs_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
     let mut found = false;
     expr.parts(&mut |part| {
@@ -52,7 +52,7 @@ pub(super) fn names_quantity(expr: &Expr) -> bool {
     found
 }
 
-/// Whether a load hangs on quantities of the file.
+/// Whether a load depends on quantities of the file.
 pub(crate) fn loads_name_quantities(mechanism: &Mechanism) -> bool {
     mechanism.loads.iter().any(|load| load.expressions().any(names_quantity))
 }

@@ -42,7 +42,7 @@ pub(crate) fn cycles(
     let way = Interval::of(scene, statics, sweep).map_err(|why| no_sweep(scene, why))?;
     let mut sampler = Sampler::new(scene, statics, &way)?;
     statics.cycles = vec![CycleAnswer::default(); mechanism.cycles.len()];
-    // those of motion alone first: loads may hang on them
+    // those of motion alone first: loads may depend on them
     let after = |index: &usize| hangs_on_forces(mechanism, &mechanism.cycles[*index].expr);
     let (late, early): (Vec<usize>, Vec<usize>) = (0..mechanism.cycles.len()).partition(after);
     let of =

@@ -163,7 +163,7 @@ impl<'a> Sampler<'a> {
         index.min(self.anchors.len() - 1)
     }
 
-    /// From now on these numbers are computed together. What they hang on must be known.
+    /// From now on these numbers are computed together. What they depend on must be known.
     pub(super) fn share(&mut self, exprs: impl Iterator<Item = Expr>) {
         self.shared.clear();
         for expr in exprs {
