@@ -4,4 +4,3 @@ pub mod cam;
 pub mod gear;
 #[doc(hidden)]
 pub mod search;
-pub mod synthesis;

@@ -18,7 +18,6 @@
 //! - Kernels have no branches: they run on one number or on several lanes at once. No input makes them panic.
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
-pub mod driven;
 pub mod general;
 pub mod pp;
 pub mod prp;

@@ -3,7 +3,6 @@
 use super::pose_answers::PoseAnswers;
 use crate::model::{LinkId, PairId, PairKind};
 use crate::plan::{FrictionElement, FrictionLaw};
-use crate::structure::EffortSource;
 
 /// Useful power less than this part of the power put in is rounding.
 const NOTHING: f64 = 1e-13;
@@ -148,11 +147,5 @@ impl PoseAnswers<'_> {
     #[must_use]
     pub fn without_friction(&self) -> Self {
         self.frictionless.map_or(*self, |(state, quantities)| Self { state, quantities, ..*self })
-    }
-
-    /// Whether an effort exists at this position.
-    #[must_use]
-    pub fn has_effort(&self, source: EffortSource) -> bool {
-        !self.state.forces.locked && self.effort(source).is_finite()
     }
 }

@@ -10,7 +10,7 @@ use super::settings::Settings;
 use super::step::MotionStep;
 use super::train_step::{PlannedLaw, TrainForces, TrainMotion};
 use crate::math::Vec2;
-use crate::structure::{BodyOrigin, GroupJoint, Structure};
+use crate::structure::GroupJoint;
 
 /// What is done at every position, in this order: motion, loads, forces.
 #[derive(Clone, Debug, Default)]
@@ -101,11 +101,5 @@ impl Plan {
             matches!(step, MotionStep::Triad { .. } | MotionStep::Train { .. } | MotionStep::General { .. })
         };
         self.motion.iter().any(goes_on)
-    }
-
-    /// Whether a body replaces a higher pair.
-    #[must_use]
-    pub fn is_imaginary(structure: &Structure, body: usize) -> bool {
-        matches!(structure.replaced.bodies[body].origin, BodyOrigin::Imaginary(_))
     }
 }

@@ -2,4 +2,3 @@
 
 mod involute;
 mod law;
-mod synthesis;

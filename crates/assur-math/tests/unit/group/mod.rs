@@ -1,7 +1,6 @@
 //! Structural groups.
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_A, l_1")]
 
-mod driven;
 mod general;
 mod pp;
 mod prp;
