@@ -1,5 +1,5 @@
 //! Position, velocity, acceleration, all reactions and the balancing torque over a revolution of 360 positions. Items are
-//! positions: divan's throughput is positions per second. `cargo bench --bench kinetostatics`.
+//! positions: divan's throughput is positions per second. `cargo bench --bench kinetostatics`, with `--features lanes` in lanes too.
 
 #[path = "../tests/mechanics/support/machines.rs"]
 mod machines;
@@ -7,7 +7,7 @@ mod machines;
 use assur::internals::math::Vec2;
 use assur::internals::model::{Friction, Mechanism, PairKind};
 use assur::internals::plan::Plan;
-use assur::internals::solve::{DriveColumns, DriveInput, Scene, SideBySide, State, solve};
+use assur::internals::solve::{DriveInput, Model, State, solve};
 use assur::internals::structure::Structure;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
@@ -45,8 +45,8 @@ impl Bench {
         let (structure, _) =
             assur::internals::structure::structure(&mechanism).expect("the machine is sound");
         let plan = assur::internals::plan::plan(&mechanism, &structure);
-        let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
-        let solution = solve(&scene).expect("the machine closes");
+        let model = Model { mechanism: &mechanism, structure: &structure, plan: &plan };
+        let solution = solve(&model).expect("the machine closes");
         let first = solution.poses[0].outcome.as_ref().expect("the first position is regular");
         let state = first.state.clone().ready(&plan);
         let input = |i: usize| {
@@ -59,7 +59,7 @@ impl Bench {
 
     /// Runs one revolution; the sum of something of every position, so that nothing is left out.
     fn revolution(&mut self, stage: Stage) -> f64 {
-        let scene = Scene { mechanism: &self.mechanism, structure: &self.structure, plan: &self.plan };
+        let model = Model { mechanism: &self.mechanism, structure: &self.structure, plan: &self.plan };
         let state = &mut self.state;
         let mut sum = 0.0;
         for input in &self.inputs {
@@ -70,7 +70,7 @@ impl Bench {
                 _ => state.run_motion::<2>(&self.plan),
             }
             if matches!(stage, Stage::Loads | Stage::Forces | Stage::Friction) {
-                state.run_loads(&scene, &[]);
+                state.run_loads(&model, &[]);
             }
             if matches!(stage, Stage::Forces | Stage::Friction) {
                 state.set_lines(&self.plan);
@@ -212,27 +212,33 @@ fn f_by_hand_four_bar(bencher: Bencher) {
     });
 }
 
-/// All forces of many positions with nothing between them, in lanes or in one.
-fn together(bencher: Bencher, name: &str, in_lanes: bool) {
-    let bench = Bench::new(machine(name));
-    let inputs = DriveColumns::of(&bench.inputs, 1);
-    let new = if in_lanes { SideBySide::new } else { SideBySide::in_one_lane };
-    let mut positions = new(&bench.plan, &bench.state);
-    bencher.counter(ItemsCount::new(POSITIONS)).bench_local(|| {
-        let mut sum = 0.0;
-        positions.run(&inputs, |_, place| sum += place.effort(0) + place.body(2).p.x);
-        sum
-    });
-}
+#[cfg(feature = "lanes")]
+mod lanes {
+    use super::*;
+    use assur::internals::solve::{Batch, DriveColumns};
 
-const LANED: [&str; 3] = ["crank-slider", "four-bar", "six-bar"];
+    /// All forces of many positions with nothing between them, in lanes or in one.
+    fn together(bencher: Bencher, name: &str, in_lanes: bool) {
+        let bench = Bench::new(machine(name));
+        let inputs = DriveColumns::of(&bench.inputs, 1);
+        let new = if in_lanes { Batch::new } else { Batch::in_one_lane };
+        let mut positions = new(&bench.plan, &bench.state);
+        bencher.counter(ItemsCount::new(POSITIONS)).bench_local(|| {
+            let mut sum = 0.0;
+            positions.run(&inputs, |_, place| sum += place.effort(0) + place.body(2).p.x);
+            sum
+        });
+    }
 
-#[divan::bench(args = LANED)]
-fn h_together_in_one_lane(bencher: Bencher, name: &str) {
-    together(bencher, name, false);
-}
+    const LANED: [&str; 3] = ["crank-slider", "four-bar", "six-bar"];
 
-#[divan::bench(args = LANED)]
-fn i_together_in_lanes(bencher: Bencher, name: &str) {
-    together(bencher, name, true);
+    #[divan::bench(args = LANED)]
+    fn h_together_in_one_lane(bencher: Bencher, name: &str) {
+        together(bencher, name, false);
+    }
+
+    #[divan::bench(args = LANED)]
+    fn i_together_in_lanes(bencher: Bencher, name: &str) {
+        together(bencher, name, true);
+    }
 }

@@ -1,5 +1,5 @@
 //! What every effect costs that is asked for: Andrews' mechanism, three dyads on a crank, from its text, over a revolution
-//! of 360 positions. Items are positions. `cargo bench --bench ladder`; the figures stand in `docs/effects.md`.
+//! of 360 positions. Items are positions. `cargo bench --features lanes --bench ladder`; the figures stand in `docs/effects.md`.
 
 mod run;
 
@@ -8,7 +8,9 @@ use assur::internals::model::Mechanism;
 use assur::internals::solve::State;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use run::{Run, asking, side_by_side};
+#[cfg(feature = "lanes")]
+use run::side_by_side;
+use run::{Run, asking};
 
 fn main() {
     powers_balance();
@@ -37,6 +39,7 @@ fn one_by_one(bencher: Bencher<'_, '_>, what: &str) {
     bencher.counter(ItemsCount::new(positions)).bench_local(|| black_box(run.one_by_one()));
 }
 
+#[cfg(feature = "lanes")]
 #[divan::bench(args = LADDER)]
 fn side_by_side_in_lanes(bencher: Bencher<'_, '_>, what: &str) {
     let run = Run::of(&text(what));

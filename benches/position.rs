@@ -1,7 +1,7 @@
 //! The time per position of `.mech` files, from their texts, on one thread: the plan of each is run over the file's
 //! positions, and the least of many rounds is printed as JSON.
 //!
-//! `cargo bench --bench position -- FILE…`; with `--rounds N` the plan is run so often without looking at a clock, for a
+//! `cargo bench --features lanes --bench position -- FILE…`; with `--rounds N` the plan is run so often without looking at a clock, for a
 //! count of instructions: see `benches/instructions.sh`.
 
 mod run;

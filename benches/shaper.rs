@@ -29,8 +29,8 @@ fn solved(document: &Document) -> f64 {
     let mechanism = mechanism.expect("it is sound");
     let (structure, _) = assur::internals::structure::structure(&mechanism).expect("it is determined");
     let plan = assur::internals::plan::plan(&mechanism, &structure);
-    let scene = assur::internals::solve::Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
-    let solution = assur::internals::solve::solve(&scene).expect("it is solved");
+    let model = assur::internals::solve::Model { mechanism: &mechanism, structure: &structure, plan: &plan };
+    let solution = assur::internals::solve::solve(&model).expect("it is solved");
     assert_eq!(solution.poses.len(), 363);
     solution.statics.flywheels[0].inertia
 }

@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 # ASSUR names a program that is built already
 if [ -z "${ASSUR:-}" ]; then
-  cargo build --release --quiet
+  cargo build --release --quiet --features lanes
 fi
 assur=${ASSUR:-target/release/assur}
 mkdir -p docs/accuracy

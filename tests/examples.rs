@@ -53,7 +53,7 @@ const SOLVED: &str = "outcome: solved";
 const FAILED: &str = "outcome: failed";
 
 fn structure(source: &Source, compiled: &Compiled) -> Report {
-    let report = report::of_structure(source, &compiled.scene(), None);
+    let report = report::of_structure(source, &compiled.model(), None);
     Report { notes: Vec::new(), ..report }
 }
 

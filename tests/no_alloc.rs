@@ -5,14 +5,14 @@ mod machines;
 
 use assur::internals::math::Vec2;
 use assur::internals::model::{Friction, Mechanism, PairKind};
-use assur::internals::solve::{DriveInput, Scene, solve};
+use assur::internals::solve::{DriveInput, Model, solve};
 
 /// Allocations of this thread over a revolution of a machine, after it was assembled.
 fn allocations(mechanism: &Mechanism) -> u64 {
     let (structure, _) = assur::internals::structure::structure(mechanism).expect("the machine is sound");
     let plan = assur::internals::plan::plan(mechanism, &structure);
-    let scene = Scene { mechanism, structure: &structure, plan: &plan };
-    let solution = solve(&scene).expect("the machine closes");
+    let model = Model { mechanism, structure: &structure, plan: &plan };
+    let solution = solve(&model).expect("the machine closes");
     let first = solution.poses[0].outcome.as_ref().expect("the first position is regular");
     let mut state = first.state.clone().ready(&plan);
     let mut sum = 0.0;
@@ -21,7 +21,7 @@ fn allocations(mechanism: &Mechanism) -> u64 {
         let place = Vec2::direction(value);
         state.motion.inputs[0] = DriveInput { value, place, rate: machines::SPEED, ..DriveInput::default() };
         state.run_motion::<2>(&plan);
-        state.run_loads(&scene, &[]);
+        state.run_loads(&model, &[]);
         state.set_lines(&plan);
         state.set_senses(&plan);
         state.run_forces(&plan);

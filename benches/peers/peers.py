@@ -38,7 +38,7 @@ def in_environment():
 
 def built():
     """The paths of `assur` and of the program that measures files."""
-    command = ["cargo", "build", "--release", "--bin", "assur", "--bench", "position", "--message-format", "json"]
+    command = ["cargo", "build", "--release", "--features", "lanes", "--bin", "assur", "--bench", "position", "--message-format", "json"]
     out = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
     made = [m for m in map(json.loads, out.splitlines()) if m.get("executable")]
     return [next(m["executable"] for m in made if m["target"]["name"] == name) for name in ("assur", "position")]

@@ -4,7 +4,9 @@
 use assur::internals::Compiled;
 use assur::internals::check::Overrides;
 use assur::internals::plan::Level;
-use assur::internals::solve::{DriveColumns, DriveInput, SideBySide, State, solve};
+#[cfg(feature = "lanes")]
+use assur::internals::solve::{Batch, DriveColumns};
+use assur::internals::solve::{DriveInput, State, solve};
 use assur::internals::source::Source;
 
 /// A text ready to be run.
@@ -22,9 +24,9 @@ impl Run {
     pub fn of(text: &str) -> Self {
         let (compiled, problems) =
             assur::internals::compile(&Source::new("scene.mech", text.to_owned()), &Overrides::none());
-        assert!(!problems.has_errors(), "the scene is sound");
-        let compiled = compiled.expect("the scene compiles");
-        let solution = solve(&compiled.scene()).expect("the scene is solved");
+        assert!(!problems.has_errors(), "the model is sound");
+        let compiled = compiled.expect("the model compiles");
+        let solution = solve(&compiled.model()).expect("the model is solved");
         let states: Vec<&State> = solution
             .poses
             .iter()
@@ -42,8 +44,8 @@ impl Run {
     /// Everything that the plan holds, position by position; the sum of something of every position, so that nothing is
     /// left out.
     pub fn one_by_one(&mut self) -> f64 {
-        let (scene, state) = (self.compiled.scene(), &mut self.state);
-        let plan = scene.plan;
+        let (model, state) = (self.compiled.model(), &mut self.state);
+        let plan = model.plan;
         let mut sum = 0.0;
         for input in self.inputs.chunks_exact(plan.drives) {
             state.motion.inputs.iter_mut().zip(input).for_each(|(to, from)| *to = *from);
@@ -53,7 +55,7 @@ impl Run {
                 Level::Accelerations => state.run_motion::<2>(plan),
             }
             if plan.effects.forces {
-                state.run_loads(&scene, &[]);
+                state.run_loads(&model, &[]);
                 state.set_lines(plan);
                 state.run_forces(plan);
                 sum += state.forces.efforts[0];
@@ -63,16 +65,18 @@ impl Run {
         sum
     }
 
+    #[cfg(feature = "lanes")]
     /// The same side by side, in lanes or in one, with the inputs as it reads them.
-    pub fn together(&self, in_lanes: bool) -> (SideBySide<'_>, DriveColumns) {
+    pub fn together(&self, in_lanes: bool) -> (Batch<'_>, DriveColumns) {
         let plan = &self.compiled.plan;
-        let new = if in_lanes { SideBySide::new } else { SideBySide::in_one_lane };
+        let new = if in_lanes { Batch::new } else { Batch::in_one_lane };
         (new(plan, &self.state), DriveColumns::of(&self.inputs, plan.drives))
     }
 }
 
 /// One round of positions side by side.
-pub fn side_by_side(lanes: &mut SideBySide<'_>, inputs: &DriveColumns, forces: bool) -> f64 {
+#[cfg(feature = "lanes")]
+pub fn side_by_side(lanes: &mut Batch<'_>, inputs: &DriveColumns, forces: bool) -> f64 {
     let mut sum = 0.0;
     lanes.run(inputs, |_, place| {
         sum += place.body(1).p.x;
@@ -85,6 +89,6 @@ pub fn side_by_side(lanes: &mut SideBySide<'_>, inputs: &DriveColumns, forces: b
 
 /// The text with other requests: everything from its first `find` on is left out.
 pub fn asking(text: &str, find: &str) -> String {
-    let (machine, _) = text.split_once("\nfind ").expect("a scene that asks for something");
+    let (machine, _) = text.split_once("\nfind ").expect("a model that asks for something");
     format!("{machine}\nfind {find}\n")
 }

@@ -34,10 +34,10 @@ pub fn run(args: &Accuracy, screen: &Screen) -> Status {
             let Some(solved) = solved.filter(|_| !problems.has_errors()) else {
                 return Reply::new(String::new(), &problems, source, screen);
             };
-            let scene = solved.compiled.scene();
-            let measured = study(&scene, &solved.solution, args.wanted);
+            let model = solved.compiled.model();
+            let measured = study(&model, &solved.solution, args.wanted);
             if measured.recommendation.is_none() {
-                problems.push(out_of_reach(&measured, scene.mechanism));
+                problems.push(out_of_reach(&measured, model.mechanism));
             }
             let results = printed(args, source, &overrides, &solved, &measured, screen);
             let reply = Reply::new(results, &problems, source, screen);
@@ -61,7 +61,7 @@ fn printed(
         return report::study_json(&source.name, measured) + "\n";
     }
     let whole = micros(|| drop(std::hint::black_box(whole(source, overrides))));
-    let report = report::of_study(&source.name, &solved.compiled.scene(), measured, whole);
+    let report = report::of_study(&source.name, &solved.compiled.model(), measured, whole);
     match args.format {
         AccuracyFormat::Markdown => report::markdown::render(&report),
         _ => report::text::render(&report, screen.look()),

@@ -17,7 +17,7 @@ pub fn run(args: &Check, screen: &Screen) -> Status {
         let (compiled, mut problems) = crate::pipeline::compile(source, &overrides);
         let results = compiled.map_or_else(String::new, |c| {
             let costs = if args.plan && !problems.has_errors() { costs(&c, &mut problems) } else { None };
-            let mut report = report::of_structure(source, &c.scene(), costs.as_ref());
+            let mut report = report::of_structure(source, &c.model(), costs.as_ref());
             if args.modes {
                 add_modes(&mut report, &c, &mut problems);
             }
@@ -28,7 +28,7 @@ pub fn run(args: &Check, screen: &Screen) -> Status {
 }
 
 fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {
-    match assur_solve::measure::costs(&compiled.scene()) {
+    match assur_solve::measure::costs(&compiled.model()) {
         Ok(costs) => costs,
         Err(errors) => {
             problems.extend(errors);
@@ -38,10 +38,10 @@ fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {
 }
 
 fn add_modes(report: &mut Report, compiled: &Compiled, problems: &mut Problems) {
-    let scene = compiled.scene();
-    match assur_solve::solve::assemblies(&scene) {
+    let model = compiled.model();
+    match assur_solve::solve::assemblies(&model) {
         Ok(modes) => {
-            report::add_modes(report, &scene, &modes);
+            report::add_modes(report, &model, &modes);
             problems.extend(modes.problem);
         }
         Err(errors) => problems.extend(errors),

@@ -65,7 +65,7 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
 
 /// Whether positions are written one after another.
 fn by_position(args: &Solve, compiled: &Compiled) -> bool {
-    let forgets = args.format == Format::Jsonl || args.format == Format::Csv && is_long(&compiled.scene());
+    let forgets = args.format == Format::Jsonl || args.format == Format::Csv && is_long(&compiled.model());
     forgets && args.within.is_none()
 }
 
@@ -88,9 +88,9 @@ fn of_rows(
             (Format::Json, solved) => {
                 let variant = Some(Variant::of(row.number, row.row.label.clone(), &row.row.row));
                 let views = row.problems.views(source);
-                let scene = solved.as_ref().map(|s| s.scene);
+                let model = solved.as_ref().map(|s| s.model);
                 let line =
-                    report::json::render_row(&source.name, variant, scene.as_ref(), solved.as_ref(), &views);
+                    report::json::render_row(&source.name, variant, model.as_ref(), solved.as_ref(), &views);
                 results.push(line + "\n");
             }
             (Format::Jsonl, solved) => {
@@ -164,11 +164,11 @@ fn json(source: &Source, solved: Result<&Solved, Option<&Compiled>>, problems: &
     let line = match solved {
         Ok(solved) => {
             let answers = solved.answers(Precision::READABLE);
-            report::json::render(&source.name, Some(&answers.scene), Some(&answers), &diagnostics)
+            report::json::render(&source.name, Some(&answers.model), Some(&answers), &diagnostics)
         }
         Err(compiled) => {
-            let scene = compiled.map(Compiled::scene);
-            report::json::render(&source.name, scene.as_ref(), None, &diagnostics)
+            let model = compiled.map(Compiled::model);
+            report::json::render(&source.name, model.as_ref(), None, &diagnostics)
         }
     };
     line + "\n"

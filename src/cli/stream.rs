@@ -50,7 +50,7 @@ struct Out<'p, 's, 'o> {
 
 impl<'p, 's, 'o> Out<'p, 's, 'o> {
     fn new(format: Format, source: &'s Source, compiled: &Compiled, printer: &'p mut Printer<'o>) -> Self {
-        let csv = CsvLines::of(&compiled.scene());
+        let csv = CsvLines::of(&compiled.model());
         let text = if format == Format::Csv { csv.header() } else { String::new() };
         Self { format, file: &source.name, csv, text, begun: false, any: false, failed: false, printer }
     }

@@ -4,7 +4,7 @@ use super::compare::{bound, equal, is_within};
 use super::error::ExpectError;
 use super::undefined::{truth, why_undefined, without_cycle};
 use assur_model::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
-use assur_solve::solve::{DriveValue, Pose, PoseAnswers, PoseOrigin, Scene, Solution, State, compare};
+use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, PoseOrigin, Solution, State, compare};
 use assur_text::source::Span;
 
 /// What became of one expectation at one pose.
@@ -39,9 +39,9 @@ pub struct Outcome {
 /// The second list names what could not be evaluated: each of them is an error of the file. A value that differs from
 /// the expected one is not among them, see [`super::mismatches`].
 #[must_use]
-pub fn evaluate(scene: &Scene<'_>, solution: &Solution) -> (Vec<Outcome>, Vec<ExpectError>) {
-    let mut key = Key { scene, solution, outcomes: Vec::new(), errors: Vec::new() };
-    for (index, expect) in scene.mechanism.expects.iter().enumerate() {
+pub fn evaluate(model: &Model<'_>, solution: &Solution) -> (Vec<Outcome>, Vec<ExpectError>) {
+    let mut key = Key { model, solution, outcomes: Vec::new(), errors: Vec::new() };
+    for (index, expect) in model.mechanism.expects.iter().enumerate() {
         if let Err(error) = key.expect(index, expect) {
             key.errors.push(error);
         }
@@ -50,7 +50,7 @@ pub fn evaluate(scene: &Scene<'_>, solution: &Solution) -> (Vec<Outcome>, Vec<Ex
 }
 
 struct Key<'a> {
-    scene: &'a Scene<'a>,
+    model: &'a Model<'a>,
     solution: &'a Solution,
     outcomes: Vec<Outcome>,
     errors: Vec<ExpectError>,
@@ -66,7 +66,7 @@ impl<'a> Key<'a> {
         for (case, pose) in poses.into_iter().enumerate() {
             match &pose.outcome {
                 Ok(solved) => {
-                    let view = self.solution.view(self.scene, solved);
+                    let view = self.solution.view(self.model, solved);
                     let outcome = self.outcome(expect, case, Some(pose), &view)?;
                     self.outcomes.push(outcome);
                 }
@@ -80,10 +80,10 @@ impl<'a> Key<'a> {
 
     /// Values that depend on no pose are asked of a mechanism at rest.
     fn without_pose(&mut self, expect: &Expect) -> Result<(), ExpectError> {
-        let plan = self.scene.plan;
+        let plan = self.model.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
-        let view = PoseAnswers::new(self.scene, &state, &angles, &self.solution.statics);
+        let view = PoseAnswers::new(self.model, &state, &angles, &self.solution.statics);
         let quantities = view.all_quantities();
         let view = PoseAnswers { quantities: &quantities, ..view };
         let outcome = self.outcome(expect, 0, None, &view)?;
@@ -120,7 +120,7 @@ impl<'a> Key<'a> {
     /// A pose's own name; the drive values in words where an `expect` adds it.
     fn name(&self, pose: &Pose) -> String {
         let PoseOrigin::Expected(index) = pose.origin else { return pose.name.clone() };
-        let mechanism = self.scene.mechanism;
+        let mechanism = self.model.mechanism;
         let Some(At::Drives(list)) = &mechanism.expects[index].at else { return pose.name.clone() };
         let texts = list.iter().map(|(id, _)| {
             let drive = &mechanism.drives[id.index()];
@@ -158,8 +158,8 @@ impl<'a> Key<'a> {
                 return Ok(value);
             }
             let locked = || "friction locks the mechanism, and no effort moves it".to_owned();
-            let why = why_undefined(self.scene, expr)
-                .or_else(|| without_cycle(self.scene, self.solution, expr))
+            let why = why_undefined(self.model, expr)
+                .or_else(|| without_cycle(self.model, self.solution, expr))
                 .or_else(|| view.state.forces.locked.then(locked));
             Err(ExpectError::no_value(expect, place.clone(), why))
         };

@@ -1,7 +1,7 @@
 //! Why a value does not exist.
 
 use assur_model::model::{Expr, Query, Value};
-use assur_solve::solve::{PoseAnswers, Scene, Solution, compare};
+use assur_solve::solve::{Model, PoseAnswers, Solution, compare};
 
 /// Whether a condition holds; `None` where that depends on a value that does not exist.
 pub(super) fn truth(view: &PoseAnswers<'_>, expr: &Expr) -> Option<bool> {
@@ -33,20 +33,20 @@ pub(super) fn truth(view: &PoseAnswers<'_>, expr: &Expr) -> Option<bool> {
 
 /// Why an expression has no value, where the structure says so.
 #[must_use]
-pub fn why_undefined(scene: &Scene<'_>, expr: &Expr) -> Option<String> {
+pub fn why_undefined(model: &Model<'_>, expr: &Expr) -> Option<String> {
     if let Expr::Quantity(id) = expr {
-        return why_undefined(scene, &scene.mechanism.quantities.get(id.index())?.expr);
+        return why_undefined(model, &model.mechanism.quantities.get(id.index())?.expr);
     }
     let mut why = None;
     expr.queries(&mut |query| {
         if let Query::Critical(index) = query
-            && let Some(name) = scene.mechanism.criticals.get(*index)
+            && let Some(name) = model.mechanism.criticals.get(*index)
         {
             why = Some(format!("locking neither begins nor ends at any value of `{name}` within reach"));
         }
         let Some(pair) = query.facts().couple else { return };
-        if scene.structure.undetermined_couples.contains(&pair) {
-            let name = &scene.mechanism.pair(pair).name;
+        if model.structure.undetermined_couples.contains(&pair) {
+            let name = &model.mechanism.pair(pair).name;
             why = Some(format!(
                 "the couple in `{name}` is not determined: it closes a chain of prismatic pairs"
             ));
@@ -56,13 +56,13 @@ pub fn why_undefined(scene: &Scene<'_>, expr: &Expr) -> Option<String> {
 }
 
 /// Why a function over the sweep in an expression has no value.
-pub(super) fn without_cycle(scene: &Scene<'_>, solution: &Solution, expr: &Expr) -> Option<String> {
+pub(super) fn without_cycle(model: &Model<'_>, solution: &Solution, expr: &Expr) -> Option<String> {
     let mut why = None;
     expr.parts(&mut |part| {
         let found = match part {
             Expr::Quantity(id) => {
-                let quantity = scene.mechanism.quantities.get(id.index());
-                quantity.and_then(|q| without_cycle(scene, solution, &q.expr))
+                let quantity = model.mechanism.quantities.get(id.index());
+                quantity.and_then(|q| without_cycle(model, solution, &q.expr))
             }
             Expr::Query(Query::Cycle(index)) => {
                 solution.statics.cycles.get(*index).and_then(|c| c.why.clone())

@@ -44,7 +44,7 @@ pub struct Expectation {
 impl Solution {
     pub(super) fn of(solved: &Solved, diagnostics: Diagnostics) -> Self {
         let answers = solved.answers(Precision::READABLE);
-        let columns = AnswerColumns::of_file(&answers.scene);
+        let columns = AnswerColumns::of_file(&answers.model);
         let names: Arc<[String]> = columns.names().collect();
         let whole = columns.whole(&answers);
         let poses = answers.poses().map(|pose| Pose::of(&answers, &columns, &whole, &names, pose)).collect();

@@ -5,7 +5,7 @@ use assur_check::Overrides;
 use assur_model::model::Mechanism;
 use assur_model::structure::{self, Structure};
 use assur_solve::plan::{self, Plan};
-use assur_solve::solve::Scene;
+use assur_solve::solve::Model;
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::{DiagnosticView, Problems};
@@ -37,8 +37,8 @@ pub struct Origin {
 impl Compiled {
     /// As the solver sees it.
     #[must_use]
-    pub fn scene(&self) -> Scene<'_> {
-        Scene { mechanism: &self.mechanism, structure: &self.structure, plan: &self.plan }
+    pub fn model(&self) -> Model<'_> {
+        Model { mechanism: &self.mechanism, structure: &self.structure, plan: &self.plan }
     }
 }
 

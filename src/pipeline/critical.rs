@@ -11,7 +11,7 @@ use assur_check::Overrides;
 use assur_model::model::{Display, Expr, Find, FindKind, Mechanism, Positions, Query, Value};
 use assur_model::structure;
 use assur_solve::plan;
-use assur_solve::solve::{self, Scene};
+use assur_solve::solve::{self, Model};
 use assur_syntax::document::Document;
 use assur_text::source::Span;
 
@@ -30,10 +30,10 @@ const TO_THE_END: usize = 40;
 
 /// The values of all givens whose critical value is asked for, SI; NaN where locking neither begins nor ends.
 #[must_use]
-pub fn criticals(scene: &Scene<'_>, origin: &Origin) -> Vec<f64> {
+pub fn criticals(model: &Model<'_>, origin: &Origin) -> Vec<f64> {
     let (document, overrides) = (&*origin.document, &origin.overrides);
-    let names = &scene.mechanism.criticals;
-    names.iter().map(|name| Search { document, overrides, name }.critical(scene.mechanism)).collect()
+    let names = &model.mechanism.criticals;
+    names.iter().map(|name| Search { document, overrides, name }.critical(model.mechanism)).collect()
 }
 
 /// What a value of the given makes of the first pose.
@@ -127,10 +127,10 @@ impl Search<'_> {
         let mechanism = first_pose_alone(mechanism?);
         let (structure, _) = structure::structure(&mechanism).ok()?;
         let plan = plan::plan(&mechanism, &structure);
-        let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
-        let solution = solve::solve(&scene).ok()?;
+        let model = Model { mechanism: &mechanism, structure: &structure, plan: &plan };
+        let solution = solve::solve(&model).ok()?;
         let solved = solution.poses.first()?.outcome.as_ref().ok()?;
-        let view = solution.view(&scene, solved);
+        let view = solution.view(&model, solved);
         let (ideal, efficiency) = (view.without_friction().power_of_efforts(), view.efficiency());
         let known = ideal != 0.0 && !efficiency.is_nan();
         known.then_some(Verdict { locked: efficiency <= 0.0, drives: ideal > 0.0 })

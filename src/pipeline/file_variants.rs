@@ -80,7 +80,7 @@ fn of_every_row(solver: &mut VariantSolver<'_>, rows: &[FileRow]) -> Option<Prob
     let mut refused = |row: &FileRow| {
         let (compiled, mut problems) = solver.compile(&row.row);
         if let Some(compiled) = compiled.filter(|_| !problems.has_errors()) {
-            problems.extend(refusals(&compiled.scene()));
+            problems.extend(refusals(&compiled.model()));
         }
         problems
     };

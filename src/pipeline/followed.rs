@@ -5,7 +5,7 @@ use super::compile::Origin;
 use super::critical::criticals;
 use super::open_sizes::open_sizes;
 use assur_model::model::{At, Mechanism, Positions, Relation};
-use assur_solve::solve::{Following, Pose, PoseOrigin, Scene, Solution};
+use assur_solve::solve::{Following, Model, Pose, PoseOrigin, Solution};
 use assur_text::diagnostic::Problems;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
@@ -49,21 +49,21 @@ pub enum SizeError {
 
 /// How many positions of a mechanism are kept at once.
 #[must_use]
-pub fn most_positions(scene: &Scene<'_>) -> usize {
-    (MOST_BODIES / scene.plan.bodies.max(1)).clamp(FEWEST, MOST)
+pub fn most_positions(model: &Model<'_>) -> usize {
+    (MOST_BODIES / model.plan.bodies.max(1)).clamp(FEWEST, MOST)
 }
 
 /// Whether a file has, or may have, more positions than are kept at once.
 #[must_use]
-pub fn is_long(scene: &Scene<'_>) -> bool {
-    let mechanism = scene.mechanism;
+pub fn is_long(model: &Model<'_>) -> bool {
+    let mechanism = model.mechanism;
     let swept = mechanism.drives.iter().map(|d| match &d.positions {
         Positions::None => 1,
         Positions::List(list) => list.len(),
         Positions::Range { steps, .. } => steps + 1,
     });
     let beside = mechanism.poses.len() + mechanism.expects.len();
-    swept.max().unwrap_or(1) + beside > most_positions(scene)
+    swept.max().unwrap_or(1) + beside > most_positions(model)
 }
 
 /// Solves all positions of a file. Without something that is done with each, all of them are kept, or it is an error that
@@ -71,20 +71,20 @@ pub fn is_long(scene: &Scene<'_>) -> bool {
 ///
 /// # Errors
 /// What makes all positions meaningless.
-pub fn followed(scene: &Scene<'_>, origin: Option<&Origin>, each: Option<Each<'_>>) -> Followed {
-    let critical = origin.map(|o| criticals(scene, o)).unwrap_or_default();
-    let Some(mut following) = Following::new(scene, critical).map_err(Problems::of)? else {
+pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_>>) -> Followed {
+    let critical = origin.map(|o| criticals(model, o)).unwrap_or_default();
+    let Some(mut following) = Following::new(model, critical).map_err(Problems::of)? else {
         return Ok(Some((Solution::default(), Problems::new())));
     };
-    let (positions, most) = (following.positions(), most_positions(scene));
+    let (positions, most) = (following.positions(), most_positions(model));
     let keeps_all = positions <= most;
-    if !keeps_all && (each.is_none() || names_all(scene.mechanism, following.swept())) {
-        let labels = scene.mechanism.drives.iter().map(|d| LabeledSpan::underline(d.span)).collect();
+    if !keeps_all && (each.is_none() || names_all(model.mechanism, following.swept())) {
+        let labels = model.mechanism.drives.iter().map(|d| LabeledSpan::underline(d.span)).collect();
         return Err(Problems::of([SizeError::TooManyPositions { positions, most, labels }]));
     }
     let mut head = Solution { statics: following.statics().clone(), ..Solution::default() };
     if let Some(origin) = origin {
-        head.open = open_sizes(scene, origin).map_err(Problems::of)?;
+        head.open = open_sizes(model, origin).map_err(Problems::of)?;
     }
     let (mut poses, mut problems) = (Vec::new(), Problems::new());
     let mut each = each;
@@ -107,7 +107,7 @@ pub fn followed(scene: &Scene<'_>, origin: Option<&Origin>, each: Option<Each<'_
                 problems.count_errors(1);
             }
         }
-        if keeps_all || is_named(scene.mechanism, &pose) {
+        if keeps_all || is_named(model.mechanism, &pose) {
             poses.push(pose);
         }
     }

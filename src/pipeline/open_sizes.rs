@@ -8,7 +8,7 @@ use assur_check as check;
 use assur_model::model::{Expr, FindKind, Mechanism, Relation, Scale, Value};
 use assur_model::structure;
 use assur_solve::plan;
-use assur_solve::solve::{self, Following, OpenSizes, Pose, Scene, WholeCycle};
+use assur_solve::solve::{self, Following, Model, OpenSizes, Pose, WholeCycle};
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -45,19 +45,19 @@ pub enum ScaleError {
 ///
 /// # Errors
 /// What is asked and depends on them.
-pub fn open_sizes(scene: &Scene<'_>, origin: &Origin) -> Result<OpenSizes, Vec<ScaleError>> {
+pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<ScaleError>> {
     let mut open = OpenSizes::default();
-    if scene.mechanism.scales.is_empty() {
+    if model.mechanism.scales.is_empty() {
         return Ok(open);
     }
     let mut errors: Vec<ScaleError> = Vec::new();
-    for scale in &scene.mechanism.scales {
+    for scale in &model.mechanism.scales {
         let (mechanism, _) = check::check_stretched(&origin.document, &origin.overrides, &scale.wheel);
         let Some(mechanism) = mechanism else { continue };
         let Ok((structure, _)) = structure::structure(&mechanism) else { continue };
         let plan = plan::plan(&mechanism, &structure);
-        let other = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
-        let Some(compared) = Compared::of(scene, &other) else { continue };
+        let other = Model { mechanism: &mechanism, structure: &structure, plan: &plan };
+        let Some(compared) = Compared::of(model, &other) else { continue };
         for (name, span) in compared.questions() {
             if !errors
                 .iter()
@@ -101,8 +101,8 @@ struct Question<'a> {
 
 /// The same file with two sizes of a wheel.
 struct Compared<'a> {
-    scene: &'a Scene<'a>,
-    other: &'a Scene<'a>,
+    model: &'a Model<'a>,
+    other: &'a Model<'a>,
     questions: Vec<Question<'a>>,
     links: Vec<bool>,
     efforts: Vec<bool>,
@@ -111,14 +111,14 @@ struct Compared<'a> {
 
 impl<'a> Compared<'a> {
     /// Both solved, position by position; `None` where one cannot be.
-    fn of(scene: &'a Scene<'a>, other: &'a Scene<'a>) -> Option<Self> {
+    fn of(model: &'a Model<'a>, other: &'a Model<'a>) -> Option<Self> {
         let mut compared = Self {
-            scene,
+            model,
             other,
-            questions: questions(scene.mechanism, other.mechanism),
-            links: vec![false; scene.mechanism.links.len()],
-            efforts: vec![false; scene.structure.efforts.len()],
-            laws: vec![false; scene.plan.laws.len()],
+            questions: questions(model.mechanism, other.mechanism),
+            links: vec![false; model.mechanism.links.len()],
+            efforts: vec![false; model.structure.efforts.len()],
+            laws: vec![false; model.plan.laws.len()],
         };
         let constants = |(a, b): &Pair<'_>| match (a, b) {
             (Expr::Constant(a), Expr::Constant(b)) => !alike(*a, *b),
@@ -127,7 +127,7 @@ impl<'a> Compared<'a> {
         for question in &mut compared.questions {
             question.differs = question.asked.iter().any(constants);
         }
-        let mut here = Following::new(scene, Vec::new()).ok()?;
+        let mut here = Following::new(model, Vec::new()).ok()?;
         let mut there = Following::new(other, Vec::new()).ok()?;
         while let (Some(a), Some(b)) = (&mut here, &mut there) {
             let (Some(first), Some(second)) = (a.next(), b.next()) else { break };
@@ -139,7 +139,7 @@ impl<'a> Compared<'a> {
     /// Looks at one position of both.
     fn look(&mut self, (statics, a): (&WholeCycle, &Pose), (changed, b): (&WholeCycle, &Pose)) {
         let (Ok(here), Ok(there)) = (&a.outcome, &b.outcome) else { return };
-        let (view, other) = (here.view(self.scene, statics), there.view(self.other, changed));
+        let (view, other) = (here.view(self.model, statics), there.view(self.other, changed));
         for question in self.questions.iter_mut().filter(|q| !q.differs) {
             let both_constant = |(a, b): &Pair<'_>| matches!((a, b), (Expr::Constant(_), Expr::Constant(_)));
             let mut asked = question.asked.iter().filter(|pair| !both_constant(pair));
@@ -158,7 +158,7 @@ impl<'a> Compared<'a> {
             let force = |plan: &plan::Plan, state: &solve::State| {
                 state.forces.law_forces[i].multiplier * plan.laws[i].force
             };
-            *differs |= !same(force(self.scene.plan, x), force(self.other.plan, y));
+            *differs |= !same(force(self.model.plan, x), force(self.other.plan, y));
         }
     }
 

@@ -66,7 +66,7 @@ fn replaced(text: &str, places: &[Span], line: &str) -> String {
 
 /// Statements for the other assemblies: those that differ in one group come first.
 fn others(solved: &Solved) -> Option<Vec<String>> {
-    let modes = solve::assemblies(&solved.compiled.scene()).ok()?;
+    let modes = solve::assemblies(&solved.compiled.model()).ok()?;
     let mut all: Vec<(usize, Vec<&str>)> = vec![(0, Vec::new())];
     for group in modes.groups.iter().filter(|g| g.assemblies.len() > 1) {
         let lines = group.assemblies.iter().filter_map(|m| Some((m.chosen, m.line.as_deref()?)));

@@ -6,7 +6,7 @@ use crate::exercise::{self, Outcome};
 use crate::report;
 use assur_check::Overrides;
 use assur_solve::measure::accuracy::{self, AchievedAccuracy};
-use assur_solve::solve::{Pose, Scene, Solution};
+use assur_solve::solve::{Model, Pose, Solution};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -29,16 +29,16 @@ impl Solved {
     /// As a report sees it.
     #[must_use]
     pub fn answers(&self, precision: report::Precision) -> report::Answers<'_> {
-        let scene = self.compiled.scene();
+        let model = self.compiled.model();
         let reached = self.reached.as_ref();
-        report::Answers { scene, solution: &self.solution, outcomes: &self.outcomes, reached, precision }
+        report::Answers { model, solution: &self.solution, outcomes: &self.outcomes, reached, precision }
     }
 }
 
 /// Solves what was compiled and holds it against its answer key. A failed expectation is an outcome, not a problem; one
 /// that cannot be evaluated is a problem, and so are more positions than can be kept: see [`solve_each`].
 pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
-    let found = followed(&compiled.scene(), compiled.origin.as_ref(), None);
+    let found = followed(&compiled.model(), compiled.origin.as_ref(), None);
     evaluated(compiled, found)
 }
 
@@ -49,12 +49,12 @@ pub fn solve_each(
     each: &mut dyn FnMut(&report::Answers<'_>, &Pose) -> bool,
 ) -> (Result<Solved, Compiled>, Problems) {
     let (mechanism, structure, plan) = (&compiled.mechanism, &compiled.structure, &compiled.plan);
-    let scene = Scene { mechanism, structure, plan };
+    let model = Model { mechanism, structure, plan };
     let precision = report::Precision::READABLE;
     let mut answered = |solution: &Solution, pose: &Pose| {
-        each(&report::Answers { scene, solution, outcomes: &[], reached: None, precision }, pose)
+        each(&report::Answers { model, solution, outcomes: &[], reached: None, precision }, pose)
     };
-    let found = followed(&scene, compiled.origin.as_ref(), Some(&mut answered));
+    let found = followed(&model, compiled.origin.as_ref(), Some(&mut answered));
     evaluated(compiled, found)
 }
 
@@ -64,7 +64,7 @@ fn evaluated(compiled: Compiled, found: Followed) -> (Result<Solved, Compiled>, 
         Err(problems) => (Err(compiled), problems),
         Ok(None) => (Err(compiled), Problems::new()),
         Ok(Some((solution, mut problems))) => {
-            let (outcomes, errors) = exercise::evaluate(&compiled.scene(), &solution);
+            let (outcomes, errors) = exercise::evaluate(&compiled.model(), &solution);
             problems.extend(errors);
             (Ok(Solved { compiled, solution, outcomes, reached: None }), problems)
         }
@@ -75,7 +75,7 @@ fn evaluated(compiled: Compiled, found: Followed) -> (Result<Solved, Compiled>, 
 /// do, the finest answer comes out beside an error.
 pub fn solve_within(mut compiled: Compiled, within: Option<f64>) -> (Result<Solved, Compiled>, Problems) {
     let Some(wanted) = within else { return solve(compiled) };
-    let mut candidates = accuracy::candidates(&compiled.scene(), wanted);
+    let mut candidates = accuracy::candidates(&compiled.model(), wanted);
     candidates.reverse();
     while let Some(settings) = candidates.pop() {
         compiled.plan.settings = settings;
@@ -83,7 +83,7 @@ pub fn solve_within(mut compiled: Compiled, within: Option<f64>) -> (Result<Solv
         let (found, mut problems) = solve(compiled);
         compiled = match found {
             Ok(mut solved) => {
-                let reached = accuracy::reached(&solved.compiled.scene(), &solved.solution, wanted);
+                let reached = accuracy::reached(&solved.compiled.model(), &solved.solution, wanted);
                 if reached.is_kept() || is_last {
                     let missed = (!reached.is_kept()).then(|| reached.missed(&solved.compiled.mechanism));
                     problems.extend(missed);

@@ -3,14 +3,14 @@
 use crate::exercise::Outcome;
 use assur_model::model::{DriveTarget, FindKind};
 use assur_solve::measure::accuracy::AchievedAccuracy;
-use assur_solve::solve::{DriveValue, Pose, PoseOrigin, Scene, Solution};
+use assur_solve::solve::{DriveValue, Model, Pose, PoseOrigin, Solution};
 use assur_text::units::significant;
 
 /// A solved file.
 #[derive(Clone, Copy, Debug)]
 pub struct Answers<'a> {
     /// What was solved.
-    pub scene: Scene<'a>,
+    pub model: Model<'a>,
     /// Its poses.
     pub solution: &'a Solution,
     /// What became of its expectations.
@@ -57,12 +57,12 @@ impl<'a> Answers<'a> {
     /// Whether the file asks for all reactions.
     #[must_use]
     pub fn wants_reactions(&self) -> bool {
-        self.scene.mechanism.finds.iter().any(|f| matches!(f.kind, FindKind::Reactions))
+        self.model.mechanism.finds.iter().any(|f| matches!(f.kind, FindKind::Reactions))
     }
 
     /// The value of a drive at a pose in figures, in the author's unit.
     pub(super) fn drive_figures(&self, target: DriveTarget, value: Option<&DriveValue>) -> String {
-        let display = self.scene.mechanism.drive_display(target);
+        let display = self.model.mechanism.drive_display(target);
         let value = value.and_then(DriveValue::value);
         value.map_or_else(|| NONE.to_owned(), |v| display.figures(v, self.precision.digits))
     }

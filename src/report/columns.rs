@@ -4,7 +4,7 @@ use super::answers::{Answers, NONE};
 use crate::exercise::why_undefined;
 use assur_model::model::{Display, Expr, Find, FindKind, Query, Value};
 use assur_model::structure::{EffortKind, EffortSource};
-use assur_solve::solve::{Pose, PoseAnswers, Scene, Solved, State};
+use assur_solve::solve::{Model, Pose, PoseAnswers, Solved, State};
 use assur_text::units::Dimension;
 
 /// A quantity and its values.
@@ -49,7 +49,7 @@ impl<'a> Answers<'a> {
                 name: find.name.clone(),
                 display: display.clone(),
                 values: poses.iter().map(|pose| self.value(expr, pose)).collect(),
-                missing: missing(&self.scene, expr),
+                missing: missing(&self.model, expr),
             })
             .collect();
         for effort in self.efforts() {
@@ -70,17 +70,17 @@ impl<'a> Answers<'a> {
 
     /// Items of `find` that need no pose: each with its one value.
     pub(super) fn quantities_without_pose(&self) -> Vec<Quantity> {
-        let plan = self.scene.plan;
+        let plan = self.model.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
-        let view = PoseAnswers::new(&self.scene, &state, &angles, &self.solution.statics);
+        let view = PoseAnswers::new(&self.model, &state, &angles, &self.solution.statics);
         let quantities = view.all_quantities();
         let view = PoseAnswers { quantities: &quantities, ..view };
         let quantity = |(find, expr, display): (&'a Find, &'a Expr, &'a Display)| Quantity {
             name: find.name.clone(),
             display: display.clone(),
             values: vec![Some(view.value(expr)).filter(Value::is_defined)],
-            missing: missing(&self.scene, expr),
+            missing: missing(&self.model, expr),
         };
         self.finds(true).map(quantity).collect()
     }
@@ -90,7 +90,7 @@ impl<'a> Answers<'a> {
         &self,
         without_pose: bool,
     ) -> impl Iterator<Item = (&'a Find, &'a Expr, &'a Display)> + use<'a> {
-        self.scene.mechanism.finds.iter().filter_map(move |find| match &find.kind {
+        self.model.mechanism.finds.iter().filter_map(move |find| match &find.kind {
             FindKind::Value { expr, display, poseless } if *poseless == without_pose => {
                 Some((find, expr, display))
             }
@@ -101,14 +101,14 @@ impl<'a> Answers<'a> {
     /// Value of an expression at a pose, SI.
     pub(super) fn value(&self, expr: &Expr, pose: &Pose) -> Option<Value> {
         let solved = pose.outcome.as_ref().ok()?;
-        let value = self.solution.view(&self.scene, solved).value(expr);
+        let value = self.solution.view(&self.model, solved).value(expr);
         Some(value).filter(Value::is_defined)
     }
 
     /// The unknown efforts; none where forces are not solved.
     pub(super) fn efforts(&self) -> Vec<EffortEntry> {
-        let mechanism = self.scene.mechanism;
-        if self.scene.plan.forces.is_empty() {
+        let mechanism = self.model.mechanism;
+        if self.model.plan.forces.is_empty() {
             return Vec::new();
         }
         let entry = |(slot, effort): (usize, &assur_model::structure::Effort)| {
@@ -122,7 +122,7 @@ impl<'a> Answers<'a> {
             };
             EffortEntry { name, of_drive, display: mechanism.display_of(dimension), slot }
         };
-        let all = self.scene.structure.efforts.iter().enumerate();
+        let all = self.model.structure.efforts.iter().enumerate();
         // what depends on sizes that are left open is not told
         all.filter(|(slot, _)| !self.solution.open.efforts.contains(slot)).map(entry).collect()
     }
@@ -178,13 +178,13 @@ impl Quantity {
 }
 
 /// What stands in the place of a value that does not exist.
-fn missing(scene: &Scene<'_>, expr: &Expr) -> &'static str {
+fn missing(model: &Model<'_>, expr: &Expr) -> &'static str {
     match expr {
         Expr::Quantity(id) => {
-            scene.mechanism.quantities.get(id.index()).map_or(NONE, |q| missing(scene, &q.expr))
+            model.mechanism.quantities.get(id.index()).map_or(NONE, |q| missing(model, &q.expr))
         }
         Expr::Query(Query::Critical(_)) => "none in reach",
-        _ if why_undefined(scene, expr).is_some() => "not determined",
+        _ if why_undefined(model, expr).is_some() => "not determined",
         _ => NONE,
     }
 }

@@ -3,7 +3,7 @@
 use super::document::{Block, Column, Section, Table};
 use assur_model::structure::{BodyOrigin, Group};
 use assur_solve::measure::{Costs, Over};
-use assur_solve::solve::Scene;
+use assur_solve::solve::Model;
 
 /// Adds time and share to the rows of the steps: motion, loads, forces.
 pub(super) fn add_columns(costs: &Costs, table: &mut Table) {
@@ -18,7 +18,7 @@ pub(super) fn add_columns(costs: &Costs, table: &mut Table) {
 }
 
 /// The effects with their times; of these contacts and transmissions; what is not asked for.
-pub(super) fn section(scene: &Scene<'_>, costs: &Costs) -> Section {
+pub(super) fn section(model: &Model<'_>, costs: &Costs) -> Section {
     let mut section = Section::new("Cost per position");
     let columns = vec![Column::words("effect"), times(), Column::right("share")];
     let mut table = Table::new(columns, 3);
@@ -29,12 +29,12 @@ pub(super) fn section(scene: &Scene<'_>, costs: &Costs) -> Section {
     section.table(table);
     let mut facts: Vec<(String, String)> = Vec::new();
     let contacts = |group: &Group| {
-        let bodies = &scene.structure.replaced.bodies;
+        let bodies = &model.structure.replaced.bodies;
         group.bodies.iter().any(|b| matches!(bodies[b.0].origin, BodyOrigin::Imaginary(_)))
     };
     let parts = [
-        ("contacts", of_groups(scene, costs, contacts)),
-        ("transmissions", of_groups(scene, costs, |group| !group.laws.is_empty())),
+        ("contacts", of_groups(model, costs, contacts)),
+        ("transmissions", of_groups(model, costs, |group| !group.laws.is_empty())),
     ];
     for (name, part) in parts {
         if let Some(time) = part {
@@ -45,26 +45,26 @@ pub(super) fn section(scene: &Scene<'_>, costs: &Costs) -> Section {
     for (name, time) in &costs.beside {
         facts.push(((*name).to_owned(), format!("{} ns beside the plan", nanoseconds(*time))));
     }
-    let idle = scene.plan.effects.not_asked_for(scene.mechanism);
+    let idle = model.plan.effects.not_asked_for(model.mechanism);
     if !idle.is_empty() {
         facts.push(("not asked for".to_owned(), idle.join(", ")));
     }
-    facts.push(("measured".to_owned(), measured(scene, costs)));
+    facts.push(("measured".to_owned(), measured(model, costs)));
     section.blocks.push(Block::Facts(facts));
     section
 }
 
 /// What the steps of some groups cost together; `None` where there are no such groups.
-fn of_groups(scene: &Scene<'_>, costs: &Costs, wanted: impl Fn(&Group) -> bool) -> Option<f64> {
-    let motion = scene.structure.motion.iter().zip(&costs.motion);
-    let forces = scene.structure.forces.iter().zip(&costs.forces);
+fn of_groups(model: &Model<'_>, costs: &Costs, wanted: impl Fn(&Group) -> bool) -> Option<f64> {
+    let motion = model.structure.motion.iter().zip(&costs.motion);
+    let forces = model.structure.forces.iter().zip(&costs.forces);
     let times: Vec<f64> = motion.chain(forces).filter(|(group, _)| wanted(group)).map(|(_, t)| *t).collect();
     (!times.is_empty()).then(|| times.iter().sum())
 }
 
-fn measured(scene: &Scene<'_>, costs: &Costs) -> String {
+fn measured(model: &Model<'_>, costs: &Costs) -> String {
     let places = costs.places;
-    match (costs.over, scene.mechanism.drives.as_slice()) {
+    match (costs.over, model.mechanism.drives.as_slice()) {
         (Over::Turn, [drive]) => {
             format!("at {places} places of a turn of {}, least of many times", drive.name)
         }

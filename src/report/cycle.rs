@@ -10,7 +10,7 @@ use assur_text::units::Dimension;
 /// One section for all flywheels.
 pub(super) fn flywheels(answers: &Answers<'_>, report: &mut Report) {
     for (wheel, found) in all_flywheels(answers) {
-        let on = &answers.scene.mechanism.link(wheel.on).name;
+        let on = &answers.model.mechanism.link(wheel.on).name;
         let mut section = Section::new(format!("Flywheel {} on {on}", wheel.name));
         section.table(of_flywheel(answers, wheel, found));
         report.section(section);
@@ -21,11 +21,11 @@ pub(super) fn flywheels(answers: &Answers<'_>, report: &mut Report) {
 pub(super) fn all_flywheels<'a>(
     answers: &Answers<'a>,
 ) -> impl Iterator<Item = (&'a Flywheel, &'a FlywheelAnswer)> {
-    answers.scene.mechanism.flywheels.iter().zip(&answers.solution.statics.flywheels)
+    answers.model.mechanism.flywheels.iter().zip(&answers.solution.statics.flywheels)
 }
 
 fn of_flywheel(answers: &Answers<'_>, wheel: &Flywheel, found: &FlywheelAnswer) -> Table {
-    let mechanism = answers.scene.mechanism;
+    let mechanism = answers.model.mechanism;
     let scale = Scale::of(answers);
     let columns = vec![Column::words("quantity"), Column::numbers("value"), Column::words("unit")];
     let mut table = Table::new(columns, 1);
@@ -53,7 +53,7 @@ fn of_flywheel(answers: &Answers<'_>, wheel: &Flywheel, found: &FlywheelAnswer) 
 
 /// Names of functions over the sweep, by the item or expectation that asks for each, with what was found.
 pub(super) fn named<'a>(answers: &Answers<'a>) -> Vec<(&'a str, &'a CycleAnswer)> {
-    let mechanism = answers.scene.mechanism;
+    let mechanism = answers.model.mechanism;
     let finds = mechanism.finds.iter().filter_map(|f| match &f.kind {
         FindKind::Value { expr, .. } => Some((f.name.as_str(), expr)),
         FindKind::Reactions | FindKind::Table(_) => None,
@@ -76,7 +76,7 @@ pub(super) fn named<'a>(answers: &Answers<'a>) -> Vec<(&'a str, &'a CycleAnswer)
 
 /// Estimated errors, and where quantities are not smooth.
 pub(super) fn accuracy(answers: &Answers<'_>, order_of: impl Fn(f64) -> String) -> Table {
-    let mechanism = answers.scene.mechanism;
+    let mechanism = answers.model.mechanism;
     let with_samples = !answers.precision.coarse_residuals;
     let mut columns = vec![Column::words("over the sweep"), Column::right("relative error")];
     if with_samples {

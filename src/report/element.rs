@@ -4,13 +4,13 @@ use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
 use assur_math::element::cam::Law;
 use assur_model::model::{self, Display, FindKind, Mechanism, PlateCam, Value};
-use assur_solve::solve::Scene;
+use assur_solve::solve::Model;
 use assur_text::units::{Dimension, significant};
 
 /// What each designed cam does over a turn, the dwell that is left of it among them.
-pub(super) fn cams(scene: &Scene<'_>, report: &mut Report) {
-    for plate in &scene.mechanism.cams {
-        report.section(phases(scene.mechanism, plate));
+pub(super) fn cams(model: &Model<'_>, report: &mut Report) {
+    for plate in &model.mechanism.cams {
+        report.section(phases(model.mechanism, plate));
     }
 }
 
@@ -62,7 +62,7 @@ const fn law(law: Law) -> &'static str {
 
 /// The tables that are asked for.
 pub(super) fn tables(answers: &Answers<'_>, report: &mut Report) {
-    for find in &answers.scene.mechanism.finds {
+    for find in &answers.model.mechanism.finds {
         let FindKind::Table(table) = &find.kind else { continue };
         let mut section = Section::new(find.name.clone());
         section.table(if table.upright { upright(answers, table) } else { lying(answers, table) });

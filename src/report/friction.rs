@@ -11,7 +11,7 @@ const LAW_DIGITS: usize = 4;
 
 /// Friction of every pair at the one pose, or the power lost in each at every pose of a sweep.
 pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
-    if !answers.scene.plan.effects.friction {
+    if !answers.model.plan.effects.friction {
         return;
     }
     let poses: Vec<(&Pose, &Solved)> =
@@ -23,7 +23,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
             section.text("The mechanism is locked: no effort moves it.");
         }
         [(_, solved)] => {
-            let view = answers.solution.view(&answers.scene, solved);
+            let view = answers.solution.view(&answers.model, solved);
             section.table(of_one_pose(answers, &view.pair_frictions()));
             section.text(balance(answers, &view));
         }
@@ -34,7 +34,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
 
 /// One row per pair and its two links.
 fn of_one_pose(answers: &Answers<'_>, all: &[PairFriction]) -> Table {
-    let mechanism = answers.scene.mechanism;
+    let mechanism = answers.model.mechanism;
     let (force, power) = (mechanism.display_of(Dimension::FORCE), power_display(answers));
     let columns = vec![
         Column::words("pair"),
@@ -71,7 +71,7 @@ fn of_one_pose(answers: &Answers<'_>, all: &[PairFriction]) -> Table {
 /// `ρ = 5 mm`, `f = 0.1, 5.711 deg`
 fn law(answers: &Answers<'_>, r: &PairFriction) -> String {
     if r.turns {
-        let length = answers.scene.mechanism.display_of(Dimension::LENGTH);
+        let length = answers.model.mechanism.display_of(Dimension::LENGTH);
         return format!("ρ = {}", length.text(Value::Scalar(r.factor), LAW_DIGITS));
     }
     let angle = significant(libm::atan(r.factor).to_degrees(), LAW_DIGITS);
@@ -79,7 +79,7 @@ fn law(answers: &Answers<'_>, r: &PairFriction) -> String {
 }
 
 fn power_display(answers: &Answers<'_>) -> Display {
-    answers.scene.mechanism.display_of(Dimension::POWER)
+    answers.model.mechanism.display_of(Dimension::POWER)
 }
 
 /// The loads and the motion are the same without friction, so the efforts differ by what the pairs lose.
@@ -89,7 +89,7 @@ fn balance(answers: &Answers<'_>, view: &PoseAnswers<'_>) -> String {
     let lost: f64 = view.pair_frictions().iter().map(|r| r.power).sum();
     let (actual, ideal) = (view.power_of_efforts(), view.without_friction().power_of_efforts());
     let speed =
-        if answers.scene.plan.effects.timed { "" } else { " Powers are those at unit speed of the drive." };
+        if answers.model.plan.effects.timed { "" } else { " Powers are those at unit speed of the drive." };
     format!(
         "The pairs lose {}; the efforts give {} with friction and {} without, {} more.{speed}",
         text(lost),
@@ -105,9 +105,9 @@ fn of_a_sweep(answers: &Answers<'_>, poses: &[(&Pose, &Solved)]) -> Table {
     let mut table = Table::new(vec![Column::words("pose")], 1);
     table.rows = poses.iter().map(|(p, _)| vec![p.name.clone()]).collect();
     let all: Vec<Vec<PairFriction>> =
-        poses.iter().map(|(_, s)| answers.solution.view(&answers.scene, s).pair_frictions()).collect();
+        poses.iter().map(|(_, s)| answers.solution.view(&answers.model, s).pair_frictions()).collect();
     let scale = all.iter().flatten().map(|r| r.power).fold(0.0, f64::max);
-    for (i, pair) in answers.scene.mechanism.pairs.iter().enumerate() {
+    for (i, pair) in answers.model.mechanism.pairs.iter().enumerate() {
         let of_pair = |r: &&PairFriction| r.pair.index() == i;
         if !all.iter().flatten().any(|r| of_pair(&r)) {
             continue;

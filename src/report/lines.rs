@@ -4,7 +4,7 @@ use super::answers::Answers;
 use super::csv::LINE_END;
 use super::rows::{AnswerColumns, FULL, write_text};
 use assur_model::model::Value;
-use assur_solve::solve::{Pose, Scene};
+use assur_solve::solve::{Model, Pose};
 
 /// Writes lines.
 #[derive(Clone, Debug)]
@@ -17,8 +17,8 @@ pub struct CsvLines {
 impl CsvLines {
     /// For the answers of a file.
     #[must_use]
-    pub fn of(scene: &Scene<'_>) -> Self {
-        Self { columns: AnswerColumns::of_file(scene), whole: None }
+    pub fn of(model: &Model<'_>) -> Self {
+        Self { columns: AnswerColumns::of_file(model), whole: None }
     }
 
     /// The first line.

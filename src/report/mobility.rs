@@ -4,7 +4,7 @@ use super::document::{Block, Column, Report, Section, Table};
 use super::train::kind_name;
 use assur_model::model::BalanceKind;
 use assur_model::structure::{BodyId, BodyOrigin, Effort, EffortSource, Group, GroupKind, Structure};
-use assur_solve::solve::Scene;
+use assur_solve::solve::Model;
 
 /// The numbers of a group: links, lower pairs, higher pairs of the mechanism as declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,89 +50,89 @@ impl GroupCount {
 }
 
 /// Names of a group's links; imaginary ones are left out.
-pub(super) fn link_names(scene: &Scene<'_>, group: &Group) -> Vec<String> {
-    let links = group.bodies.iter().filter_map(|b| match scene.structure.replaced.bodies[b.0].origin {
-        BodyOrigin::Link(id) => Some(scene.mechanism.link(id).name.clone()),
+pub(super) fn link_names(model: &Model<'_>, group: &Group) -> Vec<String> {
+    let links = group.bodies.iter().filter_map(|b| match model.structure.replaced.bodies[b.0].origin {
+        BodyOrigin::Link(id) => Some(model.mechanism.link(id).name.clone()),
         BodyOrigin::Imaginary(_) => None,
     });
     links.collect()
 }
 
 /// The facts in short, as they stand above the answers.
-pub(super) fn summary(scene: &Scene<'_>, report: &mut Report) {
+pub(super) fn summary(model: &Model<'_>, report: &mut Report) {
     let mut section = Section::new("Structure");
-    let groups: Vec<String> = scene
+    let groups: Vec<String> = model
         .structure
         .motion
         .iter()
-        .map(|g| format!("{} ({}, {})", link_names(scene, g).join(", "), g.class_name(), kind_name(scene, g)))
+        .map(|g| format!("{} ({}, {})", link_names(model, g).join(", "), g.class_name(), kind_name(model, g)))
         .collect();
-    let mut facts = vec![("mobility".to_owned(), format!("F = {}", scene.structure.count.formula()))];
+    let mut facts = vec![("mobility".to_owned(), format!("F = {}", model.structure.count.formula()))];
     if !groups.is_empty() {
         facts.push(("groups".to_owned(), groups.join("; ")));
     }
-    facts.push(("effects".to_owned(), effects(scene)));
+    facts.push(("effects".to_owned(), effects(model)));
     section.blocks.push(Block::Facts(facts));
     report.section(section);
 }
 
-fn effects(scene: &Scene<'_>) -> String {
-    let names = scene.plan.effects.computed();
+fn effects(model: &Model<'_>) -> String {
+    let names = model.plan.effects.computed();
     if names.is_empty() { "positions only".to_owned() } else { names.join(", ") }
 }
 
 /// Everything known before anything is solved.
-pub(super) fn sections(scene: &Scene<'_>, report: &mut Report) {
-    let count = &scene.structure.count;
+pub(super) fn sections(model: &Model<'_>, report: &mut Report) {
+    let count = &model.structure.count;
     let mut section = Section::new("Structure");
     let mut facts = vec![
         ("mobility".to_owned(), format!("F = {}", count.formula())),
         ("moving links".to_owned(), count.n.to_string()),
         ("lower pairs".to_owned(), count.lower.to_string()),
         ("higher pairs".to_owned(), count.higher.to_string()),
-        ("drives".to_owned(), drive_names(scene)),
-        ("unknown efforts".to_owned(), effort_names(scene)),
-        ("effects".to_owned(), effects(scene)),
+        ("drives".to_owned(), drive_names(model)),
+        ("unknown efforts".to_owned(), effort_names(model)),
+        ("effects".to_owned(), effects(model)),
     ];
     facts.retain(|f| !f.1.is_empty());
     section.blocks.push(Block::Facts(facts));
-    section.list(notes(scene));
+    section.list(notes(model));
     report.section(section);
     let mut motion = Section::new("Groups in the order in which motion is solved");
-    motion.table(groups(scene, &scene.structure.motion, &scene.structure.drives));
+    motion.table(groups(model, &model.structure.motion, &model.structure.drives));
     report.section(motion);
-    if scene.plan.effects.forces {
+    if model.plan.effects.forces {
         let mut forces = Section::new("Groups in the order in which forces are solved");
-        forces.table(groups(scene, &scene.structure.forces, &scene.structure.efforts));
-        if let Some(defect) = &scene.structure.force_defect {
+        forces.table(groups(model, &model.structure.forces, &model.structure.efforts));
+        if let Some(defect) = &model.structure.force_defect {
             forces.text(defect.to_string());
         }
         report.section(forces);
     }
 }
 
-fn groups(scene: &Scene<'_>, groups: &[Group], efforts: &[Effort]) -> Table {
+fn groups(model: &Model<'_>, groups: &[Group], efforts: &[Effort]) -> Table {
     let mut columns = vec![Column::right("#")];
     columns.extend(["links", "class", "kind", "order", "count", "pairs", "name"].map(Column::words));
     columns[4] = Column::right("order");
     let keys = columns.len();
     let mut table = Table::new(columns, keys);
     for (i, group) in groups.iter().enumerate() {
-        let count = GroupCount::of(scene.structure, group);
-        let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
+        let count = GroupCount::of(model.structure, group);
+        let with: Vec<String> = group.efforts.iter().map(|&e| source_name(model, &efforts[e])).collect();
         let kind = match (group.kind, with.as_slice()) {
-            (_, []) => kind_name(scene, group).to_owned(),
+            (_, []) => kind_name(model, group).to_owned(),
             (GroupKind::Driven, _) => format!("with {}", with.join(", ")),
-            _ => format!("{} ({})", kind_name(scene, group), with.join(", ")),
+            _ => format!("{} ({})", kind_name(model, group), with.join(", ")),
         };
         table.row(vec![
             (i + 1).to_string(),
-            link_names(scene, group).join(", "),
+            link_names(model, group).join(", "),
             group.class_name().to_owned(),
             kind,
             group.order.to_string(),
             count.formula(group.kind),
-            pair_names(scene, group).join(", "),
+            pair_names(model, group).join(", "),
             group.name.clone().unwrap_or_default(),
         ]);
     }
@@ -143,11 +143,11 @@ fn groups(scene: &Scene<'_>, groups: &[Group], efforts: &[Effort]) -> Table {
     table
 }
 
-fn pair_names(scene: &Scene<'_>, group: &Group) -> Vec<String> {
+fn pair_names(model: &Model<'_>, group: &Group) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for joint in group.joints.iter().map(|j| j.joint).chain(group.laws.iter().copied()) {
-        let pair = scene.structure.replaced.joint(joint).pair;
-        let name = &scene.mechanism.pair(pair).name;
+        let pair = model.structure.replaced.joint(joint).pair;
+        let name = &model.mechanism.pair(pair).name;
         if !names.contains(name) {
             names.push(name.clone());
         }
@@ -156,30 +156,30 @@ fn pair_names(scene: &Scene<'_>, group: &Group) -> Vec<String> {
 }
 
 /// Name of a drive, or of a balance.
-pub(super) fn source_name(scene: &Scene<'_>, effort: &Effort) -> String {
+pub(super) fn source_name(model: &Model<'_>, effort: &Effort) -> String {
     match effort.source {
-        EffortSource::Drive(id) => format!("drive {}", scene.mechanism.drives[id.index()].name),
-        EffortSource::Balance(id) => format!("balance {}", scene.mechanism.balances[id.index()].name),
+        EffortSource::Drive(id) => format!("drive {}", model.mechanism.drives[id.index()].name),
+        EffortSource::Balance(id) => format!("balance {}", model.mechanism.balances[id.index()].name),
     }
 }
 
-fn drive_names(scene: &Scene<'_>) -> String {
-    let drives = scene.mechanism.drives.iter().map(|d| d.name.as_str());
+fn drive_names(model: &Model<'_>) -> String {
+    let drives = model.mechanism.drives.iter().map(|d| d.name.as_str());
     drives.collect::<Vec<_>>().join(", ")
 }
 
-fn effort_names(scene: &Scene<'_>) -> String {
-    if !scene.plan.effects.forces {
+fn effort_names(model: &Model<'_>) -> String {
+    if !model.plan.effects.forces {
         return String::new();
     }
-    if scene.mechanism.balances.is_empty() {
-        let own = scene.structure.efforts.iter().map(|e| match e.source {
-            EffortSource::Drive(id) => format!("effort({})", scene.mechanism.drives[id.index()].name),
+    if model.mechanism.balances.is_empty() {
+        let own = model.structure.efforts.iter().map(|e| match e.source {
+            EffortSource::Drive(id) => format!("effort({})", model.mechanism.drives[id.index()].name),
             EffortSource::Balance(_) => String::new(),
         });
         return own.collect::<Vec<_>>().join(", ");
     }
-    let balances = scene.mechanism.balances.iter().map(|b| {
+    let balances = model.mechanism.balances.iter().map(|b| {
         let kind = match b.kind {
             BalanceKind::Torque(_) => "torque",
             BalanceKind::Force { .. } => "force",
@@ -191,8 +191,8 @@ fn effort_names(scene: &Scene<'_>) -> String {
 }
 
 /// What is out of the ordinary.
-fn notes(scene: &Scene<'_>) -> Vec<String> {
-    let (mechanism, structure) = (scene.mechanism, scene.structure);
+fn notes(model: &Model<'_>) -> Vec<String> {
+    let (mechanism, structure) = (model.mechanism, model.structure);
     let mut notes = Vec::new();
     for link in &structure.passive {
         notes.push(format!(

@@ -39,38 +39,38 @@ pub use reactions::{ContactEntry, ReactionEntry, reactions};
 pub use tradeoff::{of_study, study_json};
 
 use assur_solve::measure::Costs;
-use assur_solve::solve::{Assemblies, Scene};
+use assur_solve::solve::{Assemblies, Model};
 use assur_text::source::Source;
 use document::Report;
 
 /// What `check` prints: structure, order of solution, effects, steps, with their costs where they were measured. Nothing is
 /// solved for it.
 #[must_use]
-pub fn of_structure(source: &Source, scene: &Scene<'_>, costs: Option<&Costs>) -> Report {
-    let mut report = headed(&source.name, scene);
-    if has_mechanism(scene) {
-        mobility::sections(scene, &mut report);
+pub fn of_structure(source: &Source, model: &Model<'_>, costs: Option<&Costs>) -> Report {
+    let mut report = headed(&source.name, model);
+    if has_mechanism(model) {
+        mobility::sections(model, &mut report);
     }
-    replacement::section(scene, &mut report);
-    train::laws(scene, &mut report);
-    element::cams(scene, &mut report);
-    plan::sections(source, scene, costs, &mut report);
+    replacement::section(model, &mut report);
+    train::laws(model, &mut report);
+    element::cams(model, &mut report);
+    plan::sections(source, model, costs, &mut report);
     report
 }
 
 /// What `check --modes` prints below: all assemblies of every group at the first pose.
-pub fn add_modes(report: &mut Report, scene: &Scene<'_>, modes: &Assemblies) {
-    report.section(modes::section(scene, modes));
+pub fn add_modes(report: &mut Report, model: &Model<'_>, modes: &Assemblies) {
+    report.section(modes::section(model, modes));
 }
 
 /// What `solve` prints: structure in short, answers, reactions, expectations, accuracy.
 #[must_use]
 pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
-    let mut report = headed(file, &answers.scene);
-    if has_mechanism(&answers.scene) {
-        mobility::summary(&answers.scene, &mut report);
+    let mut report = headed(file, &answers.model);
+    if has_mechanism(&answers.model) {
+        mobility::summary(&answers.model, &mut report);
     }
-    element::cams(&answers.scene, &mut report);
+    element::cams(&answers.model, &mut report);
     results::sections(answers, &mut report);
     element::tables(answers, &mut report);
     reactions::sections(answers, &mut report);
@@ -88,13 +88,13 @@ pub fn table_of_poses(answers: &Answers<'_>) -> document::Table {
     results::full_table(answers)
 }
 
-fn headed(file: &str, scene: &Scene<'_>) -> Report {
-    let title = &scene.mechanism.title;
+fn headed(file: &str, model: &Model<'_>) -> Report {
+    let title = &model.mechanism.title;
     let title = if title.is_empty() { file.to_owned() } else { format!("{title} ({file})") };
-    Report { title, notes: scene.mechanism.notes.clone(), sections: Vec::new() }
+    Report { title, notes: model.mechanism.notes.clone(), sections: Vec::new() }
 }
 
 /// There are links beside the ground: not given values alone.
-fn has_mechanism(scene: &Scene<'_>) -> bool {
-    scene.mechanism.links.len() > 1
+fn has_mechanism(model: &Model<'_>) -> bool {
+    model.mechanism.links.len() > 1
 }

@@ -1,17 +1,17 @@
 //! All assemblies of every group at the first pose.
 
 use super::document::{Column, Section, Table};
-use assur_solve::solve::{Assemblies, Scene};
+use assur_solve::solve::{Assemblies, Model};
 
 /// One row per assembly.
-pub(super) fn section(scene: &Scene<'_>, modes: &Assemblies) -> Section {
+pub(super) fn section(model: &Model<'_>, modes: &Assemblies) -> Section {
     let mut columns = vec![Column::right("#"), Column::words("kind")];
     columns.push(Column::right("assembly"));
     columns.push(Column::right("condition"));
     columns.extend(["chosen", "to choose it write"].map(Column::words));
     let mut table = Table::new(columns, 3);
     for group in &modes.groups {
-        let structure = &scene.structure.motion[group.group];
+        let structure = &model.structure.motion[group.group];
         for (i, mode) in group.assemblies.iter().enumerate() {
             table.row(vec![
                 (group.group + 1).to_string(),

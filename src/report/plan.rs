@@ -8,28 +8,28 @@ use assur_model::model::{LinkId, LoadKind, Unsupported};
 use assur_model::structure::{Effort, Group, GroupKind};
 use assur_solve::measure::Costs;
 use assur_solve::plan::{ForceStep, LoadStep, MotionStep};
-use assur_solve::solve::Scene;
+use assur_solve::solve::Model;
 use assur_text::diagnostic::place;
 use assur_text::source::Source;
 
 /// What is done at every position, at which cost where it was measured, and what is understood but not solved yet.
-pub(super) fn sections(source: &Source, scene: &Scene<'_>, costs: Option<&Costs>, report: &mut Report) {
+pub(super) fn sections(source: &Source, model: &Model<'_>, costs: Option<&Costs>, report: &mut Report) {
     let mut table = Table::of_words(&["step", "what", "how"]);
     let mut step = |what: String, how: String| {
         let number = (table.rows.len() + 1).to_string();
         table.row(vec![number, what, how]);
     };
-    for (group, motion) in scene.structure.motion.iter().zip(&scene.plan.motion) {
-        let efforts = &scene.structure.drives;
-        step(format!("motion of {}", bodies(scene, group)), motion_in_words(scene, group, efforts, motion));
+    for (group, motion) in model.structure.motion.iter().zip(&model.plan.motion) {
+        let efforts = &model.structure.drives;
+        step(format!("motion of {}", bodies(model, group)), motion_in_words(model, group, efforts, motion));
     }
-    for load in &scene.plan.loads {
-        let (what, how) = load_in_words(scene, load);
+    for load in &model.plan.loads {
+        let (what, how) = load_in_words(model, load);
         step(what, how);
     }
-    for (group, force) in scene.structure.forces.iter().zip(&scene.plan.forces) {
-        let what = format!("reactions on {}", bodies(scene, group));
-        step(what, force_in_words(scene, group, &scene.structure.efforts, force));
+    for (group, force) in model.structure.forces.iter().zip(&model.plan.forces) {
+        let what = format!("reactions on {}", bodies(model, group));
+        step(what, force_in_words(model, group, &model.structure.efforts, force));
     }
     let mut section = Section::new("Plan");
     if let Some(costs) = costs {
@@ -38,9 +38,9 @@ pub(super) fn sections(source: &Source, scene: &Scene<'_>, costs: Option<&Costs>
     section.table(table);
     report.section(section);
     if let Some(costs) = costs {
-        report.section(cost::section(scene, costs));
+        report.section(cost::section(model, costs));
     }
-    let mut unsupported: Vec<&Unsupported> = scene.mechanism.unsupported.iter().collect();
+    let mut unsupported: Vec<&Unsupported> = model.mechanism.unsupported.iter().collect();
     unsupported.sort_by_key(|u| u.span);
     let line = |u: &&Unsupported| format!("{} (line {})", u.what, place(&source.text, u.span.start).line);
     let mut later = Section::new("Understood, not solved yet");
@@ -49,40 +49,40 @@ pub(super) fn sections(source: &Source, scene: &Scene<'_>, costs: Option<&Costs>
 }
 
 /// The links of a group; the imaginary ones of a higher pair by its name.
-fn bodies(scene: &Scene<'_>, group: &Group) -> String {
-    let names = link_names(scene, group);
+fn bodies(model: &Model<'_>, group: &Group) -> String {
+    let names = link_names(model, group);
     if names.is_empty() {
-        let all = group.bodies.iter().map(|&b| scene.structure.replaced.body_name(scene.mechanism, b));
+        let all = group.bodies.iter().map(|&b| model.structure.replaced.body_name(model.mechanism, b));
         return all.collect::<Vec<_>>().join(", ");
     }
     names.join(", ")
 }
 
-fn motion_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &MotionStep) -> String {
-    let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
+fn motion_in_words(model: &Model<'_>, group: &Group, efforts: &[Effort], step: &MotionStep) -> String {
+    let with: Vec<String> = group.efforts.iter().map(|&e| source_name(model, &efforts[e])).collect();
     match step {
         MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("as {} says", with.join(", ")),
         MotionStep::Triad { .. } => {
             "triad: all assemblies by a sextic, then followed with a certificate".to_owned()
         }
         MotionStep::Cam { cam, .. } => {
-            let index = scene.plan.cams.get(*cam).map_or(0, |c| c.contact.cam);
-            let name = scene.mechanism.cams.get(index).map_or("", |c| c.name.as_str());
+            let index = model.plan.cams.get(*cam).map_or(0, |c| c.contact.cam);
+            let name = model.mechanism.cams.get(index).map_or("", |c| c.name.as_str());
             format!("the law of cam {name}")
         }
-        MotionStep::Train { train, .. } => train_in_words(scene, &scene.plan.trains[*train]),
+        MotionStep::Train { train, .. } => train_in_words(model, &model.plan.trains[*train]),
         MotionStep::General { .. } => {
-            format!("Newton's method, {} links at once", link_names(scene, group).len())
+            format!("Newton's method, {} links at once", link_names(model, group).len())
         }
         _ => closed_form(group, &with),
     }
 }
 
-fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &ForceStep) -> String {
-    let with: Vec<String> = group.efforts.iter().map(|&e| source_name(scene, &efforts[e])).collect();
+fn force_in_words(model: &Model<'_>, group: &Group, efforts: &[Effort], step: &ForceStep) -> String {
+    let with: Vec<String> = group.efforts.iter().map(|&e| source_name(model, &efforts[e])).collect();
     match step {
         ForceStep::Turn { .. } | ForceStep::Shift { .. } => format!("equilibrium, with {}", with.join(", ")),
-        ForceStep::Train { .. } => train_forces(scene, group, &with),
+        ForceStep::Train { .. } => train_forces(model, group, &with),
         ForceStep::Triad(_) => THREE_LEGS.to_owned(),
         ForceStep::General { .. } if with.is_empty() => "all equations of equilibrium at once".to_owned(),
         ForceStep::General { .. } => {
@@ -95,7 +95,7 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
             "all groups in turn, friction by Newton's method for all at once".to_owned()
         }
         ForceStep::Friction { plain, .. } => {
-            format!("{}, friction by Newton's method", force_in_words(scene, group, efforts, plain))
+            format!("{}, friction by Newton's method", force_in_words(model, group, efforts, plain))
         }
         _ => closed_form(group, &with),
     }
@@ -104,10 +104,10 @@ fn force_in_words(scene: &Scene<'_>, group: &Group, efforts: &[Effort], step: &F
 const THREE_LEGS: &str = "closed form, triad: three equations";
 
 /// `equilibrium, with k and balance M`: with the forces of transmissions and the efforts found there.
-fn train_forces(scene: &Scene<'_>, group: &Group, with: &[String]) -> String {
+fn train_forces(model: &Model<'_>, group: &Group, with: &[String]) -> String {
     let mut found: Vec<String> = Vec::new();
     for law in &group.laws {
-        let name = &scene.mechanism.pair(scene.structure.replaced.joint(*law).pair).name;
+        let name = &model.mechanism.pair(model.structure.replaced.joint(*law).pair).name;
         if !found.contains(name) {
             found.push(name.clone());
         }
@@ -125,8 +125,8 @@ fn closed_form(group: &Group, with: &[String]) -> String {
     }
 }
 
-fn load_in_words(scene: &Scene<'_>, step: &LoadStep) -> (String, String) {
-    let mechanism = scene.mechanism;
+fn load_in_words(model: &Model<'_>, step: &LoadStep) -> (String, String) {
+    let mechanism = model.mechanism;
     match step {
         LoadStep::Mass { body, weight, inertia, .. } => {
             let weight = weight.norm() > 0.0;
@@ -137,24 +137,24 @@ fn load_in_words(scene: &Scene<'_>, step: &LoadStep) -> (String, String) {
             };
             (format!("{what} of {}", mechanism.link(LinkId::at(*body)).name), "at its mass centre".to_owned())
         }
-        LoadStep::Force { load, .. } => load_on(scene, load.index(), "does not change"),
-        LoadStep::Torque { load, .. } => load_on(scene, load.index(), "does not change"),
-        LoadStep::Evaluated(load) => load_on(scene, load.index(), "evaluated at every pose"),
+        LoadStep::Force { load, .. } => load_on(model, load.index(), "does not change"),
+        LoadStep::Torque { load, .. } => load_on(model, load.index(), "does not change"),
+        LoadStep::Evaluated(load) => load_on(model, load.index(), "evaluated at every pose"),
         LoadStep::Spring { spring, .. } => {
             (format!("spring {}", mechanism.springs[spring.index()].name), "from its length".to_owned())
         }
     }
 }
 
-fn load_on(scene: &Scene<'_>, index: usize, how: &str) -> (String, String) {
-    let load = &scene.mechanism.loads[index];
+fn load_on(model: &Model<'_>, index: usize, how: &str) -> (String, String) {
+    let load = &model.mechanism.loads[index];
     let name = load.name.as_ref().map(|n| format!(" {n}")).unwrap_or_default();
     let what = match &load.kind {
         LoadKind::Force { on, .. } | LoadKind::ForceAgainstMotion { on, .. } => {
-            format!("force{name} on {}", scene.mechanism.link(*on).name)
+            format!("force{name} on {}", model.mechanism.link(*on).name)
         }
-        LoadKind::Torque { on, .. } => format!("torque{name} on {}", scene.mechanism.link(*on).name),
-        LoadKind::InPair { pair, .. } => format!("effort{name} in {}", scene.mechanism.pair(*pair).name),
+        LoadKind::Torque { on, .. } => format!("torque{name} on {}", model.mechanism.link(*on).name),
+        LoadKind::InPair { pair, .. } => format!("effort{name} in {}", model.mechanism.pair(*pair).name),
     };
     (what, how.to_owned())
 }

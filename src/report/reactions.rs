@@ -39,15 +39,15 @@ pub struct ContactEntry {
 /// All reactions of a pose, pair by pair as declared. Empty where forces are not solved, and where friction locks.
 #[must_use]
 pub fn reactions(answers: &Answers<'_>, solved: &Solved) -> Vec<ReactionEntry> {
-    if answers.scene.plan.reactions.is_empty() || solved.state.forces.locked {
+    if answers.model.plan.reactions.is_empty() || solved.state.forces.locked {
         return Vec::new();
     }
-    let view = answers.solution.view(&answers.scene, solved);
+    let view = answers.solution.view(&answers.model, solved);
     let forces = solved.state.forces.reactions.iter().map(|r| r.force.norm());
     let scale = forces.fold(0.0, f64::max);
-    let unplaced = unplaced_reactions(&answers.scene);
+    let unplaced = unplaced_reactions(&answers.model);
     let mut entries = Vec::new();
-    for (i, pair) in answers.scene.mechanism.pairs.iter().enumerate() {
+    for (i, pair) in answers.model.mechanism.pairs.iter().enumerate() {
         if unplaced[i] {
             continue;
         }
@@ -121,8 +121,8 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     let mut section = Section::new("Reactions");
     section.table(forces(answers, &poses));
     section.table(normals(answers, &poses));
-    if !answers.scene.plan.reactions.is_empty() {
-        section.list(remarks(answers.scene.mechanism, answers));
+    if !answers.model.plan.reactions.is_empty() {
+        section.list(remarks(answers.model.mechanism, answers));
     }
     section.list(locked(answers));
     report.section(section);
@@ -142,7 +142,7 @@ fn names(mechanism: &Mechanism, poses: &Poses<'_>, pose: &str, entry: &ReactionE
 }
 
 fn forces(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
-    let (mechanism, precision) = (answers.scene.mechanism, answers.precision);
+    let (mechanism, precision) = (answers.model.mechanism, answers.precision);
     let force = mechanism.display_of(Dimension::FORCE);
     let moment = mechanism.display_of(Dimension::TORQUE);
     let symbol = |entry: &ReactionEntry| symbols::reaction(mechanism, entry.from, entry.on);
@@ -178,7 +178,7 @@ fn forces(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
 }
 
 fn normals(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
-    let (mechanism, precision) = (answers.scene.mechanism, answers.precision);
+    let (mechanism, precision) = (answers.model.mechanism, answers.precision);
     let force = mechanism.display_of(Dimension::FORCE);
     let length = mechanism.display_of(Dimension::LENGTH);
     let mut columns = heads(poses);
@@ -209,7 +209,7 @@ fn normals(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
 
 fn remarks(mechanism: &Mechanism, answers: &Answers<'_>) -> Vec<String> {
     let mut remarks = Vec::new();
-    let undetermined = answers.scene.structure.undetermined_couples.iter();
+    let undetermined = answers.model.structure.undetermined_couples.iter();
     let names: Vec<&str> = undetermined.map(|p| mechanism.pair(*p).name.as_str()).collect();
     if !names.is_empty() {
         remarks.push(format!(
@@ -217,7 +217,7 @@ fn remarks(mechanism: &Mechanism, answers: &Answers<'_>) -> Vec<String> {
             names.join(", ")
         ));
     }
-    let unplaced = unplaced_reactions(&answers.scene);
+    let unplaced = unplaced_reactions(&answers.model);
     let pairs = mechanism.pairs.iter().zip(unplaced);
     let bearing = |p: &assur_model::model::Pair| !matches!(p.kind, PairKind::Transmission(_));
     let open: Vec<&str> = pairs.filter(|(p, u)| *u && bearing(p)).map(|(p, _)| p.name.as_str()).collect();

@@ -3,39 +3,39 @@
 use super::document::{Report, Section, Table};
 use super::pair::{pair_text, profile_text};
 use assur_model::model::{LinkId, PairKind, Profile, ProfileShape};
-use assur_solve::solve::Scene;
+use assur_solve::solve::Model;
 use assur_text::units::Dimension;
 
 /// One row per higher pair.
-pub(super) fn section(scene: &Scene<'_>, report: &mut Report) {
+pub(super) fn section(model: &Model<'_>, report: &mut Report) {
     let mut table = Table::of_words(&["pair", "joins", "replaced by"]);
-    for pair in &scene.mechanism.pairs {
+    for pair in &model.mechanism.pairs {
         let by = match &pair.kind {
             PairKind::Slot(g) => format!(
                 "an imaginary block hinged on `{}` that slides along `{}`",
-                point(scene, g.slider, &g.point_name),
-                point(scene, g.guide, &g.line_name)
+                point(model, g.slider, &g.point_name),
+                point(model, g.guide, &g.line_name)
             ),
-            PairKind::Contact { first, second, internal } => contact(scene, first, second, *internal),
+            PairKind::Contact { first, second, internal } => contact(model, first, second, *internal),
             PairKind::Revolute(_)
             | PairKind::Prismatic(_)
             | PairKind::Cylinder { .. }
             | PairKind::Transmission(_) => continue,
         };
-        table.row(vec![pair.name.clone(), pair_text(scene.mechanism, &pair.kind), by]);
+        table.row(vec![pair.name.clone(), pair_text(model.mechanism, &pair.kind), by]);
     }
     let mut section = Section::new("Higher pairs and what replaces them");
     section.table(table);
     report.section(section);
 }
 
-fn point(scene: &Scene<'_>, link: LinkId, name: &str) -> String {
-    format!("{}.{name}", scene.mechanism.link(link).name)
+fn point(model: &Model<'_>, link: LinkId, name: &str) -> String {
+    format!("{}.{name}", model.mechanism.link(link).name)
 }
 
-fn contact(scene: &Scene<'_>, first: &Profile, second: &Profile, internal: bool) -> String {
+fn contact(model: &Model<'_>, first: &Profile, second: &Profile, internal: bool) -> String {
     let length = |x: f64| {
-        let display = scene.mechanism.display_of(Dimension::LENGTH);
+        let display = model.mechanism.display_of(Dimension::LENGTH);
         display.text(assur_model::model::Value::Scalar(x), 6)
     };
     let radius = |p: &Profile| match p.shape {
@@ -44,7 +44,7 @@ fn contact(scene: &Scene<'_>, first: &Profile, second: &Profile, internal: bool)
         ProfileShape::Line(..) | ProfileShape::Rim(_) => None,
     };
     let block = |round: &Profile, line: &Profile, r: f64| {
-        let (round, line) = (profile_text(scene.mechanism, round), profile_text(scene.mechanism, line));
+        let (round, line) = (profile_text(model.mechanism, round), profile_text(model.mechanism, line));
         let away = if r > 0.0 { format!(" at a distance of {}", length(r)) } else { String::new() };
         let centre = if r > 0.0 { "in the centre of" } else { "on" };
         format!("an imaginary block hinged {centre} `{round}` that slides along `{line}`{away}")
@@ -52,7 +52,7 @@ fn contact(scene: &Scene<'_>, first: &Profile, second: &Profile, internal: bool)
     let cam = |p: &Profile| matches!(p.shape, ProfileShape::Rim(_));
     let rubbed = if cam(first) { Some((first, second)) } else { cam(second).then_some((second, first)) };
     if let Some((cam, follower)) = rubbed {
-        let (cam, tip) = (profile_text(scene.mechanism, cam), profile_text(scene.mechanism, follower));
+        let (cam, tip) = (profile_text(model.mechanism, cam), profile_text(model.mechanism, follower));
         return match follower.shape {
             ProfileShape::Line(..) => {
                 format!("an imaginary block hinged on `{cam}` where it touches, that slides along `{tip}`")

@@ -33,7 +33,7 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     if !own.is_empty() {
         section.text(format!("No balance is declared: {} is the drive's own effort.", own.join(", ")));
     }
-    if answers.scene.mechanism.finds.is_empty() && answers.outcomes.is_empty() {
+    if answers.model.mechanism.finds.is_empty() && answers.outcomes.is_empty() {
         section.text("The file asks for nothing: add what to find, as in `find reactions`.");
     }
     report.section(section);
@@ -53,7 +53,7 @@ fn of_one_pose(answers: &Answers<'_>, scale: Scale, header: String, quantities: 
     let mut table = Table::new(columns, 1);
     for quantity in quantities {
         let value = quantity.values.first().copied().flatten();
-        let mut cells = vec![symbols::label(answers.scene.mechanism, &quantity.name)];
+        let mut cells = vec![symbols::label(answers.model.mechanism, &quantity.name)];
         if value.is_none() && quantity.missing != NONE {
             cells.push(quantity.missing.to_owned());
         } else {
@@ -85,8 +85,8 @@ fn figures(answers: &Answers<'_>, scale: Scale, display: &Display, value: Option
 fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: &[Quantity]) -> Table {
     let mut table = Table::new(vec![Column::words("pose")], 1);
     table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
-    for (i, drive) in answers.scene.mechanism.drives.iter().enumerate() {
-        let display = answers.scene.mechanism.drive_display(drive.target);
+    for (i, drive) in answers.model.mechanism.drives.iter().enumerate() {
+        let display = answers.model.mechanism.drive_display(drive.target);
         let cells = poses.iter().map(|p| answers.drive_figures(drive.target, p.drives.get(i)));
         table.column(with_unit(&drive.name, &display.unit), cells);
     }
@@ -100,7 +100,7 @@ fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: 
                 Cell::Truth(truth) => truth.to_string(),
                 Cell::None => quantity.missing.to_owned(),
             });
-            let name = symbols::label(answers.scene.mechanism, &part.name);
+            let name = symbols::label(answers.model.mechanism, &part.name);
             table.column(with_unit(&name, &quantity.display.unit), cells);
         }
     }
@@ -113,8 +113,8 @@ pub(super) fn full_table(answers: &Answers<'_>) -> Table {
     let poses: Vec<&Pose> = answers.poses().collect();
     let mut table = Table::new(vec![Column::words("pose")], 1);
     table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
-    for (i, drive) in answers.scene.mechanism.drives.iter().enumerate() {
-        let display = answers.scene.mechanism.drive_display(drive.target);
+    for (i, drive) in answers.model.mechanism.drives.iter().enumerate() {
+        let display = answers.model.mechanism.drive_display(drive.target);
         let values = poses.iter().map(|p| p.drives.get(i).and_then(|d| d.value())).collect();
         add_full(&mut table, &Quantity { name: drive.name.clone(), display, values, missing: NONE });
     }
@@ -150,7 +150,7 @@ fn add_full(table: &mut Table, quantity: &Quantity) {
 
 /// Reactions under the names by which a file asks for them.
 fn reaction_quantities(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<Quantity> {
-    let mechanism = answers.scene.mechanism;
+    let mechanism = answers.model.mechanism;
     let entries: Vec<Option<Vec<ReactionEntry>>> =
         poses.iter().map(|p| Some(reactions(answers, p.outcome.as_ref().ok()?))).collect();
     let entries: Vec<_> = entries.into_iter().map(|e| e.filter(|e| !e.is_empty())).collect();
@@ -182,7 +182,7 @@ fn reaction_quantities(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<Quantity> 
 
 /// `crank = 45 deg, c1 = 2.25 m`
 fn drives_in_words(answers: &Answers<'_>, pose: &Pose) -> String {
-    let mechanism = answers.scene.mechanism;
+    let mechanism = answers.model.mechanism;
     let drives = mechanism.drives.iter().zip(&pose.drives);
     let words = drives.filter(|(_, value)| value.value().is_some()).map(|(drive, value)| {
         let unit = mechanism.drive_display(drive.target).unit;

@@ -5,7 +5,7 @@ use super::csv;
 use super::reactions::{ReactionEntry, reactions};
 use assur_math::math::Vec2;
 use assur_model::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
-use assur_solve::solve::{DriveValue, Pose, PoseAnswers, Scene, Solved, State, unplaced_reactions};
+use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, Solved, State, unplaced_reactions};
 use assur_text::units::{Dimension, write_significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
@@ -39,13 +39,13 @@ pub struct AnswerColumns {
 impl AnswerColumns {
     /// Those of a file, whatever the values of its givens.
     #[must_use]
-    pub fn of(scene: &Scene<'_>) -> Self {
-        Self::with_moments(scene, false)
+    pub fn of(model: &Model<'_>) -> Self {
+        Self::with_moments(model, false)
     }
 
     /// With the moments of transmissions, or without.
-    fn with_moments(scene: &Scene<'_>, of_transmissions: bool) -> Self {
-        let mechanism = scene.mechanism;
+    fn with_moments(model: &Model<'_>, of_transmissions: bool) -> Self {
+        let mechanism = model.mechanism;
         let vectors = &mechanism.vector_quantities();
         let mut answers = Vec::new();
         for (i, drive) in mechanism.drives.iter().enumerate() {
@@ -71,7 +71,7 @@ impl AnswerColumns {
         answers.extend(finds(false));
         let solution = assur_solve::solve::Solution::default();
         let precision = super::Precision::READABLE;
-        let blank = Answers { scene: *scene, solution: &solution, outcomes: &[], reached: None, precision };
+        let blank = Answers { model: *model, solution: &solution, outcomes: &[], reached: None, precision };
         for (slot, effort) in blank.efforts().into_iter().enumerate() {
             let wanted = effort.of_drive || blank.wants_reactions();
             if wanted && !answers[drives..].iter().any(|a| a.name == effort.name) {
@@ -80,17 +80,17 @@ impl AnswerColumns {
             }
         }
         answers.extend(finds(true));
-        if blank.wants_reactions() && !scene.plan.reactions.is_empty() {
-            all_reactions(scene, of_transmissions, &mut answers);
+        if blank.wants_reactions() && !model.plan.reactions.is_empty() {
+            all_reactions(model, of_transmissions, &mut answers);
         }
         Self { drives, answers }
     }
 
     /// Those of one file alone: without the reactions that depend on a place that the file leaves open.
     #[must_use]
-    pub fn of_file(scene: &Scene<'_>) -> Self {
-        let unplaced = unplaced_reactions(scene);
-        let mut columns = Self::with_moments(scene, true);
+    pub fn of_file(model: &Model<'_>) -> Self {
+        let unplaced = unplaced_reactions(model);
+        let mut columns = Self::with_moments(model, true);
         columns.answers.retain(|answer| match answer.content {
             Content::Reaction(pair, _) | Content::Moment(pair, _) => !unplaced[pair.index()],
             _ => true,
@@ -172,7 +172,7 @@ impl AnswerColumns {
             }
             _ => Vec::new(),
         };
-        let view = solved.map(|solved| answers.solution.view(&answers.scene, solved));
+        let view = solved.map(|solved| answers.solution.view(&answers.model, solved));
         let value = |(answer, whole): (&Answer, &Option<Value>)| match &answer.content {
             Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
             Content::Find { index, poseless: false } => {
@@ -209,23 +209,23 @@ impl AnswerColumns {
     }
 
     fn without_pose(&self, answers: &Answers<'_>, index: usize) -> Option<Value> {
-        let plan = answers.scene.plan;
+        let plan = answers.model.plan;
         let state = State::new(plan);
         let angles = vec![0.0; plan.bodies];
-        let view = PoseAnswers::new(&answers.scene, &state, &angles, &answers.solution.statics);
+        let view = PoseAnswers::new(&answers.model, &state, &angles, &answers.solution.statics);
         let quantities = view.all_quantities();
         found(answers, &PoseAnswers { quantities: &quantities, ..view }, index)
     }
 }
 
-fn all_reactions(scene: &Scene<'_>, of_transmissions: bool, answers: &mut Vec<Answer>) {
-    let mechanism = scene.mechanism;
+fn all_reactions(model: &Model<'_>, of_transmissions: bool, answers: &mut Vec<Answer>) {
+    let mechanism = model.mechanism;
     for (i, pair) in mechanism.pairs.iter().enumerate() {
         let id = PairId::at(i);
         let links = pair.kind.links();
         let couple = match pair.kind {
             PairKind::Revolute(_) => true,
-            PairKind::Prismatic(_) => !scene.structure.undetermined_couples.contains(&id),
+            PairKind::Prismatic(_) => !model.structure.undetermined_couples.contains(&id),
             PairKind::Transmission(_) => of_transmissions,
             _ => false,
         };
@@ -244,7 +244,7 @@ fn all_reactions(scene: &Scene<'_>, of_transmissions: bool, answers: &mut Vec<An
 }
 
 fn found(answers: &Answers<'_>, view: &PoseAnswers<'_>, index: usize) -> Option<Value> {
-    match &answers.scene.mechanism.finds.get(index)?.kind {
+    match &answers.model.mechanism.finds.get(index)?.kind {
         FindKind::Value { expr, .. } => Some(view.value(expr)).filter(Value::is_defined),
         FindKind::Reactions | FindKind::Table(_) => None,
     }

@@ -29,7 +29,7 @@ impl Scale {
     fn include(&mut self, answers: &Answers<'_>, solved: &Solved) {
         let state = &solved.state;
         let mut fastest = 0.0_f64;
-        for (i, link) in answers.scene.mechanism.links.iter().enumerate() {
+        for (i, link) in answers.model.mechanism.links.iter().enumerate() {
             let body = &state.motion.bodies[LinkId::at(i).index()];
             for at in link.points.iter().map(|p| p.at).chain([Vec2::zero()]) {
                 self.length = self.length.max(body.position(at).norm());

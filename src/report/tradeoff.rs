@@ -6,10 +6,10 @@ use super::answers::NONE;
 use super::document::{Column, Report, Section, Table};
 use super::headed;
 use assur_solve::measure::accuracy::{
-    AccuracyStudy, AchievedAccuracy, Kind, Recommendation, Row, Setting, Source,
+    AccuracyStudy, AchievedAccuracy, Kind, Recommendation, Row, Setting, Source, lanes,
 };
 use assur_solve::plan::{Numbers, Settings};
-use assur_solve::solve::{Scene, WIDTH, instructions};
+use assur_solve::solve::Model;
 use assur_text::units::significant;
 
 /// Name and version of the format.
@@ -17,8 +17,8 @@ const SCHEMA: &str = "assur.accuracy/1";
 
 /// What `accuracy` prints. `solve` is the time of a whole `assur solve`, µs.
 #[must_use]
-pub fn of_study(file: &str, scene: &Scene<'_>, study: &AccuracyStudy, solve: f64) -> Report {
-    let mut report = headed(file, scene);
+pub fn of_study(file: &str, model: &Model<'_>, study: &AccuracyStudy, solve: f64) -> Report {
+    let mut report = headed(file, model);
     report.notes.clear();
     report.section(held_against(study));
     for knob in &study.knobs {
@@ -59,10 +59,11 @@ fn held_against(study: &AccuracyStudy) -> Section {
         .map(|(what, _, scale, unit)| format!("{what} over {} {unit}", significant(*scale, 3)))
         .collect();
     section.text(format!("Errors are the greatest of all: {}.", in_play.join(", ")));
-    section.text(format!(
-        "Times are the least of many repeats, on one thread; lanes are {WIDTH} wide with {}.",
-        instructions()
-    ));
+    let wide = match lanes() {
+        (1, _) => String::new(),
+        (width, instructions) => format!("; lanes are {width} wide with {instructions}"),
+    };
+    section.text(format!("Times are the least of many repeats, on one thread{wide}."));
     section
 }
 
@@ -275,8 +276,8 @@ pub fn study_json(file: &str, study: &AccuracyStudy) -> String {
             Source::Full => "f64",
         },
         floor: study.floor,
-        instructions: instructions(),
-        lanes: WIDTH,
+        instructions: lanes().1,
+        lanes: lanes().0,
         knobs: knobs.collect(),
         absent: study.absent.iter().map(|a| AbsentView { name: a.what, why: a.why }).collect(),
         wanted: study.wanted,

@@ -6,17 +6,17 @@ use super::pair::pair_text;
 use assur_model::model::{LinkId, Mechanism, PairId, PairKind, Rate, Transmission, TransmissionKind};
 use assur_model::structure::{BodyId, Group, GroupKind};
 use assur_solve::plan::{TrainMember, TrainMotion, TrainSource};
-use assur_solve::solve::{Pose, PoseAnswers, Scene, Solved};
+use assur_solve::solve::{Model, Pose, PoseAnswers, Solved};
 use assur_text::units::{Dimension, significant};
 
 /// Digits of coefficients.
 const DIGITS: usize = 6;
 
 /// What kind of group it is; a train of one transmission by its word.
-pub(super) fn kind_name(scene: &Scene<'_>, group: &Group) -> &'static str {
+pub(super) fn kind_name(model: &Model<'_>, group: &Group) -> &'static str {
     if let (GroupKind::Train, [law], [_]) = (group.kind, group.laws.as_slice(), group.bodies.as_slice())
         && let PairKind::Transmission(t) =
-            &scene.mechanism.pair(scene.structure.replaced.joint(*law).pair).kind
+            &model.mechanism.pair(model.structure.replaced.joint(*law).pair).kind
     {
         return t.kind.word();
     }
@@ -24,17 +24,17 @@ pub(super) fn kind_name(scene: &Scene<'_>, group: &Group) -> &'static str {
 }
 
 /// One row per transmission: what it joins, and its law.
-pub(super) fn laws(scene: &Scene<'_>, report: &mut Report) {
+pub(super) fn laws(model: &Model<'_>, report: &mut Report) {
     let mut table = Table::of_words(&["transmission", "kind", "joins", "law"]);
-    for pair in &scene.mechanism.pairs {
+    for pair in &model.mechanism.pairs {
         let PairKind::Transmission(t) = &pair.kind else { continue };
-        let law = if scene.mechanism.scales.is_empty() {
-            let each = t.laws.iter().map(|l| law_text(scene.mechanism, &l.terms));
+        let law = if model.mechanism.scales.is_empty() {
+            let each = t.laws.iter().map(|l| law_text(model.mechanism, &l.terms));
             each.collect::<Vec<_>>().join("; ")
         } else {
             "with sizes that are left open".to_owned()
         };
-        let joins = pair_text(scene.mechanism, &pair.kind);
+        let joins = pair_text(model.mechanism, &pair.kind);
         table.row(vec![pair.name.clone(), t.kind.word().to_owned(), joins, law]);
     }
     let mut section = Section::new("Transmissions");
@@ -68,15 +68,15 @@ fn sum(terms: impl Iterator<Item = (f64, String)>) -> String {
 }
 
 /// How a train group moves: `ω(II) = −0.833333 ω(I)`.
-pub(super) fn motion_in_words(scene: &Scene<'_>, train: &TrainMotion) -> String {
-    if !scene.mechanism.scales.is_empty() {
+pub(super) fn motion_in_words(model: &Model<'_>, train: &TrainMotion) -> String {
+    if !model.mechanism.scales.is_empty() {
         return "linear in the rates before it".to_owned();
     }
-    let body = |slot: usize| scene.structure.replaced.body_name(scene.mechanism, BodyId(slot));
+    let body = |slot: usize| model.structure.replaced.body_name(model.mechanism, BodyId(slot));
     let source = |s: &TrainSource| match s {
         TrainSource::Turn { body: slot, .. } => format!("ω({})", body(*slot)),
         TrainSource::Slide(slide) => format!("v({})", body(slide.body)),
-        TrainSource::Drive(drive) => format!("rate of {}", scene.mechanism.drives[*drive].name),
+        TrainSource::Drive(drive) => format!("rate of {}", model.mechanism.drives[*drive].name),
     };
     let width = train.sources.len();
     let each = train.members.iter().enumerate().map(|(i, member)| {
@@ -106,11 +106,11 @@ pub(super) struct Pull {
 
 /// All transmissions of a pose whose forces are known.
 pub(super) fn pulls(answers: &Answers<'_>, solved: &Solved) -> Vec<Pull> {
-    if answers.scene.plan.forces.is_empty() || solved.state.forces.locked {
+    if answers.model.plan.forces.is_empty() || solved.state.forces.locked {
         return Vec::new();
     }
-    let view = answers.solution.view(&answers.scene, solved);
-    let laws = answers.scene.plan.laws.iter().enumerate();
+    let view = answers.solution.view(&answers.model, solved);
+    let laws = answers.model.plan.laws.iter().enumerate();
     let known = laws.filter(|(i, _)| !answers.solution.open.laws.contains(i));
     known.filter_map(|(_, law)| pull(&view, law.pair, law.index)).collect()
 }
@@ -142,7 +142,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
         .filter_map(|p| Some((p, pulls(answers, p.outcome.as_ref().ok()?))))
         .filter(|(_, pulls)| !pulls.is_empty())
         .collect();
-    let mechanism = answers.scene.mechanism;
+    let mechanism = answers.model.mechanism;
     let (force, torque) = (mechanism.display_of(Dimension::FORCE), mechanism.display_of(Dimension::TORQUE));
     let pose = (poses.len() > 1).then(|| Column::words("pose"));
     let mut columns: Vec<Column> =

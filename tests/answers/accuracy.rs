@@ -21,44 +21,11 @@ fn solved(source: &Source) -> Solved {
 
 fn studied(source: &Source) -> AccuracyStudy {
     let solved = solved(source);
-    study(&solved.compiled.scene(), &solved.solution, 1e-9)
+    study(&solved.compiled.model(), &solved.solution, 1e-9)
 }
 
 fn knob(study: &AccuracyStudy, kind: Kind) -> &Setting {
     study.knobs.iter().find(|k| k.kind == kind).unwrap_or_else(|| panic!("{kind:?} in {study:?}"))
-}
-
-/// A crank at these angles, rad, turning at `speed` rad/s; the origin of its frame stays.
-fn crank(angles: &str, speed: f64) -> Source {
-    let text = format!(
-        "mech 1\nground {{ A (0, 0) }}\nlink crank A-B 250 mm\nrevolute A: ground - crank\n\
-         drive crank = {angles} at {speed} rad/s\nfind velocity(B)\n"
-    );
-    Source::new("crank.mech", text)
-}
-
-/// The one body has the direction (cos φ, sin φ): what f32 makes of it is known without any solver.
-#[test]
-fn the_error_of_f32_is_the_true_one() {
-    let angles = [0.3_f64, 1.1, 2.9];
-    let study = studied(&crank("0.3 rad, 1.1 rad, 2.9 rad", 3.0));
-    assert_eq!(study.source, Reference::DoubleDouble);
-    let off = |exact: f64| f64::from(exact as f32) - exact;
-    let turned = angles.map(|x| libm::hypot(off(libm::cos(x)), off(libm::sin(x))));
-    let expected = turned.into_iter().fold(0.0, f64::max);
-    let rows = &knob(&study, Kind::Scalar).rows;
-    let f32_row = rows.iter().find(|r| r.setting == "f32").unwrap();
-    let got = f32_row.error.unwrap();
-    assert!((got - expected).abs() < 1e-14 && expected > 1e-9, "{got:e} {expected:e}");
-}
-
-/// 0.1 rad/s is no f32: its relative error is that of all velocities here.
-#[test]
-fn velocities_are_held_against_the_greatest() {
-    let study = studied(&crank("0 rad", 0.1));
-    let row = knob(&study, Kind::Scalar).rows.iter().find(|r| r.setting == "f32").unwrap();
-    let expected = (f64::from(0.1_f32) - 0.1).abs() / 0.1;
-    assert!((row.error.unwrap() - expected).abs() < 1e-15, "{row:?} {expected:e}");
 }
 
 /// The torque of the chain is known in closed form: M = g r cos φ (41 m/2 + 40 m_0). Twice the digits give all 16 of it,
@@ -76,7 +43,7 @@ fn a_chain_keeps_what_it_says() {
         assert_eq!(reached.settings.scalar, numbers);
         assert!(reached.is_kept() && reached.source == Reference::DoubleDouble, "{reached:?}");
         // moments go over the extent times the greatest force
-        let scale = extent(&found.compiled.scene()) * greatest_force(&found.solution);
+        let scale = extent(&found.compiled.model()) * greatest_force(&found.solution);
         for pose in &found.solution.poses {
             let state = &pose.outcome.as_ref().unwrap().state;
             let exact = 9.81 * 0.3 * state.motion.inputs[0].place.x * (41.0 / 2.0 + 40.0 * 0.5);
@@ -131,8 +98,6 @@ fn what_cannot_be_set_says_why() {
     ] {
         assert!(study.absent.iter().any(|a| a.what == what && a.why == why), "{what}: {:?}", study.absent);
     }
-    let lanes = studied(&example("accuracy/four-bar.mech"));
-    assert!(knob(&lanes, Kind::Scalar).rows.iter().any(|r| r.setting == "f64 in lanes"));
 }
 
 /// Without a word about accuracy the solver has the settings it always had.
@@ -151,8 +116,8 @@ fn the_default_is_what_it_was() {
 #[test]
 fn candidates_go_from_cheap_to_dear() {
     let solved = solved(&example("accuracy/four-bar.mech"));
-    let scene = solved.compiled.scene();
-    let all = candidates(&scene, 1e-6);
+    let model = solved.compiled.model();
+    let all = candidates(&model, 1e-6);
     assert_eq!(all.len(), 3);
     assert!(all[0].newton > all[1].newton && all[1] == Settings::FULL);
     assert_eq!(all[2].scalar, Numbers::DoubleDouble);
@@ -160,7 +125,7 @@ fn candidates_go_from_cheap_to_dear() {
 
 /// Greatest difference of two solutions: of positions over the extent, of forces over the greatest.
 fn difference(a: &Solved, b: &Solved) -> f64 {
-    let (length, force) = (extent(&a.compiled.scene()), greatest_force(&a.solution));
+    let (length, force) = (extent(&a.compiled.model()), greatest_force(&a.solution));
     let states = |s: &'_ Solved| -> Vec<State> {
         let poses = s.solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
         poses.filter_map(|p| p.outcome.as_ref().ok()).map(|s| s.state.clone()).collect()
@@ -237,4 +202,48 @@ fn what_is_chosen_hangs_on_no_clock() {
         (found.reached.unwrap(), found.solution.statics.flywheels[0].fluctuation.to_bits())
     };
     assert_eq!(run(), run());
+}
+
+#[cfg(feature = "lanes")]
+mod lanes {
+    use super::*;
+
+    /// A crank at these angles, rad, turning at `speed` rad/s; the origin of its frame stays.
+    fn crank(angles: &str, speed: f64) -> Source {
+        let text = format!(
+            "mech 1\nground {{ A (0, 0) }}\nlink crank A-B 250 mm\nrevolute A: ground - crank\n\
+             drive crank = {angles} at {speed} rad/s\nfind velocity(B)\n"
+        );
+        Source::new("crank.mech", text)
+    }
+
+    /// The one body has the direction (cos φ, sin φ): what f32 makes of it is known without any solver.
+    #[test]
+    fn the_error_of_f32_is_the_true_one() {
+        let angles = [0.3_f64, 1.1, 2.9];
+        let study = studied(&crank("0.3 rad, 1.1 rad, 2.9 rad", 3.0));
+        assert_eq!(study.source, Reference::DoubleDouble);
+        let off = |exact: f64| f64::from(exact as f32) - exact;
+        let turned = angles.map(|x| libm::hypot(off(libm::cos(x)), off(libm::sin(x))));
+        let expected = turned.into_iter().fold(0.0, f64::max);
+        let rows = &knob(&study, Kind::Scalar).rows;
+        let f32_row = rows.iter().find(|r| r.setting == "f32").unwrap();
+        let got = f32_row.error.unwrap();
+        assert!((got - expected).abs() < 1e-14 && expected > 1e-9, "{got:e} {expected:e}");
+    }
+
+    /// 0.1 rad/s is no f32: its relative error is that of all velocities here.
+    #[test]
+    fn velocities_are_held_against_the_greatest() {
+        let study = studied(&crank("0 rad", 0.1));
+        let row = knob(&study, Kind::Scalar).rows.iter().find(|r| r.setting == "f32").unwrap();
+        let expected = (f64::from(0.1_f32) - 0.1).abs() / 0.1;
+        assert!((row.error.unwrap() - expected).abs() < 1e-15, "{row:?} {expected:e}");
+    }
+
+    #[test]
+    fn a_batch_has_all_digits() {
+        let study = studied(&example("accuracy/four-bar.mech"));
+        assert!(knob(&study, Kind::Scalar).rows.iter().any(|r| r.setting == "f64 in lanes"));
+    }
 }

@@ -54,8 +54,8 @@ fn a_thousand_dyads() {
     assert_eq!(structure.motion.len(), DYADS + 1);
     let plan = plan(&mechanism, &structure);
     let planned = start.elapsed();
-    let scene = assur::internals::solve::Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
-    let solution = assur::internals::solve::solve(&scene).expect("it closes");
+    let model = assur::internals::solve::Model { mechanism: &mechanism, structure: &structure, plan: &plan };
+    let solution = assur::internals::solve::solve(&model).expect("it closes");
     let solved = start.elapsed();
     assert!(solution.poses[0].outcome.is_ok());
     println!(

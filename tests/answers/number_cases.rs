@@ -11,12 +11,12 @@ fn solved(text: &str, name: &str) -> (Option<f64>, String) {
     let words =
         assur::internals::diagnostic::render(&problems, &source, assur::internals::diagnostic::Style::PLAIN);
     let value = solved.and_then(|solved| {
-        let scene = solved.compiled.scene();
+        let model = solved.compiled.model();
         let pose = solved.solution.poses[0].outcome.as_ref().ok()?;
         assert!(pose.residuals.equilibrium? < 1e-12, "{:?}", pose.residuals);
         assert!(pose.residuals.power.is_none_or(|r| r < 1e-12), "{:?}", pose.residuals);
-        let view = solved.solution.view(&scene, pose);
-        let find = scene.mechanism.finds.iter().find(|f| f.name == name)?;
+        let view = solved.solution.view(&model, pose);
+        let find = model.mechanism.finds.iter().find(|f| f.name == name)?;
         match &find.kind {
             assur::internals::model::FindKind::Value { expr, .. } => match view.value(expr) {
                 Value::Scalar(x) => Some(x),

@@ -131,7 +131,7 @@ fn a_batch_writes_what_solve_writes() {
         let (solved, _) = assur::internals::solve_source(&source, &Overrides::none());
         let Some(solved) = solved else { continue };
         let answers = solved.answers(Precision::READABLE);
-        let columns = AnswerColumns::of(&answers.scene);
+        let columns = AnswerColumns::of(&answers.model);
         let mut text = std::iter::once("pose".to_owned()).chain(columns.headers(false));
         let head: Vec<String> = text.by_ref().map(|h| csv::field(&h).into_owned()).collect();
         let mut lines = head.join(",") + csv::LINE_END;

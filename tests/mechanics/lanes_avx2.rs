@@ -3,7 +3,7 @@
 #![cfg(target_arch = "x86_64")]
 
 use assur::internals::check::Overrides;
-use assur::internals::solve::{DriveColumns, DriveInput, Place, SideBySide, WIDTH, block_in_avx2, solve};
+use assur::internals::solve::{Batch, DriveColumns, DriveInput, Place, WIDTH, block_in_avx2, solve};
 use assur::internals::source::Source;
 
 #[test]
@@ -11,8 +11,8 @@ fn avx2_has_the_bits_of_one_lane() {
     let text = include_str!("../../examples/kinetostatics/andrews.mech").to_owned();
     let (compiled, _) = assur::internals::compile(&Source::new("andrews.mech", text), &Overrides::none());
     let compiled = compiled.expect("the example compiles");
-    let (scene, plan) = (compiled.scene(), &compiled.plan);
-    let solution = solve(&scene).expect("the example is solved");
+    let (model, plan) = (compiled.model(), &compiled.plan);
+    let solution = solve(&model).expect("the example is solved");
     let states = solution.poses.iter().map(|p| &p.outcome.as_ref().expect("it closes").state);
     let first = &solution.poses[0].outcome.as_ref().expect("it closes").state;
     let inputs: Vec<DriveInput> = states.flat_map(|s| s.motion.inputs.clone()).collect();
@@ -20,7 +20,7 @@ fn avx2_has_the_bits_of_one_lane() {
 
     let Some(block) = block_in_avx2(plan, first, &inputs) else { return };
     let mut seen = 0;
-    SideBySide::in_one_lane(plan, first).run(&inputs, |i, place| {
+    Batch::in_one_lane(plan, first).run(&inputs, |i, place| {
         if i < WIDTH {
             let lane = Place::Lane(&block, i);
             assert_eq!(lane.effort(0).to_bits(), place.effort(0).to_bits(), "position {i}");

@@ -66,9 +66,9 @@ fn loss(seed: u64, kinds: [Leg; 3]) -> Option<f64> {
     let closed = run.plan.forces.iter().any(|step| matches!(step, ForceStep::Triad(_)));
     assert!(closed, "seed {seed}, {kinds:?}: {:?}", run.plan.forces);
     let solution = run.solution.as_ref().ok()?;
-    let scene = run.scene();
-    let exact = solution.reference(&scene, solved).unwrap_or_else(|| panic!("seed {seed}: no reference"));
-    let error = digits::force_error(&scene, solved, &exact);
+    let model = run.model();
+    let exact = solution.reference(&model, solved).unwrap_or_else(|| panic!("seed {seed}: no reference"));
+    let error = digits::force_error(&model, solved, &exact);
     Some(error * solved.condition.powi(2) / f64::EPSILON)
 }
 

@@ -6,6 +6,7 @@ mod cams;
 mod friction;
 mod gears;
 mod hard;
+#[cfg(feature = "lanes")]
 mod lanes_avx2;
 mod legs;
 mod no_silent_errors;

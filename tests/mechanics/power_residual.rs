@@ -1,7 +1,7 @@
 //! The residuals are in proportion to what is wrong with a state.
 
 use assur::internals::check::Overrides;
-use assur::internals::solve::{Scene, State, residuals};
+use assur::internals::solve::{Model, State, residuals};
 use assur::internals::source::Source;
 
 /// A crank-slider with friction behind a pair of wheels with losses is refused; these two together have all terms of the
@@ -33,8 +33,8 @@ find effort(I)
 /// What is changed in a state, and by what factor.
 type Change = fn(&mut State, f64);
 
-fn both(state: &State, scene: &Scene<'_>) -> (f64, f64) {
-    let found = residuals(scene, state);
+fn both(state: &State, model: &Model<'_>) -> (f64, f64) {
+    let found = residuals(model, state);
     (found.equilibrium.unwrap_or(f64::NAN), found.power.unwrap_or(f64::NAN))
 }
 
@@ -57,16 +57,16 @@ fn a_wrong_state_has_residuals() {
         let (solved, problems) =
             assur::internals::solve_source(&Source::new("power.mech", *text), &Overrides::none());
         let solved = solved.unwrap_or_else(|| panic!("{problems:?}"));
-        let scene = solved.compiled.scene();
+        let model = solved.compiled.model();
         let state = &solved.solution.poses[0].outcome.as_ref().expect("it moves").state;
-        let (equilibrium, power) = both(state, &scene);
+        let (equilibrium, power) = both(state, &model);
         assert!(equilibrium < 1e-14 && power < 1e-14, "{equilibrium:e}, {power:e}");
         for (name, change) in changes {
             // the residual is in proportion to what is wrong
             for by in [1e-3, 1e-6] {
                 let mut wrong = state.clone();
                 change(&mut wrong, 1.0 + by);
-                let (equilibrium, power) = both(&wrong, &scene);
+                let (equilibrium, power) = both(&wrong, &model);
                 assert!(power > 1e-3 * by && power < 10.0 * by, "{name} by {by:e}: power {power:e}");
                 let kinematic = *name == "speed";
                 assert!(
@@ -78,7 +78,7 @@ fn a_wrong_state_has_residuals() {
         let mut wrong = state.clone();
         if let Some(reaction) = wrong.forces.reactions.get_mut(1).filter(|r| r.force.norm() > 0.0) {
             reaction.force = reaction.force * 1.001;
-            assert!(both(&wrong, &scene).0 > 1e-5);
+            assert!(both(&wrong, &model).0 > 1e-5);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::support::machines;
 use assur::internals::math::{Double, Scalar, V2, Vec2};
-use assur::internals::solve::{BodyState, DriveInput, Scene, precise, solve};
+use assur::internals::solve::{BodyState, DriveInput, Model, precise, solve};
 
 const LENGTHS: [f64; 4] = [0.1, 0.35, 0.3, 0.4];
 
@@ -15,8 +15,8 @@ fn a_four_bar_to_thirty_digits() {
     let mechanism = machines::four_bar(LENGTHS, true, machines::list(&[0.0]));
     let (structure, _) = assur::internals::structure::structure(&mechanism).expect("the machine is sound");
     let plan = assur::internals::plan::plan(&mechanism, &structure);
-    let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
-    let solution = solve(&scene).expect("the machine closes");
+    let model = Model { mechanism: &mechanism, structure: &structure, plan: &plan };
+    let solution = solve(&model).expect("the machine closes");
     let first = solution.poses[0].outcome.as_ref().expect("the first position is regular");
     let mut state = first.state.clone().ready(&plan);
     for i in 0..36 {
@@ -24,7 +24,7 @@ fn a_four_bar_to_thirty_digits() {
         let place = Vec2::direction(value);
         state.motion.inputs[0] = DriveInput { value, place, rate: machines::SPEED, ..DriveInput::default() };
         state.run_motion::<2>(&plan);
-        state.run_loads(&scene, &[]);
+        state.run_loads(&model, &[]);
         state.run_forces(&plan);
         let exact = precise(&plan, &state).expect("all steps have closed forms");
 
@@ -53,6 +53,6 @@ fn what_has_no_closed_form_has_no_such_answer() {
     let mechanism = machines::triad(machines::list(&[0.0]));
     let (structure, _) = assur::internals::structure::structure(&mechanism).expect("the machine is sound");
     let plan = assur::internals::plan::plan(&mechanism, &structure);
-    assert!(!plan.laned());
+    assert!(!plan.is_batchable());
     assert!(precise(&plan, &assur::internals::solve::State::new(&plan)).is_none());
 }

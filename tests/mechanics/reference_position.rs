@@ -5,7 +5,7 @@ use crate::support::digits::{closed_form_errors, force_error, motion_errors};
 use assur::internals::check::Overrides;
 use assur::internals::math::{Double, Scalar, V2};
 use assur::internals::plan::Level;
-use assur::internals::solve::{Reference, Scene, Solved, precise};
+use assur::internals::solve::{Model, Reference, Solved, precise};
 use assur::internals::source::Source;
 use assur::internals::structure::{EffortKind, JointKind};
 use std::path::{Path, PathBuf};
@@ -26,12 +26,12 @@ fn files(folder: &Path, out: &mut Vec<PathBuf>) {
 
 /// Rounding adds up along a chain of groups: how many times that of four. Forces count twice: on n groups in a row they are
 /// sums of n loads, whose places are off by up to n times as much as that of the first.
-fn chain(scene: &Scene<'_>) -> f64 {
-    (scene.plan.motion.len() as f64 / 4.0).max(1.0)
+fn chain(model: &Model<'_>) -> f64 {
+    (model.plan.motion.len() as f64 / 4.0).max(1.0)
 }
 
 /// Calls `judge` with every position that the examples solve.
-fn each_position(mut judge: impl FnMut(&str, &Scene<'_>, &Solved, &Reference)) -> usize {
+fn each_position(mut judge: impl FnMut(&str, &Model<'_>, &Solved, &Reference)) -> usize {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut paths = Vec::new();
     files(&root.join("examples"), &mut paths);
@@ -42,12 +42,12 @@ fn each_position(mut judge: impl FnMut(&str, &Scene<'_>, &Solved, &Reference)) -
         let source = Source::new(&name, std::fs::read_to_string(&path).expect("a file"));
         // files that are variants of others are none by themselves
         let (Some(solved), _) = assur::internals::solve_source(&source, &Overrides::none()) else { continue };
-        let scene = solved.compiled.scene();
+        let model = solved.compiled.model();
         for pose in &solved.solution.poses {
             let Ok(at) = &pose.outcome else { continue };
-            let reference = solved.solution.reference(&scene, at);
+            let reference = solved.solution.reference(&model, at);
             let name = format!("{name}, {}", pose.name);
-            judge(&name, &scene, at, &reference.unwrap_or_else(|| panic!("{name} has no reference")));
+            judge(&name, &model, at, &reference.unwrap_or_else(|| panic!("{name} has no reference")));
             count += 1;
         }
     }
@@ -57,15 +57,15 @@ fn each_position(mut judge: impl FnMut(&str, &Scene<'_>, &Solved, &Reference)) -
 #[test]
 fn answers_lose_no_more_than_the_bound() {
     let mut worst = 0.0_f64;
-    let count = each_position(|name, scene, solved, exact| {
+    let count = each_position(|name, model, solved, exact| {
         assert!(exact.closure < 1e-29 && exact.equilibrium < 1e-28, "{name}: {exact:?}");
         let sigma = solved.condition;
         let [p, v, a] = motion_errors(solved, exact);
-        let f = if exact.reactions.is_empty() { 0.0 } else { force_error(scene, solved, exact) };
-        let lost = [(p, 1), (v, 2), (a, 3), (f / chain(scene), 2)];
+        let f = if exact.reactions.is_empty() { 0.0 } else { force_error(model, solved, exact) };
+        let lost = [(p, 1), (v, 2), (a, 3), (f / chain(model), 2)];
         for (kind, (error, power)) in ["positions", "velocities", "accelerations", "forces"].iter().zip(lost)
         {
-            let c = error * sigma.powi(power) / (chain(scene) * f64::EPSILON);
+            let c = error * sigma.powi(power) / (chain(model) * f64::EPSILON);
             assert!(c <= BOUND, "{name}: {kind} lose {error:e}, condition {sigma:e}");
             worst = worst.max(c);
         }
@@ -75,7 +75,7 @@ fn answers_lose_no_more_than_the_bound() {
 }
 
 /// Powers of loads, inertia forces and efforts: reactions do none where nothing rubs.
-fn powers(scene: &Scene<'_>, exact: &Reference) -> (Double, f64) {
+fn powers(model: &Model<'_>, exact: &Reference) -> (Double, f64) {
     let mut sum = Double::zero();
     let mut add = |power: Double| sum = sum + power;
     // in a dwell nothing moves but by rounding: the greatest force times the greatest velocity
@@ -90,7 +90,7 @@ fn powers(scene: &Scene<'_>, exact: &Reference) -> (Double, f64) {
         turning = turning.max(body.omega.high.abs());
     }
     let most = (force * speed + moment * turning).max(f64::MIN_POSITIVE);
-    for (effort, value) in scene.structure.efforts.iter().zip(&exact.efforts) {
+    for (effort, value) in model.structure.efforts.iter().zip(&exact.efforts) {
         add(*value
             * match effort.kind {
                 EffortKind::Angle(b) => exact.bodies[b.0].omega,
@@ -99,7 +99,7 @@ fn powers(scene: &Scene<'_>, exact: &Reference) -> (Double, f64) {
                 }
                 EffortKind::Coordinate(joint) => {
                     let JointKind::Prismatic { slider, point, direction, guide, .. } =
-                        scene.structure.replaced.joint(joint).kind
+                        model.structure.replaced.joint(joint).kind
                     else {
                         panic!("a coordinate of a prismatic joint")
                     };
@@ -117,8 +117,8 @@ fn powers(scene: &Scene<'_>, exact: &Reference) -> (Double, f64) {
 #[test]
 fn powers_add_up_to_nothing() {
     let mut count = 0;
-    each_position(|name, scene, _, exact| {
-        let plan = scene.plan;
+    each_position(|name, model, _, exact| {
+        let plan = model.plan;
         let counted = plan.effects.level >= Level::Velocities && !exact.reactions.is_empty();
         if counted
             && plan.friction.is_empty()
@@ -126,7 +126,7 @@ fn powers_add_up_to_nothing() {
             && plan.lines.is_empty()
             && plan.outer.is_empty()
         {
-            let (sum, most) = powers(scene, exact);
+            let (sum, most) = powers(model, exact);
             assert!(sum.high.abs() <= 1e-27 * most, "{name}: {sum:?} of {most:e}");
             count += 1;
         }
@@ -137,12 +137,12 @@ fn powers_add_up_to_nothing() {
 #[test]
 fn closed_forms_with_as_many_digits_agree() {
     let mut count = 0;
-    each_position(|name, scene, solved, exact| {
-        let Some(closed) = precise(scene.plan, &solved.state) else { return };
+    each_position(|name, model, solved, exact| {
+        let Some(closed) = precise(model.plan, &solved.state) else { return };
         let mut errors = closed_form_errors(&closed, exact);
-        errors[3] /= chain(scene);
+        errors[3] /= chain(model);
         for (error, power) in errors.into_iter().zip([1, 2, 3, 3]) {
-            let bound = 1e-29 * chain(scene) / solved.condition.powi(power);
+            let bound = 1e-29 * chain(model) / solved.condition.powi(power);
             assert!(error <= bound, "{name}: {errors:?}, condition {:e}", solved.condition);
         }
         count += 1;

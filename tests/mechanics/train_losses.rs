@@ -263,15 +263,15 @@ fn said(text: &str) -> (Result<BTreeMap<String, f64>, String>, bool) {
         assur::internals::diagnostic::render(&problems, &source, assur::internals::diagnostic::Style::PLAIN);
     let several = words.contains("mech::solve::several_balances");
     let Some(solved) = solved else { return (Err(words), several) };
-    let scene = solved.compiled.scene();
+    let model = solved.compiled.model();
     let pose = match &solved.solution.poses[0].outcome {
         Ok(pose) => pose,
         Err(e) => return (Err(format!("{e}")), several),
     };
     assert!(pose.residuals.equilibrium.is_some_and(|r| r < 1e-11), "{text}\n{:?}", pose.residuals);
     assert!(pose.residuals.power.is_some_and(|r| r < 1e-11), "{text}\n{:?}", pose.residuals);
-    let view = solved.solution.view(&scene, pose);
-    let finds = scene.mechanism.finds.iter().filter_map(|find| match &find.kind {
+    let view = solved.solution.view(&model, pose);
+    let finds = model.mechanism.finds.iter().filter_map(|find| match &find.kind {
         FindKind::Value { expr, .. } => match view.value(expr) {
             Value::Scalar(x) => Some((find.name.clone(), x)),
             _ => None,

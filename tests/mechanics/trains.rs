@@ -15,13 +15,13 @@ fn answers(text: &str) -> BTreeMap<String, f64> {
         assur::internals::diagnostic::render(&problems, &source, assur::internals::diagnostic::Style::PLAIN)
     };
     let solved = solved.unwrap_or_else(|| panic!("{text}\n{}", told()));
-    let scene = solved.compiled.scene();
+    let model = solved.compiled.model();
     let pose = &solved.solution.poses[0];
     let state = pose.outcome.as_ref().unwrap_or_else(|e| panic!("{text}\n{e}"));
     assert!(state.residuals.equilibrium.unwrap_or(0.0) < 1e-12, "{text}\n{:?}", state.residuals);
     assert!(state.residuals.power.unwrap_or(0.0) < 1e-12, "{text}\n{:?}", state.residuals);
-    let view = solved.solution.view(&scene, state);
-    let finds = scene.mechanism.finds.iter().filter_map(|find| match &find.kind {
+    let view = solved.solution.view(&model, state);
+    let finds = model.mechanism.finds.iter().filter_map(|find| match &find.kind {
         FindKind::Value { expr, .. } => match view.value(expr) {
             Value::Scalar(x) => Some((find.name.clone(), x)),
             _ => None,

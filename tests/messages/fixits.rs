@@ -112,7 +112,7 @@ fn listed(text: &str) -> Vec<(Option<String>, bool)> {
     let source = Source::new("text.mech", text);
     let (compiled, _) = assur::internals::compile(&source, &Overrides::none());
     let compiled = compiled.expect("it is sound");
-    let modes = assur::internals::solve::assemblies(&compiled.scene()).expect("it is solved");
+    let modes = assur::internals::solve::assemblies(&compiled.model()).expect("it is solved");
     modes.groups.into_iter().flat_map(|g| g.assemblies).map(|m| (m.line, m.chosen)).collect()
 }
 

@@ -148,7 +148,7 @@ impl Job {
         self.each_chunk(FIRST_CHUNK, None, &mut |chunk, _| {
             let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, &self.columns).ok());
             found =
-                inputs.filter_map(|i| family.compile(&i.row).0).map(|c| AnswerColumns::of(&c.scene())).next();
+                inputs.filter_map(|i| family.compile(&i.row).0).map(|c| AnswerColumns::of(&c.model())).next();
             Ok(found.is_none() && !stop::wanted())
         })?;
         Ok(found)

@@ -128,8 +128,8 @@ impl Written<'_> {
         let views = problems.views(&self.job.source);
         let variant =
             (!input.row.is_empty()).then(|| Variant::of(input.number, input.label.clone(), &input.row));
-        let scene = answers.map(|a| a.scene);
-        *self.out += &json::render_row(&self.job.source.name, variant, scene.as_ref(), answers, &views);
+        let model = answers.map(|a| a.model);
+        *self.out += &json::render_row(&self.job.source.name, variant, model.as_ref(), answers, &views);
         self.out.push('\n');
     }
 

@@ -45,10 +45,10 @@ pub(super) struct AccuracyView {
 
 /// The flywheels by their names.
 pub(super) fn flywheels(answers: &Answers<'_>) -> Entries<FlywheelView> {
-    let plan = answers.scene.plan;
+    let plan = answers.model.plan;
     let state = State::new(plan);
     let angles = vec![0.0; plan.bodies];
-    let view = PoseAnswers::new(&answers.scene, &state, &angles, &answers.solution.statics);
+    let view = PoseAnswers::new(&answers.model, &state, &angles, &answers.solution.statics);
     let all = all_flywheels(answers).enumerate().map(|(index, (wheel, found))| {
         let part = |part| Number::of(view.flywheel(index, part));
         let rim = || {

@@ -14,7 +14,7 @@ use super::answers::Answers;
 use crate::exercise::Outcome;
 use assur_check::{ColumnUse, Row};
 use assur_model::model::{Find, FindKind, TableEntry};
-use assur_solve::solve::{Pose, Scene};
+use assur_solve::solve::{Model, Pose};
 use assur_text::diagnostic::DiagnosticView;
 use assur_text::source::is_obeyed;
 use cycle::{AccuracyView, FlywheelView};
@@ -116,11 +116,11 @@ struct ExpectationView<'a> {
 #[must_use]
 pub fn render(
     file: &str,
-    scene: Option<&Scene<'_>>,
+    model: Option<&Model<'_>>,
     answers: Option<&Answers<'_>>,
     diagnostics: &[DiagnosticView],
 ) -> String {
-    render_row(file, None, scene, answers, diagnostics)
+    render_row(file, None, model, answers, diagnostics)
 }
 
 /// As [`render`], with a row of a table of variants.
@@ -128,18 +128,18 @@ pub fn render(
 pub fn render_row(
     file: &str,
     variant: Option<Variant>,
-    scene: Option<&Scene<'_>>,
+    model: Option<&Model<'_>>,
     answers: Option<&Answers<'_>>,
     diagnostics: &[DiagnosticView],
 ) -> String {
-    let title = scene.map(|s| s.mechanism.title.as_str());
+    let title = model.map(|s| s.mechanism.title.as_str());
     let view = SolutionView {
         schema: SCHEMA,
         file,
         mechanism: title.filter(|t| !t.is_empty()),
         variant,
-        structure: scene.map(StructureView::of),
-        effects: scene.map(|s| s.plan.effects.names()),
+        structure: model.map(StructureView::of),
+        effects: model.map(|s| s.plan.effects.names()),
         accuracy: answers.and_then(|a| a.reached).map(ReachedView::of),
         poses: answers.map(|a| a.poses().map(|p| PoseView::of(a, p)).collect()),
         cycle: Entries(answers.map(of_cycle).unwrap_or_default()),
@@ -199,7 +199,7 @@ fn tables(answers: &Answers<'_>) -> Vec<(String, Entries<Vec<Number>>)> {
         };
         Some((find.name.clone(), Entries(table.entries.iter().filter_map(entry).collect())))
     };
-    answers.scene.mechanism.finds.iter().filter_map(table).collect()
+    answers.model.mechanism.finds.iter().filter_map(table).collect()
 }
 
 fn of_cycle(answers: &Answers<'_>) -> Vec<(String, Reading)> {

@@ -103,7 +103,7 @@ struct ResidualsView {
 impl<'a> PoseView<'a> {
     /// What was asked for at a pose; with `find reactions` all of it.
     pub fn of(answers: &Answers<'a>, pose: &'a Pose) -> Self {
-        let drives = answers.scene.mechanism.drives.iter().zip(&pose.drives);
+        let drives = answers.model.mechanism.drives.iter().zip(&pose.drives);
         let value = |v: &DriveValue| v.value().and_then(Reading::of);
         let mut view = Self {
             name: &pose.name,
@@ -160,19 +160,19 @@ impl ErrorView {
 
 /// The moving links whose rotation is known: not those driven at a point only, and no free rollers.
 fn turning_links<'a>(answers: &Answers<'a>) -> impl Iterator<Item = (LinkId, &'a Link)> + use<'a> {
-    let scene = answers.scene;
+    let model = answers.model;
     let outer = move |id: LinkId| {
-        scene.mechanism.drives.iter().any(|d| matches!(d.target, DriveTarget::Point(link, _) if link == id))
+        model.mechanism.drives.iter().any(|d| matches!(d.target, DriveTarget::Point(link, _) if link == id))
     };
-    let links = scene.mechanism.links.iter().enumerate().skip(1).map(|(i, l)| (LinkId::at(i), l));
+    let links = model.mechanism.links.iter().enumerate().skip(1).map(|(i, l)| (LinkId::at(i), l));
     links.filter(move |(id, _)| {
-        !outer(*id) && !scene.structure.passive.contains(id) && !is_element(scene.mechanism, *id)
+        !outer(*id) && !model.structure.passive.contains(id) && !is_element(model.mechanism, *id)
     })
 }
 
 fn links(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, LinkView)> {
-    let effects = answers.scene.plan.effects;
-    let view = answers.solution.view(&answers.scene, solved);
+    let effects = answers.model.plan.effects;
+    let view = answers.solution.view(&answers.model, solved);
     let link = |(id, link): (LinkId, &Link)| {
         let body = view.body(id);
         let inertia = link.mass.filter(|_| effects.inertia);
@@ -194,8 +194,8 @@ fn from(effects: Effects, level: Level) -> bool {
 }
 
 fn points(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, PointView)> {
-    let effects = answers.scene.plan.effects;
-    let view = answers.solution.view(&answers.scene, solved);
+    let effects = answers.model.plan.effects;
+    let view = answers.solution.view(&answers.model, solved);
     let point = |body: &BodyState, at: Vec2| PointView {
         position: Pair::of(body.position(at)),
         velocity: from(effects, Level::Velocities).then(|| body.velocity(at)).and_then(Pair::of),
@@ -207,7 +207,7 @@ fn points(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, PointView)> {
             all.push((format!("{}.{}", link.name, p.name), point(view.body(id), p.at)));
         }
     }
-    for drive in &answers.scene.mechanism.drives {
+    for drive in &answers.model.mechanism.drives {
         if let DriveTarget::Point(id, at) = drive.target {
             all.push((drive.name.clone(), point(view.body(id), at)));
         }
@@ -216,7 +216,7 @@ fn points(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, PointView)> {
 }
 
 fn all_reactions<'a>(answers: &Answers<'a>, solved: &Solved) -> Vec<(String, Vec<ReactionView<'a>>)> {
-    let mechanism = answers.scene.mechanism;
+    let mechanism = answers.model.mechanism;
     let mut all: Vec<(String, Vec<ReactionView<'_>>)> = Vec::new();
     for entry in reactions(answers, solved) {
         let name = &mechanism.pair(entry.pair).name;
@@ -234,8 +234,8 @@ impl<'a> ReactionView<'a> {
         let contacts = entry.contacts.iter();
         let contact = |at, normal| Some(ContactView { at: Pair::of(at)?, normal: Number::of(normal)? });
         Self {
-            from: &answers.scene.mechanism.link(entry.from).name,
-            on: &answers.scene.mechanism.link(entry.on).name,
+            from: &answers.model.mechanism.link(entry.from).name,
+            on: &answers.model.mechanism.link(entry.on).name,
             force: Pair::of(entry.force),
             moment: entry.moment.and_then(Number::of),
             at: entry.at.and_then(Pair::of),

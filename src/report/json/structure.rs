@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::super::mobility::{GroupCount, link_names};
 use super::super::train::kind_name;
 use assur_model::structure::{Group, GroupKind};
-use assur_solve::solve::Scene;
+use assur_solve::solve::Model;
 
 #[derive(Serialize)]
 pub(super) struct StructureView<'a> {
@@ -30,27 +30,27 @@ struct GroupView<'a> {
 
 impl<'a> StructureView<'a> {
     /// The numbers of the mechanism and its structural groups; links that are driven alone form none.
-    pub fn of(scene: &Scene<'a>) -> Self {
-        let count = &scene.structure.count;
-        let groups = scene.structure.motion.iter().filter(|g| g.kind != GroupKind::Driven);
+    pub fn of(model: &Model<'a>) -> Self {
+        let count = &model.structure.count;
+        let groups = model.structure.motion.iter().filter(|g| g.kind != GroupKind::Driven);
         Self {
             mobility: count.mobility,
             links: count.n,
             lower_pairs: count.lower,
             higher_pairs: count.higher,
-            groups: groups.map(|g| GroupView::of(scene, g)).collect(),
+            groups: groups.map(|g| GroupView::of(model, g)).collect(),
         }
     }
 }
 
 impl<'a> GroupView<'a> {
-    fn of(scene: &Scene<'a>, group: &'a Group) -> Self {
-        let count = GroupCount::of(scene.structure, group);
+    fn of(model: &Model<'a>, group: &'a Group) -> Self {
+        let count = GroupCount::of(model.structure, group);
         Self {
             name: group.name.as_deref(),
-            links: link_names(scene, group),
+            links: link_names(model, group),
             class: group.class_name(),
-            kind: kind_name(scene, group),
+            kind: kind_name(model, group),
             n: count.n,
             pl: count.lower,
             ph: count.higher,

@@ -52,8 +52,8 @@ type Elements = (Vec<(String, ShaftView)>, Vec<(String, SliderView)>);
 
 /// Rates of shafts and sliders, as far as the plan follows them and they depend on no size that is left open.
 pub(super) fn elements(answers: &Answers<'_>, solved: &Solved) -> Elements {
-    let (mechanism, level) = (answers.scene.mechanism, answers.scene.plan.effects.level);
-    let view = answers.solution.view(&answers.scene, solved);
+    let (mechanism, level) = (answers.model.mechanism, answers.model.plan.effects.level);
+    let view = answers.solution.view(&answers.model, solved);
     let (mut shafts, mut sliders) = (Vec::new(), Vec::new());
     let at = |least: Level, x: f64| (level >= least).then_some(x).and_then(Number::of);
     for (i, pair) in mechanism.pairs.iter().enumerate().filter(|(_, p)| p.bearing.is_some()) {
@@ -94,7 +94,7 @@ pub(super) fn elements(answers: &Answers<'_>, solved: &Solved) -> Elements {
 
 /// Forces and torques of transmissions.
 pub(super) fn transmissions(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, Vec<PartView>)> {
-    let mechanism = answers.scene.mechanism;
+    let mechanism = answers.model.mechanism;
     let mut all: Vec<(String, Vec<PartView>)> = Vec::new();
     for pull in pulls(answers, solved) {
         let pair = mechanism.pair(pull.pair);

@@ -212,10 +212,10 @@ fn solve(build: &Build, cam: &Cam, phi: f64, alpha: f64) -> Found {
     let outcomes =
         solved.solution.poses.iter().map(|p| p.outcome.as_ref().unwrap_or_else(|e| panic!("{text}\n{e}")));
     let outcomes: Vec<_> = outcomes.collect();
-    let scene = solved.compiled.scene();
-    let view = solved.solution.view(&scene, outcomes[SIDE]);
+    let model = solved.compiled.model();
+    let view = solved.solution.view(&model, outcomes[SIDE]);
     let pair = assur::internals::model::PairId::at(
-        scene.mechanism.pairs.iter().position(|p| p.name == "K").unwrap(),
+        model.mechanism.pairs.iter().position(|p| p.name == "K").unwrap(),
     );
     let query = assur::internals::model::Query::Normal(pair, LinkId::at(lever));
     let assur::internals::model::Value::Scalar(normal) = view.query(&query) else { panic!("a number") };

@@ -11,7 +11,7 @@ use assur::internals::check::Overrides;
 use assur::internals::math::Vec2;
 use assur::internals::model::{Friction, Mechanism, PairKind};
 use assur::internals::plan::ForceStep;
-use assur::internals::solve::Scene;
+use assur::internals::solve::Model;
 use assur::internals::source::Source;
 
 /// Positions with a slower sliding velocity, other than none, are left out.
@@ -144,8 +144,8 @@ fn dyads_agree_with_the_laws_taken_one_by_one() {
             reduced += usize::from(group.reduced.take().is_some());
         }
         let Ok(quick) = run.solved(0) else { continue };
-        let scene = Scene { plan: &plan, ..run.scene() };
-        let Ok(solution) = assur::internals::solve::solve(&scene) else { continue };
+        let model = Model { plan: &plan, ..run.model() };
+        let Ok(solution) = assur::internals::solve::solve(&model) else { continue };
         let Some(Ok(slow)) = solution.poses.first().map(|p| &p.outcome) else { continue };
         if reduced == 0 || quick.condition < 1e-3 {
             continue;
@@ -261,18 +261,18 @@ find efficiency(), locked()
             let source = Source::new("grid.mech", text);
             let (solved, problems) = assur::internals::solve_source(&source, &Overrides::none());
             let Some(solved) = solved else { panic!("{problems:?}") };
-            let scene = solved.compiled.scene();
+            let model = solved.compiled.model();
             assert_eq!(solved.solution.poses.len(), angles.len());
             for (pose, degrees) in solved.solution.poses.iter().zip(&angles) {
                 let place = format!("l = {length}, f = {mu} at {degrees} deg");
                 let pose = pose.outcome.as_ref().unwrap_or_else(|e| panic!("{place}: {e}"));
-                let view = solved.solution.view(&scene, pose);
+                let view = solved.solution.view(&model, pose);
                 let margin = margin(*degrees);
                 assert!(margin.abs() > 1e-11, "{place}: on the limit");
                 assert_eq!(view.efficiency() > 0.0, margin > 0.0, "{place}: margin {margin}");
-                let mut state = pose.state.clone().ready(scene.plan);
-                state.run_loads(&scene, &[]);
-                state.run_forces(scene.plan);
+                let mut state = pose.state.clone().ready(model.plan);
+                state.run_loads(&model, &[]);
+                state.run_forces(model.plan);
                 let steps: u32 = state.scratch.friction_work.iter().flatten().map(|w| w.steps()).sum();
                 assert!((1..=5).contains(&steps), "{place}: {steps} steps");
                 if margin > 0.0 {

@@ -95,8 +95,8 @@ fn ran(rows: Vec<Row>) -> Ran {
         let Some((compiled, solution, at)) = at else { return Met { row, error: None, condition: 0.0 } };
         let find = compiled.mechanism.finds.iter().find(|f| f.name == row.quantity);
         let Some(FindKind::Value { expr, .. }) = find.map(|f| &f.kind) else { panic!("{row:?}") };
-        let scene = compiled.scene();
-        let error = match solution.view(&scene, at).value(expr) {
+        let model = compiled.model();
+        let error = match solution.view(&model, at).value(expr) {
             Value::Scalar(x) if x.is_finite() => Some(((x - row.value[0]) - row.value[1]).abs() / row.scale),
             _ => None,
         };

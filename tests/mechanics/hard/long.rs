@@ -18,7 +18,7 @@ fn value(solved: &Solved, pose: usize, name: &str) -> f64 {
     let find = solved.compiled.mechanism.finds.iter().find(|f| f.name == name).expect("asked for");
     let FindKind::Value { expr, .. } = &find.kind else { panic!("{name}") };
     let at = solved.solution.poses[pose].outcome.as_ref().expect("a position");
-    match solved.solution.view(&solved.compiled.scene(), at).value(expr) {
+    match solved.solution.view(&solved.compiled.model(), at).value(expr) {
         Value::Scalar(x) => x,
         other => panic!("{other:?}"),
     }

@@ -113,8 +113,8 @@ fn forces(
     // a system that f64 does not solve to eight digits
     if forces.condition < 1e-7 {
         let (solution, solved) = (run.solution.as_ref().map_err(|e| format!("{e:?}"))?, run.solved(0)?);
-        let Some(exact) = solution.reference(&run.scene(), solved) else { return Ok(None) };
-        let (error, most) = force_errors(&run.scene(), solved, &exact);
+        let Some(exact) = solution.reference(&run.model(), solved) else { return Ok(None) };
+        let (error, most) = force_errors(&run.model(), solved, &exact);
         return Ok(Some(error / most.max(floor)));
     }
     let most = forces.most.0.max(forces.most.1 / size).max(floor).max(f64::MIN_POSITIVE);

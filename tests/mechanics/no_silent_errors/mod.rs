@@ -11,7 +11,7 @@
 
 mod claim;
 mod exact;
-mod scenes;
+mod models;
 mod tally;
 
 use tally::Tally;
@@ -34,7 +34,7 @@ fn no_silent_wrong_answer() {
     let number = |name: &str| std::env::var(name).ok().and_then(|s| s.parse::<u64>().ok());
     if let Some(seed) = number("ASSUR_SEED") {
         let tally = tallied(seed..seed + 1);
-        println!("{:#?}\n{}", scenes::scene(seed).mechanism, tally.told());
+        println!("{:#?}\n{}", models::model(seed).mechanism, tally.told());
         return;
     }
     let cases = number("ASSUR_CASES").unwrap_or(PART);

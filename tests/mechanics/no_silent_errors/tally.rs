@@ -1,7 +1,7 @@
 //! What came of many cases.
 
 use super::claim::{KINDS, UNWARNED, judge};
-use super::scenes;
+use super::models;
 use crate::support::run::Run;
 use assur::internals::solve::SolveError;
 use std::collections::BTreeMap;
@@ -24,7 +24,7 @@ pub struct Tally {
 impl Tally {
     pub fn case(&mut self, seed: u64) {
         self.cases += 1;
-        let hard = scenes::scene(seed);
+        let hard = models::model(seed);
         let run = match Run::new(&hard.mechanism) {
             Ok(run) => run,
             Err(e) if hard.easy => return self.wrong.push(format!("seed {seed}: {e:.300}")),

@@ -1,44 +1,55 @@
 //! Positions side by side have the bits of each alone.
 
+use crate::support::generate;
 use crate::support::run::Run;
 use assur::internals::math::Vec2;
 use assur::internals::plan::Level;
-use assur::internals::solve::{DriveColumns, DriveInput, Place, SideBySide, State, WIDTH};
+use assur::internals::solve::{Batch, DriveColumns, DriveInput, Place, State, WIDTH};
 
 /// Two full blocks and a rest.
 const POSITIONS: usize = 2 * WIDTH + 3;
 
+#[test]
+fn positions_of_a_batch_have_the_bits_of_each_alone() {
+    let mut in_lanes = 0;
+    for seed in 0..600 {
+        let Ok(run) = Run::new(&generate::mechanism(seed).mechanism) else { continue };
+        in_lanes += compare(&run, seed).expect("the same bits");
+    }
+    assert!(in_lanes > 500, "{in_lanes} positions in lanes");
+}
+
 /// The number of positions that went in lanes, or where one of them differs.
-pub fn compare(run: &Run, seed: u64) -> Result<usize, String> {
+fn compare(run: &Run, seed: u64) -> Result<usize, String> {
     let Ok(solved) = run.solved(0) else { return Ok(0) };
-    if !run.plan.laned() {
+    if !run.plan.is_batchable() {
         return Ok(0);
     }
     let moving: Vec<DriveInput> = (0..POSITIONS).flat_map(|i| moved(&solved.state, i)).collect();
     // nothing of the run before is left in the second
     let still: Vec<DriveInput> = moving.iter().map(|d| DriveInput { velocity: Vec2::zero(), ..*d }).collect();
-    let mut laned = 0;
-    for new in [SideBySide::new, SideBySide::in_one_lane] {
+    let mut in_lanes = 0;
+    for new in [Batch::new, Batch::in_one_lane] {
         let mut positions = new(&run.plan, &solved.state);
         for inputs in [&moving, &still] {
-            laned += compare_with(run, &solved.state, &mut positions, inputs)
+            in_lanes += compare_with(run, &solved.state, &mut positions, inputs)
                 .map_err(|e| format!("seed {seed}: {e}"))?;
         }
     }
-    Ok(laned)
+    Ok(in_lanes)
 }
 
 fn compare_with(
     run: &Run,
     reference: &State,
-    positions: &mut SideBySide<'_>,
+    positions: &mut Batch<'_>,
     inputs: &[DriveInput],
 ) -> Result<usize, String> {
     let drives = run.plan.drives;
-    let (mut numbers, mut laned, mut wrong) = (Vec::new(), 0, None);
+    let (mut numbers, mut in_lanes, mut wrong) = (Vec::new(), 0, None);
     positions.run(&DriveColumns::of(inputs, drives), |i, place| {
         numbers.push(i);
-        laned += usize::from(matches!(place, Place::Lane(..)));
+        in_lanes += usize::from(matches!(place, Place::Lane(..)));
         let alone = alone(run, reference, &inputs[i * drives..][..drives]);
         if let Some(what) = differs(&place, &alone) {
             wrong.get_or_insert(format!("position {i}: {what}"));
@@ -47,7 +58,7 @@ fn compare_with(
     if numbers != (0..POSITIONS).collect::<Vec<_>>() {
         return Err(format!("handed out {numbers:?}"));
     }
-    wrong.map_or(Ok(laned), Err)
+    wrong.map_or(Ok(in_lanes), Err)
 }
 
 /// The drives of the solved position moved on; the last of the second block far away, where many do not close.
@@ -70,7 +81,7 @@ fn alone(run: &Run, reference: &State, inputs: &[DriveInput]) -> State {
         Level::Accelerations => state.run_motion::<2>(&run.plan),
     }
     if run.plan.effects.forces {
-        state.run_loads(&run.scene(), &[]);
+        state.run_loads(&run.model(), &[]);
         state.set_lines(&run.plan);
         state.run_forces(&run.plan);
     }

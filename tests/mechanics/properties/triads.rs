@@ -8,7 +8,7 @@ use assur::internals::group::general::{
 };
 use assur::internals::math::Vec2;
 use assur::internals::plan::{MotionStep, TriadLeg};
-use assur::internals::solve::{self, Scene, State};
+use assur::internals::solve::{self, Model, State};
 
 fn run(m: &assur::internals::model::Mechanism) -> Run {
     Run::new(m).expect("the structure is sound")
@@ -117,8 +117,8 @@ fn the_list_of_assemblies_holds_all_that_the_search_finds() {
         if triads != 1 || !all_links {
             continue;
         }
-        let scene = Scene { mechanism: &run.mechanism, structure: &run.structure, plan: &run.plan };
-        let modes = solve::assemblies(&scene).expect("it is solved");
+        let model = Model { mechanism: &run.mechanism, structure: &run.structure, plan: &run.plan };
+        let modes = solve::assemblies(&model).expect("it is solved");
         let group = modes.groups.iter().find(|g| run.structure.motion[g.group].kind_name() == "triad");
         let group = group.expect("it is listed");
         assert_eq!(group.assemblies.iter().filter(|m| m.chosen).count(), 1, "seed {seed}");
@@ -139,7 +139,7 @@ fn the_list_of_assemblies_holds_all_that_the_search_finds() {
 #[test]
 fn one_position_alone_is_listed_too() {
     let run = run(&machines::triad(list(&[1.0])));
-    let modes = solve::assemblies(&run.scene()).expect("it is solved");
+    let modes = solve::assemblies(&run.model()).expect("it is solved");
     assert!(modes.problem.is_none() && modes.groups.len() == 1);
     assert!(modes.groups[0].assemblies.iter().all(|m| m.condition > 1e-3 && m.condition <= 1.0));
 }

@@ -1,7 +1,7 @@
 //! What answers in `f64`, and the closed forms with twice the digits, are off from the reference of 30 digits.
 
 use assur::internals::math::{Double, Scalar, V2, Vec2};
-use assur::internals::solve::{Reference, Scene, Solved, State};
+use assur::internals::solve::{Model, Reference, Solved, State};
 use assur::internals::structure::{EffortKind, JointKind};
 
 fn off(got: Vec2, want: V2<Double>) -> f64 {
@@ -41,23 +41,23 @@ pub fn motion_errors(solved: &Solved, exact: &Reference) -> [f64; 3] {
 }
 
 /// The greatest error of a force, or of a moment over the size, relative to the greatest force in play.
-pub fn force_error(scene: &Scene<'_>, solved: &Solved, exact: &Reference) -> f64 {
-    let (error, most) = force_errors(scene, solved, exact);
+pub fn force_error(model: &Model<'_>, solved: &Solved, exact: &Reference) -> f64 {
+    let (error, most) = force_errors(model, solved, exact);
     error / most
 }
 
 /// That error and that force, N.
-pub fn force_errors(scene: &Scene<'_>, solved: &Solved, exact: &Reference) -> (f64, f64) {
+pub fn force_errors(model: &Model<'_>, solved: &Solved, exact: &Reference) -> (f64, f64) {
     let (size, state) = (size(exact), &solved.state);
     let mut error = 0.0_f64;
     let mut most = exact.applied.iter().map(|w| w.force.norm().high).fold(f64::MIN_POSITIVE, f64::max);
     for (joint, (got, want)) in
-        scene.plan.reactions.iter().zip(state.forces.reactions.iter().zip(&exact.reactions))
+        model.plan.reactions.iter().zip(state.forces.reactions.iter().zip(&exact.reactions))
     {
         error = error.max(off(got.force, want.force));
         most = most.max(want.force.norm().high);
         // the couples of a chain of guides are shared as one likes
-        let kind = &scene.structure.replaced.joint(joint.joint).kind;
+        let kind = &model.structure.replaced.joint(joint.joint).kind;
         if !matches!(kind, JointKind::Prismatic { in_chain: true, .. }) {
             error = error.max(off_by(got.couple, want.couple) / size);
             most = most.max(want.couple.high.abs() / size);
@@ -65,7 +65,7 @@ pub fn force_errors(scene: &Scene<'_>, solved: &Solved, exact: &Reference) -> (f
     }
     for (slot, (got, want)) in state.forces.efforts.iter().zip(&exact.efforts).enumerate() {
         let force = matches!(
-            scene.structure.efforts.get(slot).map(|e| e.kind),
+            model.structure.efforts.get(slot).map(|e| e.kind),
             Some(EffortKind::Line(_) | EffortKind::Coordinate(_))
         );
         let scale = if force { 1.0 } else { size };

@@ -3,7 +3,7 @@
 use assur::internals::math::Vec2;
 use assur::internals::model::{Mechanism, Query, Value};
 use assur::internals::plan::Plan;
-use assur::internals::solve::{PoseAnswers, Scene, Solution, SolveError, Solved, solve};
+use assur::internals::solve::{Model, PoseAnswers, Solution, SolveError, Solved, solve};
 use assur::internals::structure::Structure;
 
 /// A mechanism with everything that comes of it.
@@ -21,13 +21,13 @@ impl Run {
         let (structure, _) =
             assur::internals::structure::structure(&mechanism).map_err(|e| format!("{e:?}"))?;
         let plan = assur::internals::plan::plan(&mechanism, &structure);
-        let scene = Scene { mechanism: &mechanism, structure: &structure, plan: &plan };
-        let solution = solve(&scene);
+        let model = Model { mechanism: &mechanism, structure: &structure, plan: &plan };
+        let solution = solve(&model);
         Ok(Self { mechanism, structure, plan, solution })
     }
 
-    pub fn scene(&self) -> Scene<'_> {
-        Scene { mechanism: &self.mechanism, structure: &self.structure, plan: &self.plan }
+    pub fn model(&self) -> Model<'_> {
+        Model { mechanism: &self.mechanism, structure: &self.structure, plan: &self.plan }
     }
 
     /// The state at a position, counted from 0; why there is none in words.
@@ -40,7 +40,7 @@ impl Run {
     pub fn view(&self, pose: usize) -> Result<PoseAnswers<'_>, String> {
         let solved = self.solved(pose)?;
         let solution = self.solution.as_ref().map_err(|e| format!("{e:?}"))?;
-        Ok(solution.view(&self.scene(), solved))
+        Ok(solution.view(&self.model(), solved))
     }
 }
 

@@ -3,11 +3,11 @@
 use super::pose_answers::PoseAnswers;
 use super::whole_cycle::WholeCycle;
 use crate::model::{Expr, Value};
-use crate::position::{Scene, State};
+use crate::position::{Model, State};
 
 /// Evaluates expressions that need no position.
-pub(crate) fn constant(scene: &Scene<'_>, statics: &WholeCycle, expr: &Expr) -> Value {
-    let state = State::new(scene.plan);
-    let view = PoseAnswers::new(scene, &state, &[], statics);
+pub(crate) fn constant(model: &Model<'_>, statics: &WholeCycle, expr: &Expr) -> Value {
+    let state = State::new(model.plan);
+    let view = PoseAnswers::new(model, &state, &[], statics);
     view.value(expr)
 }

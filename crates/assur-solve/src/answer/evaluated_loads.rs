@@ -4,7 +4,7 @@ use super::pose_answers::PoseAnswers;
 use super::whole_cycle::WholeCycle;
 use crate::model::{LoadId, Query, Value};
 use crate::plan::LoadStep;
-use crate::position::{Scene, State};
+use crate::position::{Model, State};
 
 impl PoseAnswers<'_> {
     /// Values of the loads that are evaluated at every position, in the order of the plan.
@@ -20,7 +20,7 @@ impl PoseAnswers<'_> {
 
 /// Loads and forces of a state whose motion is known; `quantities` where loads may name quantities of the file.
 pub(crate) fn balanced(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     statics: &WholeCycle,
     state: &mut State,
     angles: &[f64],
@@ -28,10 +28,10 @@ pub(crate) fn balanced(
     quantities: bool,
 ) {
     evaluated.clear();
-    if scene.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))) {
-        let view = PoseAnswers::new(scene, state, angles, statics);
+    if model.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))) {
+        let view = PoseAnswers::new(model, state, angles, statics);
         let motion = if quantities { view.all_quantities() } else { Vec::new() };
         PoseAnswers { quantities: &motion, ..view }.evaluated_loads(evaluated);
     }
-    state.run_loads_and_forces(scene, evaluated);
+    state.run_loads_and_forces(model, evaluated);
 }

@@ -3,7 +3,7 @@
 use super::pose_answers::PoseAnswers;
 use crate::model::PairId;
 use crate::plan::Plan;
-use crate::position::{Scene, State};
+use crate::position::{Model, State};
 
 /// Parts of friction at which is looked whether it moves: it may stop, and move again with more.
 const PARTS: u32 = 32;
@@ -12,7 +12,7 @@ const HALVINGS: usize = 45;
 
 /// A locked position.
 pub(crate) struct Locked<'a> {
-    pub scene: &'a Scene<'a>,
+    pub model: &'a Model<'a>,
     /// The position with its loads and senses.
     pub state: &'a State,
     /// Power of the efforts without friction, W.
@@ -22,8 +22,8 @@ pub(crate) struct Locked<'a> {
 impl Locked<'_> {
     /// The part of the friction, in one pair or in all, below which it always moves; `None` where it is locked without.
     pub fn limit(&self, of: Option<PairId>) -> Option<f64> {
-        let mut plan = self.scene.plan.clone();
-        let mut state = self.state.clone().ready(self.scene.plan);
+        let mut plan = self.model.plan.clone();
+        let mut state = self.state.clone().ready(self.model.plan);
         state.scratch.searched = state.scratch.searched.nearly_spent();
         if !self.moves(&mut state, &mut plan, of, 0.0) {
             return None;
@@ -45,8 +45,8 @@ impl Locked<'_> {
 
     /// The pairs and the power that each loses where it just moves, the greatest first.
     pub fn losses(&self, part: f64) -> Vec<(PairId, f64)> {
-        let mut plan = self.scene.plan.clone();
-        let mut state = self.state.clone().ready(self.scene.plan);
+        let mut plan = self.model.plan.clone();
+        let mut state = self.state.clone().ready(self.model.plan);
         self.moves(&mut state, &mut plan, None, part * (1.0 - 1e-6));
         let mut losses: Vec<(PairId, f64)> = Vec::new();
         for (element, effort) in plan.friction.iter().zip(&state.forces.frictions) {
@@ -61,7 +61,7 @@ impl Locked<'_> {
     }
 
     fn moves(&self, state: &mut State, plan: &mut Plan, of: Option<PairId>, part: f64) -> bool {
-        for (element, full) in plan.friction.iter_mut().zip(&self.scene.plan.friction) {
+        for (element, full) in plan.friction.iter_mut().zip(&self.model.plan.friction) {
             let by = if of.is_none_or(|pair| pair == full.pair) { part } else { 1.0 };
             element.kind = full.kind.scaled(by);
         }
@@ -69,7 +69,7 @@ impl Locked<'_> {
         state.forces.frictions.fill(0.0);
         state.forces.locked = false;
         state.run_forces(plan);
-        let actual = PoseAnswers::new(self.scene, state, &[], &super::whole_cycle::WholeCycle::EMPTY)
+        let actual = PoseAnswers::new(self.model, state, &[], &super::whole_cycle::WholeCycle::EMPTY)
             .power_of_efforts();
         !state.forces.locked && actual * self.ideal > 0.0
     }

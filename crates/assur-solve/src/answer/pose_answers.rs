@@ -4,7 +4,7 @@ use super::whole_cycle::WholeCycle;
 use crate::math::Vec2;
 use crate::model::{LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
 use crate::plan::Plan;
-use crate::position::{Scene, State};
+use crate::position::{Model, State};
 use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
 
 /// One position, seen from the language. Angles of bodies are those followed over the sweep, by body slot.
@@ -33,11 +33,11 @@ pub(super) const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
 impl<'a> PoseAnswers<'a> {
     /// A state seen from the language.
     #[must_use]
-    pub fn new(scene: &Scene<'a>, state: &'a State, angles: &'a [f64], statics: &'a WholeCycle) -> Self {
+    pub fn new(model: &Model<'a>, state: &'a State, angles: &'a [f64], statics: &'a WholeCycle) -> Self {
         Self {
-            mechanism: scene.mechanism,
-            structure: scene.structure,
-            plan: scene.plan,
+            mechanism: model.mechanism,
+            structure: model.structure,
+            plan: model.plan,
             state,
             angles,
             statics,
@@ -47,9 +47,9 @@ impl<'a> PoseAnswers<'a> {
     }
 
     /// Of a position alone: without angles, and nothing known that needs no position.
-    pub(crate) fn bare(scene: &Scene<'a>, state: &'a State) -> Self {
+    pub(crate) fn bare(model: &Model<'a>, state: &'a State) -> Self {
         static NOTHING: WholeCycle = WholeCycle::EMPTY;
-        Self::new(scene, state, &[], &NOTHING)
+        Self::new(model, state, &[], &NOTHING)
     }
 
     /// Values of all quantities of the file at this position. They stand in the order in which one depends on another, so

@@ -5,23 +5,23 @@ use super::format::{labels, length, short};
 use crate::answer::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, PairKind};
-use crate::position::{SAME, Scene, State, extent};
+use crate::position::{Model, SAME, State, extent};
 use crate::structure::{BodyOrigin, Dyad, Group, GroupKind, JointKind};
 
 /// More lines than this are no help.
 const MOST_LINES: usize = 8;
 
 /// Several assemblies remain: the groups in which they differ, with the lines that choose.
-pub(crate) fn ambiguous(scene: &Scene<'_>, states: &[&State]) -> SolveError {
+pub(crate) fn ambiguous(model: &Model<'_>, states: &[&State]) -> SolveError {
     let mut sections = Vec::new();
     let mut marks = Vec::new();
-    for group in &scene.structure.motion {
-        let ways = distinct(scene, states, group);
+    for group in &model.structure.motion {
+        let ways = distinct(model, states, group);
         if ways.len() < 2 {
             continue;
         }
-        marks.extend(labels(scene, group, "can be assembled in several ways"));
-        sections.push(section(&lines(scene, &ways, group)));
+        marks.extend(labels(model, group, "can be assembled in several ways"));
+        sections.push(section(&lines(model, &ways, group)));
     }
     SolveError::Ambiguous {
         count: states.len(),
@@ -32,22 +32,22 @@ pub(crate) fn ambiguous(scene: &Scene<'_>, states: &[&State]) -> SolveError {
 }
 
 /// No candidate fits a hint: what there is instead.
-pub(crate) fn not_met(scene: &Scene<'_>, hint: &Hint, states: &[&State], index: usize) -> SolveError {
-    let group = &scene.structure.motion[index];
-    let ways = distinct(scene, states, group);
-    let mut found = lines(scene, &ways, group);
+pub(crate) fn not_met(model: &Model<'_>, hint: &Hint, states: &[&State], index: usize) -> SolveError {
+    let group = &model.structure.motion[index];
+    let ways = distinct(model, states, group);
+    let mut found = lines(model, &ways, group);
     if let HintKind::Coordinate { pair, .. } = hint.kind {
         for (line, state) in found.iter_mut().zip(&ways) {
-            let value = coordinate(scene, state, pair);
-            let value = match scene.mechanism.pair(pair).kind {
+            let value = coordinate(model, state, pair);
+            let value = match model.mechanism.pair(pair).kind {
                 PairKind::Revolute(_) => format!("{} deg", short(value.to_degrees())),
-                _ => length(scene, value),
+                _ => length(model, value),
             };
-            *line += &format!("   // {} = {value}", scene.mechanism.pair(pair).name);
+            *line += &format!("   // {} = {value}", model.mechanism.pair(pair).name);
         }
     }
     let mut marks = vec![label("no assembly is so", hint.span)];
-    marks.extend(labels(scene, group, "this group"));
+    marks.extend(labels(model, group, "this group"));
     let help = match found.len() {
         0 => "leave the clause out".to_owned(),
         1 => format!("there is only{}", section(&found)),
@@ -61,8 +61,8 @@ fn section(lines: &[String]) -> String {
 }
 
 /// One state for every way in which the group stands.
-fn distinct<'s>(scene: &Scene<'_>, states: &[&'s State], group: &Group) -> Vec<&'s State> {
-    let extent = extent(scene);
+fn distinct<'s>(model: &Model<'_>, states: &[&'s State], group: &Group) -> Vec<&'s State> {
+    let extent = extent(model);
     let same = |a: &State, b: &State| {
         group.bodies.iter().all(|i| {
             let (x, y) = (&a.motion.bodies[i.0], &b.motion.bodies[i.0]);
@@ -79,24 +79,24 @@ fn distinct<'s>(scene: &Scene<'_>, states: &[&'s State], group: &Group) -> Vec<&
 }
 
 /// An `assemble` line for every way: by side, order or sign where these tell them apart, else by the place of a point.
-pub(crate) fn lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
+pub(crate) fn lines(model: &Model<'_>, ways: &[&State], group: &Group) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for state in ways {
-        match by_kind(scene, state, group) {
+        match by_kind(model, state, group) {
             Some(line) if !lines.contains(&line) => lines.push(line),
             // two groups before this one may stand differently: the line is the same
             Some(_) if ways.len() > 2 && matches!(group.kind, GroupKind::Dyad(Dyad::Rrr | Dyad::Rrp)) => {}
-            _ => return near_lines(scene, ways, group),
+            _ => return near_lines(model, ways, group),
         }
     }
     lines
 }
 
-fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
+fn by_kind(model: &Model<'_>, state: &State, group: &Group) -> Option<String> {
     let GroupKind::Dyad(dyad) = group.kind else { return None };
-    let replaced = &scene.structure.replaced;
+    let replaced = &model.structure.replaced;
     let real = |i: usize| {
-        let pair = scene.mechanism.pair(replaced.joint(group.joints[i].joint).pair);
+        let pair = model.mechanism.pair(replaced.joint(group.joints[i].joint).pair);
         matches!(pair.kind, PairKind::Revolute(_) | PairKind::Prismatic(_)).then_some(pair)
     };
     let pin = |i: usize| {
@@ -135,28 +135,28 @@ fn by_kind(scene: &Scene<'_>, state: &State, group: &Group) -> Option<String> {
                 replaced.joint(group.joints[1].joint).kind,
                 JointKind::Prismatic { offset, .. } if offset > 0.0
             );
-            let value = coordinate(scene, state, pair);
+            let value = coordinate(model, state, pair);
             if round || !value.is_finite() || value == 0.0 {
                 return None;
             }
             let sign = if value > 0.0 { ">" } else { "<" };
-            Some(format!("assemble {} {sign} 0", scene.mechanism.pair(pair).name))
+            Some(format!("assemble {} {sign} 0", model.mechanism.pair(pair).name))
         }
         Dyad::Prp | Dyad::Rpp => None,
     }
 }
 
-fn coordinate(scene: &Scene<'_>, state: &State, pair: crate::model::PairId) -> f64 {
+fn coordinate(model: &Model<'_>, state: &State, pair: crate::model::PairId) -> f64 {
     let angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
-    PoseAnswers { angles: &angles, ..PoseAnswers::bare(scene, state) }.displacement(pair)
+    PoseAnswers { angles: &angles, ..PoseAnswers::bare(model, state) }.displacement(pair)
 }
 
 /// The points of a group that a clause can name, with their bodies.
-fn points<'a>(scene: &Scene<'a>, group: &Group) -> Vec<(String, usize, Vec2)> {
+fn points<'a>(model: &Model<'a>, group: &Group) -> Vec<(String, usize, Vec2)> {
     let mut out = Vec::new();
     for body in &group.bodies {
-        let BodyOrigin::Link(id) = scene.structure.replaced.bodies[body.0].origin else { continue };
-        let link = scene.mechanism.link(id);
+        let BodyOrigin::Link(id) = model.structure.replaced.bodies[body.0].origin else { continue };
+        let link = model.mechanism.link(id);
         // the two links of a cylinder have no names of their own
         if link.name.contains('.') {
             continue;
@@ -167,14 +167,14 @@ fn points<'a>(scene: &Scene<'a>, group: &Group) -> Vec<(String, usize, Vec2)> {
 }
 
 /// A point of a group as a clause names it.
-pub(crate) fn point_of(scene: &Scene<'_>, group: &Group) -> Option<String> {
-    points(scene, group).into_iter().next().map(|p| p.0)
+pub(crate) fn point_of(model: &Model<'_>, group: &Group) -> Option<String> {
+    points(model, group).into_iter().next().map(|p| p.0)
 }
 
 /// `assemble L.P near (x, y)` with the point that differs most from way to way.
-pub(crate) fn near_lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> Vec<String> {
+pub(crate) fn near_lines(model: &Model<'_>, ways: &[&State], group: &Group) -> Vec<String> {
     let mut best: Option<(f64, (String, usize, Vec2))> = None;
-    for point in points(scene, group) {
+    for point in points(model, group) {
         let places: Vec<Vec2> = ways.iter().map(|s| s.motion.bodies[point.1].position(point.2)).collect();
         let apart = places.iter().enumerate().flat_map(|(i, p)| places[..i].iter().map(|q| (*p - *q).norm()));
         let apart = apart.fold(f64::INFINITY, f64::min);
@@ -184,5 +184,5 @@ pub(crate) fn near_lines(scene: &Scene<'_>, ways: &[&State], group: &Group) -> V
     }
     let Some((_, (name, body, at))) = best else { return Vec::new() };
     let places = ways.iter().map(|s| s.motion.bodies[body].position(at));
-    places.map(|p| format!("assemble {name} near ({}, {})", length(scene, p.x), length(scene, p.y))).collect()
+    places.map(|p| format!("assemble {name} near ({}, {})", length(model, p.x), length(model, p.y))).collect()
 }

@@ -4,7 +4,7 @@ use super::consistent_error::ConsistentError;
 use super::error::{SolveError, label};
 use super::format::place;
 use crate::model::PairId;
-use crate::position::{Consistent, Scene, Searched, Wanted};
+use crate::position::{Consistent, Model, Searched, Wanted};
 use miette::LabeledSpan;
 
 /// The first position with several solutions, and how many more there are.
@@ -19,19 +19,19 @@ impl ConsistentNotes {
     /// Notes what the forces of a position came to; an error where they are not found.
     pub fn look(
         &mut self,
-        scene: &Scene<'_>,
+        model: &Model<'_>,
         consistent: Consistent,
         pose: &Wanted,
     ) -> Result<(), SolveError> {
-        let what = if scene.plan.effects.friction { "friction" } else { "losses" };
-        let here = || (place(scene, pose), labels(scene, what));
+        let what = if model.plan.effects.friction { "friction" } else { "losses" };
+        let here = || (place(model, pose), labels(model, what));
         match consistent {
             Consistent::Several { count, followed } => {
                 let (pose, labels) = here();
                 let reported = if followed {
                     format!("the reported one is reached continuously from that without {what}")
                 } else {
-                    let taken = if scene.plan.effects.friction {
+                    let taken = if model.plan.effects.friction {
                         "the one that loses least power is"
                     } else {
                         "that with the least forces is"
@@ -50,9 +50,9 @@ impl ConsistentNotes {
                 let (pose, labels) = here();
                 Err(ConsistentError::Undecided { what, pose, labels }.into())
             }
-            Consistent::None if !scene.plan.effects.friction => {
+            Consistent::None if !model.plan.effects.friction => {
                 let (pose, labels) = here();
-                Err(ConsistentError::Blocked { pose, help: blocked(scene), labels }.into())
+                Err(ConsistentError::Blocked { pose, help: blocked(model), labels }.into())
             }
             Consistent::None | Consistent::One => Ok(()),
         }
@@ -72,23 +72,23 @@ impl ConsistentNotes {
 }
 
 /// The pairs concerned, each once.
-fn labels(scene: &Scene<'_>, what: &str) -> Vec<LabeledSpan> {
+fn labels(model: &Model<'_>, what: &str) -> Vec<LabeledSpan> {
     let mut pairs: Vec<PairId> = Vec::new();
-    let rubs = scene.plan.friction.iter().map(|e| e.pair);
-    let loses = scene.plan.laws.iter().filter(|l| l.efficiency.is_some()).map(|l| l.pair);
+    let rubs = model.plan.friction.iter().map(|e| e.pair);
+    let loses = model.plan.laws.iter().filter(|l| l.efficiency.is_some()).map(|l| l.pair);
     for pair in rubs.chain(loses) {
         if !pairs.contains(&pair) {
             pairs.push(pair);
         }
     }
-    pairs.iter().map(|p| label(format!("{what} here"), scene.mechanism.pair(*p).span)).collect()
+    pairs.iter().map(|p| label(format!("{what} here"), model.mechanism.pair(*p).span)).collect()
 }
 
 /// Transmissions that let nothing through backwards, and what to change.
-fn blocked(scene: &Scene<'_>) -> String {
-    let one_way = scene.plan.laws.iter().filter(|l| l.efficiency.is_some_and(|[_, back]| back <= 0.0));
+fn blocked(model: &Model<'_>) -> String {
+    let one_way = model.plan.laws.iter().filter(|l| l.efficiency.is_some_and(|[_, back]| back <= 0.0));
     let mut names: Vec<String> =
-        one_way.map(|l| format!("`{}`", scene.mechanism.pair(l.pair).name)).collect();
+        one_way.map(|l| format!("`{}`", model.mechanism.pair(l.pair).name)).collect();
     names.dedup();
     if names.is_empty() {
         return "raise the efficiencies: more power circulates than the losses leave".to_owned();

@@ -1,6 +1,6 @@
 //! Positions, lengths and links in words.
 
-use crate::position::{DriveValue, PoseOrigin, Scene, Wanted, turns};
+use crate::position::{DriveValue, Model, PoseOrigin, Wanted, turns};
 use miette::LabeledSpan;
 
 use crate::model::{LinkId, PairKind};
@@ -8,8 +8,8 @@ use crate::structure::{BodyId, BodyOrigin, Dyad, Group, GroupKind, Joint, JointK
 use crate::units::Dimension;
 
 /// ` at pose 3 (crank = 60 deg)`; empty where nothing is driven.
-pub(crate) fn place(scene: &Scene<'_>, pose: &Wanted) -> String {
-    let drives = drive_text(scene, &pose.drives);
+pub(crate) fn place(model: &Model<'_>, pose: &Wanted) -> String {
+    let drives = drive_text(model, &pose.drives);
     match pose.origin {
         _ if drives.is_empty() => String::new(),
         PoseOrigin::Expected(_) => format!(" at {drives}"),
@@ -18,15 +18,15 @@ pub(crate) fn place(scene: &Scene<'_>, pose: &Wanted) -> String {
 }
 
 /// `crank = 60 deg, c1 = 250 mm`
-pub(super) fn drive_text(scene: &Scene<'_>, values: &[DriveValue]) -> String {
-    let drives = scene.mechanism.drives.iter().zip(values);
+pub(super) fn drive_text(model: &Model<'_>, values: &[DriveValue]) -> String {
+    let drives = model.mechanism.drives.iter().zip(values);
     let texts = drives.filter_map(|(drive, value)| match value {
-        DriveValue::Scalar(x) if turns(scene, drive) => {
+        DriveValue::Scalar(x) if turns(model, drive) => {
             Some(format!("{} = {} deg", drive.name, short(x.to_degrees())))
         }
-        DriveValue::Scalar(x) => Some(format!("{} = {}", drive.name, length(scene, *x))),
+        DriveValue::Scalar(x) => Some(format!("{} = {}", drive.name, length(model, *x))),
         DriveValue::Point(p) => {
-            Some(format!("{} = ({}, {})", drive.name, length(scene, p.x), length(scene, p.y)))
+            Some(format!("{} = ({}, {})", drive.name, length(model, p.x), length(model, p.y)))
         }
         DriveValue::None => None,
     });
@@ -41,28 +41,28 @@ pub(crate) fn short(x: f64) -> String {
 }
 
 /// A length in the author's unit, to four significant digits.
-pub(crate) fn length(scene: &Scene<'_>, length: f64) -> String {
-    with_unit(scene, length, Dimension::LENGTH)
+pub(crate) fn length(model: &Model<'_>, length: f64) -> String {
+    with_unit(model, length, Dimension::LENGTH)
 }
 
 /// A value in the author's unit, to four significant digits.
-pub(crate) fn with_unit(scene: &Scene<'_>, si: f64, dimension: Dimension) -> String {
-    let display = scene.mechanism.display_of(dimension);
+pub(crate) fn with_unit(model: &Model<'_>, si: f64, dimension: Dimension) -> String {
+    let display = model.mechanism.display_of(dimension);
     format!("{} {}", four(display.of_si(si)), display.unit)
 }
 
 /// The hinge of a pair: its name, or of a cylinder the point of the link there.
-pub(super) fn hinge(scene: &Scene<'_>, joint: &Joint) -> String {
-    let pair = scene.mechanism.pair(joint.pair);
+pub(super) fn hinge(model: &Model<'_>, joint: &Joint) -> String {
+    let pair = model.mechanism.pair(joint.pair);
     let point = match (&pair.kind, &joint.kind) {
         (PairKind::Cylinder { from, to, .. }, JointKind::Revolute(members)) => {
             let is_of = |link: LinkId| {
-                let of = |b: &BodyId| scene.structure.replaced.bodies[b.0].origin == BodyOrigin::Link(link);
+                let of = |b: &BodyId| model.structure.replaced.bodies[b.0].origin == BodyOrigin::Link(link);
                 members.iter().find(|(b, _)| of(b)).map(|(_, at)| *at)
             };
             [from.link, to.link].into_iter().find_map(|link| {
                 let at = is_of(link)?;
-                let points = &scene.mechanism.link(link).points;
+                let points = &model.mechanism.link(link).points;
                 points.iter().find(|p| p.at == at).map(|p| &p.name)
             })
         }
@@ -87,14 +87,14 @@ pub(crate) fn four(x: f64) -> String {
 }
 
 /// A body as the author knows it; barrel and rod by the name of their cylinder.
-pub(super) fn body(scene: &Scene<'_>, body: BodyId) -> String {
-    match scene.structure.replaced.bodies[body.0].origin {
+pub(super) fn body(model: &Model<'_>, body: BodyId) -> String {
+    match model.structure.replaced.bodies[body.0].origin {
         BodyOrigin::Link(id) => {
-            let name = &scene.mechanism.link(id).name;
+            let name = &model.mechanism.link(id).name;
             format!("`{}`", name.split_once('.').map_or(name.as_str(), |(cylinder, _)| cylinder))
         }
         BodyOrigin::Imaginary(pair) => {
-            let pair = scene.mechanism.pair(pair);
+            let pair = model.mechanism.pair(pair);
             let what = if matches!(pair.kind, PairKind::Slot(_)) { "the pin" } else { "the radii" };
             format!("{what} of `{}`", pair.name)
         }
@@ -102,12 +102,12 @@ pub(super) fn body(scene: &Scene<'_>, body: BodyId) -> String {
 }
 
 /// The links of a group: `` `rod` and `piston` ``.
-pub(crate) fn links(scene: &Scene<'_>, group: &Group) -> String {
+pub(crate) fn links(model: &Model<'_>, group: &Group) -> String {
     let mut names: Vec<String> = group
         .bodies
         .iter()
-        .filter(|b| matches!(scene.structure.replaced.bodies[b.0].origin, BodyOrigin::Link(_)))
-        .map(|&b| body(scene, b))
+        .filter(|b| matches!(model.structure.replaced.bodies[b.0].origin, BodyOrigin::Link(_)))
+        .map(|&b| body(model, b))
         .collect();
     names.dedup();
     match names.as_slice() {
@@ -117,23 +117,23 @@ pub(crate) fn links(scene: &Scene<'_>, group: &Group) -> String {
 }
 
 /// Marks the pairs of a group, with the text at its inner one.
-pub(crate) fn labels(scene: &Scene<'_>, group: &Group, text: &str) -> Vec<LabeledSpan> {
-    let pair = |j: &crate::structure::GroupJoint| scene.structure.replaced.joint(j.joint).pair;
+pub(crate) fn labels(model: &Model<'_>, group: &Group, text: &str) -> Vec<LabeledSpan> {
+    let pair = |j: &crate::structure::GroupJoint| model.structure.replaced.joint(j.joint).pair;
     let main = group.joints.iter().find(|j| j.inner).or(group.joints.first()).map(pair);
     let mut pairs: Vec<_> = group.joints.iter().map(pair).collect();
     pairs.sort();
     pairs.dedup();
     let spans = pairs.into_iter().map(|p| {
         let text = (Some(p) == main).then(|| text.to_owned());
-        LabeledSpan::new_with_span(text, scene.mechanism.pair(p).span)
+        LabeledSpan::new_with_span(text, model.mechanism.pair(p).span)
     });
     spans.collect()
 }
 
 /// How a group stands whose determinant vanishes.
-pub(super) fn stands(scene: &Scene<'_>, group: &Group, condition: f64) -> String {
-    let links = links(scene, group);
-    let first = group.bodies.first().map(|&b| body(scene, b));
+pub(super) fn stands(model: &Model<'_>, group: &Group, condition: f64) -> String {
+    let links = links(model, group);
+    let first = group.bodies.first().map(|&b| body(model, b));
     let how = match (group.kind, first) {
         (GroupKind::Dyad(Dyad::Rrr), _) => format!("{links} are in line"),
         (GroupKind::Dyad(Dyad::Rrp), Some(leg)) => format!("{leg} stands across its guide"),

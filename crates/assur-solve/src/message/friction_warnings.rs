@@ -5,7 +5,7 @@ use super::format::place;
 use super::friction_error::FrictionError;
 use crate::answer::{Locked, PoseAnswers};
 use crate::model::{FindKind, Friction, Mechanism, PairId, Value};
-use crate::position::{PoseOrigin, Scene, Wanted};
+use crate::position::{Model, PoseOrigin, Wanted};
 use crate::units::{Dimension, significant};
 use miette::LabeledSpan;
 
@@ -24,14 +24,14 @@ pub(crate) struct FrictionNotes {
 
 impl FrictionNotes {
     /// Looks at the friction of a position.
-    pub(crate) fn look(&mut self, scene: &Scene<'_>, view: &PoseAnswers<'_>, pose: &Wanted) {
-        if !scene.plan.effects.friction || matches!(pose.origin, PoseOrigin::Expected(_)) {
+    pub(crate) fn look(&mut self, model: &Model<'_>, view: &PoseAnswers<'_>, pose: &Wanted) {
+        if !model.plan.effects.friction || matches!(pose.origin, PoseOrigin::Expected(_)) {
             return;
         }
-        let place = place(scene, pose);
-        for (i, pair) in scene.mechanism.pairs.iter().enumerate() {
+        let place = place(model, pose);
+        for (i, pair) in model.mechanism.pairs.iter().enumerate() {
             let (id, mut elements) =
-                (PairId::at(i), scene.plan.friction.iter().zip(&view.state.forces.senses));
+                (PairId::at(i), model.plan.friction.iter().zip(&view.state.forces.senses));
             let rubs = pair.friction.is_some_and(|f| f.is_some());
             if rubs && elements.all(|(e, sense)| e.pair != id || *sense == 0.0) {
                 match self.still.iter_mut().find(|s| s.0 == id) {
@@ -83,10 +83,10 @@ fn and_more(count: usize) -> String {
 }
 
 fn locked(view: &PoseAnswers<'_>, place: &str) -> FrictionError {
-    let scene = Scene { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
+    let model = Model { mechanism: view.mechanism, structure: view.structure, plan: view.plan };
     let mechanism = view.mechanism;
     let ideal = view.without_friction().power_of_efforts();
-    let position = Locked { scene: &scene, state: view.state, ideal };
+    let position = Locked { model: &model, state: view.state, ideal };
     let part = position.limit(None).unwrap_or(0.0);
     let mut losses = position.losses(part);
     let least = losses.first().map_or(0.0, |l| SLIGHT * l.1);

@@ -6,17 +6,17 @@ use crate::group::{Gap, rpr, rrp, rrr};
 use crate::math::Vec2;
 use crate::model::PairKind;
 use crate::plan::{Anchor, DrivenJoint, DrivenLeg, MotionStep};
-use crate::position::{Scene, State};
+use crate::position::{Model, State};
 use crate::structure::GroupJoint;
 
 /// The gap with its numbers and points, and what would close it.
-pub(crate) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (String, String) {
-    let group = &scene.structure.motion[index];
-    let name = |i: usize| hinge(scene, scene.structure.replaced.joint(group.joints[i].joint));
-    let mm = &|x: f64| length(scene, x);
-    let link = |i: usize| body(scene, group.bodies[i]);
+pub(crate) fn gap_text(model: &Model<'_>, state: &State, index: usize) -> (String, String) {
+    let group = &model.structure.motion[index];
+    let name = |i: usize| hinge(model, model.structure.replaced.joint(group.joints[i].joint));
+    let mm = &|x: f64| length(model, x);
+    let link = |i: usize| body(model, group.bodies[i]);
     let at = |a: &Anchor| state.motion.bodies[a.body].position(a.at);
-    match &scene.plan.motion[index] {
+    match &model.plan.motion[index] {
         MotionStep::Rrr { legs, .. } => {
             let ends = [at(&legs[0].base), at(&legs[1].base)];
             reach(mm, ends, [legs[0].length, legs[1].length], [link(0), link(1)], [name(0), name(1), name(2)])
@@ -25,7 +25,7 @@ pub(crate) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
             let ends = [at(&legs[0].base), at(&legs[1].base)];
             let lengths = [0, 1].map(|i| state.leg_length(&legs[i]));
             let (text, help) = reach(mm, ends, lengths, [link(0), link(1)], [name(0), name(1), name(2)]);
-            let driven = [0, 1].map(|i| is_cylinder(scene, &legs[i], group.joints[2 * i]));
+            let driven = [0, 1].map(|i| is_cylinder(model, &legs[i], group.joints[2 * i]));
             let other = match driven {
                 [true, false] => 1,
                 [false, true] => 0,
@@ -93,8 +93,8 @@ pub(crate) fn gap_text(scene: &Scene<'_>, state: &State, index: usize) -> (Strin
             "check the values of the drives inside the links".to_owned(),
         ),
         MotionStep::Triad { triad, .. } => {
-            let leg = |i: usize| body(scene, group.joints[i].body);
-            let plate = body(scene, crate::structure::BodyId(triad.body));
+            let leg = |i: usize| body(model, group.joints[i].body);
+            let plate = body(model, crate::structure::BodyId(triad.body));
             let links = [leg(0), leg(1), leg(2), plate];
             let names = [0, 1, 2, 3, 4, 5].map(name);
             triad_text(mm, gap(&triad.plate, &state.triad_ends(triad)), &links, &names)
@@ -238,9 +238,9 @@ fn unknown(pair: &str) -> (String, String) {
 }
 
 /// Whether the leg is a driven cylinder, hinged with this joint.
-fn is_cylinder(scene: &Scene<'_>, leg: &DrivenLeg, outer: GroupJoint) -> bool {
-    let pair = scene.structure.replaced.joint(outer.joint).pair;
-    let cylinder = matches!(scene.mechanism.pair(pair).kind, PairKind::Cylinder { .. });
+fn is_cylinder(model: &Model<'_>, leg: &DrivenLeg, outer: GroupJoint) -> bool {
+    let pair = model.structure.replaced.joint(outer.joint).pair;
+    let cylinder = matches!(model.mechanism.pair(pair).kind, PairKind::Cylinder { .. });
     cylinder && matches!(leg.joint, Some(DrivenJoint::Shift { .. }))
 }
 

@@ -2,20 +2,20 @@
 
 use super::error::{SolveError, label};
 use super::format::{body, labels, links, place, stands};
-use crate::position::{Scene, State, Wanted};
+use crate::position::{Model, State, Wanted};
 use crate::structure::{BodyId, EffortKind, EffortSource, Group};
 
 /// A group whose determinant vanishes.
-pub(crate) fn dead(scene: &Scene<'_>, group: &Group, condition: f64, pose: &Wanted) -> SolveError {
+pub(crate) fn dead(model: &Model<'_>, group: &Group, condition: f64, pose: &Wanted) -> SolveError {
     SolveError::DeadPosition {
-        pose: place(scene, pose),
-        stands: stands(scene, group, condition),
+        pose: place(model, pose),
+        stands: stands(model, group, condition),
         help: format!(
             "where a group is dead no velocity and no force follows from the drives: choose a position beside it, or \
              drive {} itself",
-            one_of(&links(scene, group))
+            one_of(&links(model, group))
         ),
-        labels: labels(scene, group, "dead"),
+        labels: labels(model, group, "dead"),
     }
 }
 
@@ -24,19 +24,19 @@ fn one_of(links: &str) -> String {
 }
 
 /// A group of forces whose determinant vanishes.
-pub(crate) fn cannot_hold(scene: &Scene<'_>, group: &Group, condition: f64, pose: &Wanted) -> SolveError {
+pub(crate) fn cannot_hold(model: &Model<'_>, group: &Group, condition: f64, pose: &Wanted) -> SolveError {
     if group.efforts.is_empty() {
-        return dead(scene, group, condition, pose);
+        return dead(model, group, condition, pose);
     }
-    let links = links(scene, group);
+    let links = links(model, group);
     let mut marks = Vec::new();
     let mut line = false;
     for &effort in &group.efforts {
-        let effort = &scene.structure.efforts[effort];
+        let effort = &model.structure.efforts[effort];
         line |= matches!(effort.kind, EffortKind::Line(_));
         let span = match effort.source {
-            EffortSource::Balance(id) => scene.mechanism.balances[id.index()].span,
-            EffortSource::Drive(id) => scene.mechanism.drives[id.index()].span,
+            EffortSource::Balance(id) => model.mechanism.balances[id.index()].span,
+            EffortSource::Drive(id) => model.mechanism.drives[id.index()].span,
         };
         marks.push(label("cannot hold them here", span));
     }
@@ -57,9 +57,9 @@ pub(crate) fn cannot_hold(scene: &Scene<'_>, group: &Group, condition: f64, pose
     };
     let sigma =
         if condition > 0.0 { format!(" (condition figure σ = {condition:.1e})") } else { String::new() };
-    marks.extend(labels(scene, group, "held by this"));
+    marks.extend(labels(model, group, "held by this"));
     SolveError::EffortCannotHold {
-        pose: place(scene, pose),
+        pose: place(model, pose),
         why: why + &sigma,
         help: help.to_owned(),
         labels: marks,
@@ -67,9 +67,9 @@ pub(crate) fn cannot_hold(scene: &Scene<'_>, group: &Group, condition: f64, pose
 }
 
 /// The first result that is no number.
-pub(crate) fn not_finite(scene: &Scene<'_>, state: &State, pose: &Wanted) -> Option<SolveError> {
-    let body = |i: usize| body(scene, BodyId(i));
-    let pairs = scene.plan.reactions.iter().zip(&state.forces.reactions);
+pub(crate) fn not_finite(model: &Model<'_>, state: &State, pose: &Wanted) -> Option<SolveError> {
+    let body = |i: usize| body(model, BodyId(i));
+    let pairs = model.plan.reactions.iter().zip(&state.forces.reactions);
     let bodies = || state.motion.bodies.iter().enumerate();
     let what = bodies()
         .find(|(_, b)| !(b.p.x + b.p.y + b.u.x + b.u.y).is_finite())
@@ -85,13 +85,13 @@ pub(crate) fn not_finite(scene: &Scene<'_>, state: &State, pose: &Wanted) -> Opt
         .or_else(|| {
             let found = pairs.clone().find(|(_, r)| !(r.force.x + r.force.y + r.couple).is_finite());
             found.map(|(joint, _)| {
-                let pair = scene.structure.replaced.joint(joint.joint).pair;
-                format!("the reaction in `{}`", scene.mechanism.pair(pair).name)
+                let pair = model.structure.replaced.joint(joint.joint).pair;
+                format!("the reaction in `{}`", model.mechanism.pair(pair).name)
             })
         })
         .or_else(|| {
             state.forces.efforts.iter().find(|e| !e.is_finite()).map(|_| "an unknown effort".to_owned())
         })?;
-    let labels = scene.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
-    Some(SolveError::NotFinite { pose: place(scene, pose), what, labels })
+    let labels = model.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
+    Some(SolveError::NotFinite { pose: place(model, pose), what, labels })
 }

@@ -5,17 +5,17 @@ use super::error::SolveError;
 use super::format::{labels, links};
 use super::gap::gap_text;
 use crate::plan::MotionStep;
-use crate::position::{Scene, State, is_never_regular};
+use crate::position::{Model, State, is_never_regular};
 
 /// What to say of a group that does not close.
-pub(crate) fn does_not_close(scene: &Scene<'_>, state: State, index: usize, pose: &str) -> SolveError {
+pub(crate) fn does_not_close(model: &Model<'_>, state: State, index: usize, pose: &str) -> SolveError {
     let mut state = state;
-    let step = &scene.plan.motion[index];
-    let group = &scene.structure.motion[index];
-    let labels = labels(scene, group, "does not close");
+    let step = &model.plan.motion[index];
+    let group = &model.structure.motion[index];
+    let labels = labels(model, group, "does not close");
     if let MotionStep::General { problem, .. } = step {
-        let help = match point_of(scene, group) {
-            _ if is_never_regular(&state, *problem, &scene.plan.general[*problem]) => {
+        let help = match point_of(model, group) {
+            _ if is_never_regular(&state, *problem, &model.plan.general[*problem]) => {
                 "change a direction or a length: wherever these links stand, their pairs let them move or are too many, as \
                  with two parallel guides"
                     .to_owned()
@@ -25,9 +25,9 @@ pub(crate) fn does_not_close(scene: &Scene<'_>, state: State, index: usize, pose
             ),
             None => "check the lengths".to_owned(),
         };
-        return SolveError::NotFound { pose: pose.to_owned(), links: links(scene, group), help, labels };
+        return SolveError::NotFound { pose: pose.to_owned(), links: links(model, group), help, labels };
     }
-    state.step::<0>(scene.plan, step);
-    let (gap, help) = gap_text(scene, &state, index);
+    state.step::<0>(model.plan, step);
+    let (gap, help) = gap_text(model, &state, index);
     SolveError::DoesNotClose { pose: pose.to_owned(), gap, help, labels }
 }

@@ -5,7 +5,7 @@ use super::error::{SolveError, label};
 use super::format::{labels, links};
 use super::train_error::TrainError;
 use crate::answer::every_query;
-use crate::position::Scene;
+use crate::position::Model;
 use miette::LabeledSpan;
 
 use crate::model::{
@@ -17,21 +17,21 @@ use crate::source::Span;
 use crate::structure::{EffortSource, GroupKind};
 
 /// For each body, the first drive without position that its motion depends on.
-fn unplaced(scene: &Scene<'_>) -> Vec<Option<usize>> {
-    let mut open: Vec<Option<usize>> = vec![None; scene.plan.bodies];
-    for group in &scene.structure.motion {
-        let drives = group.efforts.iter().filter_map(|&e| match scene.structure.drives[e].source {
+fn unplaced(model: &Model<'_>) -> Vec<Option<usize>> {
+    let mut open: Vec<Option<usize>> = vec![None; model.plan.bodies];
+    for group in &model.structure.motion {
+        let drives = group.efforts.iter().filter_map(|&e| match model.structure.drives[e].source {
             EffortSource::Drive(id) => Some(id.index()),
             EffortSource::Balance(_) => None,
         });
         let mut found =
-            drives.into_iter().find(|d| matches!(scene.mechanism.drives[*d].positions, Positions::None));
+            drives.into_iter().find(|d| matches!(model.mechanism.drives[*d].positions, Positions::None));
         for joint in group.joints.iter().filter(|j| !j.inner) {
             found = found.or(open[joint.base.0]);
         }
         for law in &group.laws {
-            if let crate::structure::JointKind::Law(terms) = &scene.structure.replaced.joint(*law).kind {
-                for body in scene.structure.replaced.bodies_of_law(terms) {
+            if let crate::structure::JointKind::Law(terms) = &model.structure.replaced.joint(*law).kind {
+                for body in model.structure.replaced.bodies_of_law(terms) {
                     found = found.or(open[body.0]);
                 }
             }
@@ -42,20 +42,20 @@ fn unplaced(scene: &Scene<'_>) -> Vec<Option<usize>> {
 }
 
 /// Positions that depend on a drive which has none.
-pub(crate) fn without_position(scene: &Scene<'_>) -> Vec<SolveError> {
-    let mechanism = scene.mechanism;
+pub(crate) fn without_position(model: &Model<'_>) -> Vec<SolveError> {
+    let mechanism = model.mechanism;
     if !mechanism.drives.iter().any(|d| matches!(d.positions, Positions::None)) {
         return Vec::new();
     }
-    let open = unplaced(scene);
-    let closed = scene.structure.motion.iter().find(|g| {
+    let open = unplaced(model);
+    let closed = model.structure.motion.iter().find(|g| {
         !matches!(g.kind, GroupKind::Driven | GroupKind::Train)
             && g.bodies.first().is_some_and(|b| open[b.0].is_some())
     });
     if let Some(group) = closed {
         let drive = group.bodies.first().and_then(|b| open[b.0]).unwrap_or(0);
-        let what = format!("how {} stand", links(scene, group));
-        let labels = labels(scene, group, "moves with it");
+        let what = format!("how {} stand", links(model, group));
+        let labels = labels(model, group, "moves with it");
         return vec![no_position(&mechanism.drives[drive], what, labels)];
     }
     let of_link = |l: LinkId| open[l.index()];
@@ -77,7 +77,7 @@ pub(crate) fn without_position(scene: &Scene<'_>) -> Vec<SolveError> {
             errors.push((drive, what, span));
         }
     });
-    for load in mechanism.loads.iter().filter(|_| scene.plan.effects.forces) {
+    for load in mechanism.loads.iter().filter(|_| model.plan.effects.forces) {
         let Some(on) = load.link().filter(|_| load.is_vector()) else { continue };
         let slides = mechanism.pairs.iter().any(|p| {
             p.bearing.is_some()
@@ -120,11 +120,11 @@ fn no_position(drive: &Drive, what: String, mut labels: Vec<LabeledSpan>) -> Sol
 
 /// For each pair, whether its reaction is not known: something that acts on its links has no place.
 #[must_use]
-pub fn unplaced_reactions(scene: &Scene<'_>) -> Vec<bool> {
-    let (mechanism, structure) = (scene.mechanism, scene.structure);
+pub fn unplaced_reactions(model: &Model<'_>) -> Vec<bool> {
+    let (mechanism, structure) = (model.mechanism, model.structure);
     let mut pairs: Vec<bool> = mechanism.pairs.iter().map(|p| p.bearing == Some(Bearing::Open)).collect();
-    let mut bodies = vec![false; scene.plan.bodies];
-    for law in scene.plan.laws.iter().filter(|l| l.meeting.is_none()) {
+    let mut bodies = vec![false; model.plan.bodies];
+    for law in model.plan.laws.iter().filter(|l| l.meeting.is_none()) {
         for (site, _) in &law.terms {
             match site {
                 LawSite::Turn(body) => bodies[*body] = true,
@@ -150,12 +150,12 @@ pub fn unplaced_reactions(scene: &Scene<'_>) -> Vec<bool> {
 }
 
 /// Reactions that are asked for and have no place.
-pub(crate) fn without_place(scene: &Scene<'_>) -> Vec<SolveError> {
-    let mechanism = scene.mechanism;
-    if scene.plan.laws.is_empty() {
+pub(crate) fn without_place(model: &Model<'_>) -> Vec<SolveError> {
+    let mechanism = model.mechanism;
+    if model.plan.laws.is_empty() {
         return Vec::new();
     }
-    let unknown = unplaced_reactions(scene);
+    let unknown = unplaced_reactions(model);
     let mut errors: Vec<(PairId, Span)> = Vec::new();
     every_query(mechanism, &mut |query, span| {
         let facts = query.facts();
@@ -196,9 +196,9 @@ pub(crate) fn without_place(scene: &Scene<'_>) -> Vec<SolveError> {
 }
 
 /// Friction that goes by the forces at two contacts, in pairs whose couple is not determined.
-pub(crate) fn friction_couples(scene: &Scene<'_>) -> Option<SolveError> {
-    let (mechanism, open) = (scene.mechanism, &scene.structure.undetermined_couples);
-    if !scene.plan.effects.friction {
+pub(crate) fn friction_couples(model: &Model<'_>) -> Option<SolveError> {
+    let (mechanism, open) = (model.mechanism, &model.structure.undetermined_couples);
+    if !model.plan.effects.friction {
         return None;
     }
     let shared = |id: &&PairId| {
@@ -213,11 +213,11 @@ pub(crate) fn friction_couples(scene: &Scene<'_>) -> Option<SolveError> {
 }
 
 /// Friction in pairs beside transmissions.
-pub(crate) fn friction_beside(scene: &Scene<'_>) -> Option<SolveError> {
-    if !scene.plan.effects.friction || scene.plan.laws.is_empty() {
+pub(crate) fn friction_beside(model: &Model<'_>) -> Option<SolveError> {
+    if !model.plan.effects.friction || model.plan.laws.is_empty() {
         return None;
     }
-    let rubs = scene.mechanism.pairs.iter().filter(|p| p.friction.is_some_and(|f| f.is_some()));
+    let rubs = model.mechanism.pairs.iter().filter(|p| p.friction.is_some_and(|f| f.is_some()));
     let labels = rubs.map(|p| label("not supported yet", p.span)).collect();
     let what = "friction in pairs of a mechanism with wheels or ropes".to_owned();
     Some(SolveError::NotSupportedYet { what, labels })

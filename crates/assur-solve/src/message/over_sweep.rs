@@ -4,14 +4,14 @@ use super::error::{SolveError, label};
 use super::format::{four, short, with_unit};
 use crate::answer::{NoExtreme, NoFlywheel, NoSweep, Undefined};
 use crate::model::{Flywheel, Pair};
-use crate::position::{Scene, turns};
+use crate::position::{Model, turns};
 use crate::units::Dimension;
 use miette::LabeledSpan;
 
 /// Why a function has no value; `value` is that of the first drive at a place of the sweep.
-pub(crate) fn undefined(scene: &Scene<'_>, why: Undefined, value: impl Fn(f64) -> f64) -> String {
-    let place = |s: f64| match scene.mechanism.drives.as_slice() {
-        [drive] if turns(scene, drive) => {
+pub(crate) fn undefined(model: &Model<'_>, why: Undefined, value: impl Fn(f64) -> f64) -> String {
+    let place = |s: f64| match model.mechanism.drives.as_slice() {
+        [drive] if turns(model, drive) => {
             format!(" at {} = {} deg", drive.name, short(value(s).to_degrees()))
         }
         [drive] => format!(" at {} = {} mm", drive.name, four(value(s) * 1e3)),
@@ -26,8 +26,8 @@ pub(crate) fn undefined(scene: &Scene<'_>, why: Undefined, value: impl Fn(f64) -
 }
 
 /// The extremes of a pair do not exist; `what` asks for them.
-pub(crate) fn no_extreme(scene: &Scene<'_>, pair: &Pair, what: String, reason: NoExtreme) -> SolveError {
-    let drives = &scene.mechanism.drives;
+pub(crate) fn no_extreme(model: &Model<'_>, pair: &Pair, what: String, reason: NoExtreme) -> SolveError {
+    let drives = &model.mechanism.drives;
     let name = drives.first().map_or("", |d| d.name.as_str());
     let mut labels = vec![label("this pair", pair.span)];
     let mut mark = |text: &str| labels.extend(drives.iter().map(|d| label(text, d.span)));
@@ -64,16 +64,16 @@ pub(crate) fn no_extreme(scene: &Scene<'_>, pair: &Pair, what: String, reason: N
 }
 
 /// There is no sweep to take functions over.
-pub(crate) fn no_sweep(scene: &Scene<'_>, reason: NoSweep) -> SolveError {
-    let drives = &scene.mechanism.drives;
+pub(crate) fn no_sweep(model: &Model<'_>, reason: NoSweep) -> SolveError {
+    let drives = &model.mechanism.drives;
     let drive = drives.first();
-    let turning = |which: &[_]| matches!(which, [drive] if turns(scene, drive));
-    let mut labels = asked(scene);
+    let turning = |which: &[_]| matches!(which, [drive] if turns(model, drive));
+    let mut labels = asked(model);
     let (why, help) = match reason {
         NoSweep::OnePosition => {
             labels.extend(drive.map(|d| label("one position", d.span)));
             let (name, range) = match drive {
-                Some(d) if turns(scene, d) => (d.name.as_str(), "0 deg .. 360 deg in 12 steps"),
+                Some(d) if turns(model, d) => (d.name.as_str(), "0 deg .. 360 deg in 12 steps"),
                 Some(d) => (d.name.as_str(), "0 mm .. 200 mm in 10 steps"),
                 None => ("crank", "0 deg .. 360 deg in 12 steps"),
             };
@@ -98,8 +98,8 @@ pub(crate) fn no_sweep(scene: &Scene<'_>, reason: NoSweep) -> SolveError {
 }
 
 /// The functions that need a sweep.
-fn asked(scene: &Scene<'_>) -> Vec<LabeledSpan> {
-    let mechanism = scene.mechanism;
+fn asked(model: &Model<'_>) -> Vec<LabeledSpan> {
+    let mechanism = model.mechanism;
     let cycles = mechanism.cycles.iter().map(|c| label("taken over the sweep", c.span));
     let flywheels = mechanism.flywheels.iter().map(|f| label("found over a cycle", f.span));
     cycles.chain(flywheels).collect()
@@ -107,15 +107,15 @@ fn asked(scene: &Scene<'_>) -> Vec<LabeledSpan> {
 
 /// A flywheel cannot be found; `value` is that of the first drive at a place of the sweep.
 pub(crate) fn no_flywheel(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     wheel: &Flywheel,
     reason: NoFlywheel,
     value: impl Fn(f64) -> f64,
 ) -> SolveError {
-    let drives = &scene.mechanism.drives;
+    let drives = &model.mechanism.drives;
     let name = drives.first().map_or("", |d| d.name.as_str());
     let (why, help) = match reason {
-        NoFlywheel::NeedsSpeed => return flywheel_needs_speed(scene, wheel),
+        NoFlywheel::NeedsSpeed => return flywheel_needs_speed(model, wheel),
         NoFlywheel::Efforts => (
             "nothing says which of several efforts it evens out".to_owned(),
             "name it: `flywheel J on crank for Mb { … }`".to_owned(),
@@ -135,7 +135,7 @@ pub(crate) fn no_flywheel(
             (format!("`{name}` stands still"), "give the drive its mean speed".to_owned())
         }
         NoFlywheel::Uneven([least, greatest]) => {
-            let shaft = &scene.mechanism.link(wheel.on).name;
+            let shaft = &model.mechanism.link(wheel.on).name;
             let range = format!("its speed over the drive's goes from {} to {}", four(least), four(greatest));
             (
                 format!("`{shaft}` does not turn evenly with the drive: {range}"),
@@ -143,7 +143,7 @@ pub(crate) fn no_flywheel(
             )
         }
         NoFlywheel::Undefined(why) => (
-            undefined(scene, why, value),
+            undefined(model, why, value),
             "look at the poses there: `assur solve` says what is wrong with each".to_owned(),
         ),
     };
@@ -152,9 +152,9 @@ pub(crate) fn no_flywheel(
     SolveError::NoFlywheel { name: wheel.name.clone(), why, help, labels }
 }
 
-fn flywheel_needs_speed(scene: &Scene<'_>, wheel: &Flywheel) -> SolveError {
+fn flywheel_needs_speed(model: &Model<'_>, wheel: &Flywheel) -> SolveError {
     let mut labels = vec![label("needed here", wheel.span)];
-    labels.extend(scene.mechanism.drives.iter().map(|d| label("without a speed", d.span)));
+    labels.extend(model.mechanism.drives.iter().map(|d| label("without a speed", d.span)));
     SolveError::NeedsSpeed {
         what: "the mean speed of a flywheel",
         needs: "a speed",
@@ -166,11 +166,11 @@ fn flywheel_needs_speed(scene: &Scene<'_>, wheel: &Flywheel) -> SolveError {
 }
 
 /// The links alone, of this reduced moment of inertia, run as evenly as `needed` would make them.
-pub(crate) fn needless_flywheel(scene: &Scene<'_>, wheel: &Flywheel, have: f64, needed: f64) -> SolveError {
+pub(crate) fn needless_flywheel(model: &Model<'_>, wheel: &Flywheel, have: f64, needed: f64) -> SolveError {
     SolveError::NeedlessFlywheel {
         name: wheel.name.clone(),
-        have: with_unit(scene, have, Dimension::INERTIA),
-        needed: with_unit(scene, needed, Dimension::INERTIA),
+        have: with_unit(model, have, Dimension::INERTIA),
+        needed: with_unit(model, needed, Dimension::INERTIA),
         span: wheel.span.into(),
     }
 }

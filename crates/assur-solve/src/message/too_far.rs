@@ -2,10 +2,10 @@
 
 use super::error::{SolveError, label};
 use super::format::place;
-use crate::position::{Scene, Wanted};
+use crate::position::{Model, Wanted};
 
 /// The way to a position is too long to be followed.
-pub(crate) fn too_far(scene: &Scene<'_>, pose: &Wanted) -> SolveError {
-    let labels = scene.mechanism.drives.iter().map(|d| label("driven that far", d.span)).collect();
-    SolveError::WayTooLong { pose: place(scene, pose), labels }
+pub(crate) fn too_far(model: &Model<'_>, pose: &Wanted) -> SolveError {
+    let labels = model.mechanism.drives.iter().map(|d| label("driven that far", d.span)).collect();
+    SolveError::WayTooLong { pose: place(model, pose), labels }
 }

@@ -3,7 +3,7 @@
 use super::error::{SolveError, label};
 use super::format::{four, short};
 use crate::answer::every_query;
-use crate::position::Scene;
+use crate::position::Model;
 use miette::LabeledSpan;
 
 use crate::model::{Drive, DriveTarget, Expr, Mechanism, PairKind, Positions, Value};
@@ -28,8 +28,8 @@ pub(crate) fn not_supported(mechanism: &Mechanism) -> Vec<SolveError> {
 }
 
 /// Contacts of designed cams that do not move their follower, or carry forces in a way that no step knows.
-pub(crate) fn cams(scene: &Scene<'_>) -> Vec<SolveError> {
-    let (mechanism, structure) = (scene.mechanism, scene.structure);
+pub(crate) fn cams(model: &Model<'_>) -> Vec<SolveError> {
+    let (mechanism, structure) = (model.mechanism, model.structure);
     let mut found = Vec::new();
     let mut refuse = |pair: crate::model::PairId, what: &str| {
         let mark = label("not supported yet", mechanism.pair(pair).span);
@@ -43,7 +43,7 @@ pub(crate) fn cams(scene: &Scene<'_>) -> Vec<SolveError> {
             return found;
         }
     }
-    for group in structure.forces.iter().filter(|_| scene.plan.effects.forces) {
+    for group in structure.forces.iter().filter(|_| model.plan.effects.forces) {
         let Some((_, _, contact)) = contact_in(mechanism, structure, group) else { continue };
         let with_disk = group.bodies.iter().any(|b| b.0 == contact.disk.index());
         let general = !matches!(group.kind, GroupKind::Dyad(_));
@@ -55,8 +55,8 @@ pub(crate) fn cams(scene: &Scene<'_>) -> Vec<SolveError> {
 }
 
 /// Velocities and accelerations of a mechanism whose drives have no speed.
-pub(crate) fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
-    let (mechanism, effects) = (scene.mechanism, scene.plan.effects);
+pub(crate) fn missing_speeds(model: &Model<'_>) -> Option<SolveError> {
+    let (mechanism, effects) = (model.mechanism, model.plan.effects);
     let allowed = match (effects.moving, effects.timed) {
         (_, true) => return None,
         (true, false) => Level::Velocities,
@@ -104,8 +104,8 @@ pub(crate) fn missing_speeds(scene: &Scene<'_>) -> Option<SolveError> {
 }
 
 /// Dampers and loads that depend on speeds, while no drive has one: what is to be said of them.
-pub(crate) fn unit_speeds(scene: &Scene<'_>) -> Option<SolveError> {
-    let (mechanism, effects) = (scene.mechanism, scene.plan.effects);
+pub(crate) fn unit_speeds(model: &Model<'_>) -> Option<SolveError> {
+    let (mechanism, effects) = (model.mechanism, model.plan.effects);
     let drive = mechanism.drives.first().filter(|_| effects.forces && !effects.timed)?;
     let (written, speed) = written(mechanism, drive);
     let help = format!("give it a speed: `drive {}{written} at {speed}`", drive.name);

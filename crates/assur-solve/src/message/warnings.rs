@@ -5,7 +5,7 @@ use super::error::{SolveError, label};
 use super::format::{drive_text, four, labels, links, place, short, with_unit};
 use super::train_error::TrainError;
 use crate::model::{Expr, PairId, Positions, Value};
-use crate::position::{DriveValue, Scene, Wanted, turns};
+use crate::position::{DriveValue, Model, Wanted, turns};
 use crate::structure::Group;
 use crate::units::Dimension;
 
@@ -90,7 +90,7 @@ impl Notes {
 
     pub(crate) fn switched(
         &mut self,
-        scene: &Scene<'_>,
+        model: &Model<'_>,
         (group, at): (usize, &[DriveValue]),
         from: &str,
         to: &str,
@@ -99,26 +99,26 @@ impl Notes {
             self.more_switches += 1;
             return;
         }
-        let group = &scene.structure.motion[group];
+        let group = &model.structure.motion[group];
         self.switches.push(SolveError::BranchSwitch {
-            links: links(scene, group),
+            links: links(model, group),
             from: from.to_owned(),
             to: to.to_owned(),
-            near: drive_text(scene, &rounded(scene, at, 1.0)),
-            labels: labels(scene, group, "this group"),
+            near: drive_text(model, &rounded(model, at, 1.0)),
+            labels: labels(model, group, "this group"),
         });
     }
 
     /// The condition figure σ of a group; the error of what is asked of it grows as ε over this power of σ.
     pub(crate) fn condition(
         &mut self,
-        scene: &Scene<'_>,
+        model: &Model<'_>,
         group: &Group,
         (condition, what, power): (f64, &'static str, u8),
         pose: &Wanted,
     ) {
         // forces of inertia add up what the accelerations of several links lose
-        let gathered = if power == 3 && scene.plan.effects.inertia { GATHERED } else { 0.0 };
+        let gathered = if power == 3 && model.plan.effects.inertia { GATHERED } else { 0.0 };
         let left = f64::from(power) * condition.max(f64::MIN_POSITIVE).log10() - f64::EPSILON.log10();
         let digits = left - gathered;
         // what is no number is reported by itself; positions near a double root keep half their digits
@@ -131,12 +131,12 @@ impl Notes {
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 0 and 7
         let warning = SolveError::IllConditioned {
-            pose: place(scene, pose),
-            links: links(scene, group),
+            pose: place(model, pose),
+            links: links(model, group),
             condition,
             digits: digits.clamp(0.0, FEW_DIGITS) as u32,
             what,
-            labels: labels(scene, group, "near a dead position"),
+            labels: labels(model, group, "near a dead position"),
         };
         self.fewest = Some((digits, warning));
     }
@@ -144,7 +144,7 @@ impl Notes {
     /// The figure h of Newton and Kantorovich of a group that was solved by iteration.
     pub(crate) fn certificate(
         &mut self,
-        scene: &Scene<'_>,
+        model: &Model<'_>,
         group: &Group,
         h: f64,
         sigma: f64,
@@ -158,17 +158,17 @@ impl Notes {
             return;
         }
         let warning = SolveError::NotCertified {
-            pose: place(scene, pose),
-            links: links(scene, group),
+            pose: place(model, pose),
+            links: links(model, group),
             figure: format!("{h:.1e}, with the condition figure σ = {sigma:.1e}"),
             more: String::new(),
-            labels: labels(scene, group, "this group"),
+            labels: labels(model, group, "this group"),
         };
         self.uncertified = Some((h, warning));
     }
 
-    pub(crate) fn pulls(&mut self, scene: &Scene<'_>, pair: PairId, normal: f64, pose: &Wanted) {
-        let here = || place(scene, pose);
+    pub(crate) fn pulls(&mut self, model: &Model<'_>, pair: PairId, normal: f64, pose: &Wanted) {
+        let here = || place(model, pose);
         match self.pulls.iter_mut().find(|p| p.pair == pair) {
             Some(pull) => {
                 pull.poses += 1;
@@ -180,26 +180,26 @@ impl Notes {
         }
     }
 
-    pub(crate) fn pushes(&mut self, scene: &Scene<'_>, pair: PairId, normal: f64, pose: &Wanted) {
+    pub(crate) fn pushes(&mut self, model: &Model<'_>, pair: PairId, normal: f64, pose: &Wanted) {
         match self.slack.iter_mut().find(|p| p.pair == pair) {
             Some(pull) => {
                 pull.poses += 1;
                 if normal < pull.normal {
-                    (pull.normal, pull.place) = (normal, place(scene, pose));
+                    (pull.normal, pull.place) = (normal, place(model, pose));
                 }
             }
-            None => self.slack.push(Pull { pair, normal, place: place(scene, pose), poses: 1 }),
+            None => self.slack.push(Pull { pair, normal, place: place(model, pose), poses: 1 }),
         }
     }
 
     /// The load cannot drive the mechanism.
-    pub(crate) fn self_locking(&mut self, scene: &Scene<'_>, pose: &Wanted) {
+    pub(crate) fn self_locking(&mut self, model: &Model<'_>, pose: &Wanted) {
         if let Some((_, more)) = &mut self.locking {
             *more += 1;
             return;
         }
         let lossy =
-            scene.plan.laws.iter().filter_map(|l| Some((scene.mechanism.pair(l.pair), l.efficiency?)));
+            model.plan.laws.iter().filter_map(|l| Some((model.mechanism.pair(l.pair), l.efficiency?)));
         let lossy: Vec<_> = lossy.collect();
         let labels = lossy.iter().map(|(p, _)| label("loses more than comes back", p.span)).collect();
         let back = lossy.iter().map(|(p, [there, back])| {
@@ -218,12 +218,12 @@ impl Notes {
         let help = format!(
             "{back}; where that comes to less than 0, the unknown effort has to drive in this sense too"
         );
-        let pose = place(scene, pose);
+        let pose = place(model, pose);
         self.locking = Some((TrainError::SelfLocking { pose, more: String::new(), help, labels }, 0));
     }
 
     /// The warnings, and how many there are more.
-    pub(crate) fn into_warnings(self, scene: &Scene<'_>, closing: Closing) -> (Vec<SolveError>, usize) {
+    pub(crate) fn into_warnings(self, model: &Model<'_>, closing: Closing) -> (Vec<SolveError>, usize) {
         let mut warnings = self.switches;
         if let Some((mut error, count)) = self.locking {
             if let TrainError::SelfLocking { more, .. } = &mut error {
@@ -233,20 +233,20 @@ impl Notes {
         }
         warnings.extend(self.consistent.into_warning());
         for pull in self.slack {
-            let pair = scene.mechanism.pair(pull.pair);
+            let pair = model.mechanism.pair(pull.pair);
             let (name, span) = (pair.name.clone(), pair.span.into());
             let (tension, pose, more) =
-                (with_unit(scene, pull.normal, Dimension::FORCE), pull.place, and_at(pull.poses - 1));
+                (with_unit(model, pull.normal, Dimension::FORCE), pull.place, and_at(pull.poses - 1));
             warnings.push(TrainError::RopePushes { name, pose, more, tension, span }.into());
         }
         for pull in self.pulls {
-            let pair = scene.mechanism.pair(pull.pair);
+            let pair = model.mechanism.pair(pull.pair);
             let more = and_at(pull.poses - 1);
-            let (normal, pose) = (with_unit(scene, pull.normal, Dimension::FORCE), pull.place);
+            let (normal, pose) = (with_unit(model, pull.normal, Dimension::FORCE), pull.place);
             let name = pair.name.clone();
             warnings.push(SolveError::ContactPulls { name, pose, normal, more, span: pair.span.into() });
         }
-        warnings.extend(partial_sweep(scene, closing, &self.gaps, self.more_gaps));
+        warnings.extend(partial_sweep(model, closing, &self.gaps, self.more_gaps));
         warnings.extend(self.fewest.map(|f| f.1));
         if let Some((_, mut warning)) = self.uncertified {
             if let SolveError::NotCertified { more, .. } = &mut warning {
@@ -268,11 +268,11 @@ fn and_at(more: usize) -> String {
 }
 
 /// Angles rounded to a part of a degree.
-fn rounded(scene: &Scene<'_>, values: &[DriveValue], per_degree: f64) -> Vec<DriveValue> {
-    let drives = scene.mechanism.drives.iter().zip(values);
+fn rounded(model: &Model<'_>, values: &[DriveValue], per_degree: f64) -> Vec<DriveValue> {
+    let drives = model.mechanism.drives.iter().zip(values);
     drives
         .map(|(drive, value)| match value {
-            DriveValue::Scalar(x) if turns(scene, drive) => {
+            DriveValue::Scalar(x) if turns(model, drive) => {
                 DriveValue::Scalar(((x.to_degrees() * per_degree).round() / per_degree).to_radians())
             }
             other => *other,
@@ -281,21 +281,21 @@ fn rounded(scene: &Scene<'_>, values: &[DriveValue], per_degree: f64) -> Vec<Dri
 }
 
 /// A warning that tells over which ranges a sweep does not close.
-fn partial_sweep(scene: &Scene<'_>, closing: Closing, gaps: &[Gap], more: usize) -> Option<SolveError> {
+fn partial_sweep(model: &Model<'_>, closing: Closing, gaps: &[Gap], more: usize) -> Option<SolveError> {
     // where the assembly is not chosen yet, nothing is known of what closes
     if gaps.is_empty() || closing.ambiguous {
         return None;
     }
     let Closing { swept: total, open, .. } = closing;
     let closed = total - open;
-    let text = |values: &[DriveValue]| drive_text(scene, &rounded(scene, values, 100.0));
+    let text = |values: &[DriveValue]| drive_text(model, &rounded(model, values, 100.0));
     let ranges = gaps.iter().map(|gap| match (&gap.from, &gap.to) {
         (Some(from), Some(to)) => format!("from {} to {}", text(from), text(to)),
         (Some(from), None) => format!("beyond {}", text(from)),
         (None, Some(to)) => format!("before {}", text(to)),
         (None, None) => "anywhere".to_owned(),
     });
-    let drive = scene.mechanism.drives.first()?;
+    let drive = model.mechanism.drives.first()?;
     let (positions, listed) = if closed == total {
         let positions = "the positions close, but not the way between them".to_owned();
         (positions, "the side of every group is kept across the gap")
@@ -305,7 +305,7 @@ fn partial_sweep(scene: &Scene<'_>, closing: Closing, gaps: &[Gap], more: usize)
             "positions that do not close are left out of the answers",
         )
     };
-    let help = match closing_range(scene, gaps) {
+    let help = match closing_range(model, gaps) {
         Some(line) => format!("{listed}; to sweep over the part that closes write\n  {line}"),
         None => listed.to_owned(),
     };
@@ -317,13 +317,13 @@ fn partial_sweep(scene: &Scene<'_>, closing: Closing, gaps: &[Gap], more: usize)
 }
 
 /// The sweep of a single drive that turns, cut to what closes.
-fn closing_range(scene: &Scene<'_>, gaps: &[Gap]) -> Option<String> {
-    let ([drive], [gap]) = (scene.mechanism.drives.as_slice(), gaps) else { return None };
+fn closing_range(model: &Model<'_>, gaps: &[Gap]) -> Option<String> {
+    let ([drive], [gap]) = (model.mechanism.drives.as_slice(), gaps) else { return None };
     let Positions::Range { from, to, steps } = &drive.positions else { return None };
     let (Expr::Constant(Value::Scalar(first)), Expr::Constant(Value::Scalar(last))) = (from, to) else {
         return None;
     };
-    if !turns(scene, drive) {
+    if !turns(model, drive) {
         return None;
     }
     let degrees = |values: &Option<Vec<DriveValue>>| match values.as_deref() {

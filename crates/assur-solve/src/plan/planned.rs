@@ -64,7 +64,7 @@ pub struct Plan {
 impl Plan {
     /// Whether every step has a closed form and every load is a number, so that several positions go side by side.
     #[must_use]
-    pub fn laned(&self) -> bool {
+    pub fn is_batchable(&self) -> bool {
         let closed = |step: &ForceStep| {
             !matches!(
                 step,
@@ -86,8 +86,9 @@ impl Plan {
     /// What [`Plan::massless`] is for the loads and forces planned. The closed forms do not ask what the ground carries: where
     /// all is closed it is among them only if a load acts on it.
     pub(crate) fn find_massless(&self) -> Vec<usize> {
-        let asked =
-            |slot: usize| slot > 0 || !self.laned() || self.loads.iter().any(|load| load.acts_on(slot));
+        let asked = |slot: usize| {
+            slot > 0 || !self.is_batchable() || self.loads.iter().any(|load| load.acts_on(slot))
+        };
         let heavy = |slot: usize| {
             self.loads.iter().any(|l| matches!(l, LoadStep::Mass { body, .. } if *body == slot))
         };

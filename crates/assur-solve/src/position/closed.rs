@@ -1,4 +1,4 @@
-//! Blocks of positions of a plan that is laned, step by step: every step on all blocks before the next.
+//! Blocks of positions of a plan that can be batched, step by step: every step on all blocks before the next.
 //!
 //! The steps of one position wait for each other; those of another fill the time.
 

@@ -2,7 +2,7 @@
 //!
 //! The assemblies are those of a reference state: nothing is followed. All operations are those of one position alone, in
 //! the same order and without fused multiplications, so that every lane has the same bits. Blocks that do not fill the
-//! lanes, or where a group does not close in one of them, go in one lane; plans that are not [laned](Plan::laned) go
+//! lanes, or where a group does not close in one of them, go in one lane; plans that are not [batchable](Plan::is_batchable) go
 //! position by position.
 
 use super::body::BodyState;
@@ -37,12 +37,12 @@ pub fn instructions() -> &'static str {
 
 /// Memory for positions side by side, laid out once.
 #[derive(Debug)]
-pub struct SideBySide<'a> {
+pub struct Batch<'a> {
     plan: &'a Plan,
     arch: pulp::Arch,
     /// None where the machine or the plan has no lanes.
     lanes: Vec<State<Lanes<WIDTH>>>,
-    /// One alone where the plan is not laned.
+    /// One alone where the plan cannot be batched.
     scalars: Vec<State>,
 }
 
@@ -55,12 +55,12 @@ pub enum Place<'a> {
     Alone(&'a State),
 }
 
-impl<'a> SideBySide<'a> {
+impl<'a> Batch<'a> {
     /// For a plan, with the assemblies of a state.
     #[must_use]
     pub fn new(plan: &'a Plan, reference: &State) -> Self {
         let arch = pulp::Arch::new();
-        let laned = plan.laned() && arch.dispatch(InOneInstruction) > 1;
+        let laned = plan.is_batchable() && arch.dispatch(InOneInstruction) > 1;
         let mut block = State::closed(plan);
         block.branches.clone_from(&reference.branches);
         Self { lanes: vec![block; if laned { BLOCKS } else { 0 }], ..Self::in_one_lane(plan, reference) }
@@ -69,7 +69,7 @@ impl<'a> SideBySide<'a> {
     /// The same in one lane, whatever the machine has.
     #[must_use]
     pub fn in_one_lane(plan: &'a Plan, reference: &State) -> Self {
-        let together = if plan.laned() { TOGETHER } else { 1 };
+        let together = if plan.is_batchable() { TOGETHER } else { 1 };
         let scalars = vec![reference.clone().ready(plan); together];
         Self { plan, arch: pulp::Arch::new(), lanes: Vec::new(), scalars }
     }
@@ -104,7 +104,7 @@ impl<'a> SideBySide<'a> {
         each: &mut impl FnMut(usize, Place<'_>),
     ) {
         let closed = Closed { plan: self.plan, blocks: &mut self.lanes[..full] };
-        run_lanes(self.arch, Laned { closed, inputs, first });
+        run_lanes(self.arch, InLanes { closed, inputs, first });
         for i in 0..full {
             let (block, first) = (&self.lanes[i], first + i * WIDTH);
             if block.motion.open.is_none() {
@@ -139,7 +139,7 @@ impl<'a> SideBySide<'a> {
 
 // these three are not written out in `run`, of which there is one for every caller
 #[inline(never)]
-fn run_lanes(arch: pulp::Arch, laned: Laned<'_>) {
+fn run_lanes(arch: pulp::Arch, laned: InLanes<'_>) {
     arch.dispatch(laned);
 }
 
@@ -153,7 +153,7 @@ pub fn block_in_avx2(plan: &Plan, reference: &State, inputs: &DriveColumns) -> O
     block.branches.clone_from(&reference.branches);
     let mut blocks = [block];
     let closed = Closed { plan, blocks: &mut blocks };
-    pulp::Simd::vectorize(avx2, Laned { closed, inputs, first: 0 });
+    pulp::Simd::vectorize(avx2, InLanes { closed, inputs, first: 0 });
     let [block] = blocks;
     Some(block)
 }
@@ -196,13 +196,13 @@ impl pulp::WithSimd for InOneInstruction {
 }
 
 /// Blocks of lanes, and the inputs of their positions from the `first` on. Compiled once per set of instructions.
-struct Laned<'a> {
+struct InLanes<'a> {
     closed: Closed<'a, Lanes<WIDTH>>,
     inputs: &'a DriveColumns,
     first: usize,
 }
 
-impl pulp::WithSimd for Laned<'_> {
+impl pulp::WithSimd for InLanes<'_> {
     type Output = ();
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! Adds up the loads on the bodies before forces are solved.
 
 use super::body::BodyState;
-use super::scene::Scene;
+use super::model::Model;
 use super::state::State;
 use super::wrench::Wrench;
 use crate::force::spring::spring;
@@ -90,15 +90,15 @@ impl<S: Scalar> State<S> {
 impl State {
     /// Sums all loads in `wrenches`: those that are numbers, then the values of those that are evaluated at every position,
     /// in the order of the plan. Allocates nothing.
-    pub fn run_loads(&mut self, scene: &Scene<'_>, evaluated: &[(LoadId, Value)]) {
-        self.known_loads(scene.plan);
+    pub fn run_loads(&mut self, model: &Model<'_>, evaluated: &[(LoadId, Value)]) {
+        self.known_loads(model.plan);
         for (load, value) in evaluated {
-            self.apply_evaluated(scene, *load, *value);
+            self.apply_evaluated(model, *load, *value);
         }
     }
 
-    fn apply_evaluated(&mut self, scene: &Scene<'_>, id: LoadId, value: Value) {
-        match (&scene.mechanism.loads[id.index()].kind, value) {
+    fn apply_evaluated(&mut self, model: &Model<'_>, id: LoadId, value: Value) {
+        match (&model.mechanism.loads[id.index()].kind, value) {
             (
                 LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
                 Value::Vector(force),
@@ -113,16 +113,16 @@ impl State {
                 self.forces.wrenches[on.index()].moment += torque;
             }
             (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => {
-                self.apply_in_pair(scene, *pair, effort);
+                self.apply_in_pair(model, *pair, effort);
             }
             _ => {}
         }
     }
 
     /// An effort between the two links of a pair, positive along its coordinate.
-    fn apply_in_pair(&mut self, scene: &Scene<'_>, pair: crate::model::PairId, effort: f64) {
-        for joint in scene.structure.replaced.joints_of(pair) {
-            match &scene.structure.replaced.joint(joint).kind {
+    fn apply_in_pair(&mut self, model: &Model<'_>, pair: crate::model::PairId, effort: f64) {
+        for joint in model.structure.replaced.joints_of(pair) {
+            match &model.structure.replaced.joint(joint).kind {
                 JointKind::Prismatic { slider, point, direction, guide, .. } => {
                     let b = &self.motion.bodies[slider.0];
                     let (p, force) = (b.position(*point), direction.turned(b.u) * effort);
@@ -131,7 +131,7 @@ impl State {
                     return;
                 }
                 JointKind::Revolute(members)
-                    if matches!(scene.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_)) =>
+                    if matches!(model.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_)) =>
                 {
                     if let [first, second] = members.as_slice() {
                         self.forces.wrenches[second.0.0].moment += effort;

@@ -3,7 +3,9 @@
 
 mod body;
 mod cam;
+#[cfg(feature = "lanes")]
 mod closed;
+#[cfg(feature = "lanes")]
 mod columns;
 mod consistent;
 mod contact;
@@ -17,13 +19,14 @@ mod friction_work;
 mod general;
 mod general_work;
 mod kinematics;
+#[cfg(feature = "lanes")]
 mod lanes;
 mod loads;
+mod model;
 mod motion;
 mod precise;
 mod residual;
 mod run;
-mod scene;
 mod scratch;
 mod state;
 mod statics;
@@ -36,6 +39,7 @@ mod wanted;
 mod wrench;
 
 pub use body::BodyState;
+#[cfg(feature = "lanes")]
 pub use columns::DriveColumns;
 pub use consistent::{Consistent, Searched};
 pub(crate) use friction::STILL;
@@ -43,13 +47,14 @@ pub use friction_work::FrictionWork;
 pub(crate) use general::{STARTS, assemblies as general_assemblies, is_never_regular};
 pub(crate) use general_work::Workspace;
 pub use kinematics::{DriveInput, Motion};
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub use lanes::block_in_avx2;
-pub use lanes::{Place, SideBySide, WIDTH, instructions};
+#[cfg(feature = "lanes")]
+pub use lanes::{Batch, Place, WIDTH, instructions};
+pub(crate) use model::turns;
+pub use model::{Model, extent};
 pub use precise::{Edge, in_scalar, precise};
 pub use residual::{Residuals, residuals};
-pub(crate) use scene::turns;
-pub use scene::{Scene, extent};
 pub use scratch::Scratch;
 pub use state::{Branch, State};
 pub(crate) use state::{DEAD, SAME};

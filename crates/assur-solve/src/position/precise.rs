@@ -13,6 +13,7 @@ pub trait Edge: Scalar + Default {
     fn widened(self) -> Double;
 }
 
+#[cfg(feature = "lanes")]
 impl Edge for f32 {
     fn direction(angle: f64) -> V2<Self> {
         V2::of(Vec2::direction(angle))
@@ -42,7 +43,7 @@ impl Edge for Double {
 
 /// Motion, loads and forces of the position that a state's inputs ask for, with its assemblies, all operations with twice
 /// the digits; angles of drives are turned into directions with as many. `None` where a step has no closed form or a load
-/// is evaluated at every position, see [`Plan::laned`]. What the plan forms of points, directions, masses and gravity is
+/// is evaluated at every position, see [`Plan::is_batchable`]. What the plan forms of points, directions, masses and gravity is
 /// formed with twice the digits too. The closed forms with more digits: what they are worth shows `reference`, which
 /// does not use them.
 #[must_use]
@@ -53,7 +54,7 @@ pub fn precise(plan: &Plan, reference: &State) -> Option<State<Double>> {
 /// As [`precise`], in any scalar.
 #[must_use]
 pub fn in_scalar<S: Edge>(plan: &Plan, reference: &State) -> Option<State<S>> {
-    if !plan.laned() {
+    if !plan.is_batchable() {
         return None;
     }
     let mut state = State::closed(plan);
@@ -71,7 +72,7 @@ impl<S: Edge> State<S> {
         }
     }
 
-    /// Motion, loads and forces of a plan that is [laned](Plan::laned). Allocates nothing.
+    /// Motion, loads and forces of a plan that is [batchable](Plan::is_batchable). Allocates nothing.
     pub fn run_closed(&mut self, plan: &Plan) {
         self.start(plan);
         match plan.effects.level {

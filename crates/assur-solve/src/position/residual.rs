@@ -1,7 +1,7 @@
 //! How well a solved position satisfies equations that its closed forms did not use: every joint closes, every body is
 //! in equilibrium, the powers add up to nothing.
 
-use super::scene::Scene;
+use super::model::Model;
 use super::state::State;
 use super::wrench::Wrench;
 use crate::math::Vec2;
@@ -21,25 +21,25 @@ pub struct Residuals {
 /// Residuals of a position. Forces are checked where the plan solves them and they exist, powers where it follows
 /// velocities.
 #[must_use]
-pub fn residuals(scene: &Scene<'_>, state: &State) -> Residuals {
+pub fn residuals(model: &Model<'_>, state: &State) -> Residuals {
     // a locked mechanism has none
-    let forces = scene.plan.effects.forces && !scene.plan.forces.is_empty() && !state.forces.locked;
-    let velocities = scene.plan.effects.level >= crate::plan::Level::Velocities;
+    let forces = model.plan.effects.forces && !model.plan.forces.is_empty() && !state.forces.locked;
+    let velocities = model.plan.effects.level >= crate::plan::Level::Velocities;
     Residuals {
-        closure: closure(scene, state),
-        equilibrium: forces.then(|| equilibrium(scene, state)),
-        power: (forces && velocities).then(|| power(scene, state)),
+        closure: closure(model, state),
+        equilibrium: forces.then(|| equilibrium(model, state)),
+        power: (forces && velocities).then(|| power(model, state)),
     }
 }
 
 /// Greatest distance between what a joint joins, over the extent of the mechanism.
-fn closure(scene: &Scene<'_>, state: &State) -> f64 {
+fn closure(model: &Model<'_>, state: &State) -> f64 {
     let (mut worst, mut size) = (0.0_f64, f64::MIN_POSITIVE);
-    for step in &scene.plan.cams {
+    for step in &model.plan.cams {
         worst = worst.max(state.cam_gap(step));
     }
-    let of_cam = |pair| scene.mechanism.cam_contacts.iter().any(|c| c.pair == pair);
-    for joint in scene.structure.replaced.joints.iter().filter(|j| !of_cam(j.pair)) {
+    let of_cam = |pair| model.mechanism.cam_contacts.iter().any(|c| c.pair == pair);
+    for joint in model.structure.replaced.joints.iter().filter(|j| !of_cam(j.pair)) {
         match &joint.kind {
             JointKind::Revolute(members) => {
                 let Some(&(first, at)) = members.first() else { continue };
@@ -67,7 +67,7 @@ fn closure(scene: &Scene<'_>, state: &State) -> f64 {
 }
 
 /// Sums of all forces on every body, from the reactions as they are reported.
-fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
+fn totals(model: &Model<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
     let mut total = state.forces.applied.clone();
     let (mut most_force, mut most_moment) = (f64::MIN_POSITIVE, f64::MIN_POSITIVE);
     let mut add = |body: usize, p: Vec2, force: Vec2, couple: f64| {
@@ -78,8 +78,8 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
         most_force = most_force.max(force.norm());
         most_moment = most_moment.max(r.norm() * force.norm()).max(couple.abs());
     };
-    for (slot, joint) in scene.plan.reactions.iter().enumerate() {
-        let p = match &scene.structure.replaced.joint(joint.joint).kind {
+    for (slot, joint) in model.plan.reactions.iter().enumerate() {
+        let p = match &model.structure.replaced.joint(joint.joint).kind {
             JointKind::Revolute(members) => {
                 let at = members.iter().find(|m| m.0 == joint.body).map_or(Vec2::zero(), |m| m.1);
                 state.motion.bodies[joint.body.0].position(at)
@@ -91,10 +91,10 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
         add(joint.body.0, p, reaction.force, reaction.couple);
         add(joint.base.0, p, -reaction.force, -reaction.couple);
     }
-    for (slot, law) in scene.plan.laws.iter().enumerate() {
+    for (slot, law) in model.plan.laws.iter().enumerate() {
         state.forces_of_law(law, slot, &mut add);
     }
-    for (element, &value) in scene.plan.friction.iter().zip(&state.forces.frictions) {
+    for (element, &value) in model.plan.friction.iter().zip(&state.forces.frictions) {
         match state.friction_line(element) {
             None => {
                 add(element.through, state.motion.bodies[element.through].p, Vec2::zero(), value);
@@ -106,7 +106,7 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
             }
         }
     }
-    for (slot, effort) in scene.structure.efforts.iter().enumerate() {
+    for (slot, effort) in model.structure.efforts.iter().enumerate() {
         let value = state.forces.efforts[slot];
         match effort.kind {
             EffortKind::Angle(b) => add(b.0, state.motion.bodies[b.0].p, Vec2::zero(), value),
@@ -119,7 +119,7 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
             }
             EffortKind::Coordinate(joint) => {
                 if let JointKind::Prismatic { slider, point, direction, guide, .. } =
-                    scene.structure.replaced.joint(joint).kind
+                    model.structure.replaced.joint(joint).kind
                 {
                     let s = &state.motion.bodies[slider.0];
                     let (p, force) = (s.position(point), direction.turned(s.u) * value);
@@ -137,10 +137,10 @@ fn totals(scene: &Scene<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
     (total, most_force, most_moment)
 }
 
-fn equilibrium(scene: &Scene<'_>, state: &State) -> f64 {
-    let (total, most_force, most_moment) = totals(scene, state);
+fn equilibrium(model: &Model<'_>, state: &State) -> f64 {
+    let (total, most_force, most_moment) = totals(model, state);
     let mut worst = 0.0_f64;
-    for (body, w) in scene.structure.replaced.bodies.iter().zip(&total) {
+    for (body, w) in model.structure.replaced.bodies.iter().zip(&total) {
         if !body.known {
             worst = worst.max(w.force.norm() / most_force).max(w.moment.abs() / most_moment);
         }
@@ -149,15 +149,15 @@ fn equilibrium(scene: &Scene<'_>, state: &State) -> f64 {
 }
 
 /// Virtual power: the loads and efforts on all moving bodies, with what known bodies put in through their joints.
-fn power(scene: &Scene<'_>, state: &State) -> f64 {
+fn power(model: &Model<'_>, state: &State) -> f64 {
     let mut sum = 0.0;
     let mut add = |p: f64| sum += p;
-    let bodies = scene.structure.replaced.bodies.iter().zip(&state.motion.bodies);
+    let bodies = model.structure.replaced.bodies.iter().zip(&state.motion.bodies);
     for ((_, body), w) in bodies.zip(&state.forces.applied).filter(|((b, _), _)| !b.known) {
         add(w.force.dot(body.v));
         add(w.moment * body.omega);
     }
-    for (slot, effort) in scene.structure.efforts.iter().enumerate() {
+    for (slot, effort) in model.structure.efforts.iter().enumerate() {
         let value = state.forces.efforts[slot];
         add(match effort.kind {
             EffortKind::Angle(b) => value * state.motion.bodies[b.0].omega,
@@ -169,29 +169,29 @@ fn power(scene: &Scene<'_>, state: &State) -> f64 {
                 let body = &state.motion.bodies[b.0];
                 value * (body.v + (p - body.p).perp() * body.omega).dot(n)
             }
-            EffortKind::Coordinate(joint) => value * slider_speed(scene, state, joint),
+            EffortKind::Coordinate(joint) => value * slider_speed(model, state, joint),
             EffortKind::Point(_) => 0.0,
         });
     }
-    for (slot, joint) in scene.plan.reactions.iter().enumerate() {
-        if scene.structure.replaced.bodies[joint.base.0].known
-            && let JointKind::Revolute(members) = &scene.structure.replaced.joint(joint.joint).kind
+    for (slot, joint) in model.plan.reactions.iter().enumerate() {
+        if model.structure.replaced.bodies[joint.base.0].known
+            && let JointKind::Revolute(members) = &model.structure.replaced.joint(joint.joint).kind
         {
             let at = members.iter().find(|m| m.0 == joint.base).map_or(Vec2::zero(), |m| m.1);
             add(state.forces.reactions[slot].force.dot(state.motion.bodies[joint.base.0].velocity(at)));
         }
     }
-    for (element, &value) in scene.plan.friction.iter().zip(&state.forces.frictions) {
+    for (element, &value) in model.plan.friction.iter().zip(&state.forces.frictions) {
         add(value * state.sliding_speed(element));
     }
-    for (slot, law) in scene.plan.laws.iter().enumerate() {
+    for (slot, law) in model.plan.laws.iter().enumerate() {
         add(state.law_power(law, slot));
     }
-    sum.abs() / most_power(scene, state)
+    sum.abs() / most_power(model, state)
 }
 
 /// The greatest force times the greatest velocity of a joint: at dead positions every single power is nothing.
-fn most_power(scene: &Scene<'_>, state: &State) -> f64 {
+fn most_power(model: &Model<'_>, state: &State) -> f64 {
     let forces = state.forces.applied.iter().map(|w| w.force.norm());
     let force = forces.chain(state.forces.reactions.iter().map(|r| r.force.norm())).fold(0.0, f64::max);
     let (mut speed, mut turn) = (0.0_f64, 0.0_f64);
@@ -199,7 +199,7 @@ fn most_power(scene: &Scene<'_>, state: &State) -> f64 {
         speed = speed.max(state.motion.bodies[body.0].velocity(at).norm());
         turn = turn.max(state.motion.bodies[body.0].omega.abs());
     };
-    for joint in &scene.structure.replaced.joints {
+    for joint in &model.structure.replaced.joints {
         match &joint.kind {
             JointKind::Revolute(members) => members.iter().for_each(|(body, at)| look(*body, *at)),
             JointKind::Prismatic { slider, point, guide, through, .. } => {
@@ -214,8 +214,8 @@ fn most_power(scene: &Scene<'_>, state: &State) -> f64 {
     (force * speed + moment * turn).max(f64::MIN_POSITIVE)
 }
 
-fn slider_speed(scene: &Scene<'_>, state: &State, joint: crate::structure::JointId) -> f64 {
-    let JointKind::Prismatic { slider, point, guide, along, .. } = scene.structure.replaced.joint(joint).kind
+fn slider_speed(model: &Model<'_>, state: &State, joint: crate::structure::JointId) -> f64 {
+    let JointKind::Prismatic { slider, point, guide, along, .. } = model.structure.replaced.joint(joint).kind
     else {
         return 0.0;
     };

@@ -1,6 +1,6 @@
 //! One position as far as its plan goes: the one place that orders motion, loads, lines of forces and forces.
 
-use super::scene::Scene;
+use super::model::Model;
 use super::state::State;
 use crate::model::{LoadId, Value};
 use crate::plan::{Level, Plan};
@@ -27,9 +27,9 @@ impl State {
 
     /// Loads and forces of a state whose motion is known, with the values of the loads that are evaluated at every
     /// position, see [`State::run_loads`].
-    pub fn run_loads_and_forces(&mut self, scene: &Scene<'_>, evaluated: &[(LoadId, Value)]) {
-        self.run_loads(scene, evaluated);
-        self.run_balance(scene.plan);
+    pub fn run_loads_and_forces(&mut self, model: &Model<'_>, evaluated: &[(LoadId, Value)]) {
+        self.run_loads(model, evaluated);
+        self.run_balance(model.plan);
     }
 
     /// Forces from the loads in `wrenches`, which are kept for the residuals.

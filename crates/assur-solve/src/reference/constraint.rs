@@ -5,7 +5,7 @@
 use super::cam::CamLaw;
 use super::jet::{Jet, Moving, unit};
 use crate::math::{Double, Scalar, V2, Vec2};
-use crate::position::{BodyState, DriveInput, Scene, State};
+use crate::position::{BodyState, DriveInput, Model, State};
 use crate::structure::{BodyRate, EffortKind, EffortSource, JointId, JointKind};
 
 /// A scalar equation.
@@ -111,10 +111,10 @@ impl Constraint<'_> {
 }
 
 /// All equations of a mechanism, assembled as a state is.
-pub(super) fn constraints<'a>(scene: &Scene<'a>, state: &State) -> Option<Vec<Constraint<'a>>> {
+pub(super) fn constraints<'a>(model: &Model<'a>, state: &State) -> Option<Vec<Constraint<'a>>> {
     let mut all = Vec::new();
-    let replaced = &scene.structure.replaced;
-    let of_cam = |pair| scene.mechanism.cam_contacts.iter().any(|c| c.pair == pair);
+    let replaced = &model.structure.replaced;
+    let of_cam = |pair| model.mechanism.cam_contacts.iter().any(|c| c.pair == pair);
     for joint in replaced.joints.iter().filter(|j| !of_cam(j.pair)) {
         match &joint.kind {
             JointKind::Revolute(members) => {
@@ -129,7 +129,7 @@ pub(super) fn constraints<'a>(scene: &Scene<'a>, state: &State) -> Option<Vec<Co
             JointKind::Law(terms) => {
                 let terms = terms.iter().filter(|t| !matches!(t.0, BodyRate::Turn(b) if b.0 == 0));
                 let of =
-                    |(rate, c): &(BodyRate, f64)| Some((coordinate(scene, state, *rate)?, Double::of(*c)));
+                    |(rate, c): &(BodyRate, f64)| Some((coordinate(model, state, *rate)?, Double::of(*c)));
                 all.push(Constraint::Law(terms.map(of).collect::<Option<_>>()?));
             }
         }
@@ -139,7 +139,7 @@ pub(super) fn constraints<'a>(scene: &Scene<'a>, state: &State) -> Option<Vec<Co
         let by = Moving::turning(x_axis, Double::zero(), Double::zero());
         all.push(Constraint::Turned { a: (0, x_axis), b: (link.index(), x_axis), by });
     }
-    for drive in &scene.structure.drives {
+    for drive in &model.structure.drives {
         let EffortSource::Drive(id) = drive.source else { continue };
         let input = &state.motion.inputs[id.index()];
         match drive.kind {
@@ -147,11 +147,11 @@ pub(super) fn constraints<'a>(scene: &Scene<'a>, state: &State) -> Option<Vec<Co
             EffortKind::RelativeAngle { first, second, .. } => {
                 all.push(driven((first.0, x_axis), (second.0, x_axis), input));
             }
-            EffortKind::Coordinate(joint) => all.push(Constraint::Along(way(scene, joint)?, law(input))),
+            EffortKind::Coordinate(joint) => all.push(Constraint::Along(way(model, joint)?, law(input))),
             EffortKind::Line(_) | EffortKind::Point(_) => {}
         }
     }
-    all.extend(scene.plan.cams.iter().map(|step| Constraint::Cam(CamLaw::new(step))));
+    all.extend(model.plan.cams.iter().map(|step| Constraint::Cam(CamLaw::new(step))));
     Some(all)
 }
 
@@ -188,8 +188,8 @@ fn prismatic(kind: &JointKind, state: &State, all: &mut Vec<Constraint<'_>>) {
 }
 
 /// The coordinate of a prismatic joint.
-fn way(scene: &Scene<'_>, joint: JointId) -> Option<GuideRow> {
-    match scene.structure.replaced.joint(joint).kind {
+fn way(model: &Model<'_>, joint: JointId) -> Option<GuideRow> {
+    match model.structure.replaced.joint(joint).kind {
         JointKind::Prismatic { slider, point, guide, through, along, .. } => {
             Some(GuideRow { slider: slider.0, point, guide: guide.0, through, direction: unit(along) })
         }
@@ -197,9 +197,9 @@ fn way(scene: &Scene<'_>, joint: JointId) -> Option<GuideRow> {
     }
 }
 
-fn coordinate(scene: &Scene<'_>, state: &State, rate: BodyRate) -> Option<Coordinate> {
+fn coordinate(model: &Model<'_>, state: &State, rate: BodyRate) -> Option<Coordinate> {
     Some(match rate {
-        BodyRate::Slide(joint) => Coordinate::Slide(way(scene, joint)?),
+        BodyRate::Slide(joint) => Coordinate::Slide(way(model, joint)?),
         BodyRate::Turn(body) => {
             let angle = state.motion.bodies[body.0].turned;
             Coordinate::Turn { body: body.0, angle, near: Double::direction(angle) }

@@ -3,7 +3,7 @@
 use super::reference;
 use crate::math::{Double, V2};
 use crate::model::{LoadId, Value};
-use crate::position::{BodyState, Reaction, Scene, State, precise};
+use crate::position::{BodyState, Model, Reaction, State, precise};
 use crate::structure::JointKind;
 
 /// One position with twice the digits; without forces the lists of forces are empty.
@@ -24,8 +24,8 @@ pub struct Exact {
 /// # Given
 /// `evaluated` values of the loads that are expressions.
 #[must_use]
-pub fn exact(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]) -> Option<Exact> {
-    if let Some(found) = precise(scene.plan, state) {
+pub fn exact(model: &Model<'_>, state: &State, evaluated: &[(LoadId, Value)]) -> Option<Exact> {
+    if let Some(found) = precise(model.plan, state) {
         let closed = Exact {
             bodies: found.motion.bodies,
             reactions: found.forces.reactions,
@@ -34,7 +34,7 @@ pub fn exact(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]) ->
         };
         return found.motion.open.is_none().then_some(closed);
     }
-    let found = reference(scene, state, evaluated)?;
+    let found = reference(model, state, evaluated)?;
     Some(Exact {
         bodies: found.bodies,
         reactions: found.reactions,
@@ -60,10 +60,10 @@ impl Exact {
     }
 
     /// Puts reactions and efforts into a state.
-    pub(crate) fn round_forces(&self, scene: &Scene<'_>, state: &mut State) {
+    pub(crate) fn round_forces(&self, model: &Model<'_>, state: &mut State) {
         for (i, (out, r)) in state.forces.reactions.iter_mut().zip(&self.reactions).enumerate() {
             out.force = rounded(r.force);
-            if knows_couple(scene, i) {
+            if knows_couple(model, i) {
                 out.couple = r.couple.rounded();
             }
         }
@@ -78,9 +78,9 @@ impl Exact {
 
 /// Whether the couple of a reaction is determined: those of a chain of guides are shared as one likes.
 #[must_use]
-pub fn knows_couple(scene: &Scene<'_>, reaction: usize) -> bool {
-    let joint = scene.plan.reactions.get(reaction);
-    let kind = joint.map(|joint| &scene.structure.replaced.joint(joint.joint).kind);
+pub fn knows_couple(model: &Model<'_>, reaction: usize) -> bool {
+    let joint = model.plan.reactions.get(reaction);
+    let kind = joint.map(|joint| &model.structure.replaced.joint(joint.joint).kind);
     !matches!(kind, Some(JointKind::Prismatic { in_chain: true, .. }))
 }
 

@@ -7,7 +7,7 @@ use super::unknowns::{Kind, Unknown, unknowns};
 use crate::math::{Double, Factors, Scalar, V2};
 use crate::model::{LoadId, Value};
 use crate::plan::{FrictionElement, FrictionLaw};
-use crate::position::{Reaction, Scene, State, Wrench};
+use crate::position::{Model, Reaction, State, Wrench};
 
 type D = Double;
 
@@ -44,20 +44,20 @@ struct System<'a> {
 
 /// Forces of the position found; `None` where the equations do not determine them.
 pub(super) fn forces(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     state: &State,
     motion: &Motion<'_>,
     evaluated: &[(LoadId, Value)],
 ) -> Option<Forces> {
-    let plan = scene.plan;
-    let applied = loads::applied(scene, &motion.bodies, evaluated);
+    let plan = model.plan;
+    let applied = loads::applied(model, &motion.bodies, evaluated);
     let mut count = 0;
-    let rows = scene.structure.replaced.bodies.iter().map(|body| {
+    let rows = model.structure.replaced.bodies.iter().map(|body| {
         count += if body.known { 0 } else { 3 };
         (!body.known).then(|| count - 3)
     });
     let system = System {
-        unknowns: unknowns(scene, state, motion)?,
+        unknowns: unknowns(model, state, motion)?,
         elements: &plan.friction,
         weights: plan
             .friction
@@ -74,7 +74,7 @@ pub(super) fn forces(
         return None;
     }
     let values = system.solve(&applied, system.start(state))?;
-    let mut forces = system.kept(scene, &values);
+    let mut forces = system.kept(model, &values);
     forces.equilibrium = system.equilibrium(&applied, &values);
     let turned =
         forces.multipliers.iter().zip(&state.forces.law_forces).zip(&plan.laws).any(|((x, law), planned)| {
@@ -238,8 +238,8 @@ impl System<'_> {
         })
     }
 
-    fn kept(&self, scene: &Scene<'_>, values: &[D]) -> Forces {
-        let plan = scene.plan;
+    fn kept(&self, model: &Model<'_>, values: &[D]) -> Forces {
+        let plan = model.plan;
         let mut forces = Forces {
             reactions: vec![Reaction::default(); plan.reactions.len()],
             efforts: vec![D::zero(); plan.efforts],

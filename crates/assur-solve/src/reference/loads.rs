@@ -4,7 +4,7 @@ use super::jet::unit;
 use crate::math::{Double, Scalar, V2, Vec2};
 use crate::model::{Expr, LoadId, LoadKind, PairId, PairKind, Place, Value};
 use crate::plan::{Anchor, LoadStep};
-use crate::position::{BodyState, Scene, Wrench};
+use crate::position::{BodyState, Model, Wrench};
 use crate::structure::JointKind;
 
 type D = Double;
@@ -17,14 +17,14 @@ pub(super) struct Loads<'a> {
 
 /// All loads of the plan.
 pub(super) fn applied(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     bodies: &[BodyState<D>],
     evaluated: &[(LoadId, Value)],
 ) -> Vec<Wrench<D>> {
     let mut loads = Loads { bodies, sums: vec![Wrench::default(); bodies.len()] };
-    scene.plan.loads.iter().for_each(|step| loads.step(step));
+    model.plan.loads.iter().for_each(|step| loads.step(step));
     for (load, value) in evaluated {
-        loads.evaluated(scene, *load, *value);
+        loads.evaluated(model, *load, *value);
     }
     loads.sums
 }
@@ -77,8 +77,8 @@ impl Loads<'_> {
         self.force(ends[1].body, p[1], -(along * tension));
     }
 
-    fn evaluated(&mut self, scene: &Scene<'_>, load: LoadId, value: Value) {
-        match (&scene.mechanism.loads[load.index()].kind, value) {
+    fn evaluated(&mut self, model: &Model<'_>, load: LoadId, value: Value) {
+        match (&model.mechanism.loads[load.index()].kind, value) {
             (
                 LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
                 Value::Vector(force),
@@ -92,22 +92,22 @@ impl Loads<'_> {
             }
             (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => self.couple(on.index(), D::of(torque)),
             (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => {
-                self.in_pair(scene, *pair, D::of(effort))
+                self.in_pair(model, *pair, D::of(effort))
             }
             _ => {}
         }
     }
 
     /// An effort between the two links of a pair.
-    fn in_pair(&mut self, scene: &Scene<'_>, pair: PairId, effort: D) {
-        if let PairKind::Revolute(pins) = &scene.mechanism.pair(pair).kind {
+    fn in_pair(&mut self, model: &Model<'_>, pair: PairId, effort: D) {
+        if let PairKind::Revolute(pins) = &model.mechanism.pair(pair).kind {
             if let [first, second] = pins.as_slice() {
                 self.couple(second.link.index(), effort);
                 self.couple(first.link.index(), -effort);
             }
             return;
         }
-        let replaced = &scene.structure.replaced;
+        let replaced = &model.structure.replaced;
         for joint in replaced.joints_of(pair) {
             if let JointKind::Prismatic { slider, point, direction, guide, .. } = &replaced.joint(joint).kind
             {

@@ -26,7 +26,7 @@ pub use exact::{Exact, exact, knows_couple};
 
 use crate::math::Double;
 use crate::model::{LoadId, Value};
-use crate::position::{BodyState, Reaction, Scene, State, Wrench};
+use crate::position::{BodyState, Model, Reaction, State, Wrench};
 
 /// A position with about 30 digits. Slots are those of the [`State`] it belongs to; without forces their lists are empty.
 #[derive(Clone, Debug)]
@@ -53,11 +53,11 @@ pub struct Reference {
 /// `PoseAnswers::evaluated_loads`). `None` where the position is so near to a singular one that there is none near the
 /// state's, or where the equations are not as many as the unknowns. A locked state has no forces.
 #[must_use]
-pub fn reference(scene: &Scene<'_>, state: &State, evaluated: &[(LoadId, Value)]) -> Option<Reference> {
-    let motion = motion::motion(scene, state)?;
-    let balanced = scene.plan.effects.forces && !scene.plan.forces.is_empty() && !state.forces.locked;
+pub fn reference(model: &Model<'_>, state: &State, evaluated: &[(LoadId, Value)]) -> Option<Reference> {
+    let motion = motion::motion(model, state)?;
+    let balanced = model.plan.effects.forces && !model.plan.forces.is_empty() && !state.forces.locked;
     let forces =
-        if balanced { forces::forces(scene, state, &motion, evaluated)? } else { forces::Forces::default() };
+        if balanced { forces::forces(model, state, &motion, evaluated)? } else { forces::Forces::default() };
     Some(Reference {
         closure: motion.closure,
         bodies: motion.bodies,

@@ -4,7 +4,7 @@ use super::constraint::{Constraint, constraints};
 use super::jet::Jet;
 use crate::math::{Double, Factors, Scalar, V2, Vec2};
 use crate::plan::Level;
-use crate::position::{BodyState, Scene, State};
+use crate::position::{BodyState, Model, State};
 use crate::structure::JointKind;
 
 /// Steps of Newton's method: from the digits of `f64` three suffice.
@@ -35,23 +35,23 @@ pub(super) struct Motion<'a> {
 }
 
 /// Motion as far as the plan follows it; `None` where Newton's method does not settle on a position near that of the state.
-pub(super) fn motion<'a>(scene: &Scene<'a>, state: &State) -> Option<Motion<'a>> {
+pub(super) fn motion<'a>(model: &Model<'a>, state: &State) -> Option<Motion<'a>> {
     let mut motion = Motion {
         bodies: state.motion.bodies.iter().map(at_rest).collect(),
-        constraints: constraints(scene, state)?,
-        size: size(scene, state),
+        constraints: constraints(model, state)?,
+        size: size(model, state),
         closure: 0.0,
         columns: Vec::new(),
         count: 0,
     };
-    for &(body, at, drive) in &scene.plan.outer {
+    for &(body, at, drive) in &model.plan.outer {
         let input = &state.motion.inputs[drive];
         let body = &mut motion.bodies[body];
         body.u = V2::new(Double::one(), Double::zero());
         body.p = V2::of(input.place) - V2::of(at);
     }
-    for (slot, body) in scene.structure.replaced.bodies.iter().enumerate() {
-        let known = body.known || scene.plan.cams.iter().any(|step| step.block == slot);
+    for (slot, body) in model.structure.replaced.bodies.iter().enumerate() {
+        let known = body.known || model.plan.cams.iter().any(|step| step.block == slot);
         motion.columns.push((!known).then_some(motion.count));
         motion.count += if known { 0 } else { 3 };
     }
@@ -59,7 +59,7 @@ pub(super) fn motion<'a>(scene: &Scene<'a>, state: &State) -> Option<Motion<'a>>
         return None;
     }
     motion.position()?;
-    motion.rates(scene, state)?;
+    motion.rates(model, state)?;
     let Motion { constraints, bodies, .. } = &mut motion;
     for constraint in constraints.iter() {
         if let Constraint::Cam(law) = constraint {
@@ -75,9 +75,9 @@ fn at_rest(body: &BodyState) -> BodyState<Double> {
 }
 
 /// The greatest coordinate in play, m; 1 where all are zero.
-fn size(scene: &Scene<'_>, state: &State) -> f64 {
+fn size(model: &Model<'_>, state: &State) -> f64 {
     let mut size = 0.0_f64;
-    for joint in &scene.structure.replaced.joints {
+    for joint in &model.structure.replaced.joints {
         let mut reach = |body: usize, at: Vec2| {
             let body = &state.motion.bodies[body];
             size = size.max(body.p.norm()).max(body.position(at).norm());
@@ -155,13 +155,13 @@ impl Motion<'_> {
     }
 
     /// Velocities, then accelerations, as far as the plan goes, each corrected by what the equations say of it.
-    fn rates(&mut self, scene: &Scene<'_>, state: &State) -> Option<()> {
-        let level = scene.plan.effects.level;
+    fn rates(&mut self, model: &Model<'_>, state: &State) -> Option<()> {
+        let level = model.plan.effects.level;
         if level == Level::Positions {
             return Some(());
         }
         let factors = Factors::new(self.matrix())?;
-        for &(body, _, drive) in &scene.plan.outer {
+        for &(body, _, drive) in &model.plan.outer {
             self.bodies[body].v = V2::of(state.motion.inputs[drive].velocity);
         }
         for _ in 0..CORRECTIONS {
@@ -169,7 +169,7 @@ impl Motion<'_> {
             self.add(&factors.solve(&rates), |b| (&mut b.v, &mut b.omega));
         }
         if level == Level::Accelerations {
-            for &(body, _, drive) in &scene.plan.outer {
+            for &(body, _, drive) in &model.plan.outer {
                 self.bodies[body].a = V2::of(state.motion.inputs[drive].point_acceleration);
             }
             for _ in 0..CORRECTIONS {

@@ -5,7 +5,7 @@ use super::jet::unit;
 use super::motion::Motion;
 use crate::math::{Double, Scalar, V2, Vec2};
 use crate::plan::{Guide, LawSite, PlannedLaw};
-use crate::position::{BodyState, Scene, State};
+use crate::position::{BodyState, Model, State};
 use crate::structure::{BodyOrigin, EffortKind, JointKind};
 
 type D = Double;
@@ -66,19 +66,19 @@ impl<'a> Unit<'a> {
 }
 
 /// All unknown forces; `None` where a contact of the state has no normal.
-pub(super) fn unknowns(scene: &Scene<'_>, state: &State, motion: &Motion<'_>) -> Option<Vec<Unknown>> {
+pub(super) fn unknowns(model: &Model<'_>, state: &State, motion: &Motion<'_>) -> Option<Vec<Unknown>> {
     let bodies = motion.bodies.as_slice();
     let unit = || Unit::new(bodies);
-    let mut all = reactions(scene, bodies);
-    for link in &scene.structure.passive {
+    let mut all = reactions(model, bodies);
+    for link in &model.structure.passive {
         all.push(unit().couple(link.index(), 0, D::one()).of(Kind::Passive));
     }
-    for (slot, effort) in scene.structure.efforts.iter().enumerate() {
+    for (slot, effort) in model.structure.efforts.iter().enumerate() {
         let on = match effort.kind {
             EffortKind::Angle(body) => unit().couple(body.0, 0, D::one()),
             EffortKind::RelativeAngle { first, second, .. } => unit().couple(second.0, first.0, D::one()),
             EffortKind::Line(body) => {
-                let line = scene.plan.lines.iter().find(|line| line.effort == slot)?;
+                let line = model.plan.lines.iter().find(|line| line.effort == slot)?;
                 let along = super::jet::unit(line.along);
                 let along = line.frame.map_or(along, |f| along.turned(bodies[f].u));
                 let mut unit = unit();
@@ -87,7 +87,7 @@ pub(super) fn unknowns(scene: &Scene<'_>, state: &State, motion: &Motion<'_>) ->
             }
             EffortKind::Coordinate(joint) => {
                 let JointKind::Prismatic { slider, point, direction, guide, .. } =
-                    scene.structure.replaced.joint(joint).kind
+                    model.structure.replaced.joint(joint).kind
                 else {
                     return None;
                 };
@@ -99,10 +99,10 @@ pub(super) fn unknowns(scene: &Scene<'_>, state: &State, motion: &Motion<'_>) ->
         };
         all.push(on.of(Kind::Effort(slot)));
     }
-    for (slot, law) in scene.plan.laws.iter().enumerate() {
+    for (slot, law) in model.plan.laws.iter().enumerate() {
         all.push(of_law(bodies, state, law, slot).of(Kind::Multiplier(slot)));
     }
-    for (index, element) in scene.plan.friction.iter().enumerate() {
+    for (index, element) in model.plan.friction.iter().enumerate() {
         let unit = match friction_line(element, state, motion)? {
             None => unit().couple(element.through, element.base, D::one()),
             Some((p, along)) => unit().force(element.through, element.base, p, along),
@@ -113,10 +113,10 @@ pub(super) fn unknowns(scene: &Scene<'_>, state: &State, motion: &Motion<'_>) ->
 }
 
 /// Forces and couples of all joints, on the joints' bodies.
-fn reactions(scene: &Scene<'_>, bodies: &[BodyState<D>]) -> Vec<Unknown> {
-    let replaced = &scene.structure.replaced;
+fn reactions(model: &Model<'_>, bodies: &[BodyState<D>]) -> Vec<Unknown> {
+    let replaced = &model.structure.replaced;
     let mut all = Vec::new();
-    for (slot, at) in scene.plan.reactions.iter().enumerate() {
+    for (slot, at) in model.plan.reactions.iter().enumerate() {
         let (body, base) = (at.body.0, at.base.0);
         let joint = replaced.joint(at.joint);
         match &joint.kind {
@@ -125,7 +125,7 @@ fn reactions(scene: &Scene<'_>, bodies: &[BodyState<D>]) -> Vec<Unknown> {
                 let block = members
                     .iter()
                     .find(|m| replaced.bodies[m.0.0].origin == BodyOrigin::Imaginary(joint.pair));
-                let of_cam = scene.mechanism.cam_contacts.iter().any(|c| c.pair == joint.pair);
+                let of_cam = model.mechanism.cam_contacts.iter().any(|c| c.pair == joint.pair);
                 let member = members.iter().find(|m| m.0 == at.body);
                 let (on, pin) =
                     if of_cam { block } else { member }.map_or((body, Vec2::zero()), |m| (m.0.0, m.1));

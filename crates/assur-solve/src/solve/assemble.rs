@@ -5,7 +5,7 @@ use crate::math::Vec2;
 use crate::message::{SolveError, ambiguous, does_not_close, not_met};
 use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
-use crate::position::{BodyState, Branch, SAME, STARTS, Scene, State, Workspace, extent};
+use crate::position::{BodyState, Branch, Model, SAME, STARTS, State, Workspace, extent};
 
 /// More assemblies than this are not followed: without a word on the first groups their number doubles with each.
 const MOST: usize = 256;
@@ -30,25 +30,25 @@ pub(super) struct Assembly {
 }
 
 impl Assembly {
-    pub(crate) fn of(scene: &Scene<'_>, state: &State, index: usize) -> Self {
-        let work = match &scene.plan.motion[index] {
+    pub(crate) fn of(model: &Model<'_>, state: &State, index: usize) -> Self {
+        let work = match &model.plan.motion[index] {
             MotionStep::General { problem, .. } => {
                 state.scratch.motion_work.get(*problem).cloned().flatten().map(|work| (*problem, work))
             }
             _ => None,
         };
-        let bodies = scene.structure.motion[index].bodies.iter().map(|b| state.motion.bodies[b.0]).collect();
+        let bodies = model.structure.motion[index].bodies.iter().map(|b| state.motion.bodies[b.0]).collect();
         let (sine, certificate) = (state.motion.conditions[index], state.motion.certificates[index]);
         Self { branch: state.branches[index], sine, certificate, bodies, work }
     }
 
     /// Puts the group of a state this way.
-    pub(super) fn put(&self, scene: &Scene<'_>, state: &mut State, index: usize) {
+    pub(super) fn put(&self, model: &Model<'_>, state: &mut State, index: usize) {
         state.branches[index] = self.branch;
         state.motion.conditions[index] = self.sine;
         state.motion.certificates[index] = self.certificate;
         state.motion.open = None;
-        for (body, stands) in scene.structure.motion[index].bodies.iter().zip(&self.bodies) {
+        for (body, stands) in model.structure.motion[index].bodies.iter().zip(&self.bodies) {
             state.motion.bodies[body.0] = *stands;
         }
         if let Some((problem, work)) = &self.work {
@@ -63,55 +63,55 @@ impl Assembly {
 }
 
 /// Assembles the mechanism for the inputs set in `start`.
-pub(crate) fn assemble(scene: &Scene<'_>, start: State) -> Result<State, SolveError> {
-    assemble_from(scene, start, STARTS)
+pub(crate) fn assemble(model: &Model<'_>, start: State) -> Result<State, SolveError> {
+    assemble_from(model, start, STARTS)
 }
 
 /// As [`assemble`], with a given number of starts of the search for the assemblies of a general group.
-pub(super) fn assemble_from(scene: &Scene<'_>, start: State, starts: usize) -> Result<State, SolveError> {
+pub(super) fn assemble_from(model: &Model<'_>, start: State, starts: usize) -> Result<State, SolveError> {
     let mut start = start;
-    start.start(scene.plan);
-    let extent = extent(scene);
-    let hints = hints_by_group(scene);
+    start.start(model.plan);
+    let extent = extent(model);
+    let hints = hints_by_group(model);
     let mut candidates = vec![Candidate { state: start, far: 0.0 }];
     for (index, hints) in hints.iter().enumerate() {
         let mut ways: Vec<(usize, Assembly)> = Vec::new();
         for (i, candidate) in candidates.iter_mut().enumerate() {
             ways.extend(
-                ways_from(scene, &mut candidate.state, index, extent, starts).into_iter().map(|way| (i, way)),
+                ways_from(model, &mut candidate.state, index, extent, starts).into_iter().map(|way| (i, way)),
             );
         }
         if ways.is_empty() {
             let state = candidates.swap_remove(0).state;
-            return Err(does_not_close(scene, state, index, ""));
+            return Err(does_not_close(model, state, index, ""));
         }
-        candidates = choose(scene, hints, candidates, ways, index)?;
+        candidates = choose(model, hints, candidates, ways, index)?;
         if candidates.len() > MOST {
             // those nearest to the places named so far go on, unless nothing tells them apart
             candidates.sort_by(|a, b| a.far.total_cmp(&b.far));
             if candidates[MOST].far.total_cmp(&candidates[0].far).is_le() {
-                return Err(ambiguous(scene, &states(&candidates)));
+                return Err(ambiguous(model, &states(&candidates)));
             }
             candidates.truncate(MOST);
         }
     }
-    nearest(scene, candidates)
+    nearest(model, candidates)
 }
 
 /// All ways in which a group can stand, each once.
-pub(super) fn every_way(scene: &Scene<'_>, state: &mut State, index: usize, extent: f64) -> Vec<Assembly> {
-    ways_from(scene, state, index, extent, STARTS)
+pub(super) fn every_way(model: &Model<'_>, state: &mut State, index: usize, extent: f64) -> Vec<Assembly> {
+    ways_from(model, state, index, extent, STARTS)
 }
 
 fn ways_from(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     state: &mut State,
     index: usize,
     extent: f64,
     starts: usize,
 ) -> Vec<Assembly> {
     let mut ways: Vec<Assembly> = Vec::new();
-    for way in assemblies(scene, state, index, starts) {
+    for way in assemblies(model, state, index, starts) {
         if !ways.iter().any(|w| w.is_same(&way, extent)) {
             ways.push(way);
         }
@@ -120,17 +120,17 @@ fn ways_from(
 }
 
 /// All ways in which a group can stand; leaves it in one of them.
-fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize) -> Vec<Assembly> {
-    let step = &scene.plan.motion[index];
+fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize) -> Vec<Assembly> {
+    let step = &model.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
-        let group = &scene.plan.general[*problem];
+        let group = &model.plan.general[*problem];
         let mut found = crate::position::general_assemblies(state, index, *problem, group, starts);
-        found.retain(|state| cylinders_are_positive(scene, state, index));
-        return found.iter().map(|state| Assembly::of(scene, state, index)).collect();
+        found.retain(|state| cylinders_are_positive(model, state, index));
+        return found.iter().map(|state| Assembly::of(model, state, index)).collect();
     }
     if let MotionStep::Triad { triad, .. } = step {
         let found = crate::position::triad_assemblies(state, index, triad);
-        return found.iter().map(|state| Assembly::of(scene, state, index)).collect();
+        return found.iter().map(|state| Assembly::of(model, state, index)).collect();
     }
     let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
     let round = radii(step).map(|r| r != 0.0);
@@ -141,9 +141,9 @@ fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize)
             for &second in &sides(round[1]) {
                 state.branches[index] = Branch { root, sides: [first, second], general_sides: 0 };
                 state.motion.open = None;
-                state.step::<0>(scene.plan, step);
-                if state.motion.open.is_none() && cylinders_are_positive(scene, state, index) {
-                    out.push(Assembly::of(scene, state, index));
+                state.step::<0>(model.plan, step);
+                if state.motion.open.is_none() && cylinders_are_positive(model, state, index) {
+                    out.push(Assembly::of(model, state, index));
                 }
             }
         }
@@ -152,15 +152,15 @@ fn assemblies(scene: &Scene<'_>, state: &mut State, index: usize, starts: usize)
 }
 
 /// The coordinate of a cylinder is a distance: what would turn rod against barrel is no assembly.
-fn cylinders_are_positive(scene: &Scene<'_>, state: &State, index: usize) -> bool {
-    let pairs = scene.structure.motion[index]
+fn cylinders_are_positive(model: &Model<'_>, state: &State, index: usize) -> bool {
+    let pairs = model.structure.motion[index]
         .joints
         .iter()
         .filter(|j| j.prismatic)
-        .map(|j| scene.structure.replaced.joint(j.joint).pair);
+        .map(|j| model.structure.replaced.joint(j.joint).pair);
     pairs
-        .filter(|p| matches!(scene.mechanism.pair(*p).kind, PairKind::Cylinder { .. }))
-        .all(|p| PoseAnswers::bare(scene, state).displacement(p) >= 0.0)
+        .filter(|p| matches!(model.mechanism.pair(*p).kind, PairKind::Cylinder { .. }))
+        .all(|p| PoseAnswers::bare(model, state).displacement(p) >= 0.0)
 }
 
 /// Radii of the round profiles of a step's prismatic joints.
@@ -176,14 +176,14 @@ fn radii(step: &MotionStep) -> [f64; 2] {
 }
 
 /// The hints that are settled with each group: those that speak of links of no later one.
-fn hints_by_group<'a>(scene: &Scene<'a>) -> Vec<Vec<&'a Hint>> {
-    let mut settled = vec![None; scene.structure.replaced.bodies.len()];
-    for (i, group) in scene.structure.motion.iter().enumerate() {
+fn hints_by_group<'a>(model: &Model<'a>) -> Vec<Vec<&'a Hint>> {
+    let mut settled = vec![None; model.structure.replaced.bodies.len()];
+    for (i, group) in model.structure.motion.iter().enumerate() {
         group.bodies.iter().for_each(|b| settled[b.0] = Some(i));
     }
-    let mut hints = vec![Vec::new(); scene.structure.motion.len()];
-    for hint in &scene.mechanism.hints {
-        let last = links_of(scene, hint).into_iter().filter_map(|l| settled[l.index()]).max();
+    let mut hints = vec![Vec::new(); model.structure.motion.len()];
+    for hint in &model.mechanism.hints {
+        let last = links_of(model, hint).into_iter().filter_map(|l| settled[l.index()]).max();
         if let Some(last) = last {
             hints[last].push(hint);
         }
@@ -191,16 +191,16 @@ fn hints_by_group<'a>(scene: &Scene<'a>) -> Vec<Vec<&'a Hint>> {
     hints
 }
 
-fn links_of(scene: &Scene<'_>, hint: &Hint) -> Vec<LinkId> {
+fn links_of(model: &Model<'_>, hint: &Hint) -> Vec<LinkId> {
     match &hint.kind {
         HintKind::Side { point, from, to, .. } => vec![point.0, from.0, to.0],
         HintKind::Along { point, other, pair, .. } => {
-            let mut links = scene.mechanism.pair(*pair).kind.links();
+            let mut links = model.mechanism.pair(*pair).kind.links();
             links.extend([point.0, other.0]);
             links
         }
         HintKind::Coordinate { pair, .. } => {
-            let kind = &scene.mechanism.pair(*pair).kind;
+            let kind = &model.mechanism.pair(*pair).kind;
             let mut links = kind.links();
             if let PairKind::Cylinder { barrel, rod, .. } = kind {
                 links.extend([*barrel, *rod]);
@@ -213,7 +213,7 @@ fn links_of(scene: &Scene<'_>, hint: &Hint) -> Vec<LinkId> {
 
 /// Keeps the ways that fit the hints settled by this group, and adds the distances of its `near` clauses.
 fn choose(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     hints: &[&Hint],
     mut candidates: Vec<Candidate>,
     mut ways: Vec<(usize, Assembly)>,
@@ -222,7 +222,7 @@ fn choose(
     let built = |candidates: &[Candidate], ways: &[(usize, Assembly)]| -> Vec<Candidate> {
         let each = ways.iter().map(|(i, way)| {
             let mut candidate = candidates[*i].clone();
-            way.put(scene, &mut candidate.state, index);
+            way.put(model, &mut candidate.state, index);
             candidate
         });
         each.collect()
@@ -230,19 +230,19 @@ fn choose(
     for hint in hints.iter().filter(|h| !matches!(h.kind, HintKind::Near { .. })) {
         let (fit, other): (Vec<_>, Vec<_>) = ways.into_iter().partition(|(i, way)| {
             let state = &mut candidates[*i].state;
-            way.put(scene, state, index);
-            fits(scene, state, &hint.kind)
+            way.put(model, state, index);
+            fits(model, state, &hint.kind)
         });
         if fit.is_empty() {
             let other = built(&candidates, &other);
-            return Err(not_met(scene, hint, &states(&other), index));
+            return Err(not_met(model, hint, &states(&other), index));
         }
         ways = fit;
     }
     let mut next = match (candidates.as_mut_slice(), ways.as_slice()) {
         // the common case copies nothing
         ([one], [(_, way)]) => {
-            way.put(scene, &mut one.state, index);
+            way.put(model, &mut one.state, index);
             candidates
         }
         _ => built(&candidates, &ways),
@@ -258,7 +258,7 @@ fn choose(
     Ok(next)
 }
 
-fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
+fn fits(model: &Model<'_>, state: &State, hint: &HintKind) -> bool {
     let at = |p: &(LinkId, Vec2)| state.motion.bodies[p.0.index()].position(p.1);
     match hint {
         HintKind::Side { point, from, to, left } => {
@@ -267,17 +267,17 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
             if *left { side >= 0.0 } else { side <= 0.0 }
         }
         HintKind::Along { point, other, pair, ahead } => {
-            let view = PoseAnswers::bare(scene, state);
+            let view = PoseAnswers::bare(model, state);
             let Some(guide) = view.guide(*pair) else { return true };
             let along = (at(point) - at(other)).dot(view.along(&guide));
             if *ahead { along >= 0.0 } else { along <= 0.0 }
         }
         HintKind::Coordinate { pair, bound, greater } => {
             // angles are asked for by revolute pairs alone
-            let revolute = matches!(scene.mechanism.pair(*pair).kind, PairKind::Revolute(_));
+            let revolute = matches!(model.mechanism.pair(*pair).kind, PairKind::Revolute(_));
             let angles: Vec<f64> =
                 if revolute { state.motion.bodies.iter().map(|b| b.u.angle()).collect() } else { Vec::new() };
-            let view = PoseAnswers { angles: &angles, ..PoseAnswers::bare(scene, state) };
+            let view = PoseAnswers { angles: &angles, ..PoseAnswers::bare(model, state) };
             let value = view.displacement(*pair);
             if *greater { value >= *bound } else { value <= *bound }
         }
@@ -286,12 +286,12 @@ fn fits(scene: &Scene<'_>, state: &State, hint: &HintKind) -> bool {
 }
 
 /// The one candidate, or that with the least sum of squared distances.
-fn nearest(scene: &Scene<'_>, candidates: Vec<Candidate>) -> Result<State, SolveError> {
+fn nearest(model: &Model<'_>, candidates: Vec<Candidate>) -> Result<State, SolveError> {
     let least = candidates.iter().map(|c| c.far).fold(f64::INFINITY, f64::min);
-    let close = extent(scene) * SAME;
+    let close = extent(model) * SAME;
     let mut best: Vec<Candidate> =
         candidates.into_iter().filter(|c| c.far.sqrt() <= least.sqrt() + close || c.far.is_nan()).collect();
-    if best.len() == 1 { Ok(best.swap_remove(0).state) } else { Err(ambiguous(scene, &states(&best))) }
+    if best.len() == 1 { Ok(best.swap_remove(0).state) } else { Err(ambiguous(model, &states(&best))) }
 }
 
 fn states(candidates: &[Candidate]) -> Vec<&State> {

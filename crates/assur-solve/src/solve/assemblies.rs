@@ -7,7 +7,7 @@ use super::positions::Sweep;
 use crate::message::{
     SolveError, does_not_close, lines, missing_speeds, near_lines, not_supported, place, with_pose,
 };
-use crate::position::{Scene, State, extent};
+use crate::position::{Model, State, extent};
 use crate::structure::GroupKind;
 
 /// The assemblies at the first position.
@@ -47,22 +47,22 @@ pub struct AssemblyLine {
 ///
 /// # Errors
 /// Constructs not supported yet, requests without the speeds they need, strokes that do not exist.
-pub fn assemblies(scene: &Scene<'_>) -> Result<Assemblies, Vec<SolveError>> {
-    let mut errors = not_supported(scene.mechanism);
-    errors.extend(missing_speeds(scene));
+pub fn assemblies(model: &Model<'_>) -> Result<Assemblies, Vec<SolveError>> {
+    let mut errors = not_supported(model.mechanism);
+    errors.extend(missing_speeds(model));
     if !errors.is_empty() {
         return Err(errors);
     }
     let mut out = Assemblies { pose: String::new(), groups: Vec::new(), problem: None };
-    if scene.mechanism.links.len() < 2 {
+    if model.mechanism.links.len() < 2 {
         return Ok(out);
     }
-    let statics = statics(scene).map_err(|e| vec![e])?;
-    let first = Sweep::of(scene, &statics).at(0);
-    out.pose = place(scene, &first);
-    let mut state = State::new(scene.plan);
-    Rates::of(scene, &statics).at(&first.drives, &mut state.motion.inputs);
-    let whole = match assemble(scene, state.clone()) {
+    let statics = statics(model).map_err(|e| vec![e])?;
+    let first = Sweep::of(model, &statics).at(0);
+    out.pose = place(model, &first);
+    let mut state = State::new(model.plan);
+    Rates::of(model, &statics).at(&first.drives, &mut state.motion.inputs);
+    let whole = match assemble(model, state.clone()) {
         Ok(whole) => Some(whole),
         Err(SolveError::Ambiguous { .. }) => None,
         Err(error) => {
@@ -70,46 +70,46 @@ pub fn assemblies(scene: &Scene<'_>) -> Result<Assemblies, Vec<SolveError>> {
             None
         }
     };
-    state.start(scene.plan);
-    let extent = extent(scene);
-    for (index, group) in scene.structure.motion.iter().enumerate() {
-        let ways = every_way(scene, &mut state, index, extent);
+    state.start(model.plan);
+    let extent = extent(model);
+    for (index, group) in model.structure.motion.iter().enumerate() {
+        let ways = every_way(model, &mut state, index, extent);
         let Some(first) = ways.first() else {
-            out.problem.get_or_insert_with(|| does_not_close(scene, state, index, &out.pose));
+            out.problem.get_or_insert_with(|| does_not_close(model, state, index, &out.pose));
             break;
         };
-        let stands = whole.as_ref().map(|whole| Assembly::of(scene, whole, index));
+        let stands = whole.as_ref().map(|whole| Assembly::of(model, whole, index));
         let chosen = |way: &Assembly| stands.as_ref().is_some_and(|s| s.is_same(way, extent));
         let next = ways.iter().find(|way| chosen(way)).unwrap_or(first);
         if ways.len() > 1 || group.kind != GroupKind::Driven {
             let modes = ways
                 .iter()
-                .zip(choosing(scene, &state, &ways, index))
+                .zip(choosing(model, &state, &ways, index))
                 .map(|(way, line)| AssemblyLine { line, condition: way.sine.abs(), chosen: chosen(way) });
-            let searched = matches!(scene.plan.motion[index], crate::plan::MotionStep::General { .. });
+            let searched = matches!(model.plan.motion[index], crate::plan::MotionStep::General { .. });
             out.groups.push(GroupAssemblies { group: index, assemblies: modes.collect(), searched });
         }
-        next.put(scene, &mut state, index);
+        next.put(model, &mut state, index);
     }
     Ok(out)
 }
 
 /// A line for every way; none for the only one.
-fn choosing(scene: &Scene<'_>, before: &State, ways: &[Assembly], index: usize) -> Vec<Option<String>> {
+fn choosing(model: &Model<'_>, before: &State, ways: &[Assembly], index: usize) -> Vec<Option<String>> {
     if ways.len() < 2 {
         return vec![None; ways.len()];
     }
     let each = ways.iter().map(|way| {
         let mut state = before.clone();
-        way.put(scene, &mut state, index);
+        way.put(model, &mut state, index);
         state
     });
     let states: Vec<State> = each.collect();
     let states: Vec<&State> = states.iter().collect();
-    let group = &scene.structure.motion[index];
-    let mut found = lines(scene, &states, group);
+    let group = &model.structure.motion[index];
+    let mut found = lines(model, &states, group);
     if found.len() != ways.len() {
-        found = near_lines(scene, &states, group);
+        found = near_lines(model, &states, group);
     }
     let mut found = found.into_iter();
     ways.iter().map(|_| found.next()).collect()

@@ -5,30 +5,30 @@ use crate::answer::{NoExtreme, WholeCycle, every_query};
 use crate::language::Function;
 use crate::message::{SolveError, no_extreme};
 use crate::model::{Mechanism, PairId};
-use crate::position::{Scene, turns};
+use crate::position::{Model, turns};
 
 /// Finds the extremes of every pair whose `dead`, `stroke`, `travel` or `time_ratio` the file names.
-pub(crate) fn statics(scene: &Scene<'_>) -> Result<WholeCycle, SolveError> {
-    let wanted = wanted(scene.mechanism);
+pub(crate) fn statics(model: &Model<'_>) -> Result<WholeCycle, SolveError> {
+    let wanted = wanted(model.mechanism);
     let Some(first) = wanted.first() else { return Ok(WholeCycle::EMPTY) };
     let none = |ask: &Asked, why: NoExtreme| {
-        let pair = scene.mechanism.pair(ask.pair);
+        let pair = model.mechanism.pair(ask.pair);
         let which = ask.which.map_or_else(String::new, |which| format!(", {which}"));
-        no_extreme(scene, pair, format!("{}({}{which})", ask.function.name(), pair.name), why)
+        no_extreme(model, pair, format!("{}({}{which})", ask.function.name(), pair.name), why)
     };
-    match scene.mechanism.drives.as_slice() {
-        [drive] if turns(scene, drive) => {}
+    match model.mechanism.drives.as_slice() {
+        [drive] if turns(model, drive) => {}
         [_] => return Err(none(first, NoExtreme::Slides)),
         _ => return Err(none(first, NoExtreme::Drives)),
     }
     let pairs: Vec<PairId> = wanted.iter().map(|ask| ask.pair).collect();
-    let turn = Turn::new(scene, &pairs).map_err(|why| match why {
+    let turn = Turn::new(model, &pairs).map_err(|why| match why {
         Failure::Error(e) => *e,
         Failure::Open(limit) => none(first, NoExtreme::NoTurn(limit)),
     })?;
     let mut out = Vec::new();
     for (i, ask) in wanted.iter().enumerate() {
-        let extremes = turn.extremes(scene, i).ok_or_else(|| none(ask, NoExtreme::Monotonic))?;
+        let extremes = turn.extremes(model, i).ok_or_else(|| none(ask, NoExtreme::Monotonic))?;
         out.push((ask.pair, extremes));
     }
     Ok(WholeCycle { extremes: out, ..WholeCycle::EMPTY })

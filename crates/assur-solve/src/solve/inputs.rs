@@ -3,7 +3,7 @@
 use crate::answer::{WholeCycle, constant};
 use crate::math::Vec2;
 use crate::model::{Drive, Value};
-use crate::position::{DriveInput, DriveValue, Scene};
+use crate::position::{DriveInput, DriveValue, Model};
 
 /// Rates of the drives: the same at every position.
 #[derive(Clone, Debug)]
@@ -11,14 +11,14 @@ pub(crate) struct Rates(Vec<DriveInput>);
 
 impl Rates {
     /// The speeds of the file. A drive with a sense and no speed moves by one unit, so that velocities are ratios.
-    pub(crate) fn of(scene: &Scene<'_>, statics: &WholeCycle) -> Self {
-        Self(scene.mechanism.drives.iter().map(|d| rates(scene, statics, d)).collect())
+    pub(crate) fn of(model: &Model<'_>, statics: &WholeCycle) -> Self {
+        Self(model.mechanism.drives.iter().map(|d| rates(model, statics, d)).collect())
     }
 
     /// Unit speed of every drive along the way from one set of values to another; nothing accelerates.
-    pub(super) fn unit(scene: &Scene<'_>) -> Self {
+    pub(super) fn unit(model: &Model<'_>) -> Self {
         Self(
-            scene
+            model
                 .mechanism
                 .drives
                 .iter()
@@ -44,15 +44,15 @@ impl Rates {
     }
 }
 
-fn rates(scene: &Scene<'_>, statics: &WholeCycle, drive: &Drive) -> DriveInput {
+fn rates(model: &Model<'_>, statics: &WholeCycle, drive: &Drive) -> DriveInput {
     let mut input = DriveInput::default();
-    match drive.speed.as_ref().map(|e| constant(scene, statics, e)) {
+    match drive.speed.as_ref().map(|e| constant(model, statics, e)) {
         Some(Value::Scalar(x)) => input.rate = x,
         Some(Value::Vector(v)) => input.velocity = v,
         Some(Value::Truth(_)) => {}
         None => input.rate = drive.sense.unwrap_or(0.0),
     }
-    match drive.acceleration.as_ref().map(|e| constant(scene, statics, e)) {
+    match drive.acceleration.as_ref().map(|e| constant(model, statics, e)) {
         Some(Value::Scalar(x)) => input.acceleration = x,
         Some(Value::Vector(v)) => input.point_acceleration = v,
         Some(Value::Truth(_)) | None => {}

@@ -18,12 +18,13 @@ mod turn;
 
 pub use crate::answer::{CycleAnswer, FlywheelAnswer, PairFriction, PoseAnswers, WholeCycle, compare};
 pub use crate::message::{ConsistentError, FrictionError, SolveError, TrainError, unplaced_reactions};
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub use crate::position::block_in_avx2;
+#[cfg(feature = "lanes")]
+pub use crate::position::{Batch, DriveColumns, Place, WIDTH, instructions};
 pub use crate::position::{
-    BodyState, Branch, Consistent, DriveColumns, DriveInput, Edge, FrictionWork, LawForce, Place, Reaction,
-    Residuals, Scene, Searched, SideBySide, State, TrainWork, WIDTH, Wrench, in_scalar, instructions,
-    precise, residuals,
+    BodyState, Branch, Consistent, DriveInput, Edge, FrictionWork, LawForce, Model, Reaction, Residuals,
+    Searched, State, TrainWork, Wrench, in_scalar, precise, residuals,
 };
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};

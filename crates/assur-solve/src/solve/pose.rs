@@ -20,23 +20,23 @@ const NEAR_LOCKING: f64 = 1e-3;
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
     pub(super) fn solved(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, SolveError> {
-        let scene = self.scene;
-        let mut state = self.memory.take().unwrap_or_else(|| State::new(scene.plan));
+        let model = self.model;
+        let mut state = self.memory.take().unwrap_or_else(|| State::new(model.plan));
         state.start_from(&tracker.state);
         state.forces.clear();
         self.rates.at(&pose.drives, &mut state.motion.inputs);
-        state.run_planned_motion(scene.plan);
+        state.run_planned_motion(model.plan);
         let mut condition = self.motion_condition(&state, pose)?;
-        if scene.plan.effects.forces {
+        if model.plan.effects.forces {
             condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
         }
-        if scene.plan.settings.scalar == Numbers::DoubleDouble {
+        if model.plan.settings.scalar == Numbers::DoubleDouble {
             self.with_twice_the_digits(&mut state);
         }
-        let frictionless = scene.plan.effects.loses().then(|| {
+        let frictionless = model.plan.effects.loses().then(|| {
             let mut state = state.clone();
-            state.run_again_without_friction(scene.plan);
-            let values = PoseAnswers::new(scene, &state, &tracker.angles, &self.statics).all_quantities();
+            state.run_again_without_friction(model.plan);
+            let values = PoseAnswers::new(model, &state, &tracker.angles, &self.statics).all_quantities();
             Box::new((state.answer(), values))
         });
         if let (Some(free), false) = (&frictionless, state.forces.locked) {
@@ -44,14 +44,14 @@ impl Run<'_, '_> {
         }
         if state.forces.locked {
             state.forget_forces();
-        } else if let Some(error) = not_finite(scene, &state, pose) {
+        } else if let Some(error) = not_finite(model, &state, pose) {
             return Err(error);
         }
-        let mut residuals = residuals(scene, &state);
+        let mut residuals = residuals(model, &state);
         if state.forces.locked {
             residuals = Residuals { equilibrium: None, power: None, ..residuals };
         }
-        if let Some(error) = out_of_scale(scene, &residuals, pose) {
+        if let Some(error) = out_of_scale(model, &residuals, pose) {
             return Err(error);
         }
         let angles = tracker.angles.clone();
@@ -60,25 +60,25 @@ impl Run<'_, '_> {
         let mut solved =
             Solved { state: answer, frictionless, quantities: Vec::new(), angles, residuals, condition };
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
-        let view = PoseAnswers::new(scene, &solved.state, &solved.angles, &self.statics);
+        let view = PoseAnswers::new(model, &solved.state, &solved.angles, &self.statics);
         solved.quantities = PoseAnswers { frictionless: ideal, ..view }.all_quantities();
         self.note_contacts(&solved, pose);
         self.note_trains(&solved, pose);
-        let view = solved.view(scene, &self.statics);
-        self.friction.look(scene, &view, pose);
+        let view = solved.view(model, &self.statics);
+        self.friction.look(model, &view, pose);
         Ok(solved)
     }
 
     /// The position once more with twice the digits, rounded; the loads follow from its motion.
     fn with_twice_the_digits(&self, state: &mut State) {
-        let scene = self.scene;
-        let Some(exact) = exact(scene, state, &self.evaluated) else { return };
+        let model = self.model;
+        let Some(exact) = exact(model, state, &self.evaluated) else { return };
         exact.round_motion(state);
-        if scene.plan.effects.forces {
-            state.run_loads(scene, &self.evaluated);
+        if model.plan.effects.forces {
+            state.run_loads(model, &self.evaluated);
             state.forces.applied.clone_from(&state.forces.wrenches);
-            state.set_lines(scene.plan);
-            exact.round_forces(scene, state);
+            state.set_lines(model.plan);
+            exact.round_forces(model, state);
         }
     }
 
@@ -91,70 +91,70 @@ impl Run<'_, '_> {
         if share.is_nan() || share >= NEAR_LOCKING {
             return 1.0;
         }
-        let scene = self.scene;
-        let mut groups = scene.structure.forces.iter().zip(&scene.plan.forces);
+        let model = self.model;
+        let mut groups = model.structure.forces.iter().zip(&model.plan.forces);
         if let Some((group, _)) = groups.find(|(_, step)| matches!(step, ForceStep::Friction { .. })) {
-            self.notes.condition(scene, group, (share, "forces near self-locking", 1), pose);
+            self.notes.condition(model, group, (share, "forces near self-locking", 1), pose);
         }
         share
     }
 
     fn motion_condition(&mut self, state: &State, pose: &Wanted) -> Result<f64, SolveError> {
-        let scene = self.scene;
-        let level = scene.plan.effects.level;
+        let model = self.model;
+        let level = model.plan.effects.level;
         let mut least = 1.0_f64;
         let mut carried = vec![1.0_f64; state.motion.bodies.len()];
-        let groups = scene.structure.motion.iter().zip(&state.motion.certificates);
+        let groups = model.structure.motion.iter().zip(&state.motion.certificates);
         for ((group, &h), sine) in groups.zip(&state.motion.conditions) {
             let condition = sine.abs();
             least = least.min(condition);
             let before = group.joints.iter().map(|j| carried[j.base.0]).fold(1.0, f64::min);
             group.bodies.iter().for_each(|b| carried[b.0] = before * (condition / LOSES).min(1.0));
             if level > Level::Positions && condition <= DEAD {
-                return Err(dead(scene, group, condition, pose));
+                return Err(dead(model, group, condition, pose));
             }
             let (what, power) = match level {
                 Level::Positions => ("positions", 1),
                 Level::Velocities => ("velocities", 2),
                 Level::Accelerations => ("accelerations", 3),
             };
-            self.notes.condition(scene, group, (condition * before, what, power), pose);
-            self.notes.certificate(scene, group, h, condition, pose);
+            self.notes.condition(model, group, (condition * before, what, power), pose);
+            self.notes.certificate(model, group, h, condition, pose);
         }
         Ok(least)
     }
 
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
-        let scene = self.scene;
+        let model = self.model;
         let quantities = self.loads_name_quantities;
         state.scratch.searched = self.notes.consistent.searched;
-        balanced(scene, &self.statics, state, angles, &mut self.evaluated, quantities);
+        balanced(model, &self.statics, state, angles, &mut self.evaluated, quantities);
         self.notes.consistent.searched = state.scratch.searched;
-        self.notes.consistent.look(scene, state.forces.consistent, pose)?;
+        self.notes.consistent.look(model, state.forces.consistent, pose)?;
         let mut least = 1.0_f64;
-        for (group, sine) in scene.structure.forces.iter().zip(&state.forces.conditions) {
+        for (group, sine) in model.structure.forces.iter().zip(&state.forces.conditions) {
             let condition = sine.abs();
             least = least.min(condition);
             if condition <= DEAD {
-                return Err(cannot_hold(scene, group, condition, pose));
+                return Err(cannot_hold(model, group, condition, pose));
             }
-            self.notes.condition(scene, group, (condition, "forces", 2), pose);
+            self.notes.condition(model, group, (condition, "forces", 2), pose);
         }
         Ok(least)
     }
 
     /// Ropes that push, and trains that the load cannot drive.
     fn note_trains(&mut self, solved: &Solved, pose: &Wanted) {
-        if !self.scene.plan.effects.forces || solved.state.forces.locked {
+        if !self.model.plan.effects.forces || solved.state.forces.locked {
             return;
         }
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
-        let view = PoseAnswers::new(self.scene, &solved.state, &solved.angles, &self.statics);
+        let view = PoseAnswers::new(self.model, &solved.state, &solved.angles, &self.statics);
         let view = PoseAnswers { frictionless: ideal, ..view };
         let mut ropes: Vec<(PairId, f64)> = Vec::new();
         let greatest = solved.state.forces.law_forces.iter().map(|f| f.multiplier.abs()).fold(0.0, f64::max);
-        for law in &self.scene.plan.laws {
-            let rope = matches!(&self.scene.mechanism.pair(law.pair).kind,
+        for law in &self.model.plan.laws {
+            let rope = matches!(&self.model.mechanism.pair(law.pair).kind,
                 PairKind::Transmission(t) if t.kind == TransmissionKind::Rope);
             let tension = view.tension(law.pair, law.index);
             if rope && tension < -1e-9 * greatest {
@@ -162,26 +162,26 @@ impl Run<'_, '_> {
             }
         }
         let ideal = view.without_friction().power_of_efforts();
-        let locking = self.scene.plan.effects.losses && ideal < 0.0 && view.power_of_efforts() > 0.0;
-        ropes.into_iter().for_each(|(pair, tension)| self.notes.pushes(self.scene, pair, tension, pose));
+        let locking = self.model.plan.effects.losses && ideal < 0.0 && view.power_of_efforts() > 0.0;
+        ropes.into_iter().for_each(|(pair, tension)| self.notes.pushes(self.model, pair, tension, pose));
         if locking {
-            self.notes.self_locking(self.scene, pose);
+            self.notes.self_locking(self.model, pose);
         }
     }
 
     fn note_contacts(&mut self, solved: &Solved, pose: &Wanted) {
-        if !self.scene.plan.effects.forces {
+        if !self.model.plan.effects.forces {
             return;
         }
-        for (i, pair) in self.scene.mechanism.pairs.iter().enumerate() {
+        for (i, pair) in self.model.mechanism.pairs.iter().enumerate() {
             let PairKind::Contact { first, .. } = &pair.kind else { continue };
-            let view = PoseAnswers::new(self.scene, &solved.state, &solved.angles, &self.statics);
+            let view = PoseAnswers::new(self.model, &solved.state, &solved.angles, &self.statics);
             let Value::Scalar(normal) = view.query(&Query::Normal(PairId::at(i), first.link)) else {
                 continue;
             };
             let force = view.reaction(PairId::at(i), first.link).norm();
             if normal < -1e-9 * force.max(f64::MIN_POSITIVE) && normal < -1e-9 {
-                self.notes.pulls(self.scene, PairId::at(i), normal, pose);
+                self.notes.pulls(self.model, PairId::at(i), normal, pose);
             }
         }
     }

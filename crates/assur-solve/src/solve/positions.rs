@@ -2,7 +2,7 @@
 
 use crate::answer::{WholeCycle, constant};
 use crate::model::{At, Drive, DriveId, Expr, Positions, Value};
-use crate::position::{DriveValue, PoseOrigin, Scene, Wanted, turns};
+use crate::position::{DriveValue, Model, PoseOrigin, Wanted, turns};
 
 fn drive_value(value: Value) -> DriveValue {
     match value {
@@ -20,18 +20,18 @@ enum Values {
 }
 
 impl Values {
-    fn of(scene: &Scene<'_>, statics: &WholeCycle, drive: &Drive) -> Self {
+    fn of(model: &Model<'_>, statics: &WholeCycle, drive: &Drive) -> Self {
         match &drive.positions {
             Positions::None => Self::List(vec![DriveValue::None]),
             Positions::List(list) => {
-                Self::List(list.iter().map(|e| drive_value(constant(scene, statics, e))).collect())
+                Self::List(list.iter().map(|e| drive_value(constant(model, statics, e))).collect())
             }
             Positions::Range { from, to, steps } => {
-                let scalar = |e| match constant(scene, statics, e) {
+                let scalar = |e| match constant(model, statics, e) {
                     Value::Scalar(x) => x,
                     _ => f64::NAN,
                 };
-                Self::range(scalar(from), scalar(to), *steps, turns(scene, drive))
+                Self::range(scalar(from), scalar(to), *steps, turns(model, drive))
             }
         }
     }
@@ -71,8 +71,8 @@ pub(crate) struct Sweep {
 }
 
 impl Sweep {
-    pub fn of(scene: &Scene<'_>, statics: &WholeCycle) -> Self {
-        let drives = scene.mechanism.drives.iter().map(|d| Values::of(scene, statics, d));
+    pub fn of(model: &Model<'_>, statics: &WholeCycle) -> Self {
+        let drives = model.mechanism.drives.iter().map(|d| Values::of(model, statics, d));
         let drives: Vec<Values> = drives.collect();
         // `check` has seen to it that all are of one length, or single
         let len = drives.iter().map(Values::len).max().unwrap_or(1);
@@ -95,20 +95,20 @@ impl Sweep {
 }
 
 /// Positions beside the sweep: drives that are not named keep the value of the sweep's first position.
-pub(super) fn beside(scene: &Scene<'_>, statics: &WholeCycle, first: &Wanted) -> Vec<Wanted> {
+pub(super) fn beside(model: &Model<'_>, statics: &WholeCycle, first: &Wanted) -> Vec<Wanted> {
     let at = |list: &[(DriveId, Expr)]| {
         let mut drives = first.drives.clone();
         for (id, expr) in list {
-            drives[id.index()] = drive_value(constant(scene, statics, expr));
+            drives[id.index()] = drive_value(constant(model, statics, expr));
         }
         drives
     };
-    let named = scene.mechanism.poses.iter().enumerate().map(|(i, pose)| Wanted {
+    let named = model.mechanism.poses.iter().enumerate().map(|(i, pose)| Wanted {
         name: pose.name.clone(),
         origin: PoseOrigin::Named(i),
         drives: at(&pose.at),
     });
-    let expected = scene.mechanism.expects.iter().enumerate().filter_map(|(i, e)| match &e.at {
+    let expected = model.mechanism.expects.iter().enumerate().filter_map(|(i, e)| match &e.at {
         Some(At::Drives(list)) => Some(Wanted {
             name: format!("expect {}", i + 1),
             origin: PoseOrigin::Expected(i),

@@ -8,7 +8,7 @@ use super::track::Tracker;
 use crate::answer::{WholeCycle, balanced};
 use crate::model::{LoadId, Value};
 use crate::plan::Plan;
-use crate::position::{BodyState, Branch, DriveInput, PoseOrigin, Scene, State};
+use crate::position::{BodyState, Branch, DriveInput, Model, PoseOrigin, State};
 use crate::reference::{Reference, reference};
 
 /// Where a position is come from, and what it is asked for.
@@ -23,7 +23,7 @@ struct Start {
 /// Positions of a solved file, to be solved again.
 #[derive(Debug)]
 pub struct Replay<'a> {
-    scene: Scene<'a>,
+    model: Model<'a>,
     statics: &'a WholeCycle,
     starts: Vec<Start>,
     state: State,
@@ -34,22 +34,22 @@ pub struct Replay<'a> {
 impl<'a> Replay<'a> {
     /// The positions of a solution that have an answer, `most` of them, evenly spread.
     #[must_use]
-    pub fn new(scene: &Scene<'a>, solution: &'a Solution, most: usize) -> Self {
+    pub fn new(model: &Model<'a>, solution: &'a Solution, most: usize) -> Self {
         let solved = |p: &'a Pose| p.outcome.as_ref().ok().filter(|s| !s.state.forces.locked).map(|s| (p, s));
         let asked = solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)));
         let all: Vec<(&Pose, &Solved)> = asked.filter_map(solved).collect();
         let count = all.len().min(most);
-        let iterates = !scene.plan.laned();
-        let rates = Rates::of(scene, &solution.statics);
+        let iterates = !model.plan.is_batchable();
+        let rates = Rates::of(model, &solution.statics);
         let starts = (0..count).map(|i| all[i * all.len() / count]);
-        let starts = starts.map(|(pose, solved)| start(scene, &rates, pose, solved, iterates)).collect();
+        let starts = starts.map(|(pose, solved)| start(model, &rates, pose, solved, iterates)).collect();
         Self {
-            scene: *scene,
+            model: *model,
             statics: &solution.statics,
             starts,
-            state: State::new(scene.plan),
+            state: State::new(model.plan),
             evaluated: Vec::new(),
-            quantities: loads_name_quantities(scene.mechanism),
+            quantities: loads_name_quantities(model.mechanism),
         }
     }
 
@@ -74,7 +74,7 @@ impl<'a> Replay<'a> {
     /// The position last solved with twice the digits, see [`reference()`].
     #[must_use]
     pub fn reference(&self) -> Option<Reference> {
-        reference(&self.scene, &self.state, &self.evaluated)
+        reference(&self.model, &self.state, &self.evaluated)
     }
 
     /// The assemblies at a position.
@@ -92,18 +92,18 @@ impl<'a> Replay<'a> {
         state.forces.locked = false;
         state.run_planned_motion(plan);
         if plan.effects.forces && state.motion.open.is_none() {
-            let scene = Scene { plan, ..self.scene };
-            balanced(&scene, self.statics, state, &start.angles, &mut self.evaluated, self.quantities);
+            let model = Model { plan, ..self.model };
+            balanced(&model, self.statics, state, &start.angles, &mut self.evaluated, self.quantities);
         }
         state
     }
 }
 
-fn start(scene: &Scene<'_>, rates: &Rates, pose: &Pose, solved: &Solved, iterates: bool) -> Start {
+fn start(model: &Model<'_>, rates: &Rates, pose: &Pose, solved: &Solved, iterates: bool) -> Start {
     let mut from = solved.state.clone();
     if iterates {
-        let mut tracker = Tracker::new(scene, solved.state.clone().ready(scene.plan), &pose.drives);
-        if tracker.go(scene, rates, &step_before(scene, &pose.drives)).is_ok() {
+        let mut tracker = Tracker::new(model, solved.state.clone().ready(model.plan), &pose.drives);
+        if tracker.go(model, rates, &step_before(model, &pose.drives)).is_ok() {
             from = tracker.state;
         }
     }

@@ -3,7 +3,7 @@
 use crate::answer::{PoseAnswers, WholeCycle};
 use crate::message::{FrictionError, SolveError};
 use crate::model::Value;
-use crate::position::{DriveValue, PoseOrigin, Residuals, Scene, State};
+use crate::position::{DriveValue, Model, PoseOrigin, Residuals, State};
 
 /// All positions of a file.
 #[derive(Debug, Default)]
@@ -91,8 +91,8 @@ impl Pose {
 impl Solved {
     /// The position, seen from the language.
     #[must_use]
-    pub fn view<'a>(&'a self, scene: &Scene<'a>, statics: &'a WholeCycle) -> PoseAnswers<'a> {
-        let view = PoseAnswers::new(scene, &self.state, &self.angles, statics);
+    pub fn view<'a>(&'a self, model: &Model<'a>, statics: &'a WholeCycle) -> PoseAnswers<'a> {
+        let view = PoseAnswers::new(model, &self.state, &self.angles, statics);
         let frictionless = self.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
         PoseAnswers { quantities: &self.quantities, frictionless, ..view }
     }
@@ -101,7 +101,7 @@ impl Solved {
 impl Solution {
     /// One of its positions, seen from the language.
     #[must_use]
-    pub fn view<'a>(&'a self, scene: &Scene<'a>, solved: &'a Solved) -> PoseAnswers<'a> {
-        solved.view(scene, &self.statics)
+    pub fn view<'a>(&'a self, model: &Model<'a>, solved: &'a Solved) -> PoseAnswers<'a> {
+        solved.view(model, &self.statics)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::math::Vec2;
 use crate::model::Drive;
-use crate::position::{DriveValue, Scene, extent, turns};
+use crate::position::{DriveValue, Model, extent, turns};
 
 /// The largest step of a turning drive, rad.
 const LARGEST_TURN: f64 = 2.0 * std::f64::consts::PI / 180.0;
@@ -19,11 +19,11 @@ pub(super) fn between(a: DriveValue, b: DriveValue, part: f64) -> DriveValue {
 }
 
 /// Drive values one largest step before these.
-pub(super) fn step_before(scene: &Scene<'_>, values: &[DriveValue]) -> Vec<DriveValue> {
-    let length = 0.02 * extent(scene);
-    let drives = scene.mechanism.drives.iter().zip(values);
+pub(super) fn step_before(model: &Model<'_>, values: &[DriveValue]) -> Vec<DriveValue> {
+    let length = 0.02 * extent(model);
+    let drives = model.mechanism.drives.iter().zip(values);
     let before = drives.map(|(drive, value)| match value {
-        DriveValue::Scalar(x) if turns(scene, drive) => DriveValue::Scalar(x - LARGEST_TURN),
+        DriveValue::Scalar(x) if turns(model, drive) => DriveValue::Scalar(x - LARGEST_TURN),
         DriveValue::Scalar(x) => DriveValue::Scalar(x - length),
         DriveValue::Point(p) => DriveValue::Point(*p - Vec2::new(length, 0.0)),
         DriveValue::None => DriveValue::None,
@@ -33,14 +33,14 @@ pub(super) fn step_before(scene: &Scene<'_>, values: &[DriveValue]) -> Vec<Drive
 
 /// The way between drive values, two components of every drive, in largest steps.
 pub(super) fn ways(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     extent: f64,
     from: &[DriveValue],
     to: &[DriveValue],
 ) -> impl Iterator<Item = f64> {
-    let drives = scene.mechanism.drives.iter().zip(from).zip(to);
+    let drives = model.mechanism.drives.iter().zip(from).zip(to);
     let way = move |((drive, from), to): ((&Drive, &DriveValue), &DriveValue)| match (from, to) {
-        (DriveValue::Scalar(a), DriveValue::Scalar(b)) if turns(scene, drive) => {
+        (DriveValue::Scalar(a), DriveValue::Scalar(b)) if turns(model, drive) => {
             [(b - a) / LARGEST_TURN, 0.0]
         }
         (DriveValue::Scalar(a), DriveValue::Scalar(b)) => [(b - a) / (0.02 * extent), 0.0],
@@ -59,9 +59,9 @@ pub(super) fn length(way: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// How many steps it takes.
-pub(super) fn steps(scene: &Scene<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> f64 {
+pub(super) fn steps(model: &Model<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> f64 {
     let mut steps = 1.0_f64;
-    for way in ways(scene, extent, from, to) {
+    for way in ways(model, extent, from, to) {
         // a step that is a whole number of largest steps but for rounding takes no step more
         steps = steps.max((way.abs() - 1e-9).ceil());
     }

@@ -14,7 +14,7 @@ use crate::message::{
     without_position,
 };
 use crate::model::{LoadId, Value};
-use crate::position::{DriveValue, STARTS, Scene, State, Wanted};
+use crate::position::{DriveValue, Model, STARTS, State, Wanted};
 use std::collections::VecDeque;
 
 /// Positions in a row at which all starts of a search are tried in vain.
@@ -27,16 +27,16 @@ const FEW_STARTS: usize = 4;
 /// # Errors
 /// Constructs not supported yet, requests without the speeds they need, no assembly or several at the first position,
 /// forces that are not determined.
-pub fn solve(scene: &Scene<'_>) -> Result<Solution, Vec<SolveError>> {
-    solve_with(scene, Vec::new())
+pub fn solve(model: &Model<'_>) -> Result<Solution, Vec<SolveError>> {
+    solve_with(model, Vec::new())
 }
 
 /// As [`solve`], with the values of [`crate::model::Mechanism::criticals`].
 ///
 /// # Errors
 /// As [`solve`].
-pub fn solve_with(scene: &Scene<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
-    let Some(mut following) = Following::new(scene, criticals)? else { return Ok(Solution::default()) };
+pub fn solve_with(model: &Model<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
+    let Some(mut following) = Following::new(model, criticals)? else { return Ok(Solution::default()) };
     let mut poses = Vec::with_capacity(following.positions());
     while let Some(pose) = following.next() {
         poses.push(pose.map_err(|e| vec![e])?);
@@ -62,23 +62,23 @@ impl<'a, 's> Following<'a, 's> {
     ///
     /// # Errors
     /// As [`solve`].
-    pub fn new(scene: &'s Scene<'a>, criticals: Vec<f64>) -> Result<Option<Self>, Vec<SolveError>> {
-        can_be_solved(scene)?;
-        let needs_poses = scene.mechanism.links.len() > 1;
+    pub fn new(model: &'s Model<'a>, criticals: Vec<f64>) -> Result<Option<Self>, Vec<SolveError>> {
+        can_be_solved(model)?;
+        let needs_poses = model.mechanism.links.len() > 1;
         if !needs_poses {
             return Ok(None);
         }
-        let mut statics = statics(scene).map_err(|e| vec![e])?;
+        let mut statics = statics(model).map_err(|e| vec![e])?;
         statics.criticals = criticals;
-        let sweep = Sweep::of(scene, &statics);
-        let cycle_warnings = super::cycle::cycles(scene, &mut statics, &sweep).map_err(|e| vec![e])?;
-        let near = beside(scene, &statics, &sweep.at(0)).into_iter().map(Near::new).collect();
+        let sweep = Sweep::of(model, &statics);
+        let cycle_warnings = super::cycle::cycles(model, &mut statics, &sweep).map_err(|e| vec![e])?;
+        let near = beside(model, &statics, &sweep.at(0)).into_iter().map(Near::new).collect();
         let run = Run {
-            scene,
-            rates: Rates::of(scene, &statics),
+            model,
+            rates: Rates::of(model, &statics),
             statics,
             evaluated: Vec::new(),
-            loads_name_quantities: loads_name_quantities(scene.mechanism),
+            loads_name_quantities: loads_name_quantities(model.mechanism),
             memory: None,
             before: None,
             last: None,
@@ -133,11 +133,11 @@ impl<'a, 's> Following<'a, 's> {
     /// What is to be said of all positions.
     #[must_use]
     pub fn end(mut self) -> Solution {
-        let friction = std::mem::take(&mut self.run.friction).problems(self.run.scene.mechanism);
-        let (scene, closing) = (self.run.scene, self.run.closing);
-        let (mut warnings, unlisted) = self.run.notes.into_warnings(scene, closing);
+        let friction = std::mem::take(&mut self.run.friction).problems(self.run.model.mechanism);
+        let (model, closing) = (self.run.model, self.run.closing);
+        let (mut warnings, unlisted) = self.run.notes.into_warnings(model, closing);
         warnings.extend(self.cycle_warnings);
-        warnings.extend(unit_speeds(scene));
+        warnings.extend(unit_speeds(model));
         let (statics, positions) = (self.run.statics, self.sweep.len());
         Solution { statics, warnings, unlisted, friction, positions, ..Solution::default() }
     }
@@ -168,7 +168,7 @@ impl<'a, 's> Following<'a, 's> {
                     self.first_error = Some(error.clone());
                 }
                 if is_open(&error) && !run.notes.in_gap() {
-                    let limit = back.clone().map(|t| t.limit(run.scene, &run.rates, &pose.drives));
+                    let limit = back.clone().map(|t| t.limit(run.model, &run.rates, &pose.drives));
                     run.notes.gap_begins(limit);
                 }
                 self.current = back;
@@ -209,20 +209,20 @@ impl Near {
 
 /// What cannot be answered at any position, and is refused before one is looked at.
 #[must_use]
-pub fn refusals(scene: &Scene<'_>) -> Vec<SolveError> {
-    can_be_solved(scene).err().unwrap_or_default()
+pub fn refusals(model: &Model<'_>) -> Vec<SolveError> {
+    can_be_solved(model).err().unwrap_or_default()
 }
 
 /// Everything that can be refused before any position is looked at.
-pub(crate) fn can_be_solved(scene: &Scene<'_>) -> Result<(), Vec<SolveError>> {
-    let mut errors = not_supported(scene.mechanism);
-    errors.extend(cams(scene));
-    errors.extend(missing_speeds(scene));
-    errors.extend(free_rollers(scene));
-    errors.extend(without_position(scene));
-    errors.extend(without_place(scene));
-    errors.extend(friction_beside(scene));
-    errors.extend(friction_couples(scene));
+pub(crate) fn can_be_solved(model: &Model<'_>) -> Result<(), Vec<SolveError>> {
+    let mut errors = not_supported(model.mechanism);
+    errors.extend(cams(model));
+    errors.extend(missing_speeds(model));
+    errors.extend(free_rollers(model));
+    errors.extend(without_position(model));
+    errors.extend(without_place(model));
+    errors.extend(friction_beside(model));
+    errors.extend(friction_couples(model));
     if errors.is_empty() { Ok(()) } else { Err(errors) }
 }
 
@@ -241,7 +241,7 @@ enum Arrival {
 }
 
 pub(super) struct Run<'a, 's> {
-    pub scene: &'s Scene<'a>,
+    pub model: &'s Model<'a>,
     pub rates: Rates,
     pub statics: WholeCycle,
     pub evaluated: Vec<(LoadId, Value)>,
@@ -263,18 +263,18 @@ pub(super) struct Run<'a, 's> {
 
 impl Run<'_, '_> {
     fn assembled(&mut self, pose: &Wanted) -> Result<Tracker, Box<Stuck>> {
-        let mut state = State::new(self.scene.plan);
+        let mut state = State::new(self.model.plan);
         self.rates.at(&pose.drives, &mut state.motion.inputs);
         // what was not found at many positions is not looked for as long at the next
         let starts = if self.searched < MANY { STARTS } else { FEW_STARTS };
-        match assemble_from(self.scene, state, starts) {
+        match assemble_from(self.model, state, starts) {
             Ok(state) => {
                 self.searched = 0;
-                Ok(Tracker::new(self.scene, state, &pose.drives))
+                Ok(Tracker::new(self.model, state, &pose.drives))
             }
             Err(error) => {
                 self.searched += usize::from(matches!(error, SolveError::NotFound { .. }));
-                let error = with_pose(error, &place(self.scene, pose));
+                let error = with_pose(error, &place(self.model, pose));
                 Err(Box::new(Stuck { error, back: None }))
             }
         }
@@ -283,7 +283,7 @@ impl Run<'_, '_> {
     /// What is to be said of the way from the position before.
     fn note_way(&mut self, way: Arrival, tracker: &Tracker, pose: &Wanted) {
         let Some((name, drives)) = &self.last else { return };
-        let back = || tracker.clone().limit(self.scene, &self.rates, drives);
+        let back = || tracker.clone().limit(self.model, &self.rates, drives);
         if self.notes.in_gap() {
             let end = back();
             self.notes.gap_ends(end);
@@ -292,7 +292,7 @@ impl Run<'_, '_> {
         match way {
             Arrival::Followed(switched) => {
                 for switch in switched {
-                    self.notes.switched(self.scene, (switch.group, &switch.at), name, &pose.name);
+                    self.notes.switched(self.model, (switch.group, &switch.at), name, &pose.name);
                 }
             }
             Arrival::Blocked(limit) => {
@@ -304,28 +304,28 @@ impl Run<'_, '_> {
     }
 
     fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Arrival, Box<Stuck>> {
-        if tracker.is_too_long(self.scene, &pose.drives) {
-            let error = too_far(self.scene, pose);
+        if tracker.is_too_long(self.model, &pose.drives) {
+            let error = too_far(self.model, pose);
             return Err(Box::new(Stuck { error, back: Some(tracker.clone()) }));
         }
         let mut before = self.before.take().unwrap_or_else(|| tracker.clone());
         before.start_from(tracker);
-        if let Ok(switched) = tracker.go(self.scene, &self.rates, &pose.drives) {
+        if let Ok(switched) = tracker.go(self.model, &self.rates, &pose.drives) {
             self.before = Some(before);
             return Ok(Arrival::Followed(switched));
         }
         // the way is closed somewhere; the position itself may not be
         tracker.start_from(&before);
-        match tracker.jump(self.scene, &self.rates, &pose.drives) {
-            Ok(()) => Ok(Arrival::Blocked(before.limit(self.scene, &self.rates, &pose.drives))),
+        match tracker.jump(self.model, &self.rates, &pose.drives) {
+            Ok(()) => Ok(Arrival::Blocked(before.limit(self.model, &self.rates, &pose.drives))),
             Err(group) => {
                 let mut state = before.state.clone();
                 self.rates.at(&pose.drives, &mut state.motion.inputs);
-                state.start(self.scene.plan);
-                for step in &self.scene.plan.motion[..group] {
-                    state.step::<0>(self.scene.plan, step);
+                state.start(self.model.plan);
+                for step in &self.model.plan.motion[..group] {
+                    state.step::<0>(self.model.plan, step);
                 }
-                let error = does_not_close(self.scene, state, group, &place(self.scene, pose));
+                let error = does_not_close(self.model, state, group, &place(self.model, pose));
                 Err(Box::new(Stuck { error, back: Some(before) }))
             }
         }

@@ -10,7 +10,7 @@ use super::inputs::Rates;
 use super::steps::{MOST_STEPS, between, length, steps, ways};
 use crate::math::Vec2;
 use crate::plan::MotionStep;
-use crate::position::{DriveValue, Scene, State, extent};
+use crate::position::{DriveValue, Model, State, extent};
 use crate::structure::BodyId;
 use std::rc::Rc;
 
@@ -64,9 +64,9 @@ pub(crate) struct Tracker {
 
 impl Tracker {
     /// Starts at an assembled state.
-    pub(crate) fn new(scene: &Scene<'_>, state: State, values: &[DriveValue]) -> Self {
+    pub(crate) fn new(model: &Model<'_>, state: State, values: &[DriveValue]) -> Self {
         let mut angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
-        for effort in &scene.structure.drives {
+        for effort in &model.structure.drives {
             if let (crate::structure::EffortKind::Angle(body), crate::structure::EffortSource::Drive(id)) =
                 (effort.kind, effort.source)
                 && let Some(DriveValue::Scalar(value)) = values.get(id.index())
@@ -74,14 +74,14 @@ impl Tracker {
                 angles[body.0] = *value;
             }
         }
-        for &body in &scene.plan.turning {
+        for &body in &model.plan.turning {
             angles[body] = state.motion.bodies[body].turned;
         }
         let spare = state.clone();
-        Self { state, spare, angles, values: values.to_vec(), history: Vec::new(), extent: extent(scene) }
+        Self { state, spare, angles, values: values.to_vec(), history: Vec::new(), extent: extent(model) }
     }
 
-    /// Puts the tracker where another one of the same scene stands.
+    /// Puts the tracker where another one of the same model stands.
     pub(super) fn start_from(&mut self, other: &Self) {
         self.state.start_from(&other.state);
         self.angles.clone_from(&other.angles);
@@ -93,12 +93,12 @@ impl Tracker {
     /// the group that does not close, with the state left at the last place that closed.
     pub(crate) fn go(
         &mut self,
-        scene: &Scene<'_>,
+        model: &Model<'_>,
         rates: &Rates,
         target: &[DriveValue],
     ) -> Result<Vec<Switch>, usize> {
         let mut switched: Vec<Switch> = Vec::new();
-        let steps = steps(scene, self.extent, &self.values, target);
+        let steps = steps(model, self.extent, &self.values, target);
         if steps > 1.0 {
             let start = self.values.clone();
             let mut values = start.clone();
@@ -107,12 +107,12 @@ impl Tracker {
                 let way = start.iter().zip(target).map(|(a, b)| between(*a, *b, done / steps));
                 values.clear();
                 values.extend(way);
-                self.step(scene, rates, &values, false)?;
+                self.step(model, rates, &values, false)?;
                 self.note_switches(&mut switched);
                 done += 1.0;
             }
         }
-        self.step(scene, rates, target, false)?;
+        self.step(model, rates, target, false)?;
         self.note_switches(&mut switched);
         // what changed back is as it was
         let times = |group| switched.iter().filter(|s| s.group == group).count();
@@ -133,28 +133,28 @@ impl Tracker {
     }
 
     /// Whether the way to other drive values is too long to be followed: its angles would be guesses.
-    pub(super) fn is_too_long(&self, scene: &Scene<'_>, target: &[DriveValue]) -> bool {
-        ways(scene, self.extent, &self.values, target).any(|way| way.abs() > MOST_STEPS)
+    pub(super) fn is_too_long(&self, model: &Model<'_>, target: &[DriveValue]) -> bool {
+        ways(model, self.extent, &self.values, target).any(|way| way.abs() > MOST_STEPS)
     }
 
     /// How far the way to other drive values closes: the last values that do.
     pub(super) fn limit(
         mut self,
-        scene: &Scene<'_>,
+        model: &Model<'_>,
         rates: &Rates,
         target: &[DriveValue],
     ) -> Vec<DriveValue> {
-        if self.go(scene, rates, target).is_ok() {
+        if self.go(model, rates, target).is_ok() {
             return target.to_vec();
         }
         let last = self.values.clone();
         let at = |part: f64| last.iter().zip(target).map(|(a, b)| between(*a, *b, part)).collect::<Vec<_>>();
-        let (mut closed, mut open) = (0.0, 1.0 / steps(scene, self.extent, &last, target));
+        let (mut closed, mut open) = (0.0, 1.0 / steps(model, self.extent, &last, target));
         for _ in 0..50 {
             let middle = 0.5 * (closed + open);
             let mut trial = self.clone();
             trial.history.clear();
-            if trial.step(scene, rates, &at(middle), false).is_ok() {
+            if trial.step(model, rates, &at(middle), false).is_ok() {
                 closed = middle;
             } else {
                 open = middle;
@@ -166,16 +166,16 @@ impl Tracker {
     /// One step; `over_gap` where the way to it is not followed.
     fn step(
         &mut self,
-        scene: &Scene<'_>,
+        model: &Model<'_>,
         rates: &Rates,
         values: &[DriveValue],
         over_gap: bool,
     ) -> Result<(), usize> {
         let mut next = std::mem::take(&mut self.spare);
-        let found = self.solve_next(scene, rates, values, over_gap, &mut next);
+        let found = self.solve_next(model, rates, values, over_gap, &mut next);
         if found.is_ok() {
-            self.remember(scene);
-            self.follow_angles(scene, &next);
+            self.remember(model);
+            self.follow_angles(model, &next);
             std::mem::swap(&mut self.state, &mut next);
             self.values.clear();
             self.values.extend_from_slice(values);
@@ -187,7 +187,7 @@ impl Tracker {
     /// The state at the next values, each group with the assembly that the motion leads to.
     fn solve_next(
         &self,
-        scene: &Scene<'_>,
+        model: &Model<'_>,
         rates: &Rates,
         values: &[DriveValue],
         over_gap: bool,
@@ -195,25 +195,25 @@ impl Tracker {
     ) -> Result<(), usize> {
         next.start_from(&self.state);
         rates.at(values, &mut next.motion.inputs);
-        next.start(scene.plan);
+        next.start(model.plan);
         let mut predicted = None;
-        for (group, step) in scene.plan.motion.iter().enumerate() {
-            next.step::<0>(scene.plan, step);
+        for (group, step) in model.plan.motion.iter().enumerate() {
+            next.step::<0>(model.plan, step);
             let near = self.state.motion.conditions[group].abs() < CAREFUL
                 || next.motion.conditions[group].abs() < CAREFUL;
             if near
                 && next.has_two_roots(step)
                 && next.motion.open.is_none()
-                && let Some(predicted) = predicted.get_or_insert_with(|| self.predicted(scene, values))
+                && let Some(predicted) = predicted.get_or_insert_with(|| self.predicted(model, values))
             {
-                let bodies = &scene.structure.motion[group].bodies;
+                let bodies = &model.structure.motion[group].bodies;
                 let kept = distance(next, predicted, bodies, self.extent);
                 next.branches[group].root = -next.branches[group].root;
-                next.step::<0>(scene.plan, step);
+                next.step::<0>(model.plan, step);
                 let other_is_farther = distance(next, predicted, bodies, self.extent) >= kept;
-                if other_is_farther || !self.passes_change_point(scene, rates, values, group) {
+                if other_is_farther || !self.passes_change_point(model, rates, values, group) {
                     next.branches[group].root = -next.branches[group].root;
-                    next.step::<0>(scene.plan, step);
+                    next.step::<0>(model.plan, step);
                 }
             }
             if let (true, MotionStep::Triad { branch, triad }) =
@@ -229,14 +229,14 @@ impl Tracker {
         Ok(())
     }
 
-    fn follow_angles(&mut self, scene: &Scene<'_>, next: &State) {
+    fn follow_angles(&mut self, model: &Model<'_>, next: &State) {
         for (angle, (old, new)) in
             self.angles.iter_mut().zip(self.state.motion.bodies.iter().zip(&next.motion.bodies))
         {
             *angle = continued(*angle, old.u, new.u);
         }
         // a train turns further in one step than a direction tells
-        for &body in &scene.plan.turning {
+        for &body in &model.plan.turning {
             self.angles[body] = next.motion.bodies[body].turned;
         }
     }
@@ -244,7 +244,7 @@ impl Tracker {
     /// Whether |σ| of a group vanishes on the way to these values: found by golden section.
     fn passes_change_point(
         &self,
-        scene: &Scene<'_>,
+        model: &Model<'_>,
         rates: &Rates,
         target: &[DriveValue],
         group: usize,
@@ -254,9 +254,9 @@ impl Tracker {
             let values: Vec<DriveValue> =
                 self.values.iter().zip(target).map(|(a, b)| between(*a, *b, part)).collect();
             rates.at(&values, &mut state.motion.inputs);
-            state.start(scene.plan);
-            for step in &scene.plan.motion[..=group] {
-                state.step::<0>(scene.plan, step);
+            state.start(model.plan);
+            for step in &model.plan.motion[..=group] {
+                state.step::<0>(model.plan, step);
             }
             state.motion.conditions[group].abs()
         };
@@ -286,8 +286,8 @@ impl Tracker {
     }
 
     /// Keeps the present place, if it is well apart from the last one kept.
-    fn remember(&mut self, scene: &Scene<'_>) {
-        let way = |last: &Place| length(ways(scene, self.extent, &last.values, &self.values));
+    fn remember(&mut self, model: &Model<'_>) {
+        let way = |last: &Place| length(ways(model, self.extent, &last.values, &self.values));
         if self.history.first().is_some_and(|last| way(last) < APART) {
             return;
         }
@@ -303,15 +303,15 @@ impl Tracker {
 
     /// Where the bodies would be at these values: the parabola through the present place and two others on the line of
     /// the way.
-    fn predicted(&self, scene: &Scene<'_>, target: &[DriveValue]) -> Option<Vec<Pose>> {
-        let way = || ways(scene, self.extent, &self.values, target);
+    fn predicted(&self, model: &Model<'_>, target: &[DriveValue]) -> Option<Vec<Pose>> {
+        let way = || ways(model, self.extent, &self.values, target);
         let t = length(way());
         if t == 0.0 {
             return None;
         }
         let mut chosen: Vec<(f64, &Place)> = Vec::with_capacity(2);
         for place in &self.history {
-            let back = || ways(scene, self.extent, &self.values, &place.values).zip(way());
+            let back = || ways(model, self.extent, &self.values, &place.values).zip(way());
             let along = back().map(|(a, b)| a * b).sum::<f64>() / t;
             let off = back().map(|(a, b)| (a - b * along / t).abs()).fold(0.0, f64::max);
             let apart = along.abs() >= APART && chosen.iter().all(|c| (c.0 - along).abs() >= APART);
@@ -335,12 +335,12 @@ impl Tracker {
     /// Puts the tracker at other values without following the way: after a gap in a sweep. The assembly stays.
     pub(crate) fn jump(
         &mut self,
-        scene: &Scene<'_>,
+        model: &Model<'_>,
         rates: &Rates,
         target: &[DriveValue],
     ) -> Result<(), usize> {
         self.history.clear();
-        self.step(scene, rates, target, true)
+        self.step(model, rates, target, true)
     }
 }
 

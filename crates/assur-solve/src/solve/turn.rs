@@ -6,7 +6,7 @@ use super::track::Tracker;
 use crate::answer::{Extremes, PoseAnswers, WholeCycle};
 use crate::message::SolveError;
 use crate::model::PairId;
-use crate::position::{BodyState, Branch, DriveValue, Scene, State};
+use crate::position::{BodyState, Branch, DriveValue, Model, State};
 use std::f64::consts::TAU;
 
 /// Why there is no turn.
@@ -39,23 +39,23 @@ const SAMPLES: usize = 180;
 
 impl Turn {
     /// Follows the drive over a turn and looks at the coordinates of these pairs.
-    pub(crate) fn new(scene: &Scene<'_>, pairs: &[PairId]) -> Result<Self, Failure> {
-        let rates = Rates::unit(scene);
-        let mut start = State::new(scene.plan);
+    pub(crate) fn new(model: &Model<'_>, pairs: &[PairId]) -> Result<Self, Failure> {
+        let rates = Rates::unit(model);
+        let mut start = State::new(model.plan);
         let values = [DriveValue::Scalar(0.0)];
         rates.at(&values, &mut start.motion.inputs);
-        let mut state = assemble(scene, start).map_err(|e| match e {
+        let mut state = assemble(model, start).map_err(|e| match e {
             SolveError::DoesNotClose { .. } | SolveError::NotFound { .. } => Failure::Open(None),
             e => Failure::Error(Box::new(e)),
         })?;
-        let mut tracker = Tracker::new(scene, state.clone(), &values);
+        let mut tracker = Tracker::new(model, state.clone(), &values);
         let mut samples = Vec::with_capacity(SAMPLES + 1);
         for i in 0..=SAMPLES {
             #[allow(clippy::cast_precision_loss)] // at most 180
             let at = TAU * i as f64 / SAMPLES as f64;
             let target = [DriveValue::Scalar(at)];
-            if i > 0 && tracker.go(scene, &rates, &target).is_err() {
-                let limit = tracker.limit(scene, &rates, &target);
+            if i > 0 && tracker.go(model, &rates, &target).is_err() {
+                let limit = tracker.limit(model, &rates, &target);
                 return Err(Failure::Open(limit.first().and_then(|v| match v {
                     DriveValue::Scalar(x) => Some(*x),
                     _ => None,
@@ -63,9 +63,9 @@ impl Turn {
             }
             state.start_from(&tracker.state);
             rates.at(&target, &mut state.motion.inputs);
-            state.run_motion::<1>(scene.plan);
+            state.run_motion::<1>(model.plan);
             let angles = tracker.angles.clone();
-            let seen = pairs.iter().map(|pair| seen(scene, &state, &angles, *pair)).collect();
+            let seen = pairs.iter().map(|pair| seen(model, &state, &angles, *pair)).collect();
             let (branches, bodies) = (state.branches.clone(), state.motion.bodies.clone());
             samples.push(Sample { at, branches, bodies, angles, seen });
         }
@@ -73,7 +73,7 @@ impl Turn {
     }
 
     /// Extremes of the coordinate of a pair, by its number; `None` where it does not go to and fro.
-    pub(super) fn extremes(&self, scene: &Scene<'_>, pair: usize) -> Option<Extremes> {
+    pub(super) fn extremes(&self, model: &Model<'_>, pair: usize) -> Option<Extremes> {
         let mut found: Vec<(f64, f64)> = Vec::new();
         for two in self.samples.windows(2) {
             let [a, b] = two else { continue };
@@ -82,7 +82,7 @@ impl Turn {
             if rate_a == 0.0 {
                 found.push((a.at, coordinate));
             } else if rate_a * rate_b < 0.0 {
-                found.push(self.refine(scene, a, b.at, [rate_a, rate_b], self.pairs[pair]));
+                found.push(self.refine(model, a, b.at, [rate_a, rate_b], self.pairs[pair]));
             }
         }
         let least = found.iter().copied().min_by(|x, y| x.1.total_cmp(&y.1))?;
@@ -99,14 +99,14 @@ impl Turn {
     }
 
     /// The root of the derivative behind a sample: drive value and coordinate.
-    fn refine(&self, scene: &Scene<'_>, a: &Sample, end: f64, ends: [f64; 2], pair: PairId) -> (f64, f64) {
-        let rates = Rates::unit(scene);
+    fn refine(&self, model: &Model<'_>, a: &Sample, end: f64, ends: [f64; 2], pair: PairId) -> (f64, f64) {
+        let rates = Rates::unit(model);
         let mut state = self.state.clone();
         state.branches.clone_from(&a.branches);
         state.motion.bodies.clone_from(&a.bodies);
         let mut at = |x: f64| {
             rates.at(&[DriveValue::Scalar(x)], &mut state.motion.inputs);
-            state.run_motion::<1>(scene.plan);
+            state.run_motion::<1>(model.plan);
             // within two degrees no angle turns by half a turn
             let angles: Vec<f64> = state
                 .motion
@@ -115,7 +115,7 @@ impl Turn {
                 .zip(a.bodies.iter().zip(&a.angles))
                 .map(|(new, (old, angle))| angle + libm::atan2(old.u.cross(new.u), old.u.dot(new.u)))
                 .collect();
-            seen(scene, &state, &angles, pair)
+            seen(model, &state, &angles, pair)
         };
         let x = crate::math::root(a.at, end, ends[0], ends[1], |x| at(x).1);
         (x, at(x).0)
@@ -123,8 +123,8 @@ impl Turn {
 }
 
 /// Coordinate and its derivative with respect to the drive.
-fn seen(scene: &Scene<'_>, state: &State, angles: &[f64], pair: PairId) -> (f64, f64) {
+fn seen(model: &Model<'_>, state: &State, angles: &[f64], pair: PairId) -> (f64, f64) {
     let statics = WholeCycle::EMPTY;
-    let view = PoseAnswers::new(scene, state, angles, &statics);
+    let view = PoseAnswers::new(model, state, angles, &statics);
     (view.displacement(pair), view.relative_velocity(pair))
 }

@@ -1,3 +1,4 @@
 //! Unit tests, one module per source file.
 
-mod columns;
+#[cfg(feature = "lanes")]
+mod lanes;

@@ -1,7 +1,7 @@
 //! What one position gave, with twice the digits: in this form answers are compared.
 
-use crate::math::{Double, Scalar, V2};
-use crate::solve::{BodyState, Edge, Exact, Place, Reaction, Reference, State, Wrench};
+use crate::math::{Double, V2};
+use crate::solve::{BodyState, Edge, Exact, Reaction, Reference, State, Wrench};
 
 /// What answers are held against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +29,7 @@ fn wide<S: Edge>(v: V2<S>) -> V2<Double> {
     V2::new(v.x.widened(), v.y.widened())
 }
 
-fn wide_body<S: Edge>(b: &BodyState<S>) -> BodyState<Double> {
+pub(super) fn wide_body<S: Edge>(b: &BodyState<S>) -> BodyState<Double> {
     BodyState {
         p: wide(b.p),
         u: wide(b.u),
@@ -41,7 +41,7 @@ fn wide_body<S: Edge>(b: &BodyState<S>) -> BodyState<Double> {
     }
 }
 
-fn wide_reaction<S: Edge>(r: &Reaction<S>) -> Reaction<Double> {
+pub(super) fn wide_reaction<S: Edge>(r: &Reaction<S>) -> Reaction<Double> {
     Reaction { force: wide(r.force), couple: r.couple.widened() }
 }
 
@@ -76,19 +76,5 @@ impl Answer {
     pub fn reference(exact: Reference) -> Self {
         let load = greatest(&exact.applied);
         Self { bodies: exact.bodies, reactions: exact.reactions, efforts: exact.efforts, load }
-    }
-
-    /// Of one of several positions side by side.
-    #[must_use]
-    pub fn of_place(place: &Place<'_>, like: &Self) -> Self {
-        if place.open().is_some() {
-            return Self::default();
-        }
-        Self {
-            bodies: (0..like.bodies.len()).map(|i| wide_body(&place.body(i))).collect(),
-            reactions: (0..like.reactions.len()).map(|i| wide_reaction(&place.reaction(i))).collect(),
-            efforts: (0..like.efforts.len()).map(|i| Double::of(place.effort(i))).collect(),
-            load: like.load,
-        }
     }
 }

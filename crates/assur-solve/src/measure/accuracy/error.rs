@@ -15,7 +15,7 @@
 use super::answer::Answer;
 use crate::math::{Double, V2};
 use crate::plan::Level;
-use crate::solve::{Scene, extent, knows_couple};
+use crate::solve::{Model, extent, knows_couple};
 use crate::structure::EffortKind;
 
 /// The greatest magnitudes in play.
@@ -81,11 +81,11 @@ fn is_torque(kind: &EffortKind) -> bool {
 }
 
 /// The greatest magnitudes of answers.
-pub(super) fn scales(scene: &Scene<'_>, answers: &[Answer]) -> Scales {
-    let extent = extent(scene);
+pub(super) fn scales(model: &Model<'_>, answers: &[Answer]) -> Scales {
+    let extent = extent(model);
     let mut most = Scales { extent, ..Scales::default() };
     // what the plan does not follow stands as it was
-    let level = scene.plan.effects.level;
+    let level = model.plan.effects.level;
     for answer in answers {
         for b in &answer.bodies {
             if level > Level::Positions {
@@ -102,7 +102,7 @@ pub(super) fn scales(scene: &Scene<'_>, answers: &[Answer]) -> Scales {
             most.force = most.force.max(size(r.force));
             most.moment = most.moment.max(r.couple.rounded().abs());
         }
-        for (effort, e) in scene.structure.efforts.iter().zip(&answer.efforts) {
+        for (effort, e) in model.structure.efforts.iter().zip(&answer.efforts) {
             let kind = if is_torque(&effort.kind) { &mut most.moment } else { &mut most.force };
             *kind = kind.max(e.rounded().abs());
         }
@@ -117,7 +117,7 @@ fn over(difference: f64, scale: f64) -> f64 {
 }
 
 /// Errors of one answer; all are infinite where it has nothing to show.
-pub(super) fn error(scene: &Scene<'_>, scales: &Scales, got: &Answer, exact: &Answer) -> Error {
+pub(super) fn error(model: &Model<'_>, scales: &Scales, got: &Answer, exact: &Answer) -> Error {
     let mut error = Error::default();
     if got.bodies.len() != exact.bodies.len() {
         return Error { position: f64::INFINITY, ..error };
@@ -139,11 +139,11 @@ pub(super) fn error(scene: &Scene<'_>, scales: &Scales, got: &Answer, exact: &An
         if known(b.force.x) && known(b.force.y) && known(b.couple) {
             let force = over(size(a.force - b.force), scales.force);
             let couple = magnitude((a.couple - b.couple).rounded());
-            let moment = if knows_couple(scene, i) { over(couple, scales.moment) } else { 0.0 };
+            let moment = if knows_couple(model, i) { over(couple, scales.moment) } else { 0.0 };
             error = error.worse(Error { force, moment, ..Error::default() });
         }
     }
-    let efforts = scene.structure.efforts.iter().zip(got.efforts.iter().zip(&exact.efforts));
+    let efforts = model.structure.efforts.iter().zip(got.efforts.iter().zip(&exact.efforts));
     for (effort, (a, b)) in efforts.filter(|(_, (_, b))| known(**b)) {
         let difference = magnitude((*a - *b).rounded());
         error = error.worse(if is_torque(&effort.kind) {
@@ -157,9 +157,9 @@ pub(super) fn error(scene: &Scene<'_>, scales: &Scales, got: &Answer, exact: &An
 
 /// The worst errors of answers, position by position.
 pub(super) fn errors<'a>(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     scales: &Scales,
     pairs: impl Iterator<Item = (&'a Answer, &'a Answer)>,
 ) -> Error {
-    pairs.fold(Error::default(), |worst, (got, exact)| worst.worse(error(scene, scales, got, exact)))
+    pairs.fold(Error::default(), |worst, (got, exact)| worst.worse(error(model, scales, got, exact)))
 }

@@ -6,6 +6,8 @@
 mod answer;
 mod clock;
 mod error;
+#[cfg(feature = "lanes")]
+mod lanes;
 mod setting;
 mod study;
 mod within;
@@ -16,3 +18,12 @@ pub use error::{Error, Scales};
 pub use setting::{Kind, NotApplicable, Row, Setting};
 pub use study::{AccuracyStudy, Recommendation, study};
 pub use within::{AccuracyError, AchievedAccuracy, candidates, out_of_reach, reached};
+
+/// Positions in a batch and the instructions they use on this machine; one by one without the feature `lanes`.
+#[must_use]
+pub fn lanes() -> (usize, &'static str) {
+    #[cfg(feature = "lanes")]
+    return (crate::solve::WIDTH, crate::solve::instructions());
+    #[cfg(not(feature = "lanes"))]
+    (1, "one position at a time")
+}

@@ -36,6 +36,14 @@ pub struct Row {
     pub settings: Option<Settings>,
 }
 
+impl Row {
+    /// Of a scalar: no setting of the solver.
+    pub(super) fn scalar(setting: &str, micros: f64, error: f64, is_floor: bool) -> Self {
+        let error = Some(error).filter(|e| e.is_finite());
+        Self { setting: setting.to_owned(), samples: None, micros, error, is_floor, settings: None }
+    }
+}
+
 /// Settings of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {

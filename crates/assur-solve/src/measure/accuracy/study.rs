@@ -7,9 +7,7 @@ use super::setting::{Kind, NotApplicable, Row, Setting, not_closed};
 use super::{Error, Scales};
 use crate::math::Double;
 use crate::plan::{Plan, Settings};
-use crate::solve::{
-    DriveColumns, DriveInput, Edge, Replay, Scene, SideBySide, Solution, State, WIDTH, WholeCycle, over_cycle,
-};
+use crate::solve::{DriveInput, Edge, Model, Replay, Solution, State, WholeCycle, over_cycle};
 use std::hint::black_box;
 
 /// The most positions that are solved again.
@@ -18,8 +16,6 @@ const MOST: usize = 360;
 const DOUBLE: f64 = 4.0 * f64::EPSILON * f64::EPSILON;
 /// Times are alike where the longer is no more than this times the shorter.
 const ALIKE: f64 = 1.03;
-/// Side by side go so many at least, repeated where the file has fewer.
-const FILL: usize = 16 * WIDTH;
 
 /// What accuracy costs in one problem.
 #[derive(Clone, Debug)]
@@ -58,22 +54,22 @@ pub struct Recommendation {
 }
 
 /// The positions of a problem with the reference.
-struct Measured<'a, 's> {
-    scene: &'s Scene<'a>,
-    again: Replay<'a>,
-    inputs: Vec<DriveInput>,
-    exact: Vec<Answer>,
-    scales: Scales,
+pub(super) struct Measured<'a, 's> {
+    pub(super) model: &'s Model<'a>,
+    pub(super) again: Replay<'a>,
+    pub(super) inputs: Vec<DriveInput>,
+    pub(super) exact: Vec<Answer>,
+    pub(super) scales: Scales,
 }
 
 /// Measures a solved file.
 #[must_use]
-pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> AccuracyStudy {
-    let mut again = Replay::new(scene, solution, MOST);
+pub fn study<'a>(model: &Model<'a>, solution: &'a Solution, wanted: f64) -> AccuracyStudy {
+    let mut again = Replay::new(model, solution, MOST);
     let mut source = Source::DoubleDouble;
     let (mut exact, mut off) = (Vec::new(), 0.0_f64);
     for i in 0..again.len() {
-        let got = Answer::of(again.run(scene.plan, i));
+        let got = Answer::of(again.run(model.plan, i));
         exact.push(match again.reference() {
             Some(found) => {
                 off = off.max(found.closure).max(found.equilibrium);
@@ -86,9 +82,9 @@ pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Accu
         });
     }
     let inputs = again.inputs();
-    let scales = scales(scene, &exact);
-    let mut all = Measured { scene, again, inputs, exact, scales };
-    let full = all.error(scene.plan);
+    let scales = scales(model, &exact);
+    let mut all = Measured { model, again, inputs, exact, scales };
+    let full = all.error(model.plan);
     let condition = solution
         .poses
         .iter()
@@ -114,13 +110,13 @@ pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Accu
     if !all.again.is_empty() {
         study.knobs.push(all.scalars(floor, source, &mut study.absent));
         for kind in [Kind::Friction, Kind::Newton, Kind::Triad] {
-            match kind.absent(scene.plan) {
+            match kind.absent(model.plan) {
                 Some(why) => study.absent.push(NotApplicable { what: kind.name(), why }),
                 None => study.knobs.push(all.tolerances(kind, floor)),
             }
         }
     }
-    over_the_cycle(scene, &solution.statics, &mut study);
+    over_the_cycle(model, &solution.statics, &mut study);
     study.recommendation = recommend(&mut all, &solution.statics, &study);
     study
 }
@@ -128,7 +124,7 @@ pub fn study<'a>(scene: &Scene<'a>, solution: &'a Solution, wanted: f64) -> Accu
 impl Measured<'_, '_> {
     fn error(&mut self, plan: &Plan) -> Error {
         let got: Vec<Answer> = (0..self.again.len()).map(|i| Answer::of(self.again.run(plan, i))).collect();
-        errors(self.scene, &self.scales, got.iter().zip(&self.exact))
+        errors(self.model, &self.scales, got.iter().zip(&self.exact))
     }
 
     /// Microseconds per position of the solver with a plan's settings.
@@ -143,7 +139,7 @@ impl Measured<'_, '_> {
     }
 
     fn with(&mut self, settings: Settings) -> (f64, f64) {
-        let plan = Plan { settings, ..self.scene.plan.clone() };
+        let plan = Plan { settings, ..self.model.plan.clone() };
         (self.micros(&plan), self.error(&plan).greatest())
     }
 
@@ -160,35 +156,20 @@ impl Measured<'_, '_> {
     }
 
     fn scalars(&mut self, floor: f64, source: Source, absent: &mut Vec<NotApplicable>) -> Setting {
-        let row = |setting: &str, micros: f64, error: f64, is_floor: bool| Row {
-            setting: setting.to_owned(),
-            samples: None,
-            micros,
-            error: Some(error).filter(|e| e.is_finite()),
-            is_floor,
-            settings: None,
-        };
         let mut rows = Vec::new();
-        if self.scene.plan.laned() {
-            let (micros, error) = self.closed::<f32>();
-            rows.push(row("f32", micros, error, false));
-            if (1..self.again.len()).all(|i| self.again.branches(i) == self.again.branches(0)) {
-                let (micros, error) = self.lanes();
-                rows.push(row("f64 in lanes", micros, error, false));
-            } else {
-                absent.push(NotApplicable { what: "lanes", why: "an assembly changes on the way" });
-            }
+        if self.model.plan.is_batchable() {
+            self.in_lanes(&mut rows, absent);
             let (micros, error) = self.closed::<f64>();
-            rows.push(row("f64", micros, error, false));
+            rows.push(Row::scalar("f64", micros, error, false));
             let (micros, error) = self.closed::<Double>();
-            rows.push(row("double-double", micros, error.max(floor), error < floor));
+            rows.push(Row::scalar("double-double", micros, error.max(floor), error < floor));
         } else {
-            let plan = self.scene.plan;
+            let plan = self.model.plan;
             let (micros, error) = (self.micros(plan), self.error(plan).greatest());
-            rows.push(row("f64", micros, error.max(floor), source == Source::Full));
+            rows.push(Row::scalar("f64", micros, error.max(floor), source == Source::Full));
             absent.push(NotApplicable { what: "f32, lanes", why: not_closed(plan) });
             if source == Source::DoubleDouble {
-                rows.push(row("double-double", self.reference_micros(), floor, true));
+                rows.push(Row::scalar("double-double", self.reference_micros(), floor, true));
             } else {
                 absent.push(NotApplicable { what: "double-double", why: not_closed(plan) });
             }
@@ -196,8 +177,13 @@ impl Measured<'_, '_> {
         Setting { kind: Kind::Scalar, rows }
     }
 
+    #[cfg(not(feature = "lanes"))]
+    fn in_lanes(&mut self, _: &mut Vec<Row>, absent: &mut Vec<NotApplicable>) {
+        absent.push(NotApplicable { what: "f32, lanes", why: "built without the feature `lanes`" });
+    }
+
     fn reference_micros(&mut self) -> f64 {
-        let (plan, count) = (self.scene.plan, self.again.len());
+        let (plan, count) = (self.model.plan, self.again.len());
         let all = micros(|| {
             for i in 0..count {
                 self.again.run(plan, i);
@@ -208,8 +194,8 @@ impl Measured<'_, '_> {
     }
 
     /// The closed forms in a scalar, one position after another.
-    fn closed<S: Edge>(&mut self) -> (f64, f64) {
-        let plan = self.scene.plan;
+    pub(super) fn closed<S: Edge>(&mut self) -> (f64, f64) {
+        let plan = self.model.plan;
         let mut state = State::<S>::closed(plan);
         let inputs: Vec<DriveInput<S>> = self.inputs.iter().map(DriveInput::in_scalar).collect();
         let drives = plan.drives.max(1);
@@ -220,7 +206,7 @@ impl Measured<'_, '_> {
             state.run_closed(plan);
             got.push(Answer::of(&state));
         }
-        let error = errors(self.scene, &self.scales, got.iter().zip(&self.exact));
+        let error = errors(self.model, &self.scales, got.iter().zip(&self.exact));
         let all = micros(|| {
             for (i, inputs) in inputs.chunks(drives).enumerate() {
                 state.branches.copy_from_slice(self.again.branches(i));
@@ -231,28 +217,6 @@ impl Measured<'_, '_> {
         });
         (all / got.len() as f64, error.greatest())
     }
-
-    fn lanes(&mut self) -> (f64, f64) {
-        let plan = self.scene.plan;
-        let (count, drives) = (self.again.len(), plan.drives.max(1));
-        let filled = count.max(FILL).next_multiple_of(FILL);
-        let inputs: Vec<DriveInput> = self.inputs.iter().copied().cycle().take(filled * drives).collect();
-        let inputs = DriveColumns::of(&inputs, drives);
-        let mut lanes = SideBySide::new(plan, self.again.run(plan, 0));
-        let (mut got, exact) = (vec![Answer::default(); count], &self.exact);
-        lanes.run(&inputs, |i, place| {
-            if i < count {
-                got[i] = Answer::of_place(&place, &exact[i]);
-            }
-        });
-        let error = errors(self.scene, &self.scales, got.iter().zip(exact));
-        let all = micros(|| {
-            lanes.run(&inputs, |_, place| {
-                black_box(place.open());
-            });
-        });
-        (all / filled as f64, error.greatest())
-    }
 }
 
 /// `1e-6`
@@ -260,28 +224,28 @@ fn power(tolerance: f64) -> String {
     format!("{tolerance:.0e}")
 }
 
-fn over_the_cycle(scene: &Scene<'_>, found: &WholeCycle, study: &mut AccuracyStudy) {
+fn over_the_cycle(model: &Model<'_>, found: &WholeCycle, study: &mut AccuracyStudy) {
     if found.cycles.is_empty() && found.flywheels.is_empty() {
         study
             .absent
             .push(NotApplicable { what: Kind::Samples.name(), why: "nothing is taken over the cycle" });
         return;
     }
-    study.knobs.push(cycle_knob(scene, found, Kind::Samples));
+    study.knobs.push(cycle_knob(model, found, Kind::Samples));
     let mut splits = found.cycles.iter().map(|c| &c.splits).chain(found.flywheels.iter().map(|f| &f.splits));
     if splits.any(|s| !s.is_empty()) {
-        study.knobs.push(cycle_knob(scene, found, Kind::Root));
+        study.knobs.push(cycle_knob(model, found, Kind::Root));
     } else {
         study.absent.push(NotApplicable { what: Kind::Root.name(), why: "all is smooth over the cycle" });
     }
 }
 
-fn cycle_knob(scene: &Scene<'_>, full: &WholeCycle, kind: Kind) -> Setting {
+fn cycle_knob(model: &Model<'_>, full: &WholeCycle, kind: Kind) -> Setting {
     // the reference is the finest setting: its own error is estimated
     let floor = estimated(full);
     let row = |&tolerance: &f64| {
         let settings = kind.setting(tolerance);
-        let (micros, error, samples) = cycle(scene, full, settings);
+        let (micros, error, samples) = cycle(model, full, settings);
         let is_floor = error.is_some_and(|e| e < floor) || settings == Settings::FULL;
         let error = error.map(|e| e.max(floor));
         Row { setting: power(tolerance), samples, micros, error, is_floor, settings: Some(settings) }
@@ -290,11 +254,11 @@ fn cycle_knob(scene: &Scene<'_>, full: &WholeCycle, kind: Kind) -> Setting {
 }
 
 /// Time, error and samples of all functions over the sweep.
-fn cycle(scene: &Scene<'_>, full: &WholeCycle, settings: Settings) -> (f64, Option<f64>, Option<usize>) {
-    let plan = Plan { settings, ..scene.plan.clone() };
-    let scene = Scene { plan: &plan, ..*scene };
-    let micros = micros(|| drop(black_box(over_cycle(&scene, full))));
-    let Ok(found) = over_cycle(&scene, full) else { return (micros, None, None) };
+fn cycle(model: &Model<'_>, full: &WholeCycle, settings: Settings) -> (f64, Option<f64>, Option<usize>) {
+    let plan = Plan { settings, ..model.plan.clone() };
+    let model = Model { plan: &plan, ..*model };
+    let micros = micros(|| drop(black_box(over_cycle(&model, full))));
+    let Ok(found) = over_cycle(&model, full) else { return (micros, None, None) };
     let samples = found.cycles.iter().map(|c| c.samples).chain(found.flywheels.iter().map(|f| f.samples));
     let error = if settings == Settings::FULL { estimated(full) } else { cycle_error(&found, full) };
     (micros, Some(error).filter(|e| e.is_finite()), samples.max())
@@ -347,7 +311,7 @@ fn recommend(
     }
     let first = study.knobs.iter().find(|k| k.kind == Kind::Scalar);
     let full = first.and_then(|k| k.rows.iter().find(|r| r.setting == "f64")).map_or(f64::NAN, |r| r.micros);
-    let closed = all.scene.plan.laned();
+    let closed = all.model.plan.is_batchable();
     let double = chosen.iter().any(|(kind, name)| *kind == Kind::Scalar && name == "double-double");
     let together = match first {
         None => None,
@@ -358,7 +322,7 @@ fn recommend(
         }
     };
     let cycle = study.knobs.iter().find(|k| k.kind == Kind::Samples).map(|knob| {
-        let (micros, error, _) = cycle(all.scene, statics, settings);
+        let (micros, error, _) = cycle(all.model, statics, settings);
         (
             micros,
             error.map_or(f64::INFINITY, |e| e.max(estimated(statics))),

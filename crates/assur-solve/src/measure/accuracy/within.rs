@@ -9,7 +9,7 @@ use super::setting::Setting;
 use super::study::{AccuracyStudy, estimated};
 use crate::model::Mechanism;
 use crate::plan::{Level, Numbers, Settings};
-use crate::solve::{Scene, Solution, Solved};
+use crate::solve::{Model, Solution, Solved};
 use crate::units::significant;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error as ThisError;
@@ -60,7 +60,7 @@ pub enum AccuracyError {
 
 /// Settings for a wanted accuracy, the cheapest first.
 #[must_use]
-pub fn candidates(scene: &Scene<'_>, wanted: f64) -> Vec<Settings> {
+pub fn candidates(model: &Model<'_>, wanted: f64) -> Vec<Settings> {
     let full = Settings::FULL;
     // what Newton's methods leave is of the order of the square of a step; a hundredth of what is wanted for each, and less
     // of what errors of many panels add up to
@@ -74,37 +74,37 @@ pub fn candidates(scene: &Scene<'_>, wanted: f64) -> Vec<Settings> {
     };
     let mut all = vec![loose, full, Settings { scalar: Numbers::DoubleDouble, ..full }];
     // the state of a transmission holds more than forces: it is not put together again
-    all.retain(|s| s.scalar == Numbers::Double || scene.plan.laws.is_empty());
+    all.retain(|s| s.scalar == Numbers::Double || model.plan.laws.is_empty());
     all.dedup();
     all
 }
 
 /// What a solution reaches. Errors of functions over the sweep count as they are estimated.
 #[must_use]
-pub fn reached(scene: &Scene<'_>, solution: &Solution, within: f64) -> AchievedAccuracy {
+pub fn reached(model: &Model<'_>, solution: &Solution, within: f64) -> AchievedAccuracy {
     let poses = solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok());
     let solved: Vec<&Solved> = poses.filter(|s| !s.state.forces.locked).collect();
     let condition = solved.iter().map(|s| s.condition).fold(1.0, f64::min);
     let (mut got, mut exact) = (Vec::new(), Vec::new());
-    for index in held(scene, &solved) {
+    for index in held(model, &solved) {
         let solved = solved[index];
         got.push(Answer::of(&solved.state));
-        exact.extend(solution.exact(scene, solved).map(|e| Answer::exact(e, &solved.state)));
+        exact.extend(solution.exact(model, solved).map(|e| Answer::exact(e, &solved.state)));
     }
-    let settings = scene.plan.settings;
+    let settings = model.plan.settings;
     let source = if exact.len() == got.len() { Source::DoubleDouble } else { Source::Full };
     let error = match source {
         Source::DoubleDouble => {
-            let scales = scales(scene, &exact);
-            errors(scene, &scales, got.iter().zip(&exact)).greatest()
+            let scales = scales(model, &exact);
+            errors(model, &scales, got.iter().zip(&exact)).greatest()
         }
         Source::Full => {
-            let power = match scene.plan.effects.level {
+            let power = match model.plan.effects.level {
                 Level::Positions => 1,
                 Level::Velocities => 2,
                 Level::Accelerations => 3,
             };
-            let power = if scene.plan.effects.forces { power.max(2) } else { power };
+            let power = if model.plan.effects.forces { power.max(2) } else { power };
             let loose = settings.newton.powi(2).max(settings.friction).max(settings.triad);
             ROUNDING * f64::EPSILON.max(if settings == Settings::FULL { 0.0 } else { loose })
                 / condition.powi(power)
@@ -116,9 +116,9 @@ pub fn reached(scene: &Scene<'_>, solution: &Solution, within: f64) -> AchievedA
 
 /// The positions that are held against the reference: all of them by closed forms; else, because it takes its time, a few:
 /// half of them evenly spread, half of them those of the least condition.
-fn held(scene: &Scene<'_>, solved: &[&Solved]) -> Vec<usize> {
+fn held(model: &Model<'_>, solved: &[&Solved]) -> Vec<usize> {
     let count = solved.len();
-    if scene.plan.laned() || count <= FEW {
+    if model.plan.is_batchable() || count <= FEW {
         return (0..count).collect();
     }
     let mut all: Vec<usize> = (0..count).collect();

@@ -1,7 +1,7 @@
 //! Plans between the empty one and the whole.
 
 use crate::plan::{ForceStep, Level, LoadStep, Plan};
-use crate::position::Scene;
+use crate::position::Model;
 
 /// A plan to be timed, and what is done beside it.
 pub(super) struct Trial {
@@ -50,8 +50,8 @@ pub(super) fn steps(plan: &Plan) -> Vec<Trial> {
 }
 
 /// The empty plan, then one effect more at a time, by name.
-pub(super) fn effects(scene: &Scene<'_>) -> Vec<(&'static str, Trial)> {
-    let plan = scene.plan;
+pub(super) fn effects(model: &Model<'_>) -> Vec<(&'static str, Trial)> {
+    let plan = model.plan;
     let mut trials = vec![("", empty(plan))];
     let levels = [
         (Level::Positions, "positions"),
@@ -137,10 +137,10 @@ fn without_efficiencies(mut plan: Plan) -> Plan {
 }
 
 /// The whole plan, with what is done at every position beside it.
-pub(super) fn beside(scene: &Scene<'_>) -> Vec<(&'static str, Trial)> {
-    let whole = || Trial::of(scene.plan.clone());
+pub(super) fn beside(model: &Model<'_>) -> Vec<(&'static str, Trial)> {
+    let whole = || Trial::of(model.plan.clone());
     let mut trials = vec![("residuals", Trial { residuals: true, ..whole() })];
-    if !scene.mechanism.quantities.is_empty() {
+    if !model.mechanism.quantities.is_empty() {
         trials.push(("quantities", Trial { quantities: true, ..whole() }));
     }
     trials

@@ -10,7 +10,7 @@ mod sample_positions;
 use crate::answer::balanced;
 use crate::message::SolveError;
 use crate::model::{LoadId, Value};
-use crate::position::{Scene, State, residuals};
+use crate::position::{Model, State, residuals};
 use crate::solve::{PoseAnswers, Rates, Sweep, WholeCycle, can_be_solved, cycles, statics};
 use incremental_plans::Trial;
 pub use sample_positions::Over;
@@ -52,30 +52,30 @@ pub struct Costs {
 ///
 /// # Errors
 /// As [`crate::solve::solve`]: no assembly or several at the first position, constructs not supported yet.
-pub fn costs(scene: &Scene<'_>) -> Result<Option<Costs>, Vec<SolveError>> {
-    can_be_solved(scene)?;
-    if scene.mechanism.links.len() < 2 {
+pub fn costs(model: &Model<'_>) -> Result<Option<Costs>, Vec<SolveError>> {
+    can_be_solved(model)?;
+    if model.mechanism.links.len() < 2 {
         return Ok(None);
     }
-    let mut statics = statics(scene).map_err(|e| vec![e])?;
-    let sweep = Sweep::of(scene, &statics);
-    cycles(scene, &mut statics, &sweep).map_err(|e| vec![e])?;
-    let rates = Rates::of(scene, &statics);
-    let (over, places) = sample_positions::places(scene, &statics, &rates).map_err(|e| vec![e])?;
-    let steps = incremental_plans::steps(scene.plan);
-    let effects = incremental_plans::effects(scene);
-    let beside = incremental_plans::beside(scene);
+    let mut statics = statics(model).map_err(|e| vec![e])?;
+    let sweep = Sweep::of(model, &statics);
+    cycles(model, &mut statics, &sweep).map_err(|e| vec![e])?;
+    let rates = Rates::of(model, &statics);
+    let (over, places) = sample_positions::places(model, &statics, &rates).map_err(|e| vec![e])?;
+    let steps = incremental_plans::steps(model.plan);
+    let effects = incremental_plans::effects(model);
+    let beside = incremental_plans::beside(model);
     let all: Vec<&Trial> = steps.iter().chain(effects.iter().map(|(_, t)| t)).collect();
     let all: Vec<&Trial> = all.into_iter().chain(beside.iter().map(|(_, t)| t)).collect();
-    let mut least = Bench::new(scene, &statics, &places).least(&all);
+    let mut least = Bench::new(model, &statics, &places).least(&all);
 
     let beside_times = least.split_off(steps.len() + effects.len());
     let mut effect_times = least.split_off(steps.len());
     let whole = least[steps.len() - 1].min(effect_times[effects.len() - 1]);
     let by_step = differences(&mut least, whole);
     let by_effect = differences(&mut effect_times, whole);
-    let (motion, rest) = by_step.split_at(scene.plan.motion.len());
-    let (loads, forces) = rest.split_at(if scene.plan.effects.forces { scene.plan.loads.len() } else { 0 });
+    let (motion, rest) = by_step.split_at(model.plan.motion.len());
+    let (loads, forces) = rest.split_at(if model.plan.effects.forces { model.plan.loads.len() } else { 0 });
     let names = effects.iter().skip(1).map(|(name, _)| *name);
     Ok(Some(Costs {
         places: places.len(),
@@ -102,7 +102,7 @@ fn differences(least: &mut [f64], whole: f64) -> Vec<f64> {
 
 /// One state, run through all places again and again.
 struct Bench<'a> {
-    scene: &'a Scene<'a>,
+    model: &'a Model<'a>,
     statics: &'a WholeCycle,
     places: &'a [Place],
     /// Some groups start from where their bodies stand.
@@ -112,10 +112,10 @@ struct Bench<'a> {
 }
 
 impl<'a> Bench<'a> {
-    fn new(scene: &'a Scene<'a>, statics: &'a WholeCycle, places: &'a [Place]) -> Self {
-        let state = places.first().map_or_else(|| State::new(scene.plan), |place| place.state.clone());
-        let goes_on = scene.plan.goes_on();
-        Self { scene, statics, places, goes_on, state, evaluated: Vec::new() }
+    fn new(model: &'a Model<'a>, statics: &'a WholeCycle, places: &'a [Place]) -> Self {
+        let state = places.first().map_or_else(|| State::new(model.plan), |place| place.state.clone());
+        let goes_on = model.plan.goes_on();
+        Self { model, statics, places, goes_on, state, evaluated: Vec::new() }
     }
 
     /// The least time of every plan per position, s.
@@ -141,7 +141,7 @@ impl<'a> Bench<'a> {
     }
 
     fn run(&mut self, trial: &Trial) {
-        let scene = Scene { plan: &trial.plan, ..*self.scene };
+        let model = Model { plan: &trial.plan, ..*self.model };
         for place in self.places {
             let state = &mut self.state;
             state.motion.inputs.copy_from_slice(&place.state.motion.inputs);
@@ -151,13 +151,13 @@ impl<'a> Bench<'a> {
             }
             state.run_planned_motion(&trial.plan);
             if trial.plan.effects.forces {
-                balanced(&scene, self.statics, state, &place.angles, &mut self.evaluated, true);
+                balanced(&model, self.statics, state, &place.angles, &mut self.evaluated, true);
             }
             if trial.residuals {
-                std::hint::black_box(residuals(&scene, state));
+                std::hint::black_box(residuals(&model, state));
             }
             if trial.quantities {
-                let view = PoseAnswers::new(&scene, state, &place.angles, self.statics);
+                let view = PoseAnswers::new(&model, state, &place.angles, self.statics);
                 std::hint::black_box(view.all_quantities());
             }
             std::hint::black_box(&self.state);

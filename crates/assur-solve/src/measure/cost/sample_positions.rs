@@ -1,7 +1,7 @@
 //! Places to run a plan at: assembled and followed once, before anything is measured.
 
 use crate::message::SolveError;
-use crate::position::{DriveValue, Scene, State, turns};
+use crate::position::{DriveValue, Model, State, turns};
 use crate::solve::{Rates, Sweep, Tracker, WholeCycle, assemble};
 
 /// So many places are enough; more would leave the nearest memory.
@@ -26,27 +26,27 @@ pub(super) struct Place {
 
 /// The positions of a file that close; of one alone those of a turn of its drive.
 pub(super) fn places(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     statics: &WholeCycle,
     rates: &Rates,
 ) -> Result<(Over, Vec<Place>), SolveError> {
-    let sweep = Sweep::of(scene, statics);
+    let sweep = Sweep::of(model, statics);
     let apart = sweep.len().div_ceil(ENOUGH).max(1);
     let values: Vec<Vec<DriveValue>> = (0..sweep.len()).step_by(apart).map(|i| sweep.values(i)).collect();
-    let (over, ways) = match (values.as_slice(), scene.mechanism.drives.as_slice()) {
-        ([one], [drive]) if turns(scene, drive) => match one[0] {
+    let (over, ways) = match (values.as_slice(), model.mechanism.drives.as_slice()) {
+        ([one], [drive]) if turns(model, drive) => match one[0] {
             DriveValue::Scalar(start) => (Over::Turn, turn(start)),
             _ => (Over::Positions, [values, Vec::new()]),
         },
         _ => (Over::Positions, [values, Vec::new()]),
     };
     // the file's own position, where it has one alone
-    let first = first(scene, rates, if over == Over::Turn { &ways[0][..1] } else { &ways[0] })?;
+    let first = first(model, rates, if over == Over::Turn { &ways[0][..1] } else { &ways[0] })?;
     let mut places = Vec::with_capacity(ENOUGH);
     for way in ways {
         let mut tracker = first.clone();
         for values in way {
-            if reached(scene, rates, &mut tracker, &values, over) {
+            if reached(model, rates, &mut tracker, &values, over) {
                 rates.at(&values, &mut tracker.state.motion.inputs);
                 places.push(Place { state: tracker.state.clone(), angles: tracker.angles.clone() });
             } else if over == Over::Turn {
@@ -59,18 +59,18 @@ pub(super) fn places(
 
 /// Moves a tracker to other values, between positions of the file over a gap too; it stays where it is if they do not close.
 fn reached(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     rates: &Rates,
     tracker: &mut Tracker,
     values: &[DriveValue],
     over: Over,
 ) -> bool {
     let before = tracker.clone();
-    if tracker.go(scene, rates, values).is_ok() {
+    if tracker.go(model, rates, values).is_ok() {
         return true;
     }
     *tracker = before.clone();
-    if over == Over::Positions && tracker.jump(scene, rates, values).is_ok() {
+    if over == Over::Positions && tracker.jump(model, rates, values).is_ok() {
         return true;
     }
     *tracker = before;
@@ -78,11 +78,11 @@ fn reached(
 }
 
 /// The first position that can be assembled; the error of the first where none can.
-fn first(scene: &Scene<'_>, rates: &Rates, way: &[Vec<DriveValue>]) -> Result<Tracker, SolveError> {
+fn first(model: &Model<'_>, rates: &Rates, way: &[Vec<DriveValue>]) -> Result<Tracker, SolveError> {
     let assembled = |values: &[DriveValue]| {
-        let mut state = State::new(scene.plan);
+        let mut state = State::new(model.plan);
         rates.at(values, &mut state.motion.inputs);
-        assemble(scene, state).map(|state| Tracker::new(scene, state, values))
+        assemble(model, state).map(|state| Tracker::new(model, state, values))
     };
     let found = assembled(way.first().map_or(&[], Vec::as_slice));
     match found {

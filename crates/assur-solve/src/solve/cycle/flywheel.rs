@@ -13,7 +13,7 @@ use super::switches::breaks;
 use crate::answer::{FlywheelAnswer, NoFlywheel, Undefined, WholeCycle, constant};
 use crate::math::chebyshev::Series;
 use crate::model::{BinaryOp, DriveId, Expr, Flywheel, FlywheelPart, FlywheelTorque, Query, Value};
-use crate::position::{Scene, turns};
+use crate::position::{Model, turns};
 use crate::structure::EffortSource;
 
 /// How much the ratio of the shaft to the drive may vary, relative to its mean.
@@ -30,20 +30,20 @@ pub(super) struct Found {
 
 /// Finds a flywheel.
 pub(super) fn flywheel(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     index: usize,
 ) -> Result<Found, NoFlywheel> {
-    let wheel = &scene.mechanism.flywheels[index];
-    let rate = one_turning_drive(scene, statics, sampler)?;
-    let Some([torque, links]) = numbers(scene, statics, index) else {
+    let wheel = &model.mechanism.flywheels[index];
+    let rate = one_turning_drive(model, statics, sampler)?;
+    let Some([torque, links]) = numbers(model, statics, index) else {
         return Err(NoFlywheel::Efforts);
     };
     let ratio = even_ratio(statics, sampler, wheel, rate)?;
     let asked = [&torque, &links];
     sampler.begin();
-    let found = breaks(scene, statics, sampler, &torque)
+    let found = breaks(model, statics, sampler, &torque)
         .and_then(|breaks| Ok((piecewise(sampler, statics, &asked, &breaks)?, breaks)));
     let (all, breaks) = found.map_err(NoFlywheel::Undefined)?;
     let [torque, links] = all.as_slice() else {
@@ -51,7 +51,7 @@ pub(super) fn flywheel(
     };
     let mean_speed = match wheel.speed {
         Some(speed) => speed,
-        None if scene.plan.effects.timed => (rate * ratio).abs(),
+        None if model.plan.effects.timed => (rate * ratio).abs(),
         None => return Err(NoFlywheel::NeedsSpeed),
     };
     let mean = torque.integral();
@@ -84,25 +84,25 @@ pub(super) fn flywheel(
 
 /// The speed of the one drive, which goes through whole turns.
 fn one_turning_drive(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     statics: &WholeCycle,
     sampler: &Sampler<'_>,
 ) -> Result<f64, NoFlywheel> {
-    let [drive] = scene.mechanism.drives.as_slice() else { return Err(NoFlywheel::Drives) };
-    if !turns(scene, drive) || !sampler.way.is_closed {
+    let [drive] = model.mechanism.drives.as_slice() else { return Err(NoFlywheel::Drives) };
+    if !turns(model, drive) || !sampler.way.is_closed {
         return Err(NoFlywheel::NoCycle(sampler.way.turns));
     }
-    match rate(scene, statics) {
-        0.0 if scene.plan.effects.timed => Err(NoFlywheel::StandsStill),
+    match rate(model, statics) {
+        0.0 if model.plan.effects.timed => Err(NoFlywheel::StandsStill),
         0.0 => Err(NoFlywheel::NeedsSpeed),
         rate => Ok(rate),
     }
 }
 
 /// Speed of the one drive, rad/s, or its sense; zero where it has neither.
-fn rate(scene: &Scene<'_>, statics: &WholeCycle) -> f64 {
-    let Some(drive) = scene.mechanism.drives.first() else { return 0.0 };
-    let constant = |e: &Expr| match constant(scene, statics, e) {
+fn rate(model: &Model<'_>, statics: &WholeCycle) -> f64 {
+    let Some(drive) = model.mechanism.drives.first() else { return 0.0 };
+    let constant = |e: &Expr| match constant(model, statics, e) {
         Value::Scalar(x) => Some(x),
         _ => None,
     };
@@ -110,19 +110,19 @@ fn rate(scene: &Scene<'_>, statics: &WholeCycle) -> f64 {
 }
 
 /// What is followed over the cycle: the effort reduced to the drive, the reduced moment of inertia of the links.
-pub(super) fn numbers(scene: &Scene<'_>, statics: &WholeCycle, index: usize) -> Option<[Expr; 2]> {
-    let power = power(scene, &scene.mechanism.flywheels[index])?;
-    let rate = Expr::number(rate(scene, statics));
+pub(super) fn numbers(model: &Model<'_>, statics: &WholeCycle, index: usize) -> Option<[Expr; 2]> {
+    let power = power(model, &model.mechanism.flywheels[index])?;
+    let rate = Expr::number(rate(model, statics));
     let torque = Expr::Binary(BinaryOp::Div, Box::new(power), Box::new(rate));
     Some([torque, Expr::Query(Query::Flywheel(index, FlywheelPart::LinksInertia))])
 }
 
 /// The power of the effort that is evened out.
-fn power(scene: &Scene<'_>, wheel: &Flywheel) -> Option<Expr> {
+fn power(model: &Model<'_>, wheel: &Flywheel) -> Option<Expr> {
     let query = match wheel.torque {
         Some(FlywheelTorque::Balance(id)) => Query::BalancePower(id),
         Some(FlywheelTorque::Load(id)) => Query::LoadPower(id),
-        None => match scene.structure.efforts.as_slice() {
+        None => match model.structure.efforts.as_slice() {
             [effort] => match effort.source {
                 EffortSource::Balance(id) => Query::BalancePower(id),
                 EffortSource::Drive(id) => Query::EffortPower(DriveId::at(id.index())),

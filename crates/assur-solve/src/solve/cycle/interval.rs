@@ -4,7 +4,7 @@ use super::super::positions::Sweep;
 use super::super::steps::{between, ways};
 use crate::answer::{NoSweep, WholeCycle, constant};
 use crate::model::Positions;
-use crate::position::{DriveValue, Scene, extent, turns};
+use crate::position::{DriveValue, Model, extent, turns};
 use std::f64::consts::TAU;
 
 /// The longest way, in largest steps: each is a place that is kept.
@@ -25,15 +25,15 @@ pub(super) struct Interval {
 
 impl Interval {
     /// The sweep of a file.
-    pub(crate) fn of(scene: &Scene<'_>, statics: &WholeCycle, sweep: &Sweep) -> Result<Self, NoSweep> {
-        let drives = &scene.mechanism.drives;
+    pub(crate) fn of(model: &Model<'_>, statics: &WholeCycle, sweep: &Sweep) -> Result<Self, NoSweep> {
+        let drives = &model.mechanism.drives;
         let Some(last) = sweep.len().checked_sub(1) else { return Err(NoSweep::OnePosition) };
         let (from, mut to) = (sweep.values(0), sweep.values(last));
         for (index, ((drive, end), from)) in drives.iter().zip(&mut to).zip(&from).enumerate() {
             match &drive.positions {
                 // over a whole turn the last position is left out
                 Positions::Range { to: written, .. } => {
-                    if let crate::model::Value::Scalar(x) = constant(scene, statics, written) {
+                    if let crate::model::Value::Scalar(x) = constant(model, statics, written) {
                         *end = DriveValue::Scalar(x);
                     }
                 }
@@ -48,10 +48,10 @@ impl Interval {
             return Err(NoSweep::OnePosition);
         }
         // also where a way is no number
-        if !ways(scene, extent(scene), &way.from, &way.to).all(|way| way.abs() <= LONGEST) {
+        if !ways(model, extent(model), &way.from, &way.to).all(|way| way.abs() <= LONGEST) {
             return Err(NoSweep::TooLong);
         }
-        let turning = matches!(drives.as_slice(), [drive] if turns(scene, drive));
+        let turning = matches!(drives.as_slice(), [drive] if turns(model, drive));
         let turns = turning.then(|| way.length() / TAU);
         let is_closed = turns.is_some_and(|n| n.round() != 0.0 && (n - n.round()).abs() < 1e-12);
         Ok(Self { is_closed, turns, ..way })

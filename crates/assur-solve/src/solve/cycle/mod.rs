@@ -18,7 +18,7 @@ use super::positions::Sweep;
 use crate::answer::{CycleAnswer, Undefined, WholeCycle};
 use crate::message::{SolveError, needless_flywheel, no_flywheel, no_sweep, undefined};
 use crate::model::{CycleFunction, Expr, FlywheelPart, Query};
-use crate::position::Scene;
+use crate::position::Model;
 use depends::{counts_turns, hangs_on_forces, hangs_on_nothing_else};
 use interval::Interval;
 use panels::{COARSE, Piecewise};
@@ -31,16 +31,16 @@ const FEWEST_SAMPLES: usize = 16;
 
 /// Finds the functions over the sweep and the flywheels of a file.
 pub(crate) fn cycles(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     statics: &mut WholeCycle,
     sweep: &Sweep,
 ) -> Result<Vec<SolveError>, SolveError> {
-    let mechanism = scene.mechanism;
+    let mechanism = model.mechanism;
     if mechanism.cycles.is_empty() && mechanism.flywheels.is_empty() {
         return Ok(Vec::new());
     }
-    let way = Interval::of(scene, statics, sweep).map_err(|why| no_sweep(scene, why))?;
-    let mut sampler = Sampler::new(scene, statics, &way)?;
+    let way = Interval::of(model, statics, sweep).map_err(|why| no_sweep(model, why))?;
+    let mut sampler = Sampler::new(model, statics, &way)?;
     statics.cycles = vec![CycleAnswer::default(); mechanism.cycles.len()];
     // those of motion alone first: loads may depend on them
     let after = |index: &usize| hangs_on_forces(mechanism, &mechanism.cycles[*index].expr);
@@ -49,48 +49,48 @@ pub(crate) fn cycles(
         |indices: &[usize]| indices.iter().map(|i| mechanism.cycles[*i].expr.clone()).collect::<Vec<_>>();
     sampler.share(of(&early).into_iter().filter(hangs_on_nothing_else));
     for index in early {
-        statics.cycles[index] = cycle(scene, statics, &mut sampler, index);
+        statics.cycles[index] = cycle(model, statics, &mut sampler, index);
     }
     let mut warnings = Vec::new();
-    let wheels = (0..mechanism.flywheels.len()).filter_map(|i| flywheel::numbers(scene, statics, i));
+    let wheels = (0..mechanism.flywheels.len()).filter_map(|i| flywheel::numbers(model, statics, i));
     sampler.share(of(&late).into_iter().filter(hangs_on_nothing_else).chain(wheels.flatten()));
     for index in 0..mechanism.flywheels.len() {
         let wheel = &mechanism.flywheels[index];
-        let found = flywheel::flywheel(scene, statics, &mut sampler, index);
-        let found = found.map_err(|why| no_flywheel(scene, wheel, why, |s| way.value(s)))?;
-        let needless = found.needless.map(|[have, needed]| needless_flywheel(scene, wheel, have, needed));
+        let found = flywheel::flywheel(model, statics, &mut sampler, index);
+        let found = found.map_err(|why| no_flywheel(model, wheel, why, |s| way.value(s)))?;
+        let needless = found.needless.map(|[have, needed]| needless_flywheel(model, wheel, have, needed));
         warnings.extend(needless);
         statics.flywheels.push(found.answer);
     }
     for index in late {
-        statics.cycles[index] = cycle(scene, statics, &mut sampler, index);
+        statics.cycles[index] = cycle(model, statics, &mut sampler, index);
     }
     Ok(warnings)
 }
 
-/// The functions over the sweep and the flywheels of a solved file once more: with the settings of the scene's plan.
+/// The functions over the sweep and the flywheels of a solved file once more: with the settings of the model's plan.
 ///
 /// # Errors
 /// As [`super::solve`]: a flywheel that cannot be found.
-pub fn over_cycle(scene: &Scene<'_>, found: &WholeCycle) -> Result<WholeCycle, SolveError> {
+pub fn over_cycle(model: &Model<'_>, found: &WholeCycle) -> Result<WholeCycle, SolveError> {
     let mut statics = found.clone();
     statics.flywheels.clear();
-    let sweep = Sweep::of(scene, &statics);
-    cycles(scene, &mut statics, &sweep)?;
+    let sweep = Sweep::of(model, &statics);
+    cycles(model, &mut statics, &sweep)?;
     Ok(statics)
 }
 
-fn cycle(scene: &Scene<'_>, statics: &WholeCycle, sampler: &mut Sampler<'_>, index: usize) -> CycleAnswer {
-    let asked = &scene.mechanism.cycles[index];
+fn cycle(model: &Model<'_>, statics: &WholeCycle, sampler: &mut Sampler<'_>, index: usize) -> CycleAnswer {
+    let asked = &model.mechanism.cycles[index];
     sampler.begin();
-    match found(scene, statics, sampler, asked.how, &asked.expr) {
+    match found(model, statics, sampler, asked.how, &asked.expr) {
         Ok(answer) => CycleAnswer { samples: sampler.samples, ..answer },
-        Err(why) => CycleAnswer::undefined(undefined(scene, why, |s| sampler.way.value(s))),
+        Err(why) => CycleAnswer::undefined(undefined(model, why, |s| sampler.way.value(s))),
     }
 }
 
 fn found(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     how: CycleFunction,
@@ -99,7 +99,7 @@ fn found(
     if let Some(answer) = of_work(statics, how, expr) {
         return Ok(answer);
     }
-    let breaks = switches::breaks(scene, statics, sampler, expr)?;
+    let breaks = switches::breaks(model, statics, sampler, expr)?;
     let splits = breaks.iter().map(|s| sampler.way.value(*s)).collect();
     let answer = |value, error, scale| CycleAnswer { value, error, scale, splits, ..CycleAnswer::default() };
     let length = sampler.way.length();
@@ -107,7 +107,7 @@ fn found(
     let factor = if how == CycleFunction::Integral { length } else { 1.0 };
     if whole
         && breaks.is_empty()
-        && comes_again(scene, statics, sampler, expr)?
+        && comes_again(model, statics, sampler, expr)?
         && let Some(mean) = smooth_mean(statics, sampler, expr)?
     {
         return Ok(answer(mean.value * factor, mean.error * factor.abs(), mean.scale * factor.abs()));
@@ -154,7 +154,7 @@ fn of_work(statics: &WholeCycle, how: CycleFunction, expr: &Expr) -> Option<Cycl
 
 /// Whether the quantity is at the sweep's end what it was at its beginning: an angle that goes round is not.
 fn comes_again(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     expr: &Expr,
@@ -162,7 +162,7 @@ fn comes_again(
     if !sampler.way.is_closed || !sampler.comes_again() {
         return Ok(false);
     }
-    if !counts_turns(scene.mechanism, expr) {
+    if !counts_turns(model.mechanism, expr) {
         return Ok(true);
     }
     let (first, last) = (sampler.sample(statics, 0.0, expr)?, sampler.sample(statics, 1.0, expr)?);

@@ -12,7 +12,7 @@ use crate::answer::{PoseAnswers, Undefined, WholeCycle, balanced};
 use crate::message::SolveError;
 use crate::model::{Expr, LoadId, Value};
 use crate::plan::{Level, Settings};
-use crate::position::{BodyState, Branch, DEAD, DriveValue, Scene, State, extent};
+use crate::position::{BodyState, Branch, DEAD, DriveValue, Model, State, extent};
 use std::collections::HashMap;
 
 /// The fewest intervals between places where the mechanism is known beforehand.
@@ -34,11 +34,11 @@ struct Need {
 }
 
 impl Need {
-    fn of(scene: &Scene<'_>, expr: &Expr) -> Self {
-        let forces = hangs_on_forces(scene.mechanism, expr);
+    fn of(model: &Model<'_>, expr: &Expr) -> Self {
+        let forces = hangs_on_forces(model.mechanism, expr);
         Self {
             forces,
-            ideal: forces && scene.plan.effects.loses() && asks_for_ideal(scene.mechanism),
+            ideal: forces && model.plan.effects.loses() && asks_for_ideal(model.mechanism),
             quantities: names_quantity(expr),
         }
     }
@@ -52,7 +52,7 @@ impl Need {
 
 /// Solves the mechanism at places of the sweep.
 pub(super) struct Sampler<'a> {
-    scene: Scene<'a>,
+    model: Model<'a>,
     /// The sweep.
     pub way: &'a Interval,
     rates: Rates,
@@ -85,16 +85,16 @@ pub(super) struct Sampler<'a> {
 impl<'a> Sampler<'a> {
     /// Follows the sweep once, in small steps.
     pub(crate) fn new(
-        scene: &Scene<'a>,
+        model: &Model<'a>,
         statics: &WholeCycle,
         way: &'a Interval,
     ) -> Result<Self, SolveError> {
-        let rates = Rates::of(scene, statics);
-        let mut state = State::new(scene.plan);
+        let rates = Rates::of(model, statics);
+        let mut state = State::new(model.plan);
         rates.at(&way.from, &mut state.motion.inputs);
-        let state = assemble(scene, state)?;
-        let mut tracker = Tracker::new(scene, state.clone(), &way.from);
-        let count = steps(scene, extent(scene), &way.from, &way.to).max(FEWEST);
+        let state = assemble(model, state)?;
+        let mut tracker = Tracker::new(model, state.clone(), &way.from);
+        let count = steps(model, extent(model), &way.from, &way.to).max(FEWEST);
         let anchor = |tracker: &Tracker| Anchor {
             branches: tracker.state.branches.clone(),
             bodies: tracker.state.motion.bodies.clone(),
@@ -108,14 +108,14 @@ impl<'a> Sampler<'a> {
             done += 1.0;
             values.clear();
             values.extend(way.values(done / count));
-            if tracker.go(scene, &rates, &values).is_err() {
+            if tracker.go(model, &rates, &values).is_err() {
                 open = Some(done / count);
                 break;
             }
             anchors.push(anchor(&tracker));
         }
         Ok(Self {
-            scene: *scene,
+            model: *model,
             way,
             rates,
             anchors,
@@ -126,8 +126,8 @@ impl<'a> Sampler<'a> {
             evaluated: Vec::new(),
             quantities: Vec::new(),
             ideal: None,
-            with_angles: asks_for_angles(scene.mechanism),
-            loads_name_quantities: loads_name_quantities(scene.mechanism),
+            with_angles: asks_for_angles(model.mechanism),
+            loads_name_quantities: loads_name_quantities(model.mechanism),
             open,
             last: None,
             shared: Vec::new(),
@@ -142,14 +142,14 @@ impl<'a> Sampler<'a> {
     /// Whether the bodies stand at the sweep's end as at its beginning.
     pub(super) fn comes_again(&self) -> bool {
         let (Some(first), Some(last)) = (self.anchors.first(), self.anchors.last()) else { return false };
-        let near = 1e-9 * extent(&self.scene);
+        let near = 1e-9 * extent(&self.model);
         let mut bodies = first.bodies.iter().zip(&last.bodies);
         bodies.all(|(a, b)| (a.p - b.p).norm() <= near && (a.u - b.u).norm() <= 1e-9)
     }
 
     /// How accurately.
     pub(super) fn settings(&self) -> Settings {
-        self.scene.plan.settings
+        self.model.plan.settings
     }
 
     /// Intervals between equally spaced places where the mechanism is known beforehand.
@@ -171,7 +171,7 @@ impl<'a> Sampler<'a> {
                 self.shared.push(expr);
             }
         }
-        self.need = self.shared.iter().map(|e| Need::of(&self.scene, e)).fold(Need::default(), |a, b| Need {
+        self.need = self.shared.iter().map(|e| Need::of(&self.model, e)).fold(Need::default(), |a, b| Need {
             forces: a.forces || b.forces,
             ideal: a.ideal || b.ideal,
             quantities: a.quantities || b.quantities,
@@ -223,13 +223,13 @@ impl<'a> Sampler<'a> {
 
     /// The value of an expression at a place of the sweep.
     pub(super) fn value(&mut self, statics: &WholeCycle, s: f64, expr: &Expr) -> Result<Value, Undefined> {
-        self.solve(statics, s, Need::of(&self.scene, expr))?;
+        self.solve(statics, s, Need::of(&self.model, expr))?;
         Ok(self.view(statics).value(expr))
     }
 
     fn view<'v>(&'v self, statics: &'v WholeCycle) -> PoseAnswers<'v> {
         let ideal = self.ideal.as_ref().map(|(state, values)| (state, values.as_slice()));
-        let view = PoseAnswers::new(&self.scene, &self.state, &self.angles, statics);
+        let view = PoseAnswers::new(&self.model, &self.state, &self.angles, statics);
         PoseAnswers { quantities: &self.quantities, frictionless: ideal, ..view }
     }
 
@@ -242,14 +242,14 @@ impl<'a> Sampler<'a> {
             return Err(Undefined::Open(s));
         }
         self.samples += 1;
-        let scene = self.scene;
+        let model = self.model;
         self.start(s);
-        self.state.run_planned_motion(scene.plan);
+        self.state.run_planned_motion(model.plan);
         if self.state.motion.open.is_some() {
             return Err(Undefined::Open(s));
         }
         let singular = |sines: &[f64]| sines.iter().any(|sine| sine.abs() <= DEAD);
-        if scene.plan.effects.level > Level::Positions && singular(&self.state.motion.conditions) {
+        if model.plan.effects.level > Level::Positions && singular(&self.state.motion.conditions) {
             return Err(Undefined::At(s));
         }
         if self.with_angles {
@@ -257,7 +257,7 @@ impl<'a> Sampler<'a> {
         }
         if need.forces {
             let quantities = self.loads_name_quantities;
-            balanced(&scene, statics, &mut self.state, &self.angles, &mut self.evaluated, quantities);
+            balanced(&model, statics, &mut self.state, &self.angles, &mut self.evaluated, quantities);
             if self.state.forces.locked {
                 return Err(Undefined::Locked(s));
             }
@@ -277,8 +277,8 @@ impl<'a> Sampler<'a> {
 
     fn without_friction(&self, statics: &WholeCycle) -> (State, Vec<Value>) {
         let mut state = self.state.clone();
-        state.run_again_without_friction(self.scene.plan);
-        let values = PoseAnswers::new(&self.scene, &state, &self.angles, statics).all_quantities();
+        state.run_again_without_friction(self.model.plan);
+        let values = PoseAnswers::new(&self.model, &state, &self.angles, statics).all_quantities();
         (state, values)
     }
 

@@ -9,7 +9,7 @@ use crate::model::{
     Axis, BinaryOp, Expr, Function, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, PointRef,
     QuantityId, Query, Value,
 };
-use crate::position::Scene;
+use crate::position::Model;
 
 /// Roots nearer than this to the sweep's ends, or to one another, are one with them.
 const APART: f64 = 1e-13;
@@ -20,12 +20,12 @@ const NOISE: f64 = 0.25;
 
 /// Places of the sweep, between its ends, where the quantity is not smooth, in order.
 pub(super) fn breaks(
-    scene: &Scene<'_>,
+    model: &Model<'_>,
     statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
     expr: &Expr,
 ) -> Result<Vec<f64>, Undefined> {
-    let mut switches = Switches::of(scene);
+    let mut switches = Switches::of(model);
     switches.expr(expr);
     let mut all = Vec::new();
     let known =
@@ -63,10 +63,10 @@ fn difference(a: &Expr, b: &Expr) -> Expr {
 }
 
 impl<'a> Switches<'a> {
-    fn of(scene: &Scene<'a>) -> Self {
+    fn of(model: &Model<'a>) -> Self {
         Self {
-            mechanism: scene.mechanism,
-            friction: scene.plan.effects.friction,
+            mechanism: model.mechanism,
+            friction: model.plan.effects.friction,
             found: Vec::new(),
             quantities: Vec::new(),
             loads: Vec::new(),

@@ -6,7 +6,7 @@ use crate::structure::{JointKind, Structure};
 
 /// A compiled mechanism: what every position is solved from.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<'a> {
+pub struct Model<'a> {
     /// The mechanism.
     pub mechanism: &'a Mechanism,
     /// Its structure.
@@ -16,11 +16,11 @@ pub struct Scene<'a> {
 }
 
 /// Whether a drive's value is an angle.
-pub(crate) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
+pub(crate) fn turns(model: &Model<'_>, drive: &Drive) -> bool {
     match drive.target {
         DriveTarget::Link(_) => true,
         DriveTarget::Pair(pair) => {
-            matches!(scene.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_))
+            matches!(model.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_))
         }
         DriveTarget::Point(..) => false,
     }
@@ -28,12 +28,12 @@ pub(crate) fn turns(scene: &Scene<'_>, drive: &Drive) -> bool {
 
 /// A length of the mechanism's order, m: the farthest point of a joint from the origin of its body.
 #[must_use]
-pub fn extent(scene: &Scene<'_>) -> f64 {
+pub fn extent(model: &Model<'_>) -> f64 {
     let of = |kind: &JointKind| match kind {
         JointKind::Revolute(members) => members.iter().map(|m| m.1.norm()).fold(0.0, f64::max),
         JointKind::Prismatic { point, through, offset, .. } => point.norm().max(through.norm()).max(*offset),
         JointKind::Law(_) => 0.0,
     };
-    let extent = scene.structure.replaced.joints.iter().map(|j| of(&j.kind)).fold(0.0, f64::max);
+    let extent = model.structure.replaced.joints.iter().map(|j| of(&j.kind)).fold(0.0, f64::max);
     if extent > 0.0 { extent } else { 1.0 }
 }

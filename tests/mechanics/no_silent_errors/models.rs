@@ -17,7 +17,7 @@ pub struct Hard {
 }
 
 /// The case of this number.
-pub fn scene(seed: u64) -> Hard {
+pub fn model(seed: u64) -> Hard {
     let mut random = Random::new(seed ^ 0x5bd1_e995_0000_0000);
     let flat = if random.chance(0.6) { random.within(0.1, 0.6) } else { 0.0 };
     let mut mechanism = generate::with_dead(seed, flat, GENERAL).mechanism;
