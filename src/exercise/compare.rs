@@ -17,7 +17,7 @@ pub(super) fn bound(
     expected: Value,
     digits: usize,
 ) -> String {
-    if matches!(expected, Value::Truth(_)) {
+    if matches!(expected, Value::Bool(_)) {
         return String::new();
     }
     let sign = match comparison {
@@ -50,7 +50,7 @@ pub mod equal {
             (Value::Scalar(a), Value::Scalar(b)) if angle => Value::Scalar(within_half_a_turn(a - b)),
             (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a - b),
             (Value::Vector(a), Value::Vector(b)) => Value::Vector(a - b),
-            (Value::Truth(a), Value::Truth(b)) => Value::Scalar(if a == b { 0.0 } else { 1.0 }),
+            (Value::Bool(a), Value::Bool(b)) => Value::Scalar(if a == b { 0.0 } else { 1.0 }),
             _ => Value::Scalar(f64::NAN),
         }
     }

@@ -151,7 +151,7 @@ impl<'a> Key<'a> {
         let place = pose.map_or_else(String::new, |p| self.place(p));
         let value = |expr: &Expr| -> Result<Value, ExpectError> {
             let found = match view.value(expr) {
-                Value::Truth(_) => truth(view, expr).map(Value::Truth),
+                Value::Bool(_) => truth(view, expr).map(Value::Bool),
                 value => Some(value).filter(Value::is_defined),
             };
             if let Some(value) = found {
@@ -169,16 +169,16 @@ impl<'a> Key<'a> {
             pose: pose.map(|p| self.name(p)),
             place: place.clone(),
             comparison: None,
-            expected: Value::Truth(true),
+            expected: Value::Bool(true),
             got,
             within: None,
-            passed: got == Value::Truth(true),
+            passed: got == Value::Bool(true),
             angle: expect.angle,
             span: expect.span,
             display: expect.display.clone(),
         };
         match &expect.relation {
-            Relation::Truth => {}
+            Relation::Condition => {}
             Relation::Compare(how, expr) => {
                 outcome.expected = value(expr)?;
                 outcome.comparison = Some(*how);
@@ -208,7 +208,7 @@ impl<'a> Key<'a> {
 fn values(expect: &Expect) -> usize {
     match &expect.relation {
         Relation::Equal(list) => list.len(),
-        Relation::Compare(..) | Relation::Truth => 1,
+        Relation::Compare(..) | Relation::Condition => 1,
     }
 }
 

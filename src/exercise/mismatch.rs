@@ -34,7 +34,7 @@ impl Failed<'_> {
     fn error(&self) -> ExpectError {
         let Outcome { text, display, got, place: at, span, .. } = self.worst;
         let span = *span;
-        if *got == Value::Truth(false) {
+        if *got == Value::Bool(false) {
             let message = format!("expected {text}{at}, but it is false");
             return ExpectError::Mismatch { message, difference: "false".to_owned(), span, help: None };
         }

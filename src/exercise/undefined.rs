@@ -25,7 +25,7 @@ pub(super) fn truth(view: &PoseAnswers<'_>, expr: &Expr) -> Option<bool> {
         Expr::Frictionless(a) => truth(&view.without_friction(), a),
         Expr::Query(Query::Locked) if !view.efficiency().is_finite() => None,
         _ => match view.value(expr) {
-            Value::Truth(t) => Some(t),
+            Value::Bool(t) => Some(t),
             _ => None,
         },
     }

@@ -30,7 +30,7 @@ impl Answer {
         let si = match value {
             Some(Value::Scalar(x)) if x.is_finite() => Quantity::Number(x),
             Some(Value::Vector(Vec2 { x, y })) if x.is_finite() && y.is_finite() => Quantity::Vector(x, y),
-            Some(Value::Truth(holds)) => Quantity::Condition(holds),
+            Some(Value::Bool(holds)) => Quantity::Condition(holds),
             _ => Quantity::Undefined,
         };
         let quantity = match si {

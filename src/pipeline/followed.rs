@@ -125,7 +125,7 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_
 fn names_all(mechanism: &Mechanism, swept: usize) -> bool {
     let values = |relation: &Relation| match relation {
         Relation::Equal(list) => list.len(),
-        Relation::Compare(..) | Relation::Truth => 1,
+        Relation::Compare(..) | Relation::Condition => 1,
     };
     mechanism.expects.iter().any(|e| e.at.is_none() && !e.poseless && values(&e.relation) == swept)
 }

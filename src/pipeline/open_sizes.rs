@@ -5,7 +5,7 @@
 
 use super::compile::Origin;
 use assur_check as check;
-use assur_model::model::{Expr, FindKind, Mechanism, Relation, Scale, Value};
+use assur_model::model::{Expr, FindKind, Mechanism, OpenSize, Relation, Value};
 use assur_model::structure;
 use assur_solve::plan;
 use assur_solve::solve::{self, Following, Model, OpenSizes, Pose, WholeCycle};
@@ -18,7 +18,7 @@ const EQUAL: f64 = 1e-9;
 
 /// An answer that depends on a size that is not given.
 #[derive(Clone, Debug, Error, Diagnostic)]
-pub enum ScaleError {
+pub enum OpenSizeError {
     /// On the radius of a wheel, or the module of its teeth.
     #[error("`{what}` hangs on the {size} of `{wheel}`, which is not given")]
     #[diagnostic(code(mech::train::missing_radius))]
@@ -45,14 +45,14 @@ pub enum ScaleError {
 ///
 /// # Errors
 /// What is asked and depends on them.
-pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<ScaleError>> {
+pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<OpenSizeError>> {
     let mut open = OpenSizes::default();
-    if model.mechanism.scales.is_empty() {
+    if model.mechanism.open_sizes.is_empty() {
         return Ok(open);
     }
-    let mut errors: Vec<ScaleError> = Vec::new();
-    for scale in &model.mechanism.scales {
-        let (mechanism, _) = check::check_stretched(&origin.document, &origin.overrides, &scale.wheel);
+    let mut errors: Vec<OpenSizeError> = Vec::new();
+    for size in &model.mechanism.open_sizes {
+        let (mechanism, _) = check::check_with_other_size(&origin.document, &origin.overrides, &size.wheel);
         let Some(mechanism) = mechanism else { continue };
         let Ok((structure, _)) = structure::structure(&mechanism) else { continue };
         let plan = plan::plan(&mechanism, &structure);
@@ -61,9 +61,9 @@ pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<S
         for (name, span) in compared.questions() {
             if !errors
                 .iter()
-                .any(|e| matches!(e, ScaleError::MissingRadius { span: s, .. } if *s == span.into()))
+                .any(|e| matches!(e, OpenSizeError::MissingRadius { span: s, .. } if *s == span.into()))
             {
-                errors.push(error(scale, name, span));
+                errors.push(error(size, name, span));
             }
         }
         compared.note(&mut open);
@@ -71,20 +71,20 @@ pub fn open_sizes(model: &Model<'_>, origin: &Origin) -> Result<OpenSizes, Vec<S
     if errors.is_empty() { Ok(open) } else { Err(errors) }
 }
 
-fn error(scale: &Scale, what: String, span: Span) -> ScaleError {
-    let wheel = &scale.wheel;
-    let (size, example) = if scale.teeth {
+fn error(size: &OpenSize, what: String, span: Span) -> OpenSizeError {
+    let wheel = &size.wheel;
+    let (what_size, example) = if size.teeth {
         ("module", format!("wheel {wheel} teeth … module 2 mm"))
     } else {
         ("radius", format!("wheel {wheel} radius 100 mm"))
     };
-    ScaleError::MissingRadius {
+    OpenSizeError::MissingRadius {
         what,
         wheel: wheel.clone(),
-        size,
+        size: what_size,
         help: format!("give it: `{example}`, or ask for something that the ratios alone determine"),
         span: span.into(),
-        wheel_span: scale.span.into(),
+        wheel_span: size.span.into(),
     }
 }
 

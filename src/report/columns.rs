@@ -143,7 +143,7 @@ pub(super) enum Cell {
     /// A number in the author's unit.
     Number(f64),
     /// A truth.
-    Truth(bool),
+    Bool(bool),
     /// It has no value here.
     None,
 }
@@ -162,7 +162,7 @@ impl Quantity {
         let component = |value: &Option<Value>, y: bool| match value {
             Some(Value::Scalar(x)) if !y => Cell::Number(self.display.of_si(*x)),
             Some(Value::Vector(v)) => Cell::Number(self.display.of_si(if y { v.y } else { v.x })),
-            Some(Value::Truth(truth)) => Cell::Truth(*truth),
+            Some(Value::Bool(truth)) => Cell::Bool(*truth),
             _ => Cell::None,
         };
         let part = |name: String, y: bool| Part {

@@ -73,5 +73,5 @@ fn table(failed: &[&Outcome], digits: usize) -> Table {
 }
 
 fn expected_is_truth(outcome: &Outcome) -> bool {
-    matches!(outcome.expected, assur_model::model::Value::Truth(_))
+    matches!(outcome.expected, assur_model::model::Value::Bool(_))
 }

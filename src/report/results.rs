@@ -76,7 +76,7 @@ fn figures(answers: &Answers<'_>, scale: Scale, display: &Display, value: Option
     match value {
         Some(Value::Scalar(x)) => number(x),
         Some(Value::Vector(v)) => format!("({}, {})", number(v.x), number(v.y)),
-        Some(Value::Truth(truth)) => truth.to_string(),
+        Some(Value::Bool(truth)) => truth.to_string(),
         None => NONE.to_owned(),
     }
 }
@@ -97,7 +97,7 @@ fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: 
             let greatest = unit.max(part.greatest());
             let cells = part.cells.iter().map(|cell| match cell {
                 Cell::Number(x) => answers.precision.figures(*x, greatest),
-                Cell::Truth(truth) => truth.to_string(),
+                Cell::Bool(truth) => truth.to_string(),
                 Cell::None => quantity.missing.to_owned(),
             });
             let name = symbols::label(answers.model.mechanism, &part.name);
@@ -141,7 +141,7 @@ fn add_full(table: &mut Table, quantity: &Quantity) {
     for part in quantity.parts() {
         let cells = part.cells.iter().map(|cell| match cell {
             Cell::Number(x) => significant(*x, FULL),
-            Cell::Truth(truth) => truth.to_string(),
+            Cell::Bool(truth) => truth.to_string(),
             Cell::None => String::new(),
         });
         table.column(with_unit(&part.name, &quantity.display.unit), cells);

@@ -272,7 +272,7 @@ impl Answer {
                 number(y, out);
             }
             (Some(Value::Scalar(x)), false) => number(x, out),
-            (Some(Value::Truth(truth)), false) => out.push_str(if truth { ",true" } else { ",false" }),
+            (Some(Value::Bool(truth)), false) => out.push_str(if truth { ",true" } else { ",false" }),
             (_, true) => out.push_str(",,"),
             (_, false) => out.push(','),
         }

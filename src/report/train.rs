@@ -28,7 +28,7 @@ pub(super) fn laws(model: &Model<'_>, report: &mut Report) {
     let mut table = Table::of_words(&["transmission", "kind", "joins", "law"]);
     for pair in &model.mechanism.pairs {
         let PairKind::Transmission(t) = &pair.kind else { continue };
-        let law = if model.mechanism.scales.is_empty() {
+        let law = if model.mechanism.open_sizes.is_empty() {
             let each = t.laws.iter().map(|l| law_text(model.mechanism, &l.terms));
             each.collect::<Vec<_>>().join("; ")
         } else {
@@ -69,7 +69,7 @@ fn sum(terms: impl Iterator<Item = (f64, String)>) -> String {
 
 /// How a train group moves: `ω(II) = −0.833333 ω(I)`.
 pub(super) fn motion_in_words(model: &Model<'_>, train: &TrainMotion) -> String {
-    if !model.mechanism.scales.is_empty() {
+    if !model.mechanism.open_sizes.is_empty() {
         return "linear in the rates before it".to_owned();
     }
     let body = |slot: usize| model.structure.replaced.body_name(model.mechanism, BodyId(slot));

@@ -100,7 +100,10 @@ fn lines_that_meet_hold_nothing() {
             along / along.norm()
         });
         let turned = [d[0].turned(Vec2::direction(apart)), d[1], d[2]];
-        let sine = Triad::new(turned, arms, 1.0).sine.abs();
-        assert!(sine <= 4.0 * apart + 1e-15 && sine >= 0.1 * apart, "{apart}: {sine:e}");
+        let conditioning = Triad::new(turned, arms, 1.0).conditioning.abs();
+        assert!(
+            conditioning <= 4.0 * apart + 1e-15 && conditioning >= 0.1 * apart,
+            "{apart}: {conditioning:e}"
+        );
     }
 }

@@ -69,13 +69,13 @@ pub fn check_at(
 
 /// As [`check`], with another size assumed of a wheel whose own the document leaves open.
 #[must_use]
-pub fn check_stretched(
+pub fn check_with_other_size(
     document: &Document,
     overrides: &Overrides,
     wheel: &str,
 ) -> (Option<Mechanism>, Problems) {
     let mut cx = start(document, overrides);
-    cx.values.outside.stretched = Some(wheel);
+    cx.values.outside.other_size = Some(wheel);
     run(cx)
 }
 

@@ -213,8 +213,8 @@ impl Marker<'_> {
         match (&self.row.entries[place], entry) {
             (Entry::Empty | Entry::Unreadable(..), _) => None,
             (Entry::Number(key), Entry::Empty) => mark(None, *key, None, Verdict::Missing),
-            (Entry::Truth(key), Entry::Empty) => mark(None, truth(*key), None, Verdict::Missing),
-            (Entry::Truth(key), Entry::Truth(given)) => {
+            (Entry::Bool(key), Entry::Empty) => mark(None, truth(*key), None, Verdict::Missing),
+            (Entry::Bool(key), Entry::Bool(given)) => {
                 mark(Some(truth(*given)), truth(*key), None, right(given == key))
             }
             (Entry::Number(key), Entry::Number(given)) => {
@@ -232,11 +232,11 @@ impl Marker<'_> {
             (Entry::Number(key), Entry::Unreadable(text, why)) => {
                 mark(None, *key, None, Verdict::Unreadable(text.clone(), why.clone()))
             }
-            (Entry::Number(key), Entry::Truth(_)) => {
+            (Entry::Number(key), Entry::Bool(_)) => {
                 let verdict = Verdict::Unreadable("a truth".to_owned(), "a number is asked".to_owned());
                 mark(None, *key, None, verdict)
             }
-            (Entry::Truth(key), _) => {
+            (Entry::Bool(key), _) => {
                 let verdict = Verdict::Unreadable("a number".to_owned(), "write true or false".to_owned());
                 mark(None, truth(*key), None, verdict)
             }

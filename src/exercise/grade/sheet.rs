@@ -33,7 +33,7 @@ pub enum Entry {
     /// A number, SI.
     Number(f64),
     /// A truth.
-    Truth(bool),
+    Bool(bool),
     /// What cannot be read, with the reason.
     Unreadable(String, String),
 }
@@ -227,8 +227,8 @@ fn fits(column: &Column, unit: &Unit, key: &Sheet) -> Result<(), TableError> {
 fn entry(text: &str, unit: &Unit) -> Entry {
     match text {
         "" | "-" | "—" => return Entry::Empty,
-        "true" => return Entry::Truth(true),
-        "false" => return Entry::Truth(false),
+        "true" => return Entry::Bool(true),
+        "false" => return Entry::Bool(false),
         _ => {}
     }
     // a cell of its own may have a decimal comma

@@ -37,7 +37,7 @@ pub(super) enum Reading {
     /// A vector.
     Pair(Pair),
     /// A truth.
-    Truth(bool),
+    Bool(bool),
 }
 
 impl Reading {
@@ -46,7 +46,7 @@ impl Reading {
         match value {
             Value::Scalar(x) => Number::of(x).map(Self::Number),
             Value::Vector(v) => Pair::of(v).map(Self::Pair),
-            Value::Truth(truth) => Some(Self::Truth(truth)),
+            Value::Bool(truth) => Some(Self::Bool(truth)),
         }
     }
 }

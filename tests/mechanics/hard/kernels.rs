@@ -65,8 +65,8 @@ impl Dyad {
     fn pin_move(&self) -> f64 {
         let c = self.exact();
         let (r_1, r_2) = (c - Exact::of(self.p_A), c - Exact::of(self.p_B));
-        let sine = r_1.cross(r_2) / (r_1.norm() * r_2.norm());
-        ulp(self.l_1) / sine.abs().0
+        let conditioning = r_1.cross(r_2) / (r_1.norm() * r_2.norm());
+        ulp(self.l_1) / conditioning.abs().0
     }
 }
 
@@ -167,7 +167,7 @@ fn rrr_velocity_and_acceleration_lose_one_more_power_of_sigma_each() {
             let [l_1, l_2, side] = [dyad.l_1, dyad.l_2, dyad.side].map(DoubleDouble::of);
             let p = rrr::position(p_A, p_B, l_1, l_2, side);
             let exact = self::motion(p, [v_A, v_B, a_A, a_B].map(Exact::of));
-            let sigma = p.sine.abs().0;
+            let sigma = p.conditioning.abs().0;
             // Velocities are of the order 1/(l σ), accelerations of the order 1/(l² σ³).
             for (i, power) in [(0, 3), (1, 3), (2, 5), (3, 5)] {
                 let error = (exact[i] - DoubleDouble::of(motion[i])).abs().0;
@@ -233,7 +233,7 @@ fn newton_near_a_dead_centre() {
     for row in ROWS {
         for dyad in dyads(9, Vec2::zero(), |l_1, l_2| (l_1 + l_2) * (1.0 - row)) {
             let bound = 16.0 * dyad.pin_move();
-            let sigma = dyad.position().sine.abs();
+            let sigma = dyad.position().conditioning.abs();
             let got = by_newton(&dyad, 0.05 * sigma).expect("a start beside the answer");
             assert!(distance(got, dyad.exact()) <= bound, "{dyad:?}");
             // From farther away it may find the other assembly or nothing, but no wrong answer.
@@ -265,9 +265,9 @@ fn exactly_dead() {
     let zero = Vec2::zero();
     // 3-4-5: stretched and folded on exact lengths.
     let stretched = rrr::position(zero, Vec2::new(3.0, 4.0), 2.0, 3.0, 1.0);
-    assert_eq!((stretched.closure, stretched.sine), (0.0, 0.0));
+    assert_eq!((stretched.closure, stretched.conditioning), (0.0, 0.0));
     let folded = rrr::position(zero, Vec2::new(3.0, 4.0), 7.0, 2.0, -1.0);
-    assert_eq!((folded.closure, folded.sine), (0.0, 0.0));
+    assert_eq!((folded.closure, folded.conditioning), (0.0, 0.0));
     let across = rrp::position(zero, 2.0, zero, Vec2::new(1.0, 0.0), -2.0, 1.0);
-    assert_eq!((across.closure, across.sine), (0.0, 0.0));
+    assert_eq!((across.closure, across.conditioning), (0.0, 0.0));
 }

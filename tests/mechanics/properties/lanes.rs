@@ -107,8 +107,11 @@ fn differs(place: &Place<'_>, alone: &State) -> Option<String> {
         pairs.extend(vector(a.force, b.force));
     }
     pairs.extend(alone.forces.efforts.iter().enumerate().map(|(slot, &b)| (place.effort(slot), b)));
-    pairs.extend(alone.motion.conditions.iter().enumerate().map(|(group, &b)| (place.sine(group), b)));
-    pairs.extend(alone.forces.conditions.iter().enumerate().map(|(group, &b)| (place.force_sine(group), b)));
+    pairs
+        .extend(alone.motion.conditions.iter().enumerate().map(|(group, &b)| (place.conditioning(group), b)));
+    pairs.extend(
+        alone.forces.conditions.iter().enumerate().map(|(group, &b)| (place.force_conditioning(group), b)),
+    );
     let same = |(a, b): &(f64, f64)| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
     pairs.iter().find(|pair| !same(pair)).map(|(a, b)| format!("{a:e} beside {b:e} alone"))
 }

@@ -285,7 +285,7 @@ impl Context<'_> {
     }
 
     fn comparison(&mut self, first: &Expr, rest: &[(Spanned<CompareOp>, Expr)]) -> Option<Typed> {
-        let mut all = Some(Typed::new(model::Expr::Constant(Value::Truth(true)), Type::Bool));
+        let mut all = Some(Typed::new(model::Expr::Constant(Value::Bool(true)), Type::Bool));
         let mut left = self.read(first);
         let mut left_expr = first;
         for (op, operand) in rest {

@@ -48,7 +48,7 @@ fn one(cx: &mut Context<'_>, expect: &document::Expect, span: Span) -> Option<Ex
         && match &claim.relation {
             Relation::Equal(values) => values.iter().all(|v| cx.values.definitions.is_poseless(v)),
             Relation::Compare(_, bound) => cx.values.definitions.is_poseless(bound),
-            Relation::Truth => true,
+            Relation::Condition => true,
         };
     if poseless {
         one_value(cx, expect, at.as_ref())?;
@@ -89,7 +89,7 @@ fn condition(cx: &mut Context<'_>, expect: &document::Expect) -> Option<Claim> {
         return Some(Claim { expr: left.expr, relation, tolerance: Tolerance::None, ty, pending: false });
     }
     let (pending, ty) = (t.pending, Type::Bool);
-    Some(Claim { expr: t.expr, relation: Relation::Truth, tolerance: Tolerance::None, ty, pending })
+    Some(Claim { expr: t.expr, relation: Relation::Condition, tolerance: Tolerance::None, ty, pending })
 }
 
 /// The type of both, the more definite one of an angle and a number that may be one.

@@ -20,7 +20,7 @@ pub(crate) fn at_rest(cx: &mut Context<'_>) {
     if !linked && !acts && asks && !asks_of_motion(cx) {
         cx.builder.mech.links.truncate(1);
         cx.builder.mech.pairs.clear();
-        cx.builder.mech.scales.clear();
+        cx.builder.mech.open_sizes.clear();
     }
 }
 
@@ -39,7 +39,7 @@ fn asks_of_motion(cx: &Context<'_>) -> bool {
         match &expect.relation {
             Relation::Equal(values) => values.iter().for_each(&mut look),
             Relation::Compare(_, bound) => look(bound),
-            Relation::Truth => {}
+            Relation::Condition => {}
         }
     }
     found || cx.builder.mech.finds.iter().any(|f| matches!(f.kind, FindKind::Reactions))

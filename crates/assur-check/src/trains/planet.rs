@@ -39,8 +39,9 @@ pub(crate) fn distance(
 ) -> Option<()> {
     let [a, b] = wheels;
     let (Some(p), Some(q)) = (centre_on(cx, a, carrier), centre_on(cx, b, carrier)) else { return Some(()) };
-    let assumed =
-        |w: &Wheel| cx.builder.mech.scales.iter().any(|s| s.wheel == w.name || s.teeth && w.teeth.is_some());
+    let assumed = |w: &Wheel| {
+        cx.builder.mech.open_sizes.iter().any(|s| s.wheel == w.name || s.teeth && w.teeth.is_some())
+    };
     if assumed(a) || assumed(b) {
         return Some(());
     }
@@ -70,7 +71,7 @@ pub(crate) fn arm(
     internal: bool,
     joint: &Joint,
 ) {
-    let scaled = |w: &Wheel| cx.builder.mech.scales.iter().any(|s| s.wheel == w.name && !s.teeth);
+    let scaled = |w: &Wheel| cx.builder.mech.open_sizes.iter().any(|s| s.wheel == w.name && !s.teeth);
     if scaled(planet) || scaled(other) {
         return;
     }
@@ -90,7 +91,7 @@ pub(crate) fn arm(
     let odd = before.iter().find(|a| !agree(a.length, length)).cloned();
     before.push(asked.clone());
     let Some(first) = odd else { return };
-    let modules = cx.builder.mech.scales.iter().any(|s| s.teeth);
+    let modules = cx.builder.mech.open_sizes.iter().any(|s| s.teeth);
     // without a module an arm is a sum of teeth
     let text = |arm: f64| match modules {
         true => format!("{} teeth", crate::values::format_value::digits(2.0 * arm)),

@@ -10,7 +10,7 @@ use crate::values::fold;
 use crate::values::format_value::format_value;
 use crate::values::order::way_round;
 use crate::values::sizes::DeclaredWheel;
-use assur_model::model::{LinkId, Scale, Wheel};
+use assur_model::model::{LinkId, OpenSize, Wheel};
 use assur_syntax::document::{
     Body, End, Expr, ExprKind, JointKind, Member, Name, Statement, WheelMember, WheelSize,
 };
@@ -253,10 +253,10 @@ fn family_module(cx: &mut Context<'_>, declared: DeclaredWheel<'_>) -> Option<f6
 /// What is assumed where the file says nothing.
 fn assumed(cx: &mut Context<'_>, member: &WheelMember, teeth: bool) -> f64 {
     let name = &member.name.node;
-    if !cx.builder.mech.scales.iter().any(|s| s.wheel == *name) {
-        cx.builder.mech.scales.push(Scale { wheel: name.clone(), span: member.name.span, teeth });
+    if !cx.builder.mech.open_sizes.iter().any(|s| s.wheel == *name) {
+        cx.builder.mech.open_sizes.push(OpenSize { wheel: name.clone(), span: member.name.span, teeth });
     }
-    ASSUMED[usize::from(cx.values.outside.stretched == Some(name.as_str()))]
+    ASSUMED[usize::from(cx.values.outside.other_size == Some(name.as_str()))]
 }
 
 fn cycle(cx: &mut Context<'_>, again: &str) {

@@ -21,7 +21,7 @@ pub fn vector(e: &Expr) -> Option<Vec2> {
 
 fn boolean(e: &Expr) -> Option<bool> {
     match e {
-        Expr::Constant(Value::Truth(t)) => Some(*t),
+        Expr::Constant(Value::Bool(t)) => Some(*t),
         _ => None,
     }
 }
@@ -31,7 +31,7 @@ const fn vector_of(v: Vec2) -> Expr {
 }
 
 const fn truth_of(t: bool) -> Expr {
-    Expr::Constant(Value::Truth(t))
+    Expr::Constant(Value::Bool(t))
 }
 
 /// −e

@@ -13,13 +13,13 @@ pub struct Outside<'a> {
     /// A `given` with the SI value it has instead of any other.
     pub fixed: Option<(&'a str, f64)>,
     /// A wheel whose size is left open, of which another is assumed than usual.
-    pub stretched: Option<&'a str>,
+    pub other_size: Option<&'a str>,
 }
 
 impl<'a> Outside<'a> {
     /// Those that replace values, with nothing assumed.
     pub fn new(overrides: &'a Overrides) -> Self {
-        Self { overrides, row: overrides.row.clone(), fixed: None, stretched: None }
+        Self { overrides, row: overrides.row.clone(), fixed: None, other_size: None }
     }
 
     /// What the row of variants says of a name that has its values there alone.

@@ -42,7 +42,7 @@ pub struct Position<S> {
     /// Coordinate of C along guide 2 from Q_2, m.
     pub s_2: S,
     /// d_1 × d_2.
-    pub sine: S,
+    pub conditioning: S,
 }
 
 /// The group in one position: what position, velocity, acceleration and reactions share.
@@ -87,7 +87,7 @@ impl<S: Scalar> Prp<S> {
     pub fn position(&self, p_Q1: V2<S>, h_1: S, p_Q2: V2<S>, h_2: S) -> Position<S> {
         let foot = p_Q1 + self.d_1.perp() * h_1;
         let (s_1, s_2) = self.solve(p_Q2 + self.d_2.perp() * h_2 - foot);
-        Position { p_C: foot + self.d_1 * s_1, s_1, s_2, sine: self.d_1.cross(self.d_2) }
+        Position { p_C: foot + self.d_1 * s_1, s_1, s_2, conditioning: self.d_1.cross(self.d_2) }
     }
 
     /// Velocities along the guides, (ṡ_1, ṡ_2), m/s.

@@ -45,7 +45,7 @@ pub struct Position<S> {
     /// Coordinate of R along the guide from Q, m.
     pub s_2: S,
     /// d_1 × d_2.
-    pub sine: S,
+    pub conditioning: S,
 }
 
 /// The group in one position: what position, velocity, acceleration and reactions share.
@@ -91,7 +91,7 @@ impl<S: Scalar> Rpp<S> {
     pub fn position(&self, p_A: V2<S>, h_1: S, p_Q: V2<S>, h_2: S) -> Position<S> {
         let foot = p_Q + self.d_2.perp() * h_2;
         let (s_1, s_2) = self.solve(p_A - foot - self.d_1.perp() * h_1);
-        Position { p_R: foot + self.d_2 * s_2, s_1, s_2, sine: self.d_1.cross(self.d_2) }
+        Position { p_R: foot + self.d_2 * s_2, s_1, s_2, conditioning: self.d_1.cross(self.d_2) }
     }
 
     /// Velocities along the line and along the guide, (ṡ_1, ṡ_2), m/s.

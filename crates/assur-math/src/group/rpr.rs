@@ -45,7 +45,7 @@ pub struct Position<S> {
     /// Coordinate of B along the line from the foot of A, m.
     pub s: S,
     /// s / L; its sign is that of s.
-    pub sine: S,
+    pub conditioning: S,
     /// L − |h|, m; ≥ 0 when the offset fits between the pins.
     pub closure: S,
 }
@@ -66,7 +66,12 @@ pub fn position<S: Scalar>(p_A: V2<S>, p_B: V2<S>, h: S, root: S) -> Position<S>
     let inverse = S::one() / square.max(S::of(f64::MIN_POSITIVE));
     let length = square.sqrt();
     let s = root * ((length - h) * (length + h)).max(S::zero()).sqrt();
-    Position { e: (r * s - r.perp() * h) * inverse, s, sine: s * length * inverse, closure: length - h.abs() }
+    Position {
+        e: (r * s - r.perp() * h) * inverse,
+        s,
+        conditioning: s * length * inverse,
+        closure: length - h.abs(),
+    }
 }
 
 /// By how much the pins are too near for the offset, m; `None` when it fits.

@@ -47,7 +47,7 @@ pub struct Position<S> {
     /// 1 / u, 1/m; not finite where the link stands across the guide.
     pub inverse: S,
     /// u / l; positive when C is ahead of A along d.
-    pub sine: S,
+    pub conditioning: S,
     /// l − |e|, m; ≥ 0 when the link reaches the path of C.
     pub closure: S,
 }
@@ -71,7 +71,7 @@ pub fn position<S: Scalar>(p_A: V2<S>, l: S, p_Q: V2<S>, d: V2<S>, h: S, root: S
         r_1,
         s: q.dot(d) + along,
         inverse: S::one() / along,
-        sine: along / l,
+        conditioning: along / l,
         closure: l - across.abs(),
     }
 }

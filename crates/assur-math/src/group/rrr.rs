@@ -51,7 +51,7 @@ pub struct Position<S> {
     /// 1 / (r_1 × r_2), 1/m²; not finite where the links are in line.
     pub inverse: S,
     /// sin of the angle from r_1 to r_2; positive when C is left of A→B.
-    pub sine: S,
+    pub conditioning: S,
     /// The length by which the links suffice, m: (s² − q)/2s or (q − d²)/2|d|, the lesser; ≥ 0 when they close.
     pub closure: S,
 }
@@ -117,7 +117,7 @@ impl<S: Scalar> Sides<S> {
             r_1,
             r_2: across - r * along_2,
             inverse: S::of(2.0) / area,
-            sine: area * self.product,
+            conditioning: area * self.product,
             closure: (far * self.far).min(near * self.near),
         }
     }

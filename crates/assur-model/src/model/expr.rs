@@ -12,7 +12,7 @@ pub enum Value {
     /// A vector in ground axes.
     Vector(Vec2),
     /// A truth.
-    Truth(bool),
+    Bool(bool),
 }
 
 impl Value {
@@ -22,7 +22,7 @@ impl Value {
         match self {
             Self::Scalar(x) => x.is_finite(),
             Self::Vector(v) => v.x.is_finite() && v.y.is_finite(),
-            Self::Truth(_) => true,
+            Self::Bool(_) => true,
         }
     }
 
@@ -32,7 +32,7 @@ impl Value {
         match self {
             Self::Scalar(x) => x.abs(),
             Self::Vector(v) => libm::hypot(v.x, v.y),
-            Self::Truth(_) => 0.0,
+            Self::Bool(_) => 0.0,
         }
     }
 }

@@ -13,7 +13,7 @@ impl Display {
                 let v = self.of_si_vector(v);
                 format!("({}, {})", significant(v.x, digits), significant(v.y, digits))
             }
-            Value::Truth(truth) => truth.to_string(),
+            Value::Bool(truth) => truth.to_string(),
         }
     }
 

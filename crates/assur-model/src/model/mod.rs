@@ -33,7 +33,7 @@ pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
-pub use train::{Law, Meeting, Rate, Scale, Transmission, TransmissionKind, Wheel};
+pub use train::{Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;
 
@@ -51,7 +51,7 @@ pub struct Mechanism {
     /// All wheels.
     pub wheels: Vec<Wheel>,
     /// Sizes that are left open and assumed.
-    pub scales: Vec<Scale>,
+    pub open_sizes: Vec<OpenSize>,
     /// Asserted structural groups.
     pub groups: Vec<GroupAssertion>,
     /// The drives.
@@ -127,7 +127,7 @@ impl Mechanism {
     /// wheels that are left open.
     #[must_use]
     pub fn asks_again(&self) -> bool {
-        !self.criticals.is_empty() || !self.scales.is_empty()
+        !self.criticals.is_empty() || !self.open_sizes.is_empty()
     }
 
     /// The pair with this id.

@@ -63,7 +63,7 @@ pub enum Relation {
     /// Stands in this relation to a bound.
     Compare(super::Comparison, Expr),
     /// A truth that holds.
-    Truth,
+    Condition,
 }
 
 /// The tolerance of an equality, all in SI.

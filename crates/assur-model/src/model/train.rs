@@ -16,7 +16,7 @@ pub struct Wheel {
     pub link: LinkId,
     /// Its axis in the link's frame, m; `None` on a shaft whose place is left open.
     pub centre: Option<Vec2>,
-    /// Radius, of a gear wheel that of its pitch circle, m. Where it is not given it is assumed, see [`Scale`].
+    /// Radius, of a gear wheel that of its pitch circle, m. Where it is not given it is assumed, see [`OpenSize`].
     pub radius: f64,
     /// Number of teeth.
     pub teeth: Option<f64>,
@@ -24,7 +24,7 @@ pub struct Wheel {
 
 /// A size that the file leaves open and that is assumed: no answer may depend on it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Scale {
+pub struct OpenSize {
     /// The wheel.
     pub wheel: String,
     /// Its place.

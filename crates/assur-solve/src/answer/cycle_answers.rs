@@ -45,7 +45,7 @@ pub struct FlywheelAnswer {
     /// The work over the sweep, panel by panel, in the sweep's own coordinate from 0 to 1, J.
     pub work: Vec<Series>,
     /// First drive value and length of the sweep, rad.
-    pub way: (f64, f64),
+    pub interval: (f64, f64),
 }
 
 impl CycleAnswer {
@@ -58,7 +58,7 @@ impl FlywheelAnswer {
     /// The work at a value of the drive, J.
     #[must_use]
     pub fn work(&self, value: f64) -> f64 {
-        let turns = (value - self.way.0) / self.way.1;
+        let turns = (value - self.interval.0) / self.interval.1;
         let s = turns - turns.floor();
         let panel = self.work.iter().find(|p| s <= p.to).or(self.work.last());
         panel.map_or(f64::NAN, |p| p.value(s))

@@ -25,15 +25,15 @@ impl PoseAnswers<'_> {
             Expr::Negate(a) => match self.value(a) {
                 Value::Scalar(x) => Value::Scalar(-x),
                 Value::Vector(v) => Value::Vector(-v),
-                Value::Truth(_) => NOT_A_NUMBER,
+                Value::Bool(_) => NOT_A_NUMBER,
             },
             Expr::Binary(op, a, b) => binary(*op, self.value(a), self.value(b)),
             Expr::Power(a, b) => Value::Scalar(power(self.scalar(a), self.scalar(b))),
             Expr::Call(function, args) => self.call(*function, args),
-            Expr::Compare(how, a, b) => Value::Truth(compare(*how, self.scalar(a), self.scalar(b))),
-            Expr::And(a, b) => Value::Truth(self.truth(a) && self.truth(b)),
-            Expr::Or(a, b) => Value::Truth(self.truth(a) || self.truth(b)),
-            Expr::Not(a) => Value::Truth(!self.truth(a)),
+            Expr::Compare(how, a, b) => Value::Bool(compare(*how, self.scalar(a), self.scalar(b))),
+            Expr::And(a, b) => Value::Bool(self.truth(a) && self.truth(b)),
+            Expr::Or(a, b) => Value::Bool(self.truth(a) || self.truth(b)),
+            Expr::Not(a) => Value::Bool(!self.truth(a)),
             Expr::Quantity(id) => self.quantity(*id),
             Expr::Query(query) => self.query(query),
             Expr::Frictionless(a) => self.without_friction().value(a),
@@ -45,7 +45,7 @@ impl PoseAnswers<'_> {
     pub fn scalar(&self, expr: &Expr) -> f64 {
         match self.value(expr) {
             Value::Scalar(x) => x,
-            Value::Vector(_) | Value::Truth(_) => f64::NAN,
+            Value::Vector(_) | Value::Bool(_) => f64::NAN,
         }
     }
 
@@ -56,14 +56,14 @@ impl PoseAnswers<'_> {
             Value::Vector(v) => v,
             // a literal 0 fits any dimension, and any shape
             Value::Scalar(0.0) => Vec2::zero(),
-            Value::Scalar(_) | Value::Truth(_) => Vec2::new(f64::NAN, f64::NAN),
+            Value::Scalar(_) | Value::Bool(_) => Vec2::new(f64::NAN, f64::NAN),
         }
     }
 
     /// A truth; false for anything else.
     #[must_use]
     pub fn truth(&self, expr: &Expr) -> bool {
-        matches!(self.value(expr), Value::Truth(true))
+        matches!(self.value(expr), Value::Bool(true))
     }
 
     fn call(&self, function: Function, args: &[Expr]) -> Value {
@@ -83,7 +83,7 @@ impl PoseAnswers<'_> {
             Function::Mag => match arg(0) {
                 Value::Scalar(x) => x.abs(),
                 Value::Vector(v) => libm::hypot(v.x, v.y),
-                Value::Truth(_) => f64::NAN,
+                Value::Bool(_) => f64::NAN,
             },
             Function::Dot => vector(0).dot(vector(1)),
             Function::Cross => vector(0).cross(vector(1)),

@@ -36,7 +36,7 @@ pub(crate) fn every_query(mechanism: &Mechanism, look: &mut impl FnMut(&Query, S
         match &expect.relation {
             Relation::Equal(values) => values.iter().for_each(|e| ask(e, expect.span)),
             Relation::Compare(_, bound) => ask(bound, expect.span),
-            Relation::Truth => {}
+            Relation::Condition => {}
         }
         if let Some(At::Drives(list)) = &expect.at {
             list.iter().for_each(|(_, e)| ask(e, expect.span));

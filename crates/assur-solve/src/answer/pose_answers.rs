@@ -94,7 +94,7 @@ impl PoseAnswers<'_> {
             Query::Friction(pair, link) => Value::Scalar(self.friction(*pair, *link)),
             Query::FrictionPower(pair) => Value::Scalar(self.friction_power(*pair)),
             Query::Efficiency => Value::Scalar(self.efficiency()),
-            Query::Locked => Value::Truth(self.efficiency() <= 0.0),
+            Query::Locked => Value::Bool(self.efficiency() <= 0.0),
             Query::Critical(which) => Value::Scalar(self.statics.critical(*which)),
             Query::ContactForce(pair, which) => {
                 Value::Scalar(self.contact_forces(*pair).map_or(f64::NAN, |r| r[usize::from(*which == 2)]))

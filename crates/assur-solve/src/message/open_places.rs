@@ -128,9 +128,9 @@ pub fn unplaced_reactions(model: &Model<'_>) -> Vec<bool> {
         for (site, _) in &law.terms {
             match site {
                 LawSite::Turn(body) => bodies[*body] = true,
-                LawSite::Slide(way) => {
-                    bodies[way.body] = true;
-                    bodies[way.base] = true;
+                LawSite::Slide(guide) => {
+                    bodies[guide.body] = true;
+                    bodies[guide.base] = true;
                 }
             }
         }

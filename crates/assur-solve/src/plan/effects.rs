@@ -154,7 +154,7 @@ impl Wanted {
             match &expect.relation {
                 Relation::Equal(values) => values.iter().for_each(|e| self.expr(mechanism, e)),
                 Relation::Compare(_, bound) => self.expr(mechanism, bound),
-                Relation::Truth => {}
+                Relation::Condition => {}
             }
         }
         mechanism.cycles.iter().for_each(|c| self.expr(mechanism, &c.expr));

@@ -1,6 +1,6 @@
 //! The steps of forces.
 
-use super::formed::Formed;
+use super::exact_vec::ExactVec;
 use super::friction_step::FrictionGroup;
 use super::joint::{Guide, Hinge, OuterJoint};
 use super::step::Arm;
@@ -44,7 +44,7 @@ pub enum ForceStep {
     /// One body on a guide with one unknown effort.
     Shift {
         /// The guide.
-        way: Guide,
+        guide: Guide,
         /// The effort.
         effort: EffortLine,
         /// Slot of the effort, and the sign with which it acts on the body.
@@ -67,7 +67,7 @@ pub enum ForceStep {
         /// Inner revolute.
         inner: Inner,
         /// Guide of the slider.
-        way: Guide,
+        guide: Guide,
         /// The step of motion of the same group.
         motion: Option<usize>,
     },
@@ -87,7 +87,7 @@ pub enum ForceStep {
         /// Outer revolutes.
         outer: [Hinge; 2],
         /// The inner guide.
-        way: Guide,
+        guide: Guide,
     },
     /// Dyad PRP.
     Prp {
@@ -103,7 +103,7 @@ pub enum ForceStep {
         /// The inner guide.
         inner: Guide,
         /// Guide of the second body.
-        way: Guide,
+        guide: Guide,
     },
     /// A body between two guides; the couples are not determined.
     Translation {
@@ -152,7 +152,7 @@ pub struct Inner {
     /// The pin in the second body's frame.
     pub second_pin: Arm,
     /// From the outer pins to this one in the frames of their bodies, m; of a guide nothing.
-    pub arms: [Formed; 2],
+    pub arms: [ExactVec; 2],
     /// Slot of the reaction.
     pub slot: usize,
     /// The reaction kept is this times the force of the first body on the second.

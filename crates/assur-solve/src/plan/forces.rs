@@ -1,8 +1,8 @@
 //! Steps of forces, one per structural group, from the outermost loads to the efforts.
 
+use super::exact_vec::ExactVec;
 use super::force_step::{DrivenPart, EffortLine, ForceStep, Inner};
-use super::formed::Formed;
-use super::geometry::{hinge, pin, pin_arm, way};
+use super::geometry::{guide, hinge, pin, pin_arm};
 use super::joint::OuterJoint;
 use super::planned::Plan;
 use super::step::MotionStep;
@@ -16,7 +16,7 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
             GroupKind::Driven => driven(structure, group, first),
             GroupKind::Dyad(kind) => Some(dyad(structure, group, first, kind, &plan.motion)),
             GroupKind::Translation => Some(ForceStep::Translation {
-                ways: [0, 1].map(|i| way(structure, group.joints[i], first + i)),
+                ways: [0, 1].map(|i| guide(structure, group.joints[i], first + i)),
             }),
             GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
             GroupKind::Triad | GroupKind::General => super::triad::forces(structure, group, first),
@@ -50,8 +50,8 @@ pub(super) fn effort_line(
         EffortKind::Line(b) => Some((EffortLine::Force { body: b.0, line: effort }, 1.0)),
         EffortKind::Coordinate(_) => {
             let (joint, slot) = joint?;
-            let way = way(structure, joint, slot);
-            Some((EffortLine::Along(way), if way.slider == body { 1.0 } else { -1.0 }))
+            let guide = guide(structure, joint, slot);
+            Some((EffortLine::Along(guide), if guide.slider == body { 1.0 } else { -1.0 }))
         }
         EffortKind::Point(_) => None,
     }
@@ -70,7 +70,7 @@ fn driven(structure: &Structure, group: &Group, slot: usize) -> Option<ForceStep
     }
     let value = (index, sign);
     Some(if joint.prismatic {
-        ForceStep::Shift { way: way(structure, joint, slot), effort, value }
+        ForceStep::Shift { guide: guide(structure, joint, slot), effort, value }
     } else {
         ForceStep::Turn { hinge: hinge(structure, joint, slot), effort, value }
     })
@@ -85,12 +85,12 @@ fn dyad(
 ) -> ForceStep {
     let [first, inner, second] = [group.joints[0], group.joints[1], group.joints[2]];
     let hinge_of = |i: usize| hinge(structure, group.joints[i], first_slot + i);
-    let way_of = |i: usize| way(structure, group.joints[i], first_slot + i);
+    let way_of = |i: usize| guide(structure, group.joints[i], first_slot + i);
     let inner_hinge = || Inner {
         pin: pin(&structure.replaced, inner, first.body),
         second_pin: pin_arm(&structure.replaced, inner, second.body),
         arms: [first, second].map(|o| {
-            Formed::between(pin(&structure.replaced, o, o.body), pin(&structure.replaced, inner, o.body))
+            ExactVec::between(pin(&structure.replaced, o, o.body), pin(&structure.replaced, inner, o.body))
         }),
         slot: first_slot + 1,
         sign: if inner.body == second.body { 1.0 } else { -1.0 },
@@ -101,10 +101,10 @@ fn dyad(
     let motion = same_motion(structure, group).filter(leaves);
     match kind {
         Dyad::Rrr => ForceStep::Rrr { outer: [hinge_of(0), hinge_of(2)], inner: inner_hinge(), motion },
-        Dyad::Rrp => ForceStep::Rrp { outer: hinge_of(0), inner: inner_hinge(), way: way_of(2), motion },
-        Dyad::Rpr => ForceStep::Rpr { outer: [hinge_of(0), hinge_of(2)], way: way_of(1) },
+        Dyad::Rrp => ForceStep::Rrp { outer: hinge_of(0), inner: inner_hinge(), guide: way_of(2), motion },
+        Dyad::Rpr => ForceStep::Rpr { outer: [hinge_of(0), hinge_of(2)], guide: way_of(1) },
         Dyad::Prp => ForceStep::Prp { ways: [way_of(0), way_of(2)], inner: inner_hinge() },
-        Dyad::Rpp => ForceStep::Rpp { outer: hinge_of(0), inner: way_of(1), way: way_of(2) },
+        Dyad::Rpp => ForceStep::Rpp { outer: hinge_of(0), inner: way_of(1), guide: way_of(2) },
     }
 }
 
@@ -132,7 +132,7 @@ fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dy
             })?;
             let (line, sign) = effort_line(structure, effort, joint.body.0, Some((joint, slot)))?;
             let at = if joint.prismatic {
-                OuterJoint::Guide(way(structure, joint, slot))
+                OuterJoint::Guide(guide(structure, joint, slot))
             } else {
                 OuterJoint::Hinge(hinge(structure, joint, slot))
             };
@@ -140,14 +140,14 @@ fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dy
         }
     };
     let outer = if kind == Dyad::Rrp {
-        OuterJoint::Guide(way(structure, second, first_slot + 2))
+        OuterJoint::Guide(guide(structure, second, first_slot + 2))
     } else {
         OuterJoint::Hinge(hinge(structure, second, first_slot + 2))
     };
     let inner_hinge = Inner {
         pin: pin(&structure.replaced, inner, ends[0]),
         second_pin: pin_arm(&structure.replaced, inner, ends[1]),
-        arms: [Formed::default(); 2],
+        arms: [ExactVec::default(); 2],
         slot: first_slot + 1,
         sign: if inner.body == ends[1] { 1.0 } else { -1.0 },
     };

@@ -2,7 +2,7 @@
 
 use super::force_step::{EffortLine, ForceStep};
 use super::friction_step::{FrictionElement, FrictionGroup, FrictionLaw};
-use super::geometry::way;
+use super::geometry::guide;
 use super::planned::Plan;
 use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
 use crate::structure::{BodyId, Group, JointKind, Structure};
@@ -14,11 +14,11 @@ fn reduced(step: &ForceStep, elements: &[FrictionElement], from: usize) -> Optio
         ForceStep::Rrr { outer: [one, two], inner, .. } => {
             &[(one.slot, false), (inner.slot, false), (two.slot, false)]
         }
-        ForceStep::Rrp { outer, inner, way, .. } => {
-            &[(outer.slot, false), (inner.slot, false), (way.slot, true)]
+        ForceStep::Rrp { outer, inner, guide, .. } => {
+            &[(outer.slot, false), (inner.slot, false), (guide.slot, true)]
         }
         ForceStep::Turn { hinge, effort: EffortLine::Torque { .. }, .. } => &[(hinge.slot, false)],
-        ForceStep::Shift { way, effort: EffortLine::Along(_), .. } => &[(way.slot, true)],
+        ForceStep::Shift { guide, effort: EffortLine::Along(_), .. } => &[(guide.slot, true)],
         _ => return None,
     };
     let mut found = [None; 3];
@@ -174,12 +174,12 @@ fn element(
         (PairKind::Revolute(_), Friction::Circle(radius)) => {
             (radius > 0.0).then(|| at(joint.body, joint.base, FrictionLaw::Circle { radius }))
         }
-        (PairKind::Prismatic(guide), friction) => {
-            let way = way(structure, *joint, slot);
+        (PairKind::Prismatic(of), friction) => {
+            let guide = guide(structure, *joint, slot);
             let kind = match friction {
-                Friction::Coefficient(coefficient) => FrictionLaw::Guide { coefficient, way },
+                Friction::Coefficient(coefficient) => FrictionLaw::Guide { coefficient, guide },
                 Friction::BothEnds(coefficient) => {
-                    FrictionLaw::BothEnds { coefficient, way, contacts: guide.contacts? }
+                    FrictionLaw::BothEnds { coefficient, guide, contacts: of.contacts? }
                 }
                 Friction::Circle(_) => return None,
             };

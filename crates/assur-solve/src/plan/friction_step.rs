@@ -37,14 +37,14 @@ pub enum FrictionLaw {
         /// Equivalent coefficient.
         coefficient: f64,
         /// The guide.
-        way: Guide,
+        guide: Guide,
     },
     /// A force f (|N_1| + |N_2|) along a guide with two contact points.
     BothEnds {
         /// Coefficient.
         coefficient: f64,
         /// The guide.
-        way: Guide,
+        guide: Guide,
         /// Coordinates of the contact points relative to the pair's point, m.
         contacts: [f64; 2],
     },

@@ -1,7 +1,7 @@
 //! Groups without a closed form: their joints, drives and efforts as scalar constraints for Newton's method.
 
 use super::general_step::{BalanceSystem, GeneralMotion, UnknownForce};
-use super::geometry::{pin_arm, way};
+use super::geometry::{guide, pin_arm};
 use super::joint::Hinge;
 use crate::group::general::{Constraint, General, Law, Line, Point};
 use crate::math::Vec2;
@@ -116,13 +116,13 @@ pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: u
             constraints.push(hinge(structure, joint, &mut places));
             unknowns.push(UnknownForce::Hinge { slot, hinge: at });
         } else if let Some((angle, point, line, offset)) = prismatic(structure, joint, &mut places) {
-            let way = way(structure, joint, slot);
+            let guide = guide(structure, joint, slot);
             if let Some(angle) = angle {
                 constraints.push(angle);
-                unknowns.push(UnknownForce::Couple(way));
+                unknowns.push(UnknownForce::Couple(guide));
             }
             constraints.push(Constraint::Offset { point, line, law: law(offset) });
-            unknowns.push(UnknownForce::Normal(way));
+            unknowns.push(UnknownForce::Normal(guide));
         }
     }
     for link in &structure.passive {
@@ -146,8 +146,8 @@ pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: u
                 let Some(i) = group.joints.iter().position(|j| j.joint == id) else { continue };
                 let joint = group.joints[i];
                 let Some((_, point, line, _)) = prismatic(structure, joint, &mut places) else { continue };
-                let way = way(structure, joint, first_slot + i);
-                (Constraint::Coordinate { point, line, law: law(0.0) }, UnknownForce::Along { effort, way })
+                let guide = guide(structure, joint, first_slot + i);
+                (Constraint::Coordinate { point, line, law: law(0.0) }, UnknownForce::Along { effort, guide })
             }
             EffortKind::Line(body) => {
                 lines.push((constraints.len(), effort));

@@ -63,7 +63,7 @@ pub enum UnknownForce {
         /// Slot of the effort.
         effort: usize,
         /// The joint.
-        way: Guide,
+        guide: Guide,
     },
     /// A force on a body along the line of an effort: its slot.
     Line(usize),

@@ -1,6 +1,6 @@
 //! From joints to the numbers of the steps.
 
-use super::formed::Formed;
+use super::exact_vec::ExactVec;
 use super::joint::{Guide, Hinge};
 use super::step::{Anchor, Arm, Leg, Slide};
 use crate::math::Vec2;
@@ -93,7 +93,7 @@ pub(super) fn leg(replaced: &Replaced, outer: GroupJoint, inner: GroupJoint) -> 
         direction,
         length,
         turn: direction / length,
-        arm: Formed::between(from, to),
+        arm: ExactVec::between(from, to),
     }
 }
 
@@ -106,7 +106,7 @@ pub(super) fn hinge(structure: &Structure, joint: GroupJoint, slot: usize) -> Hi
     }
 }
 
-pub(super) fn way(structure: &Structure, joint: GroupJoint, slot: usize) -> Guide {
+pub(super) fn guide(structure: &Structure, joint: GroupJoint, slot: usize) -> Guide {
     let (slider, point, direction) = match structure.replaced.joint(joint.joint).kind {
         JointKind::Prismatic { slider, point, direction, .. } => (slider, point, direction),
         JointKind::Revolute(_) | JointKind::Law(_) => (joint.body, Vec2::zero(), Vec2::new(1.0, 0.0)),

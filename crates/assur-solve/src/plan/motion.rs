@@ -1,6 +1,6 @@
 //! Steps of motion, one per structural group.
 
-use super::formed::Formed;
+use super::exact_vec::ExactVec;
 use super::geometry::{anchor, arm, leg, pin, pin_arm, slide};
 use super::planned::Plan;
 use super::step::{DrivenJoint, DrivenLeg, MotionStep};
@@ -82,7 +82,7 @@ fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Moti
         Dyad::Rrp => {
             let slide = slide(replaced, second, second.base);
             let pin = pin(replaced, inner, second.body);
-            let from_point = Formed::between(slide.point, pin).in_axes(slide.direction);
+            let from_point = ExactVec::between(slide.point, pin).in_axes(slide.direction);
             MotionStep::Rrp { branch, leg: leg(replaced, first, inner), slide, pin: arm(pin), from_point }
         }
         Dyad::Rpr => {
@@ -91,8 +91,8 @@ fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Moti
             MotionStep::Rpr {
                 branch,
                 bases: [anchor(replaced, first), anchor(replaced, second)],
-                from_origin: Formed::between(slide.origin, pins[0]).in_axes(slide.along),
-                from_point: Formed::between(slide.point, pins[1]).in_axes(slide.direction),
+                from_origin: ExactVec::between(slide.origin, pins[0]).in_axes(slide.along),
+                from_point: ExactVec::between(slide.point, pins[1]).in_axes(slide.direction),
                 pins: pins.map(arm),
                 slide,
             }
@@ -101,7 +101,7 @@ fn dyad(structure: &Structure, group: &Group, branch: usize, kind: Dyad) -> Moti
             let slides = [slide(replaced, first, first.base), slide(replaced, second, second.base)];
             let pins = [pin(replaced, inner, first.body), pin(replaced, inner, second.body)];
             let from_point =
-                [0, 1].map(|i| Formed::between(slides[i].point, pins[i]).in_axes(slides[i].direction));
+                [0, 1].map(|i| ExactVec::between(slides[i].point, pins[i]).in_axes(slides[i].direction));
             MotionStep::Prp { branch, slides, pins: pins.map(arm), from_point }
         }
         Dyad::Rpp => MotionStep::Rpp {
@@ -123,7 +123,7 @@ fn driven_legs(structure: &Structure, group: &Group, branch: usize, kind: Dyad) 
     }
     let slide = slide(replaced, second, second.base);
     let pin = pin(replaced, group.joints[1], second.body);
-    let from_point = Formed::between(slide.point, pin).in_axes(slide.direction);
+    let from_point = ExactVec::between(slide.point, pin).in_axes(slide.direction);
     Some(MotionStep::DrivenRrp {
         branch,
         leg: driven_leg(structure, group, 0)?,
@@ -142,7 +142,7 @@ fn driven_leg(structure: &Structure, group: &Group, outer: usize) -> Option<Driv
         body: outer.body.0,
         base: anchor(replaced, outer),
         pin: arm(from),
-        arm: Formed::between(from, pin(replaced, inner, outer.body)),
+        arm: ExactVec::between(from, pin(replaced, inner, outer.body)),
         joint: None,
     };
     let Some(&joint) = group.joints[3..].iter().find(|j| j.base == outer.body) else { return Some(leg) };
@@ -162,14 +162,14 @@ fn driven_leg(structure: &Structure, group: &Group, outer: usize) -> Option<Driv
             let base = anchor(replaced, joint);
             let hinge = pin(replaced, joint, joint.body);
             let sign = if second == joint.body { 1.0 } else { -1.0 };
-            let (pin, to_inner) = (arm(hinge), Formed::between(hinge, to));
+            let (pin, to_inner) = (arm(hinge), ExactVec::between(hinge, to));
             let turn = DrivenJoint::Turn { base, body: joint.body.0, pin, arm: to_inner, drive, sign };
-            DrivenLeg { arm: Formed::between(from, base.at), joint: Some(turn), ..leg }
+            DrivenLeg { arm: ExactVec::between(from, base.at), joint: Some(turn), ..leg }
         }
         _ => {
             let slide = slide(replaced, joint, joint.base);
-            let inner = Formed::between(slide.point, to).carried(slide.direction, slide.along);
-            let arm = Formed::between(from, slide.origin).plus(inner);
+            let inner = ExactVec::between(slide.point, to).carried(slide.direction, slide.along);
+            let arm = ExactVec::between(from, slide.origin).plus(inner);
             DrivenLeg { arm, joint: Some(DrivenJoint::Shift { slide, drive }), ..leg }
         }
     })

@@ -1,6 +1,6 @@
 //! The steps of motion: plain numbers and slots, nothing to look up.
 
-use super::formed::Formed;
+use super::exact_vec::ExactVec;
 use super::triad_step::TriadMotion;
 use crate::group::rrr::Sides;
 use crate::math::{Scalar, V2, Vec2};
@@ -56,7 +56,7 @@ pub struct Leg {
     /// The direction over the distance, 1/m.
     pub turn: Vec2,
     /// From the outer revolute to the inner one, m.
-    pub arm: Formed,
+    pub arm: ExactVec,
 }
 
 impl Leg {
@@ -100,7 +100,7 @@ pub struct DrivenLeg {
     pub pin: Arm,
     /// From the outer revolute to the inner one, in the body's frame, m; of a leg with a driven joint the part that does
     /// not change.
-    pub arm: Formed,
+    pub arm: ExactVec,
     /// The driven joint.
     pub joint: Option<DrivenJoint>,
 }
@@ -124,7 +124,7 @@ pub enum DrivenJoint {
         /// The revolute in the second body's frame.
         pin: Arm,
         /// From it to the inner revolute, in the second body's frame, m.
-        arm: Formed,
+        arm: ExactVec,
         /// Slot of the drive.
         drive: usize,
         /// The angle of the second body is this times the drive's value.
@@ -179,7 +179,7 @@ pub enum MotionStep {
         /// The inner revolute in the slider's frame.
         pin: Arm,
         /// The inner revolute from the sliding point, in the axes of the guide, m.
-        from_point: Formed,
+        from_point: ExactVec,
     },
     /// Dyad RRR with driven joints inside its links.
     DrivenRrr {
@@ -199,7 +199,7 @@ pub enum MotionStep {
         /// The inner revolute in the slider's frame.
         pin: Arm,
         /// The inner revolute from the sliding point, in the axes of the guide, m.
-        from_point: Formed,
+        from_point: ExactVec,
     },
     /// Dyad RPR: the first body carries the line.
     Rpr {
@@ -212,9 +212,9 @@ pub enum MotionStep {
         /// The inner guide, on the first body.
         slide: Slide,
         /// The first outer revolute from the line's origin, in the axes of the line, m.
-        from_origin: Formed,
+        from_origin: ExactVec,
         /// The second outer revolute from the sliding point, in the axes of the line, m.
-        from_point: Formed,
+        from_point: ExactVec,
     },
     /// Dyad PRP.
     Prp {
@@ -225,7 +225,7 @@ pub enum MotionStep {
         /// The inner revolute in the frames of the sliders.
         pins: [Arm; 2],
         /// The inner revolute from the sliding points, in the axes of the guides, m.
-        from_point: [Formed; 2],
+        from_point: [ExactVec; 2],
     },
     /// Dyad RPP: the first body is hung by a revolute and slides along a line of the second, which slides on a base.
     Rpp {

@@ -2,7 +2,7 @@
 //! is solved once, here: every member's rate is a sum of constants times rates that are known before it. The forces obey
 //! the transposed system: with the law Σ c_i q̇_i = 0 and its multiplier λ, the generalized force on q_i is λ c_i.
 
-use super::geometry::{anchor, pin_arm, slide, way};
+use super::geometry::{anchor, guide, pin_arm, slide};
 use super::joint::Hinge;
 use super::planned::Plan;
 use super::train_step::{
@@ -37,7 +37,7 @@ pub(super) fn laws(mechanism: &Mechanism, structure: &Structure) -> Vec<PlannedL
         let site = |rate: &BodyRate| match rate {
             BodyRate::Turn(body) => Some(LawSite::Turn(body.0)),
             BodyRate::Slide(joint) => {
-                guide_of(structure, *joint).map(|j| LawSite::Slide(way(structure, j, usize::MAX)))
+                guide_of(structure, *joint).map(|j| LawSite::Slide(guide(structure, j, usize::MAX)))
             }
         };
         laws.push(PlannedLaw {
@@ -201,8 +201,8 @@ pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize, pl
     let n = group.bodies.len();
     let support = |(i, joint): (usize, &GroupJoint)| {
         if joint.prismatic {
-            let way = way(structure, *joint, first_slot + i);
-            TrainSupport::Shift(way, if way.slider == joint.body.0 { 1.0 } else { -1.0 })
+            let guide = guide(structure, *joint, first_slot + i);
+            TrainSupport::Shift(guide, if guide.slider == joint.body.0 { 1.0 } else { -1.0 })
         } else {
             let pin = pin_arm(replaced, *joint, joint.body);
             let hinge = Hinge { body: joint.body.0, pin, base: joint.base.0, slot: first_slot + i };
@@ -217,10 +217,10 @@ pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize, pl
     let columns = laws.len() + efforts.len();
     let row = |site: &LawSite| match site {
         LawSite::Turn(body) => group.joints.iter().position(|j| j.body.0 == *body && !j.prismatic),
-        LawSite::Slide(way) => group.joints.iter().position(|j| {
+        LawSite::Slide(guide) => group.joints.iter().position(|j| {
             j.prismatic
-                && [j.body.0, j.base.0].contains(&way.body)
-                && [j.body.0, j.base.0].contains(&way.base)
+                && [j.body.0, j.base.0].contains(&guide.body)
+                && [j.body.0, j.base.0].contains(&guide.base)
         }),
     };
     for (column, &law) in laws.iter().enumerate() {
@@ -235,7 +235,7 @@ pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize, pl
             TrainEffort::Torque(_, body, base) => {
                 vec![(LawSite::Turn(*body), 1.0), (LawSite::Turn(*base), -1.0)]
             }
-            TrainEffort::Along(_, way) => vec![(LawSite::Slide(*way), 1.0)],
+            TrainEffort::Along(_, guide) => vec![(LawSite::Slide(*guide), 1.0)],
         };
         for (site, sign) in acts {
             if let Some(row) = row(&site) {
@@ -262,7 +262,7 @@ fn effort(structure: &Structure, slot: usize, effort: &Effort) -> Option<TrainEf
         EffortKind::Angle(body) => Some(TrainEffort::Torque(slot, body.0, 0)),
         EffortKind::RelativeAngle { first, second, .. } => Some(TrainEffort::Torque(slot, second.0, first.0)),
         EffortKind::Coordinate(joint) => {
-            guide_of(structure, joint).map(|j| TrainEffort::Along(slot, way(structure, j, usize::MAX)))
+            guide_of(structure, joint).map(|j| TrainEffort::Along(slot, guide(structure, j, usize::MAX)))
         }
         EffortKind::Line(_) | EffortKind::Point(_) => None,
     }

@@ -1,7 +1,7 @@
 //! Steps of a link on three legs.
 
 use super::force_step::ForceStep;
-use super::geometry::{arm, hinge, leg, pin, slide, way};
+use super::geometry::{arm, guide, hinge, leg, pin, slide};
 use super::joint::OuterJoint;
 use super::step::MotionStep;
 use super::triad_step::{TriadForceLeg, TriadForces, TriadHold, TriadLeg, TriadMotion};
@@ -74,7 +74,7 @@ pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize) ->
     let legs = places.map(|(i, k)| {
         let (outer, inner) = (group.joints[i], group.joints[k]);
         let held = if inner.prismatic {
-            TriadHold::Guide(way(structure, inner, first_slot + k))
+            TriadHold::Guide(guide(structure, inner, first_slot + k))
         } else {
             let at = pin(replaced, inner, outer.body);
             let along = at - pin(replaced, outer, outer.body);
@@ -89,7 +89,7 @@ pub(super) fn forces(structure: &Structure, group: &Group, first_slot: usize) ->
             }
         };
         let outer_joint = if outer.prismatic {
-            OuterJoint::Guide(way(structure, outer, first_slot + i))
+            OuterJoint::Guide(guide(structure, outer, first_slot + i))
         } else {
             OuterJoint::Hinge(hinge(structure, outer, first_slot + i))
         };

@@ -14,7 +14,7 @@ use super::state::State;
 use crate::group::{rrp, rrr};
 use crate::math::{Scalar, V2};
 use crate::plan::step::unit;
-use crate::plan::{self, DrivenJoint, DrivenLeg, DrivenPart, Formed, Hinge, Inner, OuterJoint, Slide};
+use crate::plan::{self, DrivenJoint, DrivenLeg, DrivenPart, ExactVec, Hinge, Inner, OuterJoint, Slide};
 
 /// The arm of a leg in the frame of its first body, with its derivatives.
 struct Arm<S> {
@@ -119,7 +119,7 @@ impl<S: Scalar> State<S> {
         );
         self.follow::<LEVEL>(&legs[0]);
         self.follow::<LEVEL>(&legs[1]);
-        self.motion.conditions[branch] = at.sine;
+        self.motion.conditions[branch] = at.conditioning;
     }
 
     #[inline(never)]
@@ -129,7 +129,7 @@ impl<S: Scalar> State<S> {
         leg: &DrivenLeg,
         slide: &Slide,
         pin: &plan::Arm,
-        from_point: Formed,
+        from_point: ExactVec,
     ) {
         let Branch2 { root, .. } = self.branch(branch, 0);
         let a = point::<S, LEVEL>(&self.motion.bodies, &leg.base);
@@ -153,7 +153,7 @@ impl<S: Scalar> State<S> {
         place::<S, LEVEL>(&mut self.motion.bodies[leg.body], &leg.pin, a, u, omega, alpha);
         self.place_slider::<LEVEL>(slide, guide.along, pin, at.p_C, s_dot, s_ddot);
         self.follow::<LEVEL>(leg);
-        self.motion.conditions[branch] = at.sine;
+        self.motion.conditions[branch] = at.conditioning;
     }
 
     /// Loads on a link of one or two bodies about a place.
@@ -180,7 +180,7 @@ impl<S: Scalar> State<S> {
         let p_C = self.motion.bodies[ends[0]].position(inner.pin);
         let r_1 = p_C - p_A;
         let (F_1, M_1) = self.link_load(first.body, ends[0], p_A);
-        let (f_C, sine) = match second {
+        let (f_C, conditioning) = match second {
             OuterJoint::Hinge(hinge) => {
                 let p_B = self.motion.bodies[hinge.body].pin(&hinge.pin).0;
                 let r_2 = p_C - p_B;
@@ -190,12 +190,12 @@ impl<S: Scalar> State<S> {
                 self.hinge_reaction(hinge, p_B, got.f_B);
                 (got.f_C, r_1.cross(r_2) / (r_1.norm() * r_2.norm()))
             }
-            OuterJoint::Guide(way) => {
-                let d = self.direction(way);
-                let (F_2, M_2) = self.load_about(way.body, p_C);
+            OuterJoint::Guide(guide) => {
+                let d = self.direction(guide);
+                let (F_2, M_2) = self.load_about(guide.body, p_C);
                 let got = rrp::Rrp::new(r_1, d).reactions(F_1, M_1, F_2, M_2);
                 self.hinge_reaction(first, p_A, got.f_A);
-                self.carried_way(way, p_C, d.perp() * got.normal, got.couple);
+                self.carried_way(guide, p_C, d.perp() * got.normal, got.couple);
                 (got.f_C, r_1.dot(d) / r_1.norm())
             }
         };
@@ -205,10 +205,10 @@ impl<S: Scalar> State<S> {
         for part in driven.iter().flatten() {
             match &part.joint {
                 OuterJoint::Hinge(hinge) => self.force_turn(hinge, &part.effort, part.value),
-                OuterJoint::Guide(way) => self.force_shift(way, &part.effort, part.value),
+                OuterJoint::Guide(guide) => self.force_shift(guide, &part.effort, part.value),
             };
         }
-        sine
+        conditioning
     }
 
     /// Adds a force at a place to what a body carries.

@@ -8,7 +8,7 @@ use crate::group::rrr::Sides;
 use crate::group::{pp, prp, rpp, rpr, rrp};
 use crate::math::{Scalar, V2, Vec2};
 use crate::plan::step::unit;
-use crate::plan::{Anchor, Arm, Formed, Leg, MotionStep, Slide};
+use crate::plan::{Anchor, Arm, ExactVec, Leg, MotionStep, Slide};
 
 impl<S: Scalar> State<S> {
     #[inline(always)]
@@ -35,7 +35,7 @@ impl<S: Scalar> State<S> {
         let [one, two] = legs;
         let sides = if S::WIDE { Sides::new(one.length(), two.length()) } else { sides.of() };
         let at = sides.position(a.p, b.p, S::of(self.branches[branch].root));
-        self.motion.conditions[branch] = at.sine;
+        self.motion.conditions[branch] = at.conditioning;
         self.closes(branch, at.closure, S::of(one.length + two.length));
         self.motion.shared[branch] = Shared { r_1: at.r_1, second: at.r_2, inverse: at.inverse };
         let u_1 = at.r_1.turned_back(one.turn());
@@ -59,14 +59,14 @@ impl<S: Scalar> State<S> {
         leg: &Leg,
         slide: &Slide,
         pin: &Arm,
-        from_point: Formed,
+        from_point: ExactVec,
     ) {
         let Branch2 { root, side } = self.branch(branch, 0);
         let a = point::<S, LEVEL>(&self.motion.bodies, &leg.base);
         let guide = line(&self.motion.bodies, slide);
         let h = from_point.of::<S>().y + S::of(side * slide.radius);
         let at = rrp::position(a.p, leg.length(), guide.origin, guide.along, h, S::of(root));
-        self.motion.conditions[branch] = at.sine;
+        self.motion.conditions[branch] = at.conditioning;
         self.closes(branch, at.closure, leg.length());
         self.motion.shared[branch] = Shared { r_1: at.r_1, second: guide.along, inverse: at.inverse };
         let u_1 = at.r_1.turned_back(leg.turn());
@@ -92,7 +92,7 @@ impl<S: Scalar> State<S> {
         let b = point::<S, LEVEL>(&self.motion.bodies, &bases[1]);
         let h = from_point.of::<S>().y + S::of(side * slide.radius) - from_origin.of::<S>().y;
         let at = rpr::position(a.p, b.p, h, S::of(root));
-        self.motion.conditions[*branch] = at.sine;
+        self.motion.conditions[*branch] = at.conditioning;
         self.closes(*branch, at.closure, h.abs() + (b.p - a.p).norm());
         let u_1 = at.e.turned_back(unit(slide.along));
         let u_2 = at.e.turned_back(unit(slide.direction));
@@ -115,14 +115,14 @@ impl<S: Scalar> State<S> {
         branch: usize,
         slides: &[Slide; 2],
         pins: &[Arm; 2],
-        from_point: &[Formed; 2],
+        from_point: &[ExactVec; 2],
     ) {
         let sides = self.branches[branch].sides;
         let guides = [line(&self.motion.bodies, &slides[0]), line(&self.motion.bodies, &slides[1])];
         let h = [0, 1].map(|i| from_point[i].of::<S>().y + S::of(sides[i] * slides[i].radius));
         let group = prp::Prp::new(guides[0].along, guides[1].along);
         let at = group.position(guides[0].origin, h[0], guides[1].origin, h[1]);
-        self.motion.conditions[branch] = at.sine;
+        self.motion.conditions[branch] = at.conditioning;
         let (mut rate, mut second) = ((S::zero(), S::zero()), (S::zero(), S::zero()));
         if LEVEL > 0 {
             let bases = [&self.motion.bodies[slides[0].base], &self.motion.bodies[slides[1].base]];
@@ -156,7 +156,7 @@ impl<S: Scalar> State<S> {
         let h_2 = apart(outer.point, inner.origin, outer.direction) + S::of(sides[1] * outer.radius);
         let group = rpp::Rpp::new(d_1, guide.along);
         let at = group.position(a.p, h_1, guide.origin, h_2);
-        self.motion.conditions[branch] = at.sine;
+        self.motion.conditions[branch] = at.conditioning;
         let carrier = self.motion.bodies[outer.base];
         let (mut rate, mut second) = ((S::zero(), S::zero()), (S::zero(), S::zero()));
         if LEVEL > 0 {
@@ -180,7 +180,7 @@ impl<S: Scalar> State<S> {
         let h = [S::of(sides[0] * slides[0].radius), from_second.y + S::of(sides[1] * slides[1].radius)];
         let group = pp::Pp::new(guides[0].along, guides[1].along);
         let at = group.position(guides[0].origin, h[0], guides[1].origin, h[1]);
-        self.motion.conditions[branch] = at.sine;
+        self.motion.conditions[branch] = at.conditioning;
         let (mut rate, mut second) = ((S::zero(), S::zero()), (S::zero(), S::zero()));
         if LEVEL > 0 {
             let bases = [&self.motion.bodies[slides[0].base], &self.motion.bodies[slides[1].base]];

@@ -71,15 +71,15 @@ impl<S: Scalar> State<S> {
     pub(super) fn closed_force(&mut self, step: &ForceStep) -> S {
         match step {
             ForceStep::Turn { hinge, effort, value } => self.force_turn(hinge, effort, *value),
-            ForceStep::Shift { way, effort, value } => self.force_shift(way, effort, *value),
+            ForceStep::Shift { guide, effort, value } => self.force_shift(guide, effort, *value),
             ForceStep::Rrr { outer, inner, motion } => self.force_rrr(outer, inner, *motion),
-            ForceStep::Rrp { outer, inner, way, motion } => self.force_rrp(outer, inner, way, *motion),
+            ForceStep::Rrp { outer, inner, guide, motion } => self.force_rrp(outer, inner, guide, *motion),
             ForceStep::DrivenLegs { outer, inner, ends, driven } => {
                 self.force_driven_legs(outer, inner, *ends, driven)
             }
-            ForceStep::Rpr { outer, way } => self.force_rpr(outer, way),
+            ForceStep::Rpr { outer, guide } => self.force_rpr(outer, guide),
             ForceStep::Prp { ways, inner } => self.force_prp(ways, inner),
-            ForceStep::Rpp { outer, inner, way } => self.force_rpp(outer, inner, way),
+            ForceStep::Rpp { outer, inner, guide } => self.force_rpp(outer, inner, guide),
             ForceStep::Translation { ways } => self.force_translation(ways),
             ForceStep::Triad(_)
             | ForceStep::Train { .. }
@@ -137,22 +137,22 @@ impl<S: Scalar> State<S> {
 
     /// Keeps the reaction of a guide, given at `p`, about the pair's reference point.
     #[inline(always)]
-    pub(super) fn way_reaction(&mut self, way: &Guide, p: V2<S>, force: V2<S>, couple: S) -> (V2<S>, S) {
-        let reference = self.motion.bodies[way.slider].position(way.point);
+    pub(super) fn way_reaction(&mut self, guide: &Guide, p: V2<S>, force: V2<S>, couple: S) -> (V2<S>, S) {
+        let reference = self.motion.bodies[guide.slider].position(guide.point);
         let couple = couple + (p - reference).cross(force);
-        self.forces.reactions[way.slot] = Reaction { force, couple };
+        self.forces.reactions[guide.slot] = Reaction { force, couple };
         (reference, couple)
     }
 
     #[inline(always)]
-    pub(super) fn carried_way(&mut self, way: &Guide, p: V2<S>, force: V2<S>, couple: S) {
-        let (reference, couple) = self.way_reaction(way, p, force, couple);
-        self.carry_wrench(way.base, reference, force, couple);
+    pub(super) fn carried_way(&mut self, guide: &Guide, p: V2<S>, force: V2<S>, couple: S) {
+        let (reference, couple) = self.way_reaction(guide, p, force, couple);
+        self.carry_wrench(guide.base, reference, force, couple);
     }
 
     #[inline(always)]
-    pub(super) fn direction(&self, way: &Guide) -> V2<S> {
-        unit(way.direction).turned(self.motion.bodies[way.slider].u)
+    pub(super) fn direction(&self, guide: &Guide) -> V2<S> {
+        unit(guide.direction).turned(self.motion.bodies[guide.slider].u)
     }
 
     /// One body on a revolute: the effort is found from the moment about it.
@@ -183,32 +183,37 @@ impl<S: Scalar> State<S> {
 
     /// One body on a guide: the effort is found from the forces along it.
     #[inline(always)]
-    pub(super) fn force_shift(&mut self, way: &Guide, effort: &EffortLine, (slot, sign): (usize, f64)) -> S {
-        let d = self.direction(way);
-        let p = self.motion.bodies[way.slider].position(way.point);
-        let (mut force, mut moment) = self.load_about(way.body, p);
-        let sine = match effort {
+    pub(super) fn force_shift(
+        &mut self,
+        guide: &Guide,
+        effort: &EffortLine,
+        (slot, sign): (usize, f64),
+    ) -> S {
+        let d = self.direction(guide);
+        let p = self.motion.bodies[guide.slider].position(guide.point);
+        let (mut force, mut moment) = self.load_about(guide.body, p);
+        let conditioning = match effort {
             EffortLine::Along(_) => {
                 let along = -force.dot(d);
                 self.forces.efforts[slot] = along * S::of(sign);
                 force += d * along;
-                self.carry(way.base, p, d * along);
+                self.carry(guide.base, p, d * along);
                 S::one()
             }
             EffortLine::Force { line, .. } => {
                 let (q, n) = self.forces.lines[*line];
-                let sine = n.dot(d);
-                let value = -force.dot(d) / sine;
+                let conditioning = n.dot(d);
+                let value = -force.dot(d) / conditioning;
                 self.forces.efforts[slot] = value * S::of(sign);
                 force += n * value;
                 moment = moment + (q - p).cross(n) * value;
-                sine
+                conditioning
             }
             EffortLine::Torque { .. } => S::zero(),
         };
         let normal = d.perp() * -force.dot(d.perp());
-        self.carried_way(way, p, normal, -moment);
-        sine
+        self.carried_way(guide, p, normal, -moment);
+        conditioning
     }
 
     /// A dyad RRR in its position and its condition figure, from the step of motion where it is the same group.
@@ -233,7 +238,7 @@ impl<S: Scalar> State<S> {
         &self,
         outer: &Hinge,
         inner: &Inner,
-        way: &Guide,
+        guide: &Guide,
         motion: Option<usize>,
     ) -> (rrp::Rrp<S>, S) {
         if let Some(step) = motion {
@@ -241,14 +246,14 @@ impl<S: Scalar> State<S> {
             return (rrp::Rrp { r_1, d: second, inverse }, self.motion.conditions[step]);
         }
         let (r_1, d) =
-            (inner.arms[0].of::<S>().turned(self.motion.bodies[outer.body].u), self.direction(way));
+            (inner.arms[0].of::<S>().turned(self.motion.bodies[outer.body].u), self.direction(guide));
         (rrp::Rrp::new(r_1, d), r_1.dot(d) / r_1.norm())
     }
 
     #[inline(always)]
     fn force_rrr(&mut self, outer: &[Hinge; 2], inner: &Inner, motion: Option<usize>) -> S {
         let [one, two] = outer;
-        let (group, sine) = self.dyad_rrr(outer, inner, motion);
+        let (group, conditioning) = self.dyad_rrr(outer, inner, motion);
         let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
         let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
         let got = group.reactions(F_1, M_1, F_2, M_2);
@@ -256,35 +261,35 @@ impl<S: Scalar> State<S> {
         self.hinge_reaction(two, p_B, got.f_B);
         self.forces.reactions[inner.slot] =
             Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
-        sine
+        conditioning
     }
 
     #[inline(always)]
-    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, way: &Guide, motion: Option<usize>) -> S {
-        let (group, sine) = self.dyad_rrp(outer, inner, way, motion);
+    fn force_rrp(&mut self, outer: &Hinge, inner: &Inner, guide: &Guide, motion: Option<usize>) -> S {
+        let (group, conditioning) = self.dyad_rrp(outer, inner, guide, motion);
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
-        let (p_C, F_2, M_2) = self.load_at(way.body, &inner.second_pin);
+        let (p_C, F_2, M_2) = self.load_at(guide.body, &inner.second_pin);
         let got = group.reactions(F_1, M_1, F_2, M_2);
         self.hinge_reaction(outer, p_A, got.f_A);
         self.forces.reactions[inner.slot] =
             Reaction { force: got.f_C * S::of(inner.sign), couple: S::zero() };
-        self.carried_way(way, p_C, group.d.perp() * got.normal, got.couple);
-        sine
+        self.carried_way(guide, p_C, group.d.perp() * got.normal, got.couple);
+        conditioning
     }
 
     #[inline(always)]
-    fn force_rpr(&mut self, outer: &[Hinge; 2], way: &Guide) -> S {
+    fn force_rpr(&mut self, outer: &[Hinge; 2], guide: &Guide) -> S {
         let [one, two] = outer;
         let (p_A, F_1, M_1) = self.load_at(one.body, &one.pin);
         let (p_B, F_2, M_2) = self.load_at(two.body, &two.pin);
-        let (r, e) = (p_B - p_A, self.direction(way));
+        let (r, e) = (p_B - p_A, self.direction(guide));
         let s = r.dot(e);
         let got = rpr::Rpr::new(r, e, e.cross(r), s).reactions(F_1, M_1, F_2, M_2);
         self.hinge_reaction(one, p_A, got.f_A);
         self.hinge_reaction(two, p_B, got.f_B);
         // the kernel gives the force of the first body on the second
-        let sign = if way.body == two.body { S::one() } else { -S::one() };
-        self.way_reaction(way, p_B, e.perp() * (sign * got.normal), sign * got.couple);
+        let sign = if guide.body == two.body { S::one() } else { -S::one() };
+        self.way_reaction(guide, p_B, e.perp() * (sign * got.normal), sign * got.couple);
         s / r.norm()
     }
 
@@ -303,18 +308,18 @@ impl<S: Scalar> State<S> {
     }
 
     #[inline(never)]
-    fn force_rpp(&mut self, outer: &Hinge, inner: &Guide, way: &Guide) -> S {
+    fn force_rpp(&mut self, outer: &Hinge, inner: &Guide, guide: &Guide) -> S {
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
-        let p_R = self.motion.bodies[way.slider].position(way.point);
-        let (d_1, d_2) = (self.direction(inner), self.direction(way));
-        let (F_2, M_2) = self.load_about(way.body, p_R);
+        let p_R = self.motion.bodies[guide.slider].position(guide.point);
+        let (d_1, d_2) = (self.direction(inner), self.direction(guide));
+        let (F_2, M_2) = self.load_about(guide.body, p_R);
         let s_1 = (p_A - p_R).dot(d_1);
         let got = rpp::Rpp::new(d_1, d_2).reactions(s_1, F_1, M_1, F_2, M_2);
         self.hinge_reaction(outer, p_A, got.f_A);
         // the kernel gives the force of the first body on the second
-        let sign = if inner.body == way.body { S::one() } else { -S::one() };
+        let sign = if inner.body == guide.body { S::one() } else { -S::one() };
         self.way_reaction(inner, p_A, d_1.perp() * (sign * got.normal_1), sign * got.couple_1);
-        self.carried_way(way, p_R, d_2.perp() * got.normal_2, got.couple_2);
+        self.carried_way(guide, p_R, d_2.perp() * got.normal_2, got.couple_2);
         d_1.cross(d_2)
     }
 

@@ -29,8 +29,8 @@ impl State {
     pub(crate) fn friction_line(&self, element: &FrictionElement) -> Option<(Vec2, Vec2)> {
         match &element.kind {
             FrictionLaw::Circle { .. } => None,
-            FrictionLaw::Guide { way, .. } | FrictionLaw::BothEnds { way, .. } => {
-                Some((self.motion.bodies[way.slider].position(way.point), self.direction(way)))
+            FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => {
+                Some((self.motion.bodies[guide.slider].position(guide.point), self.direction(guide)))
             }
             FrictionLaw::Contact { first, second, internal, .. } => {
                 let (p, n) = self.touch((element.body, *first), (element.base, *second), *internal)?;
@@ -127,9 +127,9 @@ impl State {
         let Reaction { force, couple } = self.forces.reactions[element.slot];
         match &element.kind {
             FrictionLaw::Circle { .. } | FrictionLaw::Contact { .. } => force,
-            FrictionLaw::Guide { way, .. } => Vec2::new(self.direction(way).cross(force), 0.0),
-            FrictionLaw::BothEnds { way, contacts: [a, b], .. } => {
-                let normal = self.direction(way).cross(force);
+            FrictionLaw::Guide { guide, .. } => Vec2::new(self.direction(guide).cross(force), 0.0),
+            FrictionLaw::BothEnds { guide, contacts: [a, b], .. } => {
+                let normal = self.direction(guide).cross(force);
                 Vec2::new((couple - normal * b) / (a - b), (normal * a - couple) / (a - b))
             }
         }
@@ -145,11 +145,11 @@ impl State {
     ) -> f64 {
         if let Some(elements) = &group.reduced {
             let mut steps = 0;
-            let sine = self.force_reduced(plan, plain, elements, &mut steps);
+            let conditioning = self.force_reduced(plan, plain, elements, &mut steps);
             if let Some(Some(work)) = self.scratch.friction_work.get_mut(index) {
                 work.steps = steps;
             }
-            return sine.unwrap_or_else(|| {
+            return conditioning.unwrap_or_else(|| {
                 self.forces.locked = true;
                 self.force_step(plan, plain)
             });
@@ -159,7 +159,7 @@ impl State {
         };
         work.steps = 0;
         self.save(group, &mut work.saved);
-        let sine = self.respond(plan, plain, group, &mut work, None);
+        let conditioning = self.respond(plan, plain, group, &mut work, None);
         for unit in 0..group.elements.len() {
             let sense = self.forces.senses[group.elements[unit]];
             work.senses[unit] = sense;
@@ -179,7 +179,7 @@ impl State {
         }
         self.force_step(plan, plain);
         self.scratch.friction_work[index] = Some(work);
-        sine
+        conditioning
     }
 
     /// Reactions of the group from the loads as they are, or from a unit of one element.
@@ -197,13 +197,13 @@ impl State {
             }
             self.apply_rub(&plan.friction[group.elements[unit]], 1.0);
         }
-        let sine = self.force_step(plan, plain);
+        let conditioning = self.force_step(plan, plain);
         let (column, width) = (unit.map_or(0, |u| u + 1), group.elements.len() + 1);
         for (row, &element) in group.elements.iter().enumerate() {
             work.measured[row * width + column] = self.measured(plan, &plan.friction[element]);
         }
         self.restore(group, &work.saved);
-        sine
+        conditioning
     }
 }
 

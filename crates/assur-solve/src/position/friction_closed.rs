@@ -194,9 +194,9 @@ impl State {
                 let dyad = self.dyad_rrr(outer, inner, *motion);
                 self.rubbing_rrr(plan, dyad, (outer, inner), elements, steps)
             }
-            ForceStep::Rrp { outer, inner, way, motion } => {
-                let dyad = self.dyad_rrp(outer, inner, way, *motion);
-                self.rubbing_rrp(plan, dyad, (outer, inner, way), elements, steps)
+            ForceStep::Rrp { outer, inner, guide, motion } => {
+                let dyad = self.dyad_rrp(outer, inner, guide, *motion);
+                self.rubbing_rrp(plan, dyad, (outer, inner, guide), elements, steps)
             }
             ForceStep::Turn { hinge, effort: EffortLine::Torque { base, .. }, value } => {
                 let (p, force, moment) = self.load_at(hinge.body, &hinge.pin);
@@ -208,15 +208,15 @@ impl State {
                 self.keep_friction(elements[0], friction);
                 Some(1.0)
             }
-            ForceStep::Shift { way, effort: EffortLine::Along(_), value } => {
-                let d = self.direction(way);
-                let p = self.motion.bodies[way.slider].position(way.point);
-                let (force, moment) = self.load_about(way.body, p);
+            ForceStep::Shift { guide, effort: EffortLine::Along(_), value } => {
+                let d = self.direction(guide);
+                let p = self.motion.bodies[guide.slider].position(guide.point);
+                let (force, moment) = self.load_about(guide.body, p);
                 let normal = -force.dot(d.perp());
                 let friction = -self.weight(plan, elements[0]) * normal.abs();
                 self.forces.efforts[value.0] = (-force.dot(d) - friction) * value.1;
-                self.forces.reactions[way.slot] = Reaction { force: d.perp() * normal, couple: -moment };
-                self.carry_wrench(way.base, p, -force, -moment);
+                self.forces.reactions[guide.slot] = Reaction { force: d.perp() * normal, couple: -moment };
+                self.carry_wrench(guide.base, p, -force, -moment);
                 self.keep_friction(elements[0], friction);
                 Some(1.0)
             }
@@ -248,7 +248,7 @@ impl State {
     fn rubbing_rrr(
         &mut self,
         plan: &Plan,
-        (group, sine): (rrr::Rrr<f64>, f64),
+        (group, conditioning): (rrr::Rrr<f64>, f64),
         ([one, two], inner): (&[Hinge; 2], &Inner),
         elements: &[Option<usize>; 3],
         steps: &mut u32,
@@ -275,23 +275,23 @@ impl State {
         self.rubbing_hinge(one, p_A, f_A, frictions[0]);
         self.rubbing_hinge(two, p_B, f_B, frictions[2]);
         self.forces.reactions[inner.slot] = Reaction { force: f * inner.sign, couple: 0.0 };
-        Some(sine)
+        Some(conditioning)
     }
 
     #[inline(always)]
     fn rubbing_rrp(
         &mut self,
         plan: &Plan,
-        (group, sine): (rrp::Rrp<f64>, f64),
-        (outer, inner, way): (&Hinge, &Inner, &Guide),
+        (group, conditioning): (rrp::Rrp<f64>, f64),
+        (outer, inner, guide): (&Hinge, &Inner, &Guide),
         elements: &[Option<usize>; 3],
         steps: &mut u32,
     ) -> Option<f64> {
         let (p_A, F_1, M_1) = self.load_at(outer.body, &outer.pin);
         let p_C = p_A + group.r_1;
-        let (d, p) = (group.d, self.motion.bodies[way.slider].position(way.point));
+        let (d, p) = (group.d, self.motion.bodies[guide.slider].position(guide.point));
         let n = d.perp();
-        let (F_2, M_2) = self.load_about(way.body, p);
+        let (F_2, M_2) = self.load_about(guide.body, p);
         let [w_A, w_C, w_B] = elements.map(|e| self.weight(plan, e));
         let dyad = Dyad {
             p_1: group.r_1.perp(),
@@ -314,8 +314,8 @@ impl State {
         self.forces.reactions[inner.slot] = Reaction { force: f * inner.sign, couple: 0.0 };
         // about the guide's reference point, through which its friction passes
         let couple = -M_2 - (p_C - p).cross(f) - frictions[1] * inner.sign;
-        self.forces.reactions[way.slot] = Reaction { force: n * normal, couple };
-        self.carry_wrench(way.base, p, n * normal + d * frictions[2], couple);
-        Some(sine)
+        self.forces.reactions[guide.slot] = Reaction { force: n * normal, couple };
+        self.carry_wrench(guide.base, p, n * normal + d * frictions[2], couple);
+        Some(conditioning)
     }
 }

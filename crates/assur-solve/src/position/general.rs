@@ -159,21 +159,21 @@ impl State {
                         self.carry(hinge.base, p, force);
                     }
                 }
-                UnknownForce::Couple(way) => {
-                    let couple = on_body(way, x);
-                    self.forces.reactions[way.slot] = Reaction { force: Vec2::zero(), couple };
-                    if !inside(way.base) {
-                        self.forces.wrenches[way.base].moment -= couple;
+                UnknownForce::Couple(guide) => {
+                    let couple = on_body(guide, x);
+                    self.forces.reactions[guide.slot] = Reaction { force: Vec2::zero(), couple };
+                    if !inside(guide.base) {
+                        self.forces.wrenches[guide.base].moment -= couple;
                     }
                 }
-                UnknownForce::Normal(way) => {
-                    let force = self.direction(way).perp() * on_body(way, x);
+                UnknownForce::Normal(guide) => {
+                    let force = self.direction(guide).perp() * on_body(guide, x);
                     // a couple kept stands before its normal force; without one there is none
-                    let couple = self.forces.reactions[way.slot].couple;
-                    self.forces.reactions[way.slot] = Reaction { force, couple };
-                    if !inside(way.base) {
-                        let p = self.motion.bodies[way.slider].position(way.point);
-                        self.carry(way.base, p, force);
+                    let couple = self.forces.reactions[guide.slot].couple;
+                    self.forces.reactions[guide.slot] = Reaction { force, couple };
+                    if !inside(guide.base) {
+                        let p = self.motion.bodies[guide.slider].position(guide.point);
+                        self.carry(guide.base, p, force);
                     }
                 }
                 UnknownForce::Torque { effort, body, base } => {
@@ -184,12 +184,12 @@ impl State {
                         }
                     }
                 }
-                UnknownForce::Along { effort, way } => {
+                UnknownForce::Along { effort, guide } => {
                     self.forces.efforts[*effort] = x;
-                    let force = self.direction(way) * on_body(way, x);
-                    if !inside(way.base) {
-                        let p = self.motion.bodies[way.slider].position(way.point);
-                        self.carry(way.base, p, force);
+                    let force = self.direction(guide) * on_body(guide, x);
+                    if !inside(guide.base) {
+                        let p = self.motion.bodies[guide.slider].position(guide.point);
+                        self.carry(guide.base, p, force);
                     }
                 }
                 UnknownForce::Line(effort) => self.forces.efforts[*effort] = x,
@@ -201,8 +201,8 @@ impl State {
 }
 
 /// What acts on the slider, counted on the joint's body.
-fn on_body(way: &Guide, on_slider: f64) -> f64 {
-    if way.slider == way.body { on_slider } else { -on_slider }
+fn on_body(guide: &Guide, on_slider: f64) -> f64 {
+    if guide.slider == guide.body { on_slider } else { -on_slider }
 }
 
 /// Whether a general group can be moved within its pairs wherever it stands.

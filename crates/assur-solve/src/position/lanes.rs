@@ -267,7 +267,7 @@ impl Place<'_> {
     /// Signed condition figure of a group of motion.
     #[inline]
     #[must_use]
-    pub fn sine(&self, group: usize) -> f64 {
+    pub fn conditioning(&self, group: usize) -> f64 {
         match self {
             Self::Alone(state) => state.motion.conditions[group],
             Self::Lane(state, i) => state.motion.conditions[group].0[*i],
@@ -277,7 +277,7 @@ impl Place<'_> {
     /// Signed condition figure of a group of forces.
     #[inline]
     #[must_use]
-    pub fn force_sine(&self, group: usize) -> f64 {
+    pub fn force_conditioning(&self, group: usize) -> f64 {
         match self {
             Self::Alone(state) => state.forces.conditions[group],
             Self::Lane(state, i) => state.forces.conditions[group].0[*i],

@@ -186,7 +186,7 @@ impl<S: Scalar> State<S> {
     ) {
         let input = &self.motion.inputs[drive];
         let hinge = point::<S, LEVEL>(&self.motion.bodies, base);
-        let (u, omega, alpha, way) = match relative {
+        let (u, omega, alpha, turned) = match relative {
             None => (input.place, input.rate, input.acceleration, input.value),
             Some(sign) => {
                 let carrier = &self.motion.bodies[base.body];
@@ -201,7 +201,7 @@ impl<S: Scalar> State<S> {
             }
         };
         let body = &mut self.motion.bodies[body];
-        body.turned = way;
+        body.turned = turned;
         place::<S, LEVEL>(body, pin, hinge, u, omega, alpha);
     }
 

@@ -82,13 +82,16 @@ impl State {
     pub(super) fn site_rate(&self, site: &LawSite) -> f64 {
         match site {
             LawSite::Turn(body) => self.motion.bodies[*body].omega,
-            LawSite::Slide(way) => {
-                let (slider, guide) =
-                    if way.slider == way.body { (way.body, way.base) } else { (way.base, way.body) };
+            LawSite::Slide(guide) => {
+                let (slider, base) = if guide.slider == guide.body {
+                    (guide.body, guide.base)
+                } else {
+                    (guide.base, guide.body)
+                };
                 let body: &BodyState = &self.motion.bodies[slider];
-                let p = body.position(way.point);
-                let beneath: Point<f64> = under::<f64, 1>(&self.motion.bodies, guide, p);
-                (body.velocity(way.point) - beneath.v).dot(self.direction(way))
+                let p = body.position(guide.point);
+                let beneath: Point<f64> = under::<f64, 1>(&self.motion.bodies, base, p);
+                (body.velocity(guide.point) - beneath.v).dot(self.direction(guide))
             }
         }
     }
@@ -119,11 +122,11 @@ impl State {
             let value = self.law_force(law, slot, term);
             match site {
                 LawSite::Turn(body) => act(*body, self.motion.bodies[*body].p, Vec2::zero(), value),
-                LawSite::Slide(way) => {
-                    let p = self.motion.bodies[way.slider].position(way.point);
-                    let force = self.direction(way) * value;
-                    let other = if way.slider == way.body { way.base } else { way.body };
-                    act(way.slider, p, force, 0.0);
+                LawSite::Slide(guide) => {
+                    let p = self.motion.bodies[guide.slider].position(guide.point);
+                    let force = self.direction(guide) * value;
+                    let other = if guide.slider == guide.body { guide.base } else { guide.body };
+                    act(guide.slider, p, force, 0.0);
                     act(other, p, -force, 0.0);
                 }
             }

@@ -57,9 +57,9 @@ impl State {
                         work.carried[*carrier].1 += r.cross(force + more);
                     }
                 }
-                TrainSupport::Shift(way, sign) => {
-                    let force = self.forces.wrenches[way.body].force + more;
-                    work.loads[i] = sign * force.dot(self.direction(way));
+                TrainSupport::Shift(guide, sign) => {
+                    let force = self.forces.wrenches[guide.body].force + more;
+                    work.loads[i] = sign * force.dot(self.direction(guide));
                 }
             }
         }
@@ -110,13 +110,15 @@ impl State {
                     self.forces.wrenches[*body].moment += value;
                     self.forces.wrenches[*base].moment -= value;
                 }
-                TrainEffort::Along(slot, way) => {
+                TrainEffort::Along(slot, guide) => {
                     self.forces.efforts[*slot] = *value;
-                    let (p, force) =
-                        (self.motion.bodies[way.slider].position(way.point), self.direction(way) * *value);
-                    let other = if way.slider == way.body { way.base } else { way.body };
+                    let (p, force) = (
+                        self.motion.bodies[guide.slider].position(guide.point),
+                        self.direction(guide) * *value,
+                    );
+                    let other = if guide.slider == guide.body { guide.base } else { guide.body };
                     self.carry(other, p, force);
-                    self.carry(way.slider, p, -force);
+                    self.carry(guide.slider, p, -force);
                 }
             }
         }
@@ -126,11 +128,11 @@ impl State {
                     let (p, force, _) = self.load_at(hinge.body, &hinge.pin);
                     self.hinge_reaction(hinge, p, -force);
                 }
-                TrainSupport::Shift(way, _) => {
-                    let p = self.motion.bodies[way.slider].position(way.point);
-                    let d = self.direction(way);
-                    let (force, moment) = self.load_about(way.body, p);
-                    self.carried_way(way, p, d.perp() * -force.dot(d.perp()), -moment);
+                TrainSupport::Shift(guide, _) => {
+                    let p = self.motion.bodies[guide.slider].position(guide.point);
+                    let d = self.direction(guide);
+                    let (force, moment) = self.load_about(guide.body, p);
+                    self.carried_way(guide, p, d.perp() * -force.dot(d.perp()), -moment);
                 }
             }
         }

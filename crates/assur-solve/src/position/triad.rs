@@ -25,7 +25,8 @@ impl State {
     pub(crate) fn triad_over_gap(&mut self, branch: usize, triad: &TriadMotion) -> bool {
         let (now, pose) = (self.triad_ends(triad), self.triad_pose(triad));
         let mut found = modes(&triad.plate, &now);
-        found.retain(|m| triad.plate.group(&now, &m.pose).sine * self.motion.conditions[branch] > 0.0);
+        found
+            .retain(|m| triad.plate.group(&now, &m.pose).conditioning * self.motion.conditions[branch] > 0.0);
         let away = |m: &Followed| triad.plate.apart(&m.pose, &pose);
         let Some(nearest) = found.iter().min_by(|a, b| away(a).total_cmp(&away(b))) else { return false };
         self.place_triad::<0>(branch, triad, &now, nearest);
@@ -74,7 +75,7 @@ impl State {
     ) {
         let Pose { p, u } = found.pose;
         let group = triad.plate.group(ends, &found.pose);
-        self.motion.conditions[branch] = group.sine;
+        self.motion.conditions[branch] = group.conditioning;
         self.motion.certificates[branch] = found.h;
         let pins = group.arms.map(|arm| p + arm);
         let bases = [0, 1, 2].map(|i| match &triad.legs[i] {
@@ -137,18 +138,18 @@ impl State {
                 TriadHold::Pin { slot, sign, .. } => {
                     self.forces.reactions[*slot] = Reaction { force: got[i] * *sign, couple: 0.0 };
                 }
-                TriadHold::Guide(way) => {
-                    let sign = if way.body == triad.body { 1.0 } else { -1.0 };
-                    self.way_reaction(way, place, got[i] * sign, couple * sign);
+                TriadHold::Guide(guide) => {
+                    let sign = if guide.body == triad.body { 1.0 } else { -1.0 };
+                    self.way_reaction(guide, place, got[i] * sign, couple * sign);
                 }
             }
             let on_leg = got[i] - force;
             match &leg.outer {
                 OuterJoint::Hinge(hinge) => self.hinge_reaction(hinge, place, on_leg),
-                OuterJoint::Guide(way) => self.carried_way(way, place, on_leg, -moment),
+                OuterJoint::Guide(guide) => self.carried_way(guide, place, on_leg, -moment),
             }
         }
-        group.sine
+        group.conditioning
     }
 
     /// What a leg's own balance leaves of its force on the link.
@@ -162,13 +163,13 @@ impl State {
                 let (at, known) = (self.motion.bodies[link].position(*at), d.perp() * (moment * inverse));
                 LegForce { d, at, known, ..balanced(place, (force, moment)) }
             }
-            (OuterJoint::Hinge(hinge), TriadHold::Guide(way)) => {
+            (OuterJoint::Hinge(hinge), TriadHold::Guide(guide)) => {
                 let (place, force, moment) = self.load_at(leg.body, &hinge.pin);
-                let d = self.direction(way).perp();
+                let d = self.direction(guide).perp();
                 LegForce { d, at: place, couple: moment, ..balanced(place, (force, moment)) }
             }
-            (OuterJoint::Guide(way), TriadHold::Pin { leg: pin, link: at, .. }) => {
-                let along = self.direction(way);
+            (OuterJoint::Guide(guide), TriadHold::Pin { leg: pin, link: at, .. }) => {
+                let along = self.direction(guide);
                 let (place, force, moment) = self.load_at(leg.body, pin);
                 let (at, known) = (self.motion.bodies[link].position(*at), along * along.dot(force));
                 LegForce { d: along.perp(), at, known, ..balanced(place, (force, moment)) }

@@ -50,7 +50,7 @@ impl GuideRow {
 impl Coordinate {
     fn jet(&self, bodies: &[BodyState<Double>]) -> Jet {
         match self {
-            Self::Slide(way) => way.jet(bodies),
+            Self::Slide(guide) => guide.jet(bodies),
             Self::Turn { body, angle, near } => {
                 let body = &bodies[*body];
                 let sine = near.cross(body.u);
@@ -80,7 +80,7 @@ impl Constraint<'_> {
                 let target = Moving::turning(value, omega + rate, alpha + second);
                 target.cross(Moving::axis(&bodies[b.0], b.1))
             }
-            Self::Along(way, law) => way.jet(bodies).less(*law),
+            Self::Along(guide, law) => guide.jet(bodies).less(*law),
             Self::Law(terms) => terms.iter().fold(Jet::constant(Double::zero()), |sum, (coordinate, c)| {
                 sum.plus(coordinate.jet(bodies).times(*c))
             }),
@@ -94,11 +94,11 @@ impl Constraint<'_> {
             Self::Together { a: (a, _), b: (b, _), .. } | Self::Turned { a: (a, _), b: (b, _), .. } => {
                 vec![*a, *b]
             }
-            Self::Along(way, _) => vec![way.slider, way.guide],
+            Self::Along(guide, _) => vec![guide.slider, guide.guide],
             Self::Law(terms) => {
                 let of = |c: &Coordinate| match c {
                     Coordinate::Turn { body, .. } => vec![*body],
-                    Coordinate::Slide(way) => vec![way.slider, way.guide],
+                    Coordinate::Slide(guide) => vec![guide.slider, guide.guide],
                 };
                 let mut bodies: Vec<usize> = terms.iter().flat_map(|t| of(&t.0)).collect();
                 bodies.sort_unstable();
@@ -147,7 +147,7 @@ pub(super) fn constraints<'a>(model: &Model<'a>, state: &State) -> Option<Vec<Co
             EffortKind::RelativeAngle { first, second, .. } => {
                 all.push(driven((first.0, x_axis), (second.0, x_axis), input));
             }
-            EffortKind::Coordinate(joint) => all.push(Constraint::Along(way(model, joint)?, law(input))),
+            EffortKind::Coordinate(joint) => all.push(Constraint::Along(guide(model, joint)?, law(input))),
             EffortKind::Line(_) | EffortKind::Point(_) => {}
         }
     }
@@ -182,13 +182,13 @@ fn prismatic(kind: &JointKind, state: &State, all: &mut Vec<Constraint<'_>>) {
     let height = along.turned(g.u).cross(s.position(*point) - g.position(*through));
     let side = if height < 0.0 { -offset } else { *offset };
     let normal = unit(*along).perp();
-    let way =
+    let guide =
         GuideRow { slider: slider.0, point: *point, guide: guide.0, through: *through, direction: normal };
-    all.push(Constraint::Along(way, Jet::constant(Double::of(side))));
+    all.push(Constraint::Along(guide, Jet::constant(Double::of(side))));
 }
 
 /// The coordinate of a prismatic joint.
-fn way(model: &Model<'_>, joint: JointId) -> Option<GuideRow> {
+fn guide(model: &Model<'_>, joint: JointId) -> Option<GuideRow> {
     match model.structure.replaced.joint(joint).kind {
         JointKind::Prismatic { slider, point, guide, through, along, .. } => {
             Some(GuideRow { slider: slider.0, point, guide: guide.0, through, direction: unit(along) })
@@ -199,7 +199,7 @@ fn way(model: &Model<'_>, joint: JointId) -> Option<GuideRow> {
 
 fn coordinate(model: &Model<'_>, state: &State, rate: BodyRate) -> Option<Coordinate> {
     Some(match rate {
-        BodyRate::Slide(joint) => Coordinate::Slide(way(model, joint)?),
+        BodyRate::Slide(joint) => Coordinate::Slide(guide(model, joint)?),
         BodyRate::Turn(body) => {
             let angle = state.motion.bodies[body.0].turned;
             Coordinate::Turn { body: body.0, angle, near: Double::direction(angle) }

@@ -18,9 +18,9 @@ pub(super) fn friction_line(
 ) -> Option<Option<(V2<D>, V2<D>)>> {
     match &element.kind {
         FrictionLaw::Circle { .. } => Some(None),
-        FrictionLaw::Guide { way, .. } | FrictionLaw::BothEnds { way, .. } => {
-            let slider = &motion.bodies[way.slider];
-            Some(Some((slider.position(way.point), unit(way.direction).turned(slider.u))))
+        FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => {
+            let slider = &motion.bodies[guide.slider];
+            Some(Some((slider.position(guide.point), unit(guide.direction).turned(slider.u))))
         }
         FrictionLaw::Contact { first, second, internal, .. } => {
             let sides = [(element.body, *first), (element.base, *second)];

@@ -150,8 +150,8 @@ fn reactions(model: &Model<'_>, bodies: &[BodyState<D>]) -> Vec<Unknown> {
     all
 }
 
-fn along(bodies: &[BodyState<D>], way: &Guide) -> V2<D> {
-    unit(way.direction).turned(bodies[way.slider].u)
+fn along(bodies: &[BodyState<D>], guide: &Guide) -> V2<D> {
+    unit(guide.direction).turned(bodies[guide.slider].u)
 }
 
 /// What a unit multiplier of a law does, with the losses and in the sense that the state has.
@@ -167,10 +167,10 @@ fn of_law<'a>(bodies: &'a [BodyState<D>], state: &State, law: &PlannedLaw, slot:
     for (term, (site, _)) in law.terms.iter().enumerate() {
         match site {
             LawSite::Turn(body) => unit.on.push((*body, V2::zero(), effort(term))),
-            LawSite::Slide(way) => {
-                let other = if way.slider == way.body { way.base } else { way.body };
-                let force = along(bodies, way) * effort(term);
-                unit = unit.force(way.slider, other, bodies[way.slider].position(way.point), force);
+            LawSite::Slide(guide) => {
+                let other = if guide.slider == guide.body { guide.base } else { guide.body };
+                let force = along(bodies, guide) * effort(term);
+                unit = unit.force(guide.slider, other, bodies[guide.slider].position(guide.point), force);
             }
         }
     }

@@ -22,7 +22,7 @@ struct Candidate {
 pub(super) struct Assembly {
     branch: Branch,
     /// Signed condition figure.
-    pub sine: f64,
+    pub conditioning: f64,
     certificate: f64,
     bodies: Vec<BodyState>,
     /// Memory of a general group that stands so.
@@ -38,14 +38,14 @@ impl Assembly {
             _ => None,
         };
         let bodies = model.structure.motion[index].bodies.iter().map(|b| state.motion.bodies[b.0]).collect();
-        let (sine, certificate) = (state.motion.conditions[index], state.motion.certificates[index]);
-        Self { branch: state.branches[index], sine, certificate, bodies, work }
+        let (conditioning, certificate) = (state.motion.conditions[index], state.motion.certificates[index]);
+        Self { branch: state.branches[index], conditioning, certificate, bodies, work }
     }
 
     /// Puts the group of a state this way.
     pub(super) fn put(&self, model: &Model<'_>, state: &mut State, index: usize) {
         state.branches[index] = self.branch;
-        state.motion.conditions[index] = self.sine;
+        state.motion.conditions[index] = self.conditioning;
         state.motion.certificates[index] = self.certificate;
         state.motion.open = None;
         for (body, stands) in model.structure.motion[index].bodies.iter().zip(&self.bodies) {
@@ -78,7 +78,9 @@ pub(super) fn assemble_from(model: &Model<'_>, start: State, starts: usize) -> R
         let mut ways: Vec<(usize, Assembly)> = Vec::new();
         for (i, candidate) in candidates.iter_mut().enumerate() {
             ways.extend(
-                ways_from(model, &mut candidate.state, index, extent, starts).into_iter().map(|way| (i, way)),
+                ways_from(model, &mut candidate.state, index, extent, starts)
+                    .into_iter()
+                    .map(|assembly| (i, assembly)),
             );
         }
         if ways.is_empty() {
@@ -111,9 +113,9 @@ fn ways_from(
     starts: usize,
 ) -> Vec<Assembly> {
     let mut ways: Vec<Assembly> = Vec::new();
-    for way in assemblies(model, state, index, starts) {
-        if !ways.iter().any(|w| w.is_same(&way, extent)) {
-            ways.push(way);
+    for assembly in assemblies(model, state, index, starts) {
+        if !ways.iter().any(|w| w.is_same(&assembly, extent)) {
+            ways.push(assembly);
         }
     }
     ways
@@ -220,17 +222,17 @@ fn choose(
     index: usize,
 ) -> Result<Vec<Candidate>, SolveError> {
     let built = |candidates: &[Candidate], ways: &[(usize, Assembly)]| -> Vec<Candidate> {
-        let each = ways.iter().map(|(i, way)| {
+        let each = ways.iter().map(|(i, assembly)| {
             let mut candidate = candidates[*i].clone();
-            way.put(model, &mut candidate.state, index);
+            assembly.put(model, &mut candidate.state, index);
             candidate
         });
         each.collect()
     };
     for hint in hints.iter().filter(|h| !matches!(h.kind, HintKind::Near { .. })) {
-        let (fit, other): (Vec<_>, Vec<_>) = ways.into_iter().partition(|(i, way)| {
+        let (fit, other): (Vec<_>, Vec<_>) = ways.into_iter().partition(|(i, assembly)| {
             let state = &mut candidates[*i].state;
-            way.put(model, state, index);
+            assembly.put(model, state, index);
             fits(model, state, &hint.kind)
         });
         if fit.is_empty() {
@@ -241,8 +243,8 @@ fn choose(
     }
     let mut next = match (candidates.as_mut_slice(), ways.as_slice()) {
         // the common case copies nothing
-        ([one], [(_, way)]) => {
-            way.put(model, &mut one.state, index);
+        ([one], [(_, assembly)]) => {
+            assembly.put(model, &mut one.state, index);
             candidates
         }
         _ => built(&candidates, &ways),

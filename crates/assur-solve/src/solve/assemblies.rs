@@ -79,13 +79,12 @@ pub fn assemblies(model: &Model<'_>) -> Result<Assemblies, Vec<SolveError>> {
             break;
         };
         let stands = whole.as_ref().map(|whole| Assembly::of(model, whole, index));
-        let chosen = |way: &Assembly| stands.as_ref().is_some_and(|s| s.is_same(way, extent));
-        let next = ways.iter().find(|way| chosen(way)).unwrap_or(first);
+        let chosen = |assembly: &Assembly| stands.as_ref().is_some_and(|s| s.is_same(assembly, extent));
+        let next = ways.iter().find(|assembly| chosen(assembly)).unwrap_or(first);
         if ways.len() > 1 || group.kind != GroupKind::Driven {
-            let modes = ways
-                .iter()
-                .zip(choosing(model, &state, &ways, index))
-                .map(|(way, line)| AssemblyLine { line, condition: way.sine.abs(), chosen: chosen(way) });
+            let modes = ways.iter().zip(choosing(model, &state, &ways, index)).map(|(assembly, line)| {
+                AssemblyLine { line, condition: assembly.conditioning.abs(), chosen: chosen(assembly) }
+            });
             let searched = matches!(model.plan.motion[index], crate::plan::MotionStep::General { .. });
             out.groups.push(GroupAssemblies { group: index, assemblies: modes.collect(), searched });
         }
@@ -99,9 +98,9 @@ fn choosing(model: &Model<'_>, before: &State, ways: &[Assembly], index: usize) 
     if ways.len() < 2 {
         return vec![None; ways.len()];
     }
-    let each = ways.iter().map(|way| {
+    let each = ways.iter().map(|assembly| {
         let mut state = before.clone();
-        way.put(model, &mut state, index);
+        assembly.put(model, &mut state, index);
         state
     });
     let states: Vec<State> = each.collect();

@@ -49,13 +49,13 @@ fn rates(model: &Model<'_>, statics: &WholeCycle, drive: &Drive) -> DriveInput {
     match drive.speed.as_ref().map(|e| constant(model, statics, e)) {
         Some(Value::Scalar(x)) => input.rate = x,
         Some(Value::Vector(v)) => input.velocity = v,
-        Some(Value::Truth(_)) => {}
+        Some(Value::Bool(_)) => {}
         None => input.rate = drive.sense.unwrap_or(0.0),
     }
     match drive.acceleration.as_ref().map(|e| constant(model, statics, e)) {
         Some(Value::Scalar(x)) => input.acceleration = x,
         Some(Value::Vector(v)) => input.point_acceleration = v,
-        Some(Value::Truth(_)) | None => {}
+        Some(Value::Bool(_)) | None => {}
     }
     input
 }

@@ -105,8 +105,8 @@ impl Run<'_, '_> {
         let mut least = 1.0_f64;
         let mut carried = vec![1.0_f64; state.motion.bodies.len()];
         let groups = model.structure.motion.iter().zip(&state.motion.certificates);
-        for ((group, &h), sine) in groups.zip(&state.motion.conditions) {
-            let condition = sine.abs();
+        for ((group, &h), conditioning) in groups.zip(&state.motion.conditions) {
+            let condition = conditioning.abs();
             least = least.min(condition);
             let before = group.joints.iter().map(|j| carried[j.base.0]).fold(1.0, f64::min);
             group.bodies.iter().for_each(|b| carried[b.0] = before * (condition / LOSES).min(1.0));
@@ -132,8 +132,8 @@ impl Run<'_, '_> {
         self.notes.consistent.searched = state.scratch.searched;
         self.notes.consistent.look(model, state.forces.consistent, pose)?;
         let mut least = 1.0_f64;
-        for (group, sine) in model.structure.forces.iter().zip(&state.forces.conditions) {
-            let condition = sine.abs();
+        for (group, conditioning) in model.structure.forces.iter().zip(&state.forces.conditions) {
+            let condition = conditioning.abs();
             least = least.min(condition);
             if condition <= DEAD {
                 return Err(cannot_hold(model, group, condition, pose));

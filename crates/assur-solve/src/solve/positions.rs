@@ -8,7 +8,7 @@ fn drive_value(value: Value) -> DriveValue {
     match value {
         Value::Scalar(x) => DriveValue::Scalar(x),
         Value::Vector(v) => DriveValue::Point(v),
-        Value::Truth(_) => DriveValue::None,
+        Value::Bool(_) => DriveValue::None,
     }
 }
 

@@ -146,11 +146,11 @@ impl<'a, 's> Following<'a, 's> {
         let run = &mut self.run;
         let came = match self.current.take() {
             None => run.assembled(&pose).map(|t| (t, Arrival::Followed(Vec::new()))),
-            Some(mut tracker) => run.moved(&mut tracker, &pose).map(|way| (tracker, way)),
+            Some(mut tracker) => run.moved(&mut tracker, &pose).map(|arrival| (tracker, arrival)),
         };
         let outcome = match came {
-            Ok((tracker, way)) => {
-                run.note_way(way, &tracker, &pose);
+            Ok((tracker, arrival)) => {
+                run.note_arrival(arrival, &tracker, &pose);
                 let outcome = run.solved(&tracker, &pose);
                 self.near.iter_mut().for_each(|n| n.look(&tracker, &pose.drives));
                 self.current = Some(tracker);
@@ -281,7 +281,7 @@ impl Run<'_, '_> {
     }
 
     /// What is to be said of the way from the position before.
-    fn note_way(&mut self, way: Arrival, tracker: &Tracker, pose: &Wanted) {
+    fn note_arrival(&mut self, arrival: Arrival, tracker: &Tracker, pose: &Wanted) {
         let Some((name, drives)) = &self.last else { return };
         let back = || tracker.clone().limit(self.model, &self.rates, drives);
         if self.notes.in_gap() {
@@ -289,7 +289,7 @@ impl Run<'_, '_> {
             self.notes.gap_ends(end);
             return;
         }
-        match way {
+        match arrival {
             Arrival::Followed(switched) => {
                 for switch in switched {
                     self.notes.switched(self.model, (switch.group, &switch.at), name, &pose.name);

@@ -60,7 +60,7 @@ pub struct Triad<S> {
     /// 1 / ρ, 1/m.
     per_length: S,
     /// The signed condition figure.
-    pub sine: S,
+    pub conditioning: S,
 }
 
 impl<S: Scalar> Triad<S> {
@@ -82,7 +82,7 @@ impl<S: Scalar> Triad<S> {
             adjugate,
             inverse: S::one() / determinant,
             per_length,
-            sine: S::of(3.0) * determinant / norms,
+            conditioning: S::of(3.0) * determinant / norms,
         }
     }
 

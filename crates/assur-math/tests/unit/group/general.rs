@@ -186,7 +186,7 @@ fn finds_what_the_dyads_with_a_slider_find() {
         let mut group = General::new(1, 3, joints).expect("three constraints per body");
         let mut poses = vec![near(&mut random, p_Q, want.e), ground, Pose { p: p_Q, u: d }];
         group.position(&mut poses, 1e-12).expect("closes");
-        close((poses[0].u - want.e).norm(), 0.0, 1e-12, 1.0 / want.sine.abs());
+        close((poses[0].u - want.e).norm(), 0.0, 1e-12, 1.0 / want.conditioning.abs());
     }
 }
 

@@ -38,8 +38,8 @@ fn position_leads_the_line_past_both_pins() {
         close(p.e.norm(), 1.0, 1e-15, 4.0);
         let r = scene.B.at(0.0) - scene.A.at(0.0);
         close((p.e * p.s + p.e.perp() * scene.h - r).norm(), 0.0, 1e-15, 16.0);
-        close(p.sine, r.dot(p.e) / r.norm(), 1e-14, 1.0);
-        assert_eq!(p.sine.signum(), scene.root);
+        close(p.conditioning, r.dot(p.e) / r.norm(), 1e-14, 1.0);
+        assert_eq!(p.conditioning.signum(), scene.root);
         assert!(p.closure > 0.0);
         assert_eq!(gap(scene.A.at(0.0), scene.B.at(0.0), scene.h), None);
     }
@@ -97,7 +97,7 @@ fn pins_too_near_say_by_how_much() {
     let (origin, x) = (Vec2::zero(), Vec2::new(1.0, 0.0));
     assert_eq!(gap(origin, x, -3.0), Some(Gap::TooNear(2.0)));
     let p = position(origin, x, -3.0, 1.0);
-    assert_eq!((p.closure, p.sine, p.s), (-2.0, 0.0, 0.0));
+    assert_eq!((p.closure, p.conditioning, p.s), (-2.0, 0.0, 0.0));
     let p = position(x, x, 0.0, 1.0);
-    assert_eq!((p.closure, p.sine, p.e), (0.0, 0.0, origin));
+    assert_eq!((p.closure, p.conditioning, p.e), (0.0, 0.0, origin));
 }

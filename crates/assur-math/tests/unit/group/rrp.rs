@@ -38,8 +38,8 @@ fn position_closes_on_the_root_asked_for() {
         let c = p.p_C - scene.guide.origin(0.0);
         close(c.dot(d), p.s, 1e-14, 1.0);
         close(d.cross(c), scene.h, 1e-14, 1.0);
-        close(p.sine, p.r_1.dot(d) / scene.l, 1e-14, 1.0);
-        assert_eq!(p.sine.signum(), scene.root);
+        close(p.conditioning, p.r_1.dot(d) / scene.l, 1e-14, 1.0);
+        assert_eq!(p.conditioning.signum(), scene.root);
         assert!(p.closure > 0.0);
         assert_eq!(gap(scene.A.at(0.0), scene.l, scene.guide.origin(0.0), d, scene.h), None);
     }
@@ -99,5 +99,5 @@ fn what_does_not_reach_says_by_how_much() {
     let (origin, x) = (Vec2::zero(), Vec2::new(1.0, 0.0));
     assert_eq!(gap(origin, 2.0, origin, x, -3.0), Some(Gap::TooFar(1.0)));
     let p = position(origin, 2.0, origin, x, -3.0, 1.0);
-    assert_eq!((p.closure, p.sine, p.s, p.p_C), (-1.0, 0.0, 0.0, Vec2::new(0.0, -3.0)));
+    assert_eq!((p.closure, p.conditioning, p.s, p.p_C), (-1.0, 0.0, 0.0, Vec2::new(0.0, -3.0)));
 }

@@ -38,9 +38,9 @@ fn position_closes_on_the_side_asked_for() {
         let p = scene.position(0.0);
         close((p.p_C - p_A).norm(), scene.l_1, 1e-15, scene.l_1.max(scene.l_2) * 8.0);
         close((p.p_C - p_B).norm(), scene.l_2, 1e-15, scene.l_1.max(scene.l_2) * 8.0);
-        close(p.sine, p.r_1.cross(p.r_2) / (scene.l_1 * scene.l_2), 1e-13, 1.0);
+        close(p.conditioning, p.r_1.cross(p.r_2) / (scene.l_1 * scene.l_2), 1e-13, 1.0);
         assert_eq!((p_B - p_A).cross(p.p_C - p_A).signum(), scene.side);
-        assert_eq!(p.sine.signum(), scene.side);
+        assert_eq!(p.conditioning.signum(), scene.side);
         assert!(p.closure > 0.0);
         assert_eq!(gap(p_A, p_B, scene.l_1, scene.l_2), None);
     }
@@ -123,20 +123,20 @@ fn what_does_not_close_says_by_how_much() {
     assert_eq!(gap(at(0.0), at(4.0), 1.0, 2.0), Some(Gap::TooFar(1.0)));
     assert_eq!(gap(at(0.0), at(1.0), 1.0, 4.0), Some(Gap::TooNear(2.0)));
     let stretched = position(at(0.0), at(4.0), 1.0, 2.0, 1.0);
-    assert_eq!((stretched.sine, stretched.p_C.y), (0.0, 0.0));
+    assert_eq!((stretched.conditioning, stretched.p_C.y), (0.0, 0.0));
     // (3² − 4²) / 2·3: 1 but for the second order
     assert!((stretched.closure + 7.0 / 6.0).abs() < 1e-15);
     let folded = position(at(0.0), at(1.0), 1.0, 4.0, 1.0);
-    assert_eq!(folded.sine, 0.0);
+    assert_eq!(folded.conditioning, 0.0);
     // (1² − 3²) / 2·3
     assert!((folded.closure + 4.0 / 3.0).abs() < 1e-15);
     let dead = position(at(0.0), at(3.0), 1.0, 2.0, 1.0);
-    assert_eq!((dead.closure, dead.sine, dead.p_C), (0.0, 0.0, at(1.0)));
+    assert_eq!((dead.closure, dead.conditioning, dead.p_C), (0.0, 0.0, at(1.0)));
 }
 
 #[test]
 fn coincident_pins_are_a_dead_position() {
     let p = position(Vec2::zero(), Vec2::zero(), 1.0, 1.0, 1.0);
-    assert_eq!(p.sine, 0.0);
+    assert_eq!(p.conditioning, 0.0);
     assert!(p.closure >= 0.0);
 }

@@ -43,7 +43,7 @@ impl Scene {
             });
             let scene = Self { plate, legs, pose };
             let short = scene.legs.iter().any(|l| l.kind.is_ok_and(|length| length < 0.4));
-            if plate.length > 0.3 && !short && scene.group().sine.abs() > 0.2 {
+            if plate.length > 0.3 && !short && scene.group().conditioning.abs() > 0.2 {
                 return scene;
             }
         }
@@ -130,7 +130,7 @@ fn modes_come_in_pairs_of_opposite_sign() {
         let scene = Scene::random(&mut random, 0);
         let ends = scene.ends(0.0);
         let signs = modes(&scene.plate, &ends).into_iter();
-        let sum: f64 = signs.map(|m| scene.plate.group(&ends, &m.pose).sine.signum()).sum();
+        let sum: f64 = signs.map(|m| scene.plate.group(&ends, &m.pose).conditioning.signum()).sum();
         assert_eq!(sum, 0.0);
     }
 }
@@ -152,7 +152,7 @@ fn a_mode_that_is_dead_is_found() {
     let ends = [0, 1, 2].map(|i| End::Hinge { p: pins[i] * reach[i], length: reach[i] - 1.0 });
     let found = modes(&plate, &ends);
     let stands = Pose { p: mean, u: Vec2::new(1.0, 0.0) };
-    assert!(plate.group(&ends, &stands).sine.abs() < 1e-15);
+    assert!(plate.group(&ends, &stands).conditioning.abs() < 1e-15);
     let near = found.iter().find(|m| plate.apart(&m.pose, &stands) < 1e-6);
     assert!(near.is_some_and(|m| m.h > 0.5), "{found:?}");
 }
@@ -273,7 +273,7 @@ fn a_motion_that_turns_back_is_open() {
         }
     };
     // the last one was near to dead, and no assembly is near beyond
-    assert!(plate.group(&last, &pose).sine.abs() < 0.3);
+    assert!(plate.group(&last, &pose).conditioning.abs() < 0.3);
     let beyond = modes(&plate, &open);
     assert!(beyond.iter().all(|m| plate.apart(&m.pose, &pose) > 0.3), "{beyond:?}");
 }
@@ -287,7 +287,7 @@ fn the_figure_does_not_hang_on_axes_and_lengths() {
         let turned = random.direction();
         let d = group.d.map(|d| d.turned(turned));
         let other = Triad::new(d, group.arms.map(|a| a.turned(turned) * 1e-6), scene.plate.length * 1e-6);
-        close(other.sine, group.sine, 1e-14, 1.0);
-        assert!(group.sine.abs() <= 1.0 + 1e-15);
+        close(other.conditioning, group.conditioning, 1e-14, 1.0);
+        assert!(group.conditioning.abs() <= 1.0 + 1e-15);
     }
 }

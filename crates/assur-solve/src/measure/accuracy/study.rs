@@ -273,7 +273,7 @@ fn cycle_error(found: &WholeCycle, full: &WholeCycle) -> f64 {
     let known = full.cycles.iter().zip(&found.cycles).filter(|(a, _)| a.value.is_finite());
     let cycles = known.map(|(a, b)| over(a.value, b.value, a.scale));
     let wheels = full.flywheels.iter().zip(&found.flywheels).map(|(a, b)| {
-        let most = a.mean_torque.abs().max(a.fluctuation / a.way.1.abs());
+        let most = a.mean_torque.abs().max(a.fluctuation / a.interval.1.abs());
         let work = over(a.fluctuation, b.fluctuation, a.fluctuation);
         work.max(over(a.mean_torque, b.mean_torque, most))
     });

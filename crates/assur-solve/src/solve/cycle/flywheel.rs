@@ -55,7 +55,7 @@ pub(super) fn flywheel(
         None => return Err(NoFlywheel::NeedsSpeed),
     };
     let mean = torque.integral();
-    let work = work(torque, mean, sampler.way.length());
+    let work = work(torque, mean, sampler.interval.length());
     let (least, greatest) = extremes(torque, &work, mean);
     let fluctuation = greatest.1 - least.1;
     let (least_links, greatest_links) = bounds(links);
@@ -71,13 +71,13 @@ pub(super) fn flywheel(
         mean_torque: mean / ratio,
         speed: mean_speed,
         ratio,
-        extremes: [least.0, greatest.0].map(|s| sampler.way.value(s)),
+        extremes: [least.0, greatest.0].map(|s| sampler.interval.value(s)),
         links: reduced,
-        error: 2.0 * torque.error * sampler.way.length().abs(),
+        error: 2.0 * torque.error * sampler.interval.length().abs(),
         samples: sampler.samples,
-        splits: breaks.iter().map(|s| sampler.way.value(*s)).collect(),
+        splits: breaks.iter().map(|s| sampler.interval.value(*s)).collect(),
         work,
-        way: (sampler.way.value(0.0), sampler.way.length()),
+        interval: (sampler.interval.value(0.0), sampler.interval.length()),
     };
     Ok(Found { answer, needless })
 }
@@ -89,8 +89,8 @@ fn one_turning_drive(
     sampler: &Sampler<'_>,
 ) -> Result<f64, NoFlywheel> {
     let [drive] = model.mechanism.drives.as_slice() else { return Err(NoFlywheel::Drives) };
-    if !turns(model, drive) || !sampler.way.is_closed {
-        return Err(NoFlywheel::NoCycle(sampler.way.turns));
+    if !turns(model, drive) || !sampler.interval.is_closed {
+        return Err(NoFlywheel::NoCycle(sampler.interval.turns));
     }
     match rate(model, statics) {
         0.0 if model.plan.effects.timed => Err(NoFlywheel::StandsStill),

@@ -43,18 +43,19 @@ impl Interval {
                 _ => *end = if sweep.len() > 1 { *end } else { *from },
             }
         }
-        let way = Self { is_closed: false, turns: None, from, to };
-        if way.from == way.to {
+        let interval = Self { is_closed: false, turns: None, from, to };
+        if interval.from == interval.to {
             return Err(NoSweep::OnePosition);
         }
         // also where a way is no number
-        if !ways(model, extent(model), &way.from, &way.to).all(|way| way.abs() <= LONGEST) {
+        if !ways(model, extent(model), &interval.from, &interval.to).all(|interval| interval.abs() <= LONGEST)
+        {
             return Err(NoSweep::TooLong);
         }
         let turning = matches!(drives.as_slice(), [drive] if turns(model, drive));
-        let turns = turning.then(|| way.length() / TAU);
+        let turns = turning.then(|| interval.length() / TAU);
         let is_closed = turns.is_some_and(|n| n.round() != 0.0 && (n - n.round()).abs() < 1e-12);
-        Ok(Self { is_closed, turns, ..way })
+        Ok(Self { is_closed, turns, ..interval })
     }
 
     /// Drive values at a place of the sweep.

@@ -39,8 +39,8 @@ pub(crate) fn cycles(
     if mechanism.cycles.is_empty() && mechanism.flywheels.is_empty() {
         return Ok(Vec::new());
     }
-    let way = Interval::of(model, statics, sweep).map_err(|why| no_sweep(model, why))?;
-    let mut sampler = Sampler::new(model, statics, &way)?;
+    let interval = Interval::of(model, statics, sweep).map_err(|why| no_sweep(model, why))?;
+    let mut sampler = Sampler::new(model, statics, &interval)?;
     statics.cycles = vec![CycleAnswer::default(); mechanism.cycles.len()];
     // those of motion alone first: loads may depend on them
     let after = |index: &usize| hangs_on_forces(mechanism, &mechanism.cycles[*index].expr);
@@ -57,7 +57,7 @@ pub(crate) fn cycles(
     for index in 0..mechanism.flywheels.len() {
         let wheel = &mechanism.flywheels[index];
         let found = flywheel::flywheel(model, statics, &mut sampler, index);
-        let found = found.map_err(|why| no_flywheel(model, wheel, why, |s| way.value(s)))?;
+        let found = found.map_err(|why| no_flywheel(model, wheel, why, |s| interval.value(s)))?;
         let needless = found.needless.map(|[have, needed]| needless_flywheel(model, wheel, have, needed));
         warnings.extend(needless);
         statics.flywheels.push(found.answer);
@@ -85,7 +85,7 @@ fn cycle(model: &Model<'_>, statics: &WholeCycle, sampler: &mut Sampler<'_>, ind
     sampler.begin();
     match found(model, statics, sampler, asked.how, &asked.expr) {
         Ok(answer) => CycleAnswer { samples: sampler.samples, ..answer },
-        Err(why) => CycleAnswer::undefined(undefined(model, why, |s| sampler.way.value(s))),
+        Err(why) => CycleAnswer::undefined(undefined(model, why, |s| sampler.interval.value(s))),
     }
 }
 
@@ -100,9 +100,9 @@ fn found(
         return Ok(answer);
     }
     let breaks = switches::breaks(model, statics, sampler, expr)?;
-    let splits = breaks.iter().map(|s| sampler.way.value(*s)).collect();
+    let splits = breaks.iter().map(|s| sampler.interval.value(*s)).collect();
     let answer = |value, error, scale| CycleAnswer { value, error, scale, splits, ..CycleAnswer::default() };
-    let length = sampler.way.length();
+    let length = sampler.interval.length();
     let whole = matches!(how, CycleFunction::Mean | CycleFunction::Integral);
     let factor = if how == CycleFunction::Integral { length } else { 1.0 };
     if whole
@@ -122,7 +122,7 @@ fn found(
     let (s, value) = extreme(statics, sampler, expr, piecewise, sign)?;
     Ok(match how {
         CycleFunction::Argmax => {
-            answer(sampler.way.value(s), piecewise.error.min(1.0) * length.abs(), length.abs())
+            answer(sampler.interval.value(s), piecewise.error.min(1.0) * length.abs(), length.abs())
         }
         _ => answer(value, piecewise.error, piecewise.scale),
     })
@@ -148,7 +148,8 @@ fn of_work(statics: &WholeCycle, how: CycleFunction, expr: &Expr) -> Option<Cycl
     let at = found.extremes[usize::from(greatest)];
     let value = if how == CycleFunction::Argmax { at } else { sign * found.work(at) };
     let argmax = how == CycleFunction::Argmax;
-    let (error, scale) = if argmax { (1e-12, found.way.1.abs()) } else { (found.error, found.fluctuation) };
+    let (error, scale) =
+        if argmax { (1e-12, found.interval.1.abs()) } else { (found.error, found.fluctuation) };
     Some(CycleAnswer { value, error, scale, splits: found.splits.clone(), ..CycleAnswer::default() })
 }
 
@@ -159,7 +160,7 @@ fn comes_again(
     sampler: &mut Sampler<'_>,
     expr: &Expr,
 ) -> Result<bool, Undefined> {
-    if !sampler.way.is_closed || !sampler.comes_again() {
+    if !sampler.interval.is_closed || !sampler.comes_again() {
         return Ok(false);
     }
     if !counts_turns(model.mechanism, expr) {

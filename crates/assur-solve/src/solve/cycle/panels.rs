@@ -126,7 +126,7 @@ pub(super) fn piecewise(
 
 /// The stretches between the breaks, divided where they are long.
 fn first_panels(sampler: &Sampler<'_>, breaks: &[f64]) -> Vec<(f64, f64)> {
-    let turns = sampler.way.turns.unwrap_or(1.0).abs().max(0.5);
+    let turns = sampler.interval.turns.unwrap_or(1.0).abs().max(0.5);
     let per_turn = match sampler.settings().samples {
         wanted if wanted > VERY_COARSE => FEW_PER_TURN[1],
         wanted if wanted > COARSE => FEW_PER_TURN[0],

@@ -54,7 +54,7 @@ impl Need {
 pub(super) struct Sampler<'a> {
     model: Model<'a>,
     /// The sweep.
-    pub way: &'a Interval,
+    pub interval: &'a Interval,
     rates: Rates,
     anchors: Vec<Anchor>,
     /// Intervals between the anchors of the whole sweep.
@@ -87,27 +87,27 @@ impl<'a> Sampler<'a> {
     pub(crate) fn new(
         model: &Model<'a>,
         statics: &WholeCycle,
-        way: &'a Interval,
+        interval: &'a Interval,
     ) -> Result<Self, SolveError> {
         let rates = Rates::of(model, statics);
         let mut state = State::new(model.plan);
-        rates.at(&way.from, &mut state.motion.inputs);
+        rates.at(&interval.from, &mut state.motion.inputs);
         let state = assemble(model, state)?;
-        let mut tracker = Tracker::new(model, state.clone(), &way.from);
-        let count = steps(model, extent(model), &way.from, &way.to).max(FEWEST);
+        let mut tracker = Tracker::new(model, state.clone(), &interval.from);
+        let count = steps(model, extent(model), &interval.from, &interval.to).max(FEWEST);
         let anchor = |tracker: &Tracker| Anchor {
             branches: tracker.state.branches.clone(),
             bodies: tracker.state.motion.bodies.clone(),
             angles: tracker.angles.clone(),
         };
         let mut anchors = vec![anchor(&tracker)];
-        let mut values = way.from.clone();
+        let mut values = interval.from.clone();
         let mut open = None;
         let mut done = 0.0;
         while done < count {
             done += 1.0;
             values.clear();
-            values.extend(way.values(done / count));
+            values.extend(interval.values(done / count));
             if tracker.go(model, &rates, &values).is_err() {
                 open = Some(done / count);
                 break;
@@ -116,7 +116,7 @@ impl<'a> Sampler<'a> {
         }
         Ok(Self {
             model: *model,
-            way,
+            interval,
             rates,
             anchors,
             intervals: count,
@@ -248,7 +248,7 @@ impl<'a> Sampler<'a> {
         if self.state.motion.open.is_some() {
             return Err(Undefined::Open(s));
         }
-        let singular = |sines: &[f64]| sines.iter().any(|sine| sine.abs() <= DEAD);
+        let singular = |conditions: &[f64]| conditions.iter().any(|c| c.abs() <= DEAD);
         if model.plan.effects.level > Level::Positions && singular(&self.state.motion.conditions) {
             return Err(Undefined::At(s));
         }
@@ -290,7 +290,7 @@ impl<'a> Sampler<'a> {
         self.state.motion.open = None;
         self.state.forces.locked = false;
         self.values.clear();
-        self.values.extend(self.way.values(s));
+        self.values.extend(self.interval.values(s));
         self.rates.at(&self.values, &mut self.state.motion.inputs);
     }
 

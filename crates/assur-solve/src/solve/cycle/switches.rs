@@ -236,6 +236,6 @@ const fn as_vector(value: Value) -> Vec2 {
     match value {
         Value::Scalar(x) => Vec2::new(x, 0.0),
         Value::Vector(v) => v,
-        Value::Truth(_) => Vec2::new(f64::NAN, f64::NAN),
+        Value::Bool(_) => Vec2::new(f64::NAN, f64::NAN),
     }
 }

@@ -5,12 +5,12 @@ use crate::math::{Double, Scalar, V2, Vec2};
 
 /// A vector in the frame of a body or the axes of a guide, m.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Formed {
+pub struct ExactVec {
     rounded: Vec2,
     rest: Vec2,
 }
 
-impl Formed {
+impl ExactVec {
     /// A vector formed twice, in `f64` and with twice the digits.
     fn new(rounded: Vec2, exact: V2<Double>) -> Self {
         let rest = exact - V2::of(rounded);
