@@ -24,7 +24,7 @@ pub use error::SyntaxError;
 
 use assur_text::diagnostic::Problems;
 use assur_text::source::{Source, Span};
-use document::{Document, Variants};
+use document::Document;
 use grammar::{Grammar, Rule};
 use pest::Parser;
 
@@ -45,22 +45,4 @@ pub fn parse(source: &Source) -> (Document, Problems) {
     }
     whole::check(&document, &mut problems);
     (document, problems)
-}
-
-/// Reads a table of variants by itself, as in a CSV file: names with units in the header, plain numbers below.
-#[must_use]
-pub fn parse_table(source: &Source) -> (Variants, Problems) {
-    let mut problems = Problems::new();
-    let read = prepare::prepare(&source.text, &mut problems);
-    match Grammar::parse(Rule::table, &read) {
-        Ok(pairs) => {
-            let (variants, found) = lower::table(&source.text, &read, pairs);
-            problems.append(found);
-            (variants, problems)
-        }
-        Err(_) => {
-            problems.push(recover::unreadable(Span::new(0, source.text.len())));
-            (Variants::default(), problems)
-        }
-    }
 }

@@ -18,7 +18,7 @@ pub(super) fn report(lower: &mut Lower<'_>, pairs: Pairs<'_, Rule>) {
             Rule::p_end => {
                 open.pop();
             }
-            Rule::x_missing_brace => {
+            Rule::lenient_missing_brace => {
                 let at = span(&pair);
                 let opened = open.pop().unwrap_or(at);
                 let inner = inner::statement_in_braces(lower.text, lower.read, opened, at);
@@ -30,20 +30,22 @@ pub(super) fn report(lower: &mut Lower<'_>, pairs: Pairs<'_, Rule>) {
                     None => missing_brace(lower.text, opened, at),
                 });
             }
-            Rule::x_late_brace => lower.problems.push(late_brace(lower.text, &pair)),
-            Rule::x_colon_for_equals => {
+            Rule::lenient_late_brace => lower.problems.push(late_brace(lower.text, &pair)),
+            Rule::lenient_colon_for_equals => {
                 let at = span(&pair);
                 let help = format!("write: {}", corrected(lower.text, at, " =").replace("  ", " "));
                 let found = pair.as_str().to_owned();
                 lower.problems.push(SyntaxError::EqualsExpected { found, at, help });
             }
-            Rule::x_equals_for_colon => {
+            Rule::lenient_equals_for_colon => {
                 let at = span(&pair);
                 let help = format!("write: {}", corrected(lower.text, at, ":").replace(" :", ":"));
                 let found = pair.as_str().to_owned();
                 lower.problems.push(SyntaxError::ColonExpected { found, at, help });
             }
-            Rule::x_bare_point => lower.problems.push(bare_point(lower.text, pair.as_str(), span(&pair))),
+            Rule::lenient_bare_point => {
+                lower.problems.push(bare_point(lower.text, pair.as_str(), span(&pair)))
+            }
             _ => {}
         }
     }

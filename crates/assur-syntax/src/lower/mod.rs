@@ -14,7 +14,7 @@ mod question;
 mod state;
 mod walk;
 
-use super::document::{Bad, Definition, Statement, Variants};
+use super::document::{Bad, Definition, Statement};
 use super::error::SyntaxError;
 use super::grammar::{Grammar, Rule};
 use super::prepare::whole_end;
@@ -41,14 +41,6 @@ pub(super) fn file(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Vec<Spann
         }
     }
     (statements, lower.problems)
-}
-
-/// A table of variants by itself.
-pub(super) fn table(text: &str, read: &str, pairs: Pairs<'_, Rule>) -> (Variants, Problems) {
-    let mut lower = Lower::new(text, read);
-    lenient::report(&mut lower, pairs.clone());
-    let variants = lower.rows(pairs.flat_map(P::into_inner));
-    (variants, lower.problems)
 }
 
 /// Where a pair that holds plain text stands, without the blanks at its end.
@@ -115,8 +107,8 @@ impl Lower<'_> {
         let title = written.trim_matches(bare).to_owned();
         let help = format!("write: mechanism \"{title}\"");
         match part.as_rule() {
-            Rule::x_unclosed_text => self.problems.push(SyntaxError::UnclosedText { at, help }),
-            Rule::x_bare_title => self.problems.push(SyntaxError::TitleWithoutQuotes { at, help }),
+            Rule::lenient_unclosed_text => self.problems.push(SyntaxError::UnclosedText { at, help }),
+            Rule::lenient_bare_title => self.problems.push(SyntaxError::TitleWithoutQuotes { at, help }),
             _ => {}
         }
         Some(Spanned::new(title, at))

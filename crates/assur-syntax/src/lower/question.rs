@@ -101,7 +101,7 @@ impl Lower<'_> {
         Some(Until { what: self.expr(parts.any()?)?, value: self.expr(parts.any()?)? })
     }
 
-    /// The header and the rows of `variants`, or of a table by itself.
+    /// The header and the rows of `variants`.
     pub(super) fn rows<'i>(&mut self, pairs: impl Iterator<Item = Pair<'i, Rule>>) -> Variants {
         let mut variants = Variants::default();
         for pair in pairs {

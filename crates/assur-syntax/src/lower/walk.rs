@@ -87,10 +87,10 @@ fn is_plumbing(rule: Rule) -> bool {
             | Rule::p_colon
             | Rule::p_brace
             | Rule::p_end
-            | Rule::x_colon_for_equals
-            | Rule::x_equals_for_colon
-            | Rule::x_late_brace
-            | Rule::x_missing_brace
+            | Rule::lenient_colon_for_equals
+            | Rule::lenient_equals_for_colon
+            | Rule::lenient_late_brace
+            | Rule::lenient_missing_brace
             | Rule::EOI
     )
 }
@@ -111,7 +111,7 @@ pub(super) fn span(pair: &P<'_>) -> Span {
 fn end_of_last(pair: &P<'_>) -> usize {
     let mut last = pair.clone();
     loop {
-        let inner = last.clone().into_inner().rev().find(|p| p.as_rule() != Rule::x_missing_brace);
+        let inner = last.clone().into_inner().rev().find(|p| p.as_rule() != Rule::lenient_missing_brace);
         match inner {
             Some(inner) => last = inner,
             None => return whole_end(pair.get_input(), last.as_span().end()),

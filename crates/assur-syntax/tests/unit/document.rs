@@ -1,7 +1,7 @@
 //! What texts are read as.
 
 use assur_syntax::document::{Document, Expr, ExprKind, Statement};
-use assur_syntax::{parse, parse_table, skeleton};
+use assur_syntax::{parse, skeleton};
 use assur_text::source::Source;
 
 fn read(text: &str) -> Document {
@@ -144,9 +144,9 @@ fn a_bad_statement_keeps_its_names() {
 }
 
 #[test]
-fn a_table_by_itself() {
-    let (table, problems) = parse_table(&Source::new("t.csv", "\u{FEFF}vA [m/s], i\n4, 5\n-2e-3, 2.5\n\n"));
-    assert!(problems.is_empty());
+fn a_table_of_variants() {
+    let document = read("mech 1\nvariants {\n  vA [m/s], i\n  4, 5\n  -2e-3, 2.5\n}\n");
+    let Statement::Variants(table) = &document.statements[1].node else { panic!("a table") };
     assert_eq!((table.columns.len(), table.rows.len()), (2, 2));
     assert_eq!(table.rows[1].cells[0].node.value.to_bits(), (-2e-3_f64).to_bits());
 }
