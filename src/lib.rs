@@ -40,7 +40,8 @@ pub mod internals {
     pub use assur_check as check;
     pub use assur_math::{element, force, group, math};
     pub use assur_model::{model, structure};
-    pub use assur_solve::{answer, measure, measure::accuracy, message, plan, position, reference, solve};
+    pub use assur_position::{plan, position};
+    pub use assur_solve::{answer, measure, measure::accuracy, message, reference, solve};
     pub use assur_syntax as syntax;
     pub use assur_text::{diagnostic, language, source, units};
 }

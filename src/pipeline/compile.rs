@@ -4,7 +4,7 @@ use assur_check as check;
 use assur_check::Overrides;
 use assur_model::model::Mechanism;
 use assur_model::structure::{self, Structure};
-use assur_solve::plan::{self, Plan};
+use assur_position::plan::{self, Plan};
 use assur_solve::solve::Model;
 use assur_syntax as syntax;
 use assur_syntax::document::Document;

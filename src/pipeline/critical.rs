@@ -10,7 +10,7 @@ use assur_check as check;
 use assur_check::Overrides;
 use assur_model::model::{Display, Expr, Find, FindKind, Mechanism, Positions, Query, Value};
 use assur_model::structure;
-use assur_solve::plan;
+use assur_position::plan;
 use assur_solve::solve::{self, Model};
 use assur_syntax::document::Document;
 use assur_text::source::Span;

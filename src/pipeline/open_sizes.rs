@@ -7,7 +7,7 @@ use super::compile::Origin;
 use assur_check as check;
 use assur_model::model::{Expr, FindKind, Mechanism, OpenSize, Relation, Value};
 use assur_model::structure;
-use assur_solve::plan;
+use assur_position::plan;
 use assur_solve::solve::{self, Following, Model, OpenSizes, Pose, WholeCycle};
 use assur_text::source::Span;
 use miette::Diagnostic;

@@ -5,10 +5,10 @@ use serde::Serialize;
 use super::answers::NONE;
 use super::document::{Column, Report, Section, Table};
 use super::headed;
+use assur_position::plan::{Numbers, Settings};
 use assur_solve::measure::accuracy::{
     AccuracyStudy, AchievedAccuracy, Kind, Recommendation, Row, Setting, Source, lanes,
 };
-use assur_solve::plan::{Numbers, Settings};
 use assur_solve::solve::Model;
 use assur_text::units::significant;
 

@@ -5,7 +5,7 @@ use super::document::{Column, Report, Section, Table};
 use super::pair::pair_text;
 use assur_model::model::{LinkId, Mechanism, PairId, PairKind, Rate, Transmission, TransmissionKind};
 use assur_model::structure::{BodyId, Group, GroupKind};
-use assur_solve::plan::{TrainMember, TrainMotion, TrainSource};
+use assur_position::plan::{TrainMember, TrainMotion, TrainSource};
 use assur_solve::solve::{Model, Pose, PoseAnswers, Solved};
 use assur_text::units::{Dimension, significant};
 

@@ -9,12 +9,13 @@ use std::path::{Path, PathBuf};
 const LONGEST: usize = 5;
 
 /// The folders whose files are judged.
-const FOLDERS: [&str; 7] = [
+const FOLDERS: [&str; 8] = [
     "crates/assur-text/src",
     "crates/assur-math/src",
     "crates/assur-syntax/src",
     "crates/assur-model/src",
     "crates/assur-check/src",
+    "crates/assur-position/src",
     "crates/assur-solve/src",
     "src",
 ];

@@ -9,7 +9,7 @@ use super::entries::{Entries, Number, Pair, Reading};
 use super::train::{PartView, ShaftView, SliderView, elements, is_element, transmissions};
 use assur_math::math::Vec2;
 use assur_model::model::{DriveTarget, Link, LinkId};
-use assur_solve::plan::{Effects, Level};
+use assur_position::plan::{Effects, Level};
 use assur_solve::solve::{BodyState, DriveValue, Pose, SolveError, Solved};
 
 #[derive(Serialize)]

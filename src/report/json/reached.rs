@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::entries::Number;
+use assur_position::plan::Numbers;
 use assur_solve::measure::accuracy::{AchievedAccuracy, Source};
-use assur_solve::plan::Numbers;
 
 #[derive(Serialize)]
 pub(super) struct ReachedView {

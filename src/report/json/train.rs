@@ -6,7 +6,7 @@ use super::super::answers::Answers;
 use super::super::train::pulls;
 use super::entries::{Entries, Number};
 use assur_model::model::{LinkId, Mechanism, PairId, PairKind, TransmissionKind};
-use assur_solve::plan::Level;
+use assur_position::plan::Level;
 use assur_solve::solve::Solved;
 
 #[derive(Serialize)]

@@ -10,7 +10,7 @@ use crate::math::Vec2;
 use crate::plan::{BalanceSystem, GeneralMotion, Guide, Settings, UnknownForce};
 
 /// Starts of the search for assemblies: many for few bodies, as `group::general::assemblies` advises.
-pub(crate) const STARTS: usize = 400;
+pub const STARTS: usize = 400;
 
 impl State {
     pub(super) fn general<const LEVEL: u8>(
@@ -206,7 +206,7 @@ fn on_body(guide: &Guide, on_slider: f64) -> f64 {
 }
 
 /// Whether a general group can be moved within its pairs wherever it stands.
-pub(crate) fn is_never_regular(state: &State, problem: usize, group: &GeneralMotion) -> bool {
+pub fn is_never_regular(state: &State, problem: usize, group: &GeneralMotion) -> bool {
     let Some(mut work) = state.scratch.motion_work.get(problem).cloned().flatten() else { return false };
     state.set_drives(&mut work.equations, group);
     state.read_poses(&group.bodies, &mut work.poses);
@@ -214,7 +214,7 @@ pub(crate) fn is_never_regular(state: &State, problem: usize, group: &GeneralMot
 }
 
 /// All states in which a general group can be, from a given number of starts.
-pub(crate) fn assemblies(
+pub fn assemblies(
     before: &State,
     branch: usize,
     problem: usize,

@@ -25,7 +25,7 @@ mod triad;
 mod triad_step;
 
 pub use crate::model::Level;
-pub(crate) use cam::{contact_in, is_follower};
+pub use cam::{contact_in, is_follower};
 pub use cam_step::CamStep;
 pub use effects::Effects;
 pub use exact_vec::ExactVec;
@@ -37,7 +37,7 @@ pub use load_step::{ForceLine, LoadStep};
 pub use planned::Plan;
 pub use settings::{Numbers, Settings};
 pub use step::{Anchor, Arm, DrivenJoint, DrivenLeg, Leg, MotionStep, Slide};
-pub(crate) use train_losses::loss_system;
+pub use train_losses::loss_system;
 pub use triad_step::{TriadForceLeg, TriadForces, TriadHold, TriadLeg, TriadMotion};
 
 pub use train_step::{

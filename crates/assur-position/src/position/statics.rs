@@ -53,7 +53,7 @@ impl<S: Scalar + Default> Forces<S> {
 
 impl Forces {
     /// Puts all of them to nothing.
-    pub(crate) fn clear(&mut self) {
+    pub fn clear(&mut self) {
         self.applied.fill(Wrench::default());
         self.wrenches.fill(Wrench::default());
         self.reactions.fill(Reaction::default());

@@ -40,7 +40,7 @@ impl Searched {
     }
 
     /// With little left: for searches that only improve a message.
-    pub(crate) fn nearly_spent(self) -> Self {
+    pub fn nearly_spent(self) -> Self {
         Self(self.0.max(0.95 * MOST_WORK))
     }
 }

@@ -71,7 +71,7 @@ pub(super) fn line<S: Scalar>(bodies: &[BodyState<S>], slide: &Slide) -> Line<S>
 
 /// Puts a body so that its pin moves as given, at direction `u`, angular velocity and acceleration as given.
 #[inline(always)]
-pub(crate) fn place<S: Scalar, const LEVEL: u8>(
+pub fn place<S: Scalar, const LEVEL: u8>(
     body: &mut BodyState<S>,
     pin: &Arm,
     point: Point<S>,

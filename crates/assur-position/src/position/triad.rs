@@ -22,7 +22,7 @@ impl State {
     }
 
     /// Puts the link into the assembly of the same sign that is nearest, over a gap. Whether there is one.
-    pub(crate) fn triad_over_gap(&mut self, branch: usize, triad: &TriadMotion) -> bool {
+    pub fn triad_over_gap(&mut self, branch: usize, triad: &TriadMotion) -> bool {
         let (now, pose) = (self.triad_ends(triad), self.triad_pose(triad));
         let mut found = modes(&triad.plate, &now);
         found
@@ -34,7 +34,7 @@ impl State {
     }
 
     /// What the legs depend on where the bases are now.
-    pub(crate) fn triad_ends(&self, triad: &TriadMotion) -> [End; 3] {
+    pub fn triad_ends(&self, triad: &TriadMotion) -> [End; 3] {
         [0, 1, 2].map(|i| match &triad.legs[i] {
             TriadLeg::Link(leg) => {
                 End::Hinge { p: point::<f64, 0>(&self.motion.bodies, &leg.base).p, length: leg.length }
@@ -193,7 +193,7 @@ struct LegForce {
 }
 
 /// All states in which a triad can stand.
-pub(crate) fn assemblies(before: &State, branch: usize, triad: &TriadMotion) -> Vec<State> {
+pub fn assemblies(before: &State, branch: usize, triad: &TriadMotion) -> Vec<State> {
     let ends = before.triad_ends(triad);
     let each = modes(&triad.plate, &ends).into_iter().map(|mode| {
         let mut state = before.clone();

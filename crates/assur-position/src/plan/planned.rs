@@ -85,7 +85,7 @@ impl Plan {
 
     /// What [`Plan::massless`] is for the loads and forces planned. The closed forms do not ask what the ground carries: where
     /// all is closed it is among them only if a load acts on it.
-    pub(crate) fn find_massless(&self) -> Vec<usize> {
+    pub fn find_massless(&self) -> Vec<usize> {
         let asked = |slot: usize| {
             slot > 0 || !self.is_batchable() || self.loads.iter().any(|load| load.acts_on(slot))
         };

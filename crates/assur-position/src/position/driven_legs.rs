@@ -64,7 +64,7 @@ impl<S: Scalar> State<S> {
 
     /// The length of a leg, m.
     #[inline(always)]
-    pub(crate) fn leg_length(&self, leg: &DrivenLeg) -> S {
+    pub fn leg_length(&self, leg: &DrivenLeg) -> S {
         self.arm(leg).w.norm()
     }
 

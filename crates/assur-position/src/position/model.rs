@@ -16,7 +16,7 @@ pub struct Model<'a> {
 }
 
 /// Whether a drive's value is an angle.
-pub(crate) fn turns(model: &Model<'_>, drive: &Drive) -> bool {
+pub fn turns(model: &Model<'_>, drive: &Drive) -> bool {
     match drive.target {
         DriveTarget::Link(_) => true,
         DriveTarget::Pair(pair) => {

@@ -22,11 +22,11 @@ use crate::plan::{ForceStep, FrictionElement, FrictionGroup, FrictionLaw, Plan};
 /// Newton's steps are at most this many; with a solution four suffice.
 pub(super) const STEPS: u32 = 25;
 /// Velocities below this part of the greatest are none.
-pub(crate) const STILL: f64 = 1e-11;
+pub const STILL: f64 = 1e-11;
 
 impl State {
     /// Line along which an element's force acts, and a point of it; `None` for a torque.
-    pub(crate) fn friction_line(&self, element: &FrictionElement) -> Option<(Vec2, Vec2)> {
+    pub fn friction_line(&self, element: &FrictionElement) -> Option<(Vec2, Vec2)> {
         match &element.kind {
             FrictionLaw::Circle { .. } => None,
             FrictionLaw::Guide { guide, .. } | FrictionLaw::BothEnds { guide, .. } => {
@@ -40,7 +40,7 @@ impl State {
     }
 
     /// Velocity of the element's body against its base, rad/s or m/s, in the sense in which its effort counts.
-    pub(crate) fn sliding_speed(&self, element: &FrictionElement) -> f64 {
+    pub fn sliding_speed(&self, element: &FrictionElement) -> f64 {
         let (body, base) = (&self.motion.bodies[element.body], &self.motion.bodies[element.base]);
         match self.friction_line(element) {
             None => body.omega - base.omega,
@@ -81,7 +81,7 @@ impl State {
     }
 
     /// Marks all reactions and efforts as not existing: the mechanism is locked.
-    pub(crate) fn forget_forces(&mut self) {
+    pub fn forget_forces(&mut self) {
         let none = Reaction { force: Vec2::new(f64::NAN, f64::NAN), couple: f64::NAN };
         self.forces.reactions.fill(none);
         self.forces.efforts.fill(f64::NAN);
@@ -117,7 +117,7 @@ impl State {
     /// What an element's law measures of the reaction as it stands: the force in a hinge or contact; the normal force of a
     /// guide; the forces at its two ends.
     #[inline(always)]
-    pub(crate) fn measured(&self, plan: &Plan, element: &FrictionElement) -> Vec2 {
+    pub fn measured(&self, plan: &Plan, element: &FrictionElement) -> Vec2 {
         if let Some((from, to)) = element.pin {
             let slots = &plan.pin_slots[from..to];
             return slots

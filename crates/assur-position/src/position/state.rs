@@ -7,9 +7,9 @@ use crate::math::Scalar;
 use crate::plan::Plan;
 
 /// Assemblies nearer than this, relative to the mechanism's extent, are one.
-pub(crate) const SAME: f64 = 1e-9;
+pub const SAME: f64 = 1e-9;
 /// At and below this condition velocities and forces do not exist.
-pub(crate) const DEAD: f64 = 1e-12;
+pub const DEAD: f64 = 1e-12;
 
 /// The assembly of a group: kept over a sweep.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,13 +67,13 @@ impl State {
     }
 
     /// A copy without that memory.
-    pub(crate) fn answer(&self) -> Self {
+    pub fn answer(&self) -> Self {
         let (branches, motion, forces) = (self.branches.clone(), self.motion.clone(), self.forces.clone());
         Self { branches, motion, forces, scratch: Scratch::default() }
     }
 
     /// Takes over what motion starts from, of a state of the same plan: where the bodies are and how they are assembled.
-    pub(crate) fn start_from(&mut self, other: &Self) {
+    pub fn start_from(&mut self, other: &Self) {
         self.branches.clone_from(&other.branches);
         self.motion.start_from(&other.motion);
     }

@@ -1,7 +1,7 @@
 //! What is put into the columns of drives comes out of them.
 
 use assur_math::math::Vec2;
-use assur_solve::solve::{DriveColumns, DriveInput};
+use assur_position::position::{DriveColumns, DriveInput};
 
 /// Drive `k` at position `i`, all quantities different.
 fn given(i: usize, k: usize) -> DriveInput {

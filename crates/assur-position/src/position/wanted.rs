@@ -5,9 +5,12 @@ use crate::model::Value;
 
 /// A position to be solved.
 #[derive(Clone, Debug)]
-pub(crate) struct Wanted {
+pub struct Wanted {
+    /// Its name in the file, or the values of its drives.
     pub name: String,
+    /// Where it comes from.
     pub origin: PoseOrigin,
+    /// The values of the drives, in their order.
     pub drives: Vec<DriveValue>,
 }
 

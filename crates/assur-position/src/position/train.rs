@@ -97,7 +97,7 @@ impl State {
     }
 
     /// The generalized force of a law at one of its sites.
-    pub(crate) fn law_force(&self, law: &PlannedLaw, slot: usize, term: usize) -> f64 {
+    pub fn law_force(&self, law: &PlannedLaw, slot: usize, term: usize) -> f64 {
         let force = &self.forces.law_forces[slot];
         let side = |i: usize| force.multiplier * force.sides[i] * law.terms[i].1;
         match (law.efficiency, term) {
@@ -134,7 +134,7 @@ impl State {
     }
 
     /// The pitch point and the force on the first wheel.
-    pub(crate) fn meeting_force(
+    pub fn meeting_force(
         &self,
         law: &PlannedLaw,
         slot: usize,

@@ -43,7 +43,7 @@ impl State {
     }
 
     /// The forces again from the same loads, without friction and losses.
-    pub(crate) fn run_again_without_friction(&mut self, plan: &Plan) {
+    pub fn run_again_without_friction(&mut self, plan: &Plan) {
         self.forces.wrenches.clone_from(&self.forces.applied);
         self.forces.frictions.fill(0.0);
         self.forces.locked = false;

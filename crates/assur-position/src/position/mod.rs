@@ -42,25 +42,25 @@ pub use body::BodyState;
 #[cfg(feature = "lanes")]
 pub use columns::DriveColumns;
 pub use consistent::{Consistent, Searched};
-pub(crate) use friction::STILL;
+pub use friction::STILL;
 pub use friction_work::FrictionWork;
-pub(crate) use general::{STARTS, assemblies as general_assemblies, is_never_regular};
-pub(crate) use general_work::Workspace;
+pub use general::{STARTS, assemblies as general_assemblies, is_never_regular};
+pub use general_work::Workspace;
 pub use kinematics::{DriveInput, Motion};
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub use lanes::block_in_avx2;
 #[cfg(feature = "lanes")]
 pub use lanes::{Batch, Place, WIDTH, instructions};
-pub(crate) use model::turns;
+pub use model::turns;
 pub use model::{Model, extent};
 pub use precise::{Edge, in_scalar, precise};
 pub use residual::{Residuals, residuals};
 pub use scratch::Scratch;
 pub use state::{Branch, State};
-pub(crate) use state::{DEAD, SAME};
+pub use state::{DEAD, SAME};
 pub use statics::Forces;
 pub use train_work::TrainWork;
-pub(crate) use triad::assemblies as triad_assemblies;
-pub(crate) use wanted::Wanted;
+pub use triad::assemblies as triad_assemblies;
+pub use wanted::Wanted;
 pub use wanted::{DriveValue, PoseOrigin};
 pub use wrench::{LawForce, Reaction, Wrench};

@@ -7,7 +7,7 @@ use crate::model::{CamContact, Mechanism, PairId};
 use crate::structure::{BodyOrigin, Group, GroupKind, Structure};
 
 /// The contact of a designed cam whose block belongs to a group.
-pub(crate) fn contact_in<'m>(
+pub fn contact_in<'m>(
     mechanism: &'m Mechanism,
     structure: &Structure,
     group: &Group,
@@ -21,7 +21,7 @@ pub(crate) fn contact_in<'m>(
 }
 
 /// Whether a group is the follower of a cam that moves already: the follower and the block, nothing else.
-pub(crate) fn is_follower(group: &Group, block: usize, contact: &CamContact) -> bool {
+pub fn is_follower(group: &Group, block: usize, contact: &CamContact) -> bool {
     let mut others = group.bodies.iter().filter(|b| b.0 != block);
     matches!(group.kind, GroupKind::Dyad(_))
         && others.next().is_some_and(|b| b.0 == contact.follower.index())
