@@ -4,6 +4,7 @@ wherever Python does. With mpmath installed leave this folder off the path: the 
 `mpf` keeps `mp.dps` digits and ten more; functions are summed as series after the argument is reduced.
 """
 import decimal
+import functools
 from decimal import Decimal
 
 GUARD = 10
@@ -177,11 +178,15 @@ def _sine(x):
 
 
 def _reduced(f):
-    def function(x):
+    # one angle is often taken several times in a row
+    @functools.lru_cache(maxsize=256)
+    def value(x, digits):
         with decimal.localcontext() as c:
-            c.prec += 10
-            result = f(_number(x))
-        return _made(+result)
+            c.prec = digits + 10
+            return f(x)
+
+    def function(x):
+        return _made(+value(_number(x), decimal.getcontext().prec))
     return function
 
 

@@ -23,6 +23,7 @@ class Mechanism:
     def __init__(self, gravity=None):
         self.links = {"ground": Link("ground", {})}
         self.pairs, self.drives, self.loads, self.balances, self.springs = [], [], [], {}, []
+        self.sizes = {}
         self.gravity = (mpf(0), mpf(0)) if gravity is None else gravity
         self.pins = {}
 
@@ -167,20 +168,34 @@ class Mechanism:
         return [self.pair(what).coordinate(f)]
 
     def residuals(self, q, values, fast=False):
-        f = self.frames(q, fast)
-        out = []
+        return list(self.equations(self.frames(q, fast), values, fast).values())
+
+    def equations(self, f, values, fast=False, wanted=lambda links: True):
+        """What is left of each equation by its row; of those alone that hold for links that are `wanted`."""
+        out, row = {}, 0
         for p in self.pairs:
-            out += p.residuals(f)
+            if not wanted((p.a, p.b)):
+                row += self.sizes[p.name] if p.name in self.sizes else self._size(p, f)
+                continue
+            for x in p.residuals(f):
+                out[row] = x
+                row += 1
         for (what, *_), value in zip(self.drives, values):
-            got = self.driven(f, what)
-            for g, v in zip(got, value):
+            for g, v in zip(self.driven(f, what), value):
                 d = g - v
                 if fast and (what in self.links or "." not in what and self.pair(what).kind == "revolute"):
                     d = math.remainder(d, 2 * math.pi)
-                out.append(d)
+                out[row] = d
+                row += 1
             if "." in what:
-                out.append(f[what.split(".")[0]].theta)
+                out[row] = f[what.split(".")[0]].theta
+                row += 1
         return out
+
+    def _size(self, pair, f):
+        """The number of equations of a pair."""
+        self.sizes[pair.name] = len(pair.residuals(f))
+        return self.sizes[pair.name]
 
     def drive_values(self, order=0):
         """Per drive a list of plain numbers: position, speed or acceleration."""
@@ -215,13 +230,7 @@ class Mechanism:
                 if norm > 0.5 * before:                       # it wanders about: another start is cheaper
                     return None
                 before = norm
-            columns = []
-            for j in range(len(q)):
-                h = 1e-7
-                p = list(q)
-                p[j] += h
-                columns.append([(a - b) / h for a, b in zip(self.residuals(p, vals, True), r)])
-            step = least_squares(columns, [-x for x in r])
+            step = least_squares(self._differences(q, vals, r), [-x for x in r])
             k = 1.0
             while k > 1e-3:
                 new = [a + k * b for a, b in zip(q, step)]
@@ -231,6 +240,21 @@ class Mechanism:
                 k /= 2
             q, r = new, rn
         return None
+
+    def _differences(self, q, values, r):
+        """Columns of the Jacobian by differences, each as {row: value}: a link moves the equations of its own pairs alone."""
+        h, frames, columns = 1e-7, self.frames(q, True), []
+        links = {k.index: k.name for k in self.moving()}
+        for j in range(len(q)):
+            p = q[3 * (j // 3):3 * (j // 3) + 3]
+            p[j % 3] += h
+            name = links[j // 3]
+            f = Frames(frames)
+            f.fast = True
+            f[name] = Frame(*p, True)
+            moved = self.equations(f, values, True, lambda of: name in of)
+            columns.append({i: (a - r[i]) / h for i, a in moved.items() if a != r[i]})
+        return columns
 
     def polish(self, q, values=None):
         values = values or self.drive_values()
@@ -344,7 +368,10 @@ class Mechanism:
 def least_squares(columns, right):
     """The step that leaves least of the equations, in double precision; damped where they are dependent."""
     n = len(columns)
-    rows = [[sum(a * b for a, b in zip(u, v)) for v in columns] + [sum(a * b for a, b in zip(u, right))] for u in columns]
+    rows = [[0.0] * n + [sum(a * right[i] for i, a in u.items())] for u in columns]
+    for i, u in enumerate(columns):
+        for j, v in enumerate(columns[:i + 1]):
+            rows[i][j] = rows[j][i] = sum(a * v[k] for k, a in u.items() if k in v)
     scale = max((rows[i][i] for i in range(n)), default=1.0)
     for i in range(n):
         rows[i][i] += 1e-13 * scale
@@ -355,8 +382,8 @@ def least_squares(columns, right):
             rows[k][k] = 1e-13 * scale or 1.0
         for row in rows[k + 1:]:
             factor = row[k] / rows[k][k]
-            for j in range(k, n + 1):
-                row[j] -= factor * rows[k][j]
+            if factor:
+                row[k:] = [a - factor * b for a, b in zip(row[k:], rows[k][k:])]
     x = [0.0] * n
     for k in reversed(range(n)):
         x[k] = (rows[k][n] - sum(rows[k][j] * x[j] for j in range(k + 1, n))) / rows[k][k]
