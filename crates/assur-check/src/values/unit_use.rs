@@ -43,7 +43,9 @@ pub fn suits(unit: &Unit, dimension: Dimension) -> bool {
     let energy = unit.text.contains('J');
     // A ratio of lengths fits an angle, and is a plain number to everyone.
     let ratio = dimension.is_dimensionless() && dimension.kind == Kind::Free;
-    unit.dimension.fits(dimension) && !(percent || energy || ratio)
+    // The stiffness of a torsion spring has the dimension of a torque.
+    let per_angle = ["/rad", "/deg"].iter().any(|angle| unit.text.contains(angle));
+    unit.dimension.fits(dimension) && !(percent || energy || ratio || per_angle)
 }
 
 /// The exponents and the kind as the model keeps them: 0 plain, 1 angle, 2 free.

@@ -105,17 +105,24 @@ pub struct Property {
     pub span: Span,
 }
 
-/// `spring k: BDE.D - ground.C { … }`
+/// `spring k: BDE.D - ground.C { … }`, `spring t in B { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
     /// Its name.
     pub name: Name,
-    /// One end.
-    pub from: Path,
-    /// The other.
-    pub to: Path,
-    /// Stiffness, free length, damping.
+    /// What it joins.
+    pub site: SpringSite,
+    /// Stiffness, free length or angle, damping.
     pub properties: Vec<Property>,
+}
+
+/// What a spring joins.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SpringSite {
+    /// Two points.
+    Points(Path, Path),
+    /// The two links of a revolute pair.
+    Pair(Name),
 }
 
 /// `group rod_piston: rod, piston`

@@ -17,7 +17,7 @@ pub use body::{
 };
 pub use expr::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
 pub use machine::{Bar, Cam, CamMember, End, Flywheel, Follower, Ground, Group, Joint, Link};
-pub use machine::{Phase, PhaseKind, Property, Shaft, Slider, Spring};
+pub use machine::{Phase, PhaseKind, Property, Shaft, Slider, Spring, SpringSite};
 pub use motion::{
     Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind,
 };

@@ -5,7 +5,7 @@ use super::state::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{
     AllJoints, Cam, CamLaw, CamMember, End, Flywheel, Follower, Group, Joint, JointKind, Phase, PhaseKind,
-    Property, Spring,
+    Property, Spring, SpringSite,
 };
 use crate::grammar::Rule;
 use crate::recover::What;
@@ -32,9 +32,12 @@ impl Lower<'_> {
         let mut parts = Parts::of(pair);
         parts.any()?;
         let name = parts.name()?;
-        let from = self.path(parts.any()?)?;
-        let to = self.path(parts.any()?)?;
-        Some(Spring { name, from, to, properties: self.properties(&mut parts) })
+        let site = if parts.word(Rule::w_in) {
+            SpringSite::Pair(parts.name()?)
+        } else {
+            SpringSite::Points(self.path(parts.any()?)?, self.path(parts.any()?)?)
+        };
+        Some(Spring { name, site, properties: self.properties(&mut parts) })
     }
 
     pub(super) fn all(&mut self, pair: P<'_>) -> Option<AllJoints> {

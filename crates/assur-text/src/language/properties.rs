@@ -85,6 +85,18 @@ pub const SPRING: &[Property] = &[
     row("damping", NotNegative(Dimension::DAMPING), "damping 20 N*s/m", "force per rate of elongation"),
 ];
 
+/// The properties of a spring in a revolute pair.
+pub const TORSION_SPRING: &[Property] = &[
+    row("stiffness", Positive(Dimension::TORQUE), "stiffness 20 N*m/rad", "torque per angle"),
+    row("free_angle", Any(Dimension::ANGLE), "free_angle 30 deg", "angle of the pair without torque"),
+    row(
+        "damping",
+        NotNegative(Dimension::ROTARY_DAMPING),
+        "damping 0.5 N*m*s/rad",
+        "torque per angular velocity",
+    ),
+];
+
 /// The properties of a cam.
 pub const CAM: &[Property] = &[
     row(
@@ -185,6 +197,7 @@ pub const PROPERTIES: &[(&str, &[Property])] = &[
     ("worm", WORM),
     ("screw", SCREW),
     ("spring", SPRING),
+    ("spring … in", TORSION_SPRING),
     ("cam", CAM),
     ("follower", FOLLOWER),
     ("flywheel", FLYWHEEL),
