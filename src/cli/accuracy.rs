@@ -57,15 +57,12 @@ fn printed(
     measured: &AccuracyStudy,
     screen: &Screen,
 ) -> String {
-    if args.format == AccuracyFormat::Json {
+    let Some(page) = args.format.page(screen.look()) else {
         return report::study_json(&source.name, measured) + "\n";
-    }
+    };
     let whole = micros(|| drop(std::hint::black_box(whole(source, overrides))));
     let report = report::of_study(&source.name, &solved.compiled.model(), measured, whole);
-    match args.format {
-        AccuracyFormat::Markdown => report::markdown::render(&report),
-        _ => report::text::render(&report, screen.look()),
-    }
+    page.render(&report)
 }
 
 /// All that `assur solve` does, but for reading the file and writing to the screen.

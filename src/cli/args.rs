@@ -1,5 +1,7 @@
 //! The manual of the command line.
 
+use crate::report::Page;
+use crate::report::text::Look;
 use clap::{Parser, Subcommand, ValueEnum};
 
 use assur_check::Overrides;
@@ -134,6 +136,20 @@ pub enum AccuracyFormat {
     Json,
     /// Tables to paste into a document
     Markdown,
+    /// Tables for a LaTeX document
+    Latex,
+}
+
+impl AccuracyFormat {
+    /// The form of a page; none of what programs read.
+    pub(super) const fn page(self, look: Look) -> Option<Page> {
+        match self {
+            Self::Table => Some(Page::Text(look)),
+            Self::Markdown => Some(Page::Markdown),
+            Self::Latex => Some(Page::Latex),
+            Self::Json => None,
+        }
+    }
 }
 
 /// An error as a part of the quantity.
@@ -294,6 +310,20 @@ pub enum Format {
     Csv,
     /// Tables to paste into a document
     Markdown,
+    /// Tables for a LaTeX document
+    Latex,
+}
+
+impl Format {
+    /// The form of a page; none of what programs read.
+    pub(super) const fn page(self, look: Look) -> Option<Page> {
+        match self {
+            Self::Table => Some(Page::Text(look)),
+            Self::Markdown => Some(Page::Markdown),
+            Self::Latex => Some(Page::Latex),
+            Self::Json | Self::Jsonl | Self::Csv => None,
+        }
+    }
 }
 
 /// When to use colours.

@@ -22,7 +22,7 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
     let apart = match args.format {
         Format::Json | Format::Jsonl => "",
         Format::Csv => "\r\n",
-        Format::Table | Format::Markdown => "\n",
+        Format::Table | Format::Markdown | Format::Latex => "\n",
     };
     for_each_file(&args.problem.files, screen, apart, |source, printer| {
         let (document, found) = syntax::parse(source);
@@ -97,15 +97,12 @@ fn of_rows(
                 let variant = Variant::of(row.number, row.row.label.clone(), &row.row.row);
                 results.extend(solved.as_ref().map(|s| positions(source, Some(&variant), s)));
             }
-            (Format::Table | Format::Markdown, Some(solved)) => {
+            (format, Some(solved)) => {
                 let mut report = report::of_answers(&source.name, solved);
                 report.title = format!("{}: {}", report.title, file_row_words(&row.row, row.number));
-                results.push(match format {
-                    Format::Markdown => report::markdown::render(&report),
-                    _ => report::text::render(&report, screen.look()),
-                });
+                results.extend(format.page(screen.look()).map(|page| page.render(&report)));
             }
-            (Format::Table | Format::Markdown, None) => {}
+            (_, None) => {}
         }
         problems.append(row.problems);
     }
@@ -151,9 +148,9 @@ fn answers(format: Format, source: &Source, solved: &Solved, screen: &Screen) ->
     match format {
         Format::Csv => report::csv::render(&report::table_of_poses(&answers)),
         Format::Jsonl => positions(source, None, &answers),
-        Format::Markdown => report::markdown::render(&report::of_answers(&source.name, &answers)),
-        Format::Table | Format::Json => {
-            report::text::render(&report::of_answers(&source.name, &answers), screen.look())
+        format => {
+            let page = format.page(screen.look());
+            page.map_or_else(String::new, |page| page.render(&report::of_answers(&source.name, &answers)))
         }
     }
 }

@@ -16,10 +16,12 @@ mod expectations;
 mod friction;
 pub mod grade;
 pub mod json;
+mod latex;
 pub mod lines;
-pub mod markdown;
+mod markdown;
 mod mobility;
 mod modes;
+mod page;
 mod pair;
 mod plan;
 mod reactions;
@@ -35,6 +37,7 @@ mod train;
 
 pub use answers::{Answers, Precision};
 pub use element::full as full_table;
+pub use page::Page;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
 pub use tradeoff::{of_study, study_json};
 

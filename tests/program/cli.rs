@@ -554,3 +554,15 @@ fn a_critical_value_that_does_not_exist_is_said_to_be_none() {
     assert_eq!(out.status, 0);
     assert!(out.stdout.contains("none in reach"), "{}", out.stdout);
 }
+
+#[test]
+fn latex_is_a_part_of_a_document() {
+    let folder = Folder::new("latex").with("a.mech", &GOOD.replace("Crank-slider", "50 % & {x}_1"));
+    let out = assur(&folder, &["solve", "a.mech", "--format", "latex"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(out.stdout.starts_with("\\section*{50 \\% \\& \\{x\\}\\_1 (a.mech)}\n"), "{}", out.stdout);
+    let count = |what: &str| out.stdout.matches(what).count();
+    assert!(count("\\begin{tabular}") > 1 && count("\\begin{tabular}") == count("\\end{tabular}"));
+    assert!(out.stdout.contains(" & ") && out.stdout.contains("\\subsection*{Answers}"), "{}", out.stdout);
+    assert!(out.stdout.is_ascii(), "{:?}", out.stdout.chars().filter(|c| !c.is_ascii()).collect::<String>());
+}
