@@ -7,11 +7,12 @@ use crate::links::lookup::is_linkage_pair;
 use crate::names::declared::ThingKind;
 use crate::pairs::pair::link_point;
 use crate::statements::lines::text;
+use crate::values::fold;
 use crate::values::format_value::{digits, format_value};
 use assur_model::model;
 use assur_model::model::{BinaryOp, DriveTarget, Expr, LinkId, PairId, PairKind, Positions, Value};
 use assur_syntax::document::{
-    Course, Direction, Drive, DrivePosition, Name, Path, Sensed, Statement, Turn, Way,
+    Course, Direction, Drive, DrivePosition, Name, Path, Sensed, Statement, Steps, Turn, Way,
 };
 use assur_text::source::{Span, Spanned};
 use assur_text::units::Dimension;
@@ -199,16 +200,40 @@ fn range(cx: &mut Context<'_>, course: &Course, moves: Moves, name: &str) -> Opt
     let what = format!("the position of `{name}`");
     let from = plain(cx, &course.from, moves, 0, &what);
     let to = plain(cx, &course.to, moves, 0, &what);
-    let steps = cx.scalar_constant(&course.steps, &Want::NUMBER, "the number of steps")?;
+    let steps = match &course.steps {
+        Steps::In(count) => cx.scalar_constant(count, &Want::NUMBER, "the number of steps")?,
+        Steps::Of(each) => steps_of(cx, (&from, &to), each, moves)?,
+    };
     #[allow(clippy::cast_precision_loss)] // a million is exact
     let whole = steps.fract() == 0.0 && (1.0..=MOST_STEPS as f64).contains(&steps);
     if !whole {
         let value = digits(steps);
-        cx.error(MotionError::Steps { value, most: MOST_STEPS, span: course.steps.span });
+        cx.error(MotionError::Steps { value, most: MOST_STEPS, span: course.steps.expr().span });
         return None;
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, from 1 to a million
     Some(Positions::Range { from: from?, to: to?, steps: steps as usize })
+}
+
+/// The number of steps of this size between two values; reports a size that leaves a rest.
+fn steps_of(
+    cx: &mut Context<'_>,
+    (from, to): (&Option<Expr>, &Option<Expr>),
+    each: &assur_syntax::document::Expr,
+    moves: Moves,
+) -> Option<f64> {
+    let dimension = moves.dimension(0);
+    let size = cx.scalar_constant(each, &Want(dimension), "the size of a step")?;
+    let length = fold::scalar(to.as_ref()?)? - fold::scalar(from.as_ref()?)?;
+    let steps = (length / size).abs();
+    if size != 0.0 && (steps - steps.round()).abs() <= 1e-9 * steps {
+        return Some(steps.round());
+    }
+    let [of, length] = [size, length].map(|x| format_value(x, dimension));
+    #[allow(clippy::cast_precision_loss)] // a million is exact
+    let count = digits(steps.ceil().clamp(1.0, MOST_STEPS as f64));
+    cx.error(MotionError::StepSize { of, length, count, span: each.span });
+    None
 }
 
 /// A value with the sense behind it. `order` 0 is a position, 1 a speed, 2 an acceleration.

@@ -6,7 +6,7 @@ use crate::motion::drive::Moves;
 use crate::statements::written::written;
 use crate::values::typed::phrase;
 use assur_model::model::{DriveTarget, LinkId, PairKind};
-use assur_syntax::document::{Drive, DrivePosition, Expr, Sensed};
+use assur_syntax::document::{Drive, DrivePosition, Expr, Sensed, Steps};
 use assur_text::units::Dimension;
 
 /// Whether the positions are of the other kind; reported once, for position, speed and acceleration.
@@ -74,8 +74,11 @@ pub(crate) fn written_position(drive: &Drive) -> Option<String> {
             Some(values.iter().map(value).collect::<Option<Vec<_>>>()?.join(", "))
         }
         DrivePosition::Range(course) => {
-            let [from, to, steps] = [&course.from, &course.to, &course.steps].map(written);
-            Some(format!("{} .. {} in {} steps", from?, to?, steps?))
+            let [from, to, steps] = [&course.from, &course.to, course.steps.expr()].map(written);
+            Some(match &course.steps {
+                Steps::In(_) => format!("{} .. {} in {} steps", from?, to?, steps?),
+                Steps::Of(_) => format!("{} .. {} step {}", from?, to?, steps?),
+            })
         }
     }
 }

@@ -81,7 +81,9 @@ pub fn expressions<'a>(statement: &'a Statement, visit: &mut dyn FnMut(&'a Expr)
         Statement::Drive(d) => {
             match &d.position {
                 Some(DrivePosition::Values(values)) => values.iter().for_each(|v| visit(&v.value)),
-                Some(DrivePosition::Range(c)) => [&c.from, &c.to, &c.steps].into_iter().for_each(&mut *visit),
+                Some(DrivePosition::Range(c)) => {
+                    [&c.from, &c.to, c.steps.expr()].into_iter().for_each(&mut *visit)
+                }
                 None => {}
             }
             sensed(d.rate.iter().chain(&d.acceleration), visit);

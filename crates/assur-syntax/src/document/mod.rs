@@ -19,7 +19,7 @@ pub use expr::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
 pub use machine::{Bar, Cam, CamMember, End, Flywheel, Follower, Ground, Group, Joint, Link};
 pub use machine::{Phase, PhaseKind, Property, Shaft, Slider, Spring, SpringSite};
 pub use motion::{
-    Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind,
+    Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind, Steps,
 };
 pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Start, Turn, Way};
 pub use question::{Column, Expect, ExpectAt, Find, FindItem, Row, Simulate, Until, Variants};

@@ -79,8 +79,27 @@ pub struct Course {
     pub from: Expr,
     /// The last value.
     pub to: Expr,
-    /// Into how many steps it is divided.
-    pub steps: Expr,
+    /// How it is divided.
+    pub steps: Steps,
+}
+
+/// The steps of a range.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Steps {
+    /// `in 12 steps`
+    In(Expr),
+    /// `step 30 deg`
+    Of(Expr),
+}
+
+impl Steps {
+    /// The number of steps, or the size of one.
+    #[must_use]
+    pub const fn expr(&self) -> &Expr {
+        match self {
+            Self::In(expr) | Self::Of(expr) => expr,
+        }
+    }
 }
 
 /// `turning cw`, `moving forward`

@@ -112,6 +112,12 @@ impl Lower<'_> {
     fn point(&mut self, name: P<'_>, mut parts: Parts<'_>) -> Option<Member> {
         let name: Name = super::walk::name(&name);
         let at = self.expr(parts.any()?)?;
+        if parts.word(Rule::w_at) {
+            let angle = self.expr(parts.any()?)?;
+            let whole = at.span.to(angle.span);
+            let at = Expr { kind: ExprKind::Polar(Box::new(at), Box::new(angle)), span: whole };
+            return Some(Member::Point(PointMember { name, at }));
+        }
         if !parts.word(Rule::w_from) {
             if let Some(point) = self.word_before_point(&name, &at) {
                 return Some(Member::Point(point));

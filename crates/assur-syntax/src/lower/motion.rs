@@ -5,8 +5,8 @@ use super::expr::{compare, pose_name, turn};
 use super::state::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{
-    Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind, Order, Place,
-    Pose, Sensed, Setting, Site, Start, Way,
+    Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Expr, ExprKind, Load,
+    LoadKind, Number, Order, Place, Pose, Sensed, Setting, Site, Start, Steps, Way,
 };
 use crate::grammar::Rule;
 use assur_text::source::Spanned;
@@ -43,8 +43,10 @@ impl Lower<'_> {
         if let Some(course) = parts.take(Rule::course) {
             let mut parts = Parts::of(course);
             let to = self.expr(parts.any()?)?;
-            parts.word(Rule::w_in);
+            let count = parts.word(Rule::w_in);
+            parts.word(Rule::w_step);
             let steps = self.expr(parts.any()?)?;
+            let steps = if count { Steps::In(steps) } else { Steps::Of(steps) };
             return Some(DrivePosition::Range(Box::new(Course { from: first.value, to, steps })));
         }
         let mut given = Vec::new();
@@ -128,7 +130,13 @@ impl Lower<'_> {
         let kind = load_kind(parts.any()?)?;
         let name = parts.name()?;
         let site = self.site(parts.any()?)?;
-        let along = if parts.word(Rule::w_along) { Some(self.expr(parts.any()?)?) } else { None };
+        let along = if !parts.word(Rule::w_along) {
+            None
+        } else if let Some(heading) = parts.take(Rule::heading) {
+            Some(heading_angle(heading)?)
+        } else {
+            Some(self.expr(parts.any()?)?)
+        };
         let frame = parts.take(Rule::frame).and_then(|p| Parts::of(p).name_behind(Rule::w_in));
         Some(Balance { kind, name, site, along, frame })
     }
@@ -138,7 +146,12 @@ impl Lower<'_> {
         let kind = load_kind(parts.any()?)?;
         let name = parts.name();
         let site = self.site(parts.any()?)?;
-        let value = self.sensed(parts.any()?)?;
+        let mut value = self.sensed(parts.any()?)?;
+        if let Some(heading) = parts.take(Rule::heading) {
+            let at = value.value.span.to(span(&heading));
+            let kind = ExprKind::Polar(Box::new(value.value), Box::new(heading_angle(heading)?));
+            value.value = Expr { kind, span: at };
+        }
         let frame = parts.take(Rule::frame).and_then(|p| Parts::of(p).name_behind(Rule::w_in));
         let against_motion = parts.take(Rule::against).map(|p| span(&p));
         let when = if parts.word(Rule::w_when) { Some(self.expr(parts.any()?)?) } else { None };
@@ -191,4 +204,20 @@ fn load_kind(pair: P<'_>) -> Option<Spanned<LoadKind>> {
         _ => LoadKind::Torque,
     };
     Some(Spanned::new(kind, at))
+}
+
+/// The angle of a direction of the page.
+fn heading_angle(pair: P<'_>) -> Option<Expr> {
+    let at = span(&pair);
+    let degrees = match Parts::of(pair).any()?.as_rule() {
+        Rule::w_right => 0.0,
+        Rule::w_up => 90.0,
+        Rule::w_left => 180.0,
+        _ => 270.0,
+    };
+    let unit = Some(Spanned::new("deg".to_owned(), at));
+    Some(Expr {
+        kind: ExprKind::Number(Number { value: degrees, text: degrees.to_string(), unit }),
+        span: at,
+    })
 }

@@ -112,6 +112,19 @@ functions! {
         form(&[P], Vector(Dimension::ACCELERATION), "acceleration of a point; of a slider a signed number"),
         form(&[L, KP], Vector(Dimension::ACCELERATION), "of the point of L that lies under K.P now"),
     ],
+    Distance "distance" Motion "distance(A, rod.C)" [form(
+        &[arg("A", Takes::Point), arg("B", Takes::Point)],
+        Number(Dimension::LENGTH),
+        "between two points",
+    )],
+    InstantCentre "instant_centre" Motion "instant_centre(rod)" [
+        form(&[L], Vector(Dimension::LENGTH), "the point of L at rest now"),
+        form(
+            &[L, arg("K", Takes::Link)],
+            Vector(Dimension::LENGTH),
+            "where L and K have the same velocity now",
+        ),
+    ],
     Angle "angle" Motion "angle(rod)" [form(&[L], Number(Dimension::ANGLE), "direction of the x axis")],
     Omega "omega" Motion "omega(rod)"
         [form(&[L], Number(Dimension::ANGULAR_VELOCITY), "angular velocity")],

@@ -106,6 +106,20 @@ pub enum MotionError {
         #[label("{value}")]
         span: Span,
     },
+    /// A step that does not divide its range.
+    #[error("the range of {length} is not a whole number of steps of {of}")]
+    #[diagnostic(code("mech::geometry::steps"), help("write `in {count} steps`, or another step"))]
+    StepSize {
+        /// The size of a step.
+        of: String,
+        /// The length of the range.
+        length: String,
+        /// A number of steps that fits.
+        count: String,
+        /// Its place.
+        #[label("leaves a rest")]
+        span: Span,
+    },
     /// Two drives go through different numbers of positions.
     #[error("the drives go through different numbers of positions: {first_count} and {count}")]
     #[diagnostic(

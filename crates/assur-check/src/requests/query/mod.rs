@@ -13,6 +13,7 @@ mod meant;
 mod motion;
 mod own_usage;
 mod pair_kinds;
+mod relative;
 mod substitution;
 
 use crate::expr::context::Context;
@@ -80,6 +81,8 @@ impl Context<'_> {
                 let of_slider = Query::RelativeAcceleration;
                 self.point_motion(call, Dimension::ACCELERATION, Query::Acceleration, of_slider)
             }
+            F::Distance => self.distance(call),
+            F::InstantCentre => self.instant_centre(call),
             F::Angle => self.link_motion(call, Query::Angle, Type::number(Dimension::ANGLE)),
             F::Omega => self.link_motion(call, Query::Omega, Type::number(Dimension::ANGULAR_VELOCITY)),
             F::Alpha => self.link_motion(call, Query::Alpha, Type::number(Dimension::ANGULAR_ACCELERATION)),
