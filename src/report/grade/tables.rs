@@ -144,7 +144,11 @@ fn not_answered(graded: &Graded) -> Section {
         section.text(format!("No column answers {}.", graded.unasked.join(", ")));
     }
     if !section.blocks.is_empty() && !graded.rules.only_answered {
-        section.text("These count as wrong. `--only-answered` leaves them out.");
+        section.text("These count as wrong. `--only-answered` leaves out what is missing.");
+        if !graded.unasked.is_empty() {
+            let asked = graded.quantities.first().map_or("Mb", |q| q.name.as_str());
+            section.text(format!("`--points '{asked}=1,*=0'` asks for {asked} alone."));
+        }
     }
     section
 }

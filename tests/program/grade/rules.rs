@@ -38,6 +38,9 @@ fn missing_answers_are_wrong_unless_only_answers_count() {
     // a column that is not there is missing too
     let answers = "student,row,Mb [N*m]\nAnna,1,26\n";
     assert_eq!(students(SHORT, answers, &[]), ["Anna 1/2 1/2"]);
+    let said = graded(SHORT, answers, &[]);
+    snapshot("no-column", &said.stdout);
+    assert_eq!(students(SHORT, answers, &["--points", "Mb=1,*=0"]), ["Anna 1/1 1/1"]);
     assert_eq!(students(SHORT, answers, &["--only-answered"]), ["Anna 1/1 1/1"]);
     // and so is what cannot be read, but that is an answer
     let answers = "student,row,Mb [N*m],F_A [N]\nAnna,1,26,=1+1\n";
