@@ -6,7 +6,7 @@ mod folder;
 
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Problems, Style, render};
-use assur::internals::exercise::grade::{Sheet, grade};
+use assur::internals::exercise::grade::{LeftOut, Rules, Sheet, grade};
 use assur::internals::exercise::table::{Fault, Lines, Table};
 use assur::internals::source::Source;
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -94,10 +94,14 @@ fn beside(source: &Source) -> Option<String> {
         Err(fault) => Err(fault),
         Ok(key) => match Sheet::read(answers, open(answers)?, Some(&key)).ok()? {
             Err(fault) => Err(fault),
-            Ok(answers) => grade(&key, &answers, 0.03),
+            Ok(answers) => grade(&key, &answers, &Rules::default()),
         },
     };
-    Some(graded.err().map(shown).unwrap_or_default())
+    let warned = |(source, error): Fault| render(&Problems::of([LeftOut(*error)]), &source, Style::PLAIN);
+    Some(match graded {
+        Err(fault) => shown(fault),
+        Ok(graded) => graded.left_out.into_iter().map(warned).collect::<Vec<_>>().join("\n"),
+    })
 }
 
 fn shows(path: &Path) -> Result<(), Failed> {

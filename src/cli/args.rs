@@ -4,6 +4,7 @@ use crate::report::Page;
 use crate::report::text::Look;
 use clap::{Parser, Subcommand, ValueEnum};
 
+use crate::exercise::grade::{Credit, Points, Submissions};
 use assur_check::Overrides;
 
 /// Solves planar mechanism problems written as text.
@@ -41,11 +42,13 @@ Examples:
   assur batch engine.mech --variants T.csv --out answers.csv
   assur batch homework --key key.csv        solve an exercise set and write its answer key
   assur grade key.csv answers.csv           mark answers
+  assur grade key.csv answers.csv --points 'Mb=2,F_A=1' --credit sign=0.5
   assur explain mech::assembly::ambiguous   what a diagnostic means
 
 Exit status:
   0  fine
-  1  a problem is wrong: it has errors or, with `test`, an expectation fails
+  1  a problem is wrong: it has errors or, with `test`, an expectation fails; with `grade`, an answer is wrong or
+     missing, or a line cannot be marked
   2  the command line, a value of `--set` or a file cannot be used, or not all could be written: a disk is full, or
      nobody reads a pipe to its end (of which nothing is said)
   128 + n  signal n ended the program: 129 SIGHUP, 130 SIGINT (Ctrl-C), 143 SIGTERM; no temporary file stays";
@@ -224,15 +227,28 @@ fn threads(text: &str) -> Result<usize, String> {
 /// Arguments of `grade`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Grade {
-    /// The answer key, as `assur batch --key` writes it
+    /// The answer key, as `assur batch --key` writes it; a row `points` in it gives the points of every column
     #[arg(value_name = "KEY.csv")]
     pub key: String,
-    /// The answers: quantities by name with their units in the header, rows by number or variant
+    /// The answers: quantities by name with their units in the header, rows by `problem`, `row`, `variant`, `pose`, and
+    /// `student` for who answered
     #[arg(value_name = "ANSWERS.csv")]
     pub answers: String,
     /// The greatest difference allowed, as a part of the value
     #[arg(long, value_name = "TOLERANCE", default_value = "3%", value_parser = tolerance)]
     pub within: f64,
+    /// Leave missing answers out of the totals; without it they count as wrong
+    #[arg(long)]
+    pub only_answered: bool,
+    /// Choose the line that counts where a student answers a row more than once
+    #[arg(long, value_enum, value_name = "WHICH", default_value_t = SubmissionsArg::Last)]
+    pub submissions: SubmissionsArg,
+    /// Give quantities points, as in 'Mb=2,F_A=1'; `*` is for all others; may be repeated
+    #[arg(long, value_name = "NAME=POINTS,…", value_parser = Points::read)]
+    pub points: Vec<Points>,
+    /// Give a part of the points for a slip, as in sign=0.5,unit=0.25; may be repeated
+    #[arg(long, value_name = "SLIP=PART,…", value_parser = Credit::read)]
+    pub credit: Vec<Credit>,
     /// How to print the marks
     #[arg(long, value_enum, default_value_t = GradeFormat::Table)]
     pub format: GradeFormat,
@@ -241,12 +257,33 @@ pub struct Grade {
 /// How marks are printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum GradeFormat {
-    /// What is not right, and totals
+    /// Wrong answers and totals
     Table,
-    /// One line per answer
+    /// One line per answer, then one per total
     Csv,
     /// One object, SI and radians
     Json,
+}
+
+/// Which submission of a row counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SubmissionsArg {
+    /// The first line
+    First,
+    /// The line with the most points
+    Best,
+    /// The last line
+    Last,
+}
+
+impl From<SubmissionsArg> for Submissions {
+    fn from(which: SubmissionsArg) -> Self {
+        match which {
+            SubmissionsArg::First => Self::First,
+            SubmissionsArg::Best => Self::Best,
+            SubmissionsArg::Last => Self::Last,
+        }
+    }
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

@@ -115,6 +115,15 @@ pub enum CliError {
         #[help]
         help: String,
     },
+    /// Points for what is not in the key.
+    #[error("`--points`: the key has no `{name}`")]
+    NoQuantity {
+        /// As given.
+        name: String,
+        /// What may be meant.
+        #[help]
+        help: String,
+    },
     /// Our own mistake.
     #[error("internal error of assur {version} in `{file}`: {what}")]
     #[diagnostic(help(

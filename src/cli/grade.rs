@@ -7,12 +7,12 @@ use super::args::{Grade, GradeFormat};
 use super::error::CliError;
 use super::reply::{Status, complaint};
 use super::screen::Screen;
-use crate::exercise::grade::{Sheet, grade};
+use crate::exercise::grade::{Credit, LeftOut, Points, Rules, Sheet, grade};
 use crate::exercise::table::Fault;
 use crate::report;
 use assur_text::diagnostic::Problems;
 
-/// Holds answers against a key: 0 where all are right, 1 where one is not.
+/// Marks answers by a key: 0 where all are right, 1 where one is not.
 pub fn run(args: &Grade, screen: &Screen) -> Status {
     match graded(args, screen) {
         Ok(status) => status,
@@ -24,27 +24,41 @@ pub fn run(args: &Grade, screen: &Screen) -> Status {
 }
 
 fn graded(args: &Grade, screen: &Screen) -> Result<Status, CliError> {
+    let rules = rules(args);
     let Some(key) = sheet(&args.key, None, screen)? else { return Ok(Status::Unusable) };
+    if let Some((name, help)) = rules.points.unknown(&key) {
+        return Err(CliError::NoQuantity { name: name.to_owned(), help });
+    }
     let Some(answers) = sheet(&args.answers, Some(&key), screen)? else { return Ok(Status::Unusable) };
-    let graded = match grade(&key, &answers, args.within) {
+    let graded = match grade(&key, &answers, &rules) {
         Ok(graded) => graded,
         Err(fault) => {
+            warn(&answers.left_out, screen);
             tell(fault, screen);
             return Ok(Status::Unusable);
         }
     };
+    warn(&graded.left_out, screen);
     let text = match args.format {
         GradeFormat::Table => report::text::render(&report::grade::report(&graded), screen.look()),
         GradeFormat::Csv => report::grade::csv(&graded),
         GradeFormat::Json => report::grade::json(&graded) + "\n",
     };
     let printed = Status::printed(screen.print(&text));
-    let (right, all) = graded.totals();
-    let whole = right == all && graded.unanswered.is_empty();
-    Ok(printed.max(if whole { Status::Fine } else { Status::Wrong }))
+    Ok(printed.max(if graded.is_all_right() { Status::Fine } else { Status::Wrong }))
 }
 
-/// A sheet; `None` where it has an error, which is told.
+fn rules(args: &Grade) -> Rules {
+    Rules {
+        within: args.within,
+        only_answered: args.only_answered,
+        submissions: args.submissions.into(),
+        points: args.points.iter().cloned().fold(Points::default(), Points::and),
+        credit: args.credit.iter().cloned().fold(Credit::default(), Credit::and),
+    }
+}
+
+/// A sheet; `None` where it has an error, which is reported.
 fn sheet(name: &str, key: Option<&Sheet>, screen: &Screen) -> Result<Option<Sheet>, CliError> {
     let fail = |error: std::io::Error| match error.kind() {
         std::io::ErrorKind::NotFound => CliError::Missing { name: name.to_owned() },
@@ -61,7 +75,16 @@ fn sheet(name: &str, key: Option<&Sheet>, screen: &Screen) -> Result<Option<Shee
 }
 
 fn tell((source, error): Fault, screen: &Screen) {
-    let mut problems = Problems::new();
-    problems.push(*error);
-    screen.complain(&screen.diagnostics(&problems, &source));
+    screen.complain(&screen.diagnostics(&Problems::of([*error]), &source));
+}
+
+/// Columns and lines that are not marked, as many as are wanted; all of them are in the results.
+fn warn(left_out: &[Fault], screen: &Screen) {
+    for (source, error) in left_out.iter().take(screen.most()) {
+        screen.complain(&screen.diagnostics(&Problems::of([LeftOut((**error).clone())]), source));
+        screen.complain("\n");
+    }
+    if let Some(more) = left_out.len().checked_sub(screen.most()).filter(|n| *n > 0) {
+        screen.complain(&format!("and {more} more\n"));
+    }
 }

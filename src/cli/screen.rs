@@ -63,6 +63,12 @@ impl Screen {
         render_most(problems, source, self.style(), self.most)
     }
 
+    /// How many diagnostics are wanted of a file.
+    #[must_use]
+    pub const fn most(&self) -> usize {
+        self.most
+    }
+
     /// Writes results; `false` where that cannot be done. A reader that has gone away has seen enough: nothing is said of
     /// it.
     #[must_use]

@@ -318,6 +318,6 @@ fn rows_have_names_of_their_own() {
     fine(&said);
     assert!(said.stdout.contains("\r\n2,\"B, 2\",90,"), "{}", said.stdout);
     folder.write_bytes("a.csv", b"variant,x [mm]\nA-7,389.1\n");
-    let said = assur(&folder, &["grade", "key.csv", "a.csv"]);
+    let said = assur(&folder, &["grade", "key.csv", "a.csv", "--only-answered"]);
     assert!(said.stdout.contains("1 of 1 right"), "{}{}", said.stdout, said.stderr);
 }

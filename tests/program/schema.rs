@@ -1,5 +1,5 @@
 //! What `solve --format json` prints is held to `docs/json-schema/solution-1.json`, for every example and for wrong files;
-//! what `accuracy --format json` prints to `accuracy-1.json`.
+//! what `accuracy --format json` prints to `accuracy-1.json`, what `grade --format json` prints to `grade-2.json`.
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 
@@ -102,6 +102,21 @@ fn positions_one_after_another_fit() {
     }
 }
 
+#[test]
+fn marks_fit() {
+    let key = "examples/exercise-set/key.csv";
+    let value: Value = serde_json::from_str(&printed(&["grade", key, key, "--format", "json"])).unwrap();
+    fits_schema("grade-2.json", &value);
+    assert_eq!(value["right"], value["total"]);
+    for part in ["diagnostic", "place"] {
+        assert_eq!(
+            schema_of("grade-2.json")["$defs"][part],
+            schema()["$defs"][part],
+            "{part} is one thing in both"
+        );
+    }
+}
+
 /// Every kind of setting is in one of these.
 #[test]
 fn what_accuracy_costs_fits() {
@@ -128,6 +143,14 @@ fn accuracy_that_is_kept_fits() {
         assert!(wrong.is_empty() && value["accuracy"]["within"] == 1e-6, "{}: {wrong:?}", value["file"]);
     }
     assert!(json.lines().count() > 10);
+}
+
+/// Whether a value fits a schema.
+pub fn fits_schema(name: &str, value: &Value) {
+    let schema = schema_of(name);
+    let mut wrong = Vec::new();
+    validate(&schema, &schema, value, "", &mut wrong);
+    assert!(wrong.is_empty(), "{name}: {}", wrong.join("\n"));
 }
 
 #[test]

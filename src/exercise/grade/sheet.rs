@@ -1,16 +1,17 @@
 //! Sheets of a key and of answers: quantities by name with their units, rows by number, variant, file and pose.
 
-use crate::exercise::table::{Fault, Lines, Separator, Table, TableError, Written, cells, from_cell};
-use assur_syntax::document::Column;
-use assur_text::diagnostic::did_you_mean;
+use super::columns::Role;
+use super::entry::{Entry, plain};
+use crate::exercise::table::{Cell, Fault, Lines, RawRow, Separator, Table, TableError, cells, from_cell};
 use assur_text::source::{Source, Span, shown};
-use assur_text::units::{Dimension, Unit, lookup};
+use assur_text::units::{Dimension, Unit};
 use std::io::{self, BufRead};
+use unicode_normalization::UnicodeNormalization;
 
 /// What names a row.
 pub const NAMES: [&str; 4] = ["file", "row", "variant", "pose"];
-/// What names who answered.
-const PERSONS: [&str; 2] = ["student", "name"];
+/// What a row of points is called, as its row or variant.
+const POINTS: &str = "points";
 /// Lines read at a time.
 const CHUNK: usize = 4096;
 
@@ -25,32 +26,28 @@ pub struct Quantity {
     pub span: Span,
 }
 
-/// What stands in a cell.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Entry {
-    /// Nothing.
-    Empty,
-    /// A number, SI.
-    Number(f64),
-    /// A truth.
-    Bool(bool),
-    /// What cannot be read, with the reason.
-    Unreadable(String, String),
-}
-
 /// A row of a sheet.
 #[derive(Clone, Debug)]
 pub struct SheetRow {
     /// Its line in the file.
     pub line: usize,
-    /// What names it, in the order of [`NAMES`]; `None` where the sheet has no such column.
+    /// What names it, in the order of [`NAMES`]; `None` where nothing stands there.
     pub names: [Option<String>; 4],
-    /// Who answered.
+    /// Who answered; in a key, who is to answer.
     pub person: Option<String>,
     /// One entry per quantity.
     pub entries: Vec<Entry>,
     /// Its text.
     pub text: Source,
+}
+
+/// A row of a key that says how many points the quantities have.
+#[derive(Clone, Debug)]
+pub(super) struct PointsRow {
+    /// The problem that it is for; `None` for all.
+    pub file: Option<String>,
+    /// Per quantity; none where nothing stands.
+    pub points: Vec<f64>,
 }
 
 /// A sheet.
@@ -64,37 +61,30 @@ pub struct Sheet {
     pub header: Source,
     /// Which names of rows its columns are.
     pub named: [bool; 4],
-    /// Whether a column says who answered.
+    /// Whether a column says who answered, or who is to answer.
     pub persons: bool,
-}
-
-enum Role {
-    Name(usize),
-    Person,
-    /// A quantity, and the unit of this column: a key of several files may have it in several units.
-    Quantity(usize, Unit),
+    /// Columns and lines of answers that cannot be used; the others are marked without them.
+    pub left_out: Vec<Fault>,
+    /// Points, in a key.
+    pub(super) points: Vec<PointsRow>,
 }
 
 impl Sheet {
-    /// Reads a sheet. Where a key is given, the quantities must be among its.
+    /// Reads a sheet. Where a key is given, it is one of answers: columns that the key does not have and lines that cannot
+    /// be read are left out.
     ///
     /// # Errors
-    /// What cannot be read; the inner error is one of the header or of a line.
+    /// What cannot be read; the inner error is one of the header or, in a key, of a line.
     pub fn read(name: &str, reader: impl BufRead, key: Option<&Self>) -> io::Result<Result<Self, Fault>> {
-        let mut table = match Table::open(name, reader)? {
-            Ok(table) => table,
+        let (mut table, columns) = match Table::open_each(name, reader)? {
+            Ok(opened) => opened,
             Err(fault) => return Ok(Err(fault)),
         };
-        let header = table.header.clone();
-        let mut sheet =
-            Self { quantities: Vec::new(), rows: Vec::new(), header, named: [false; 4], persons: false };
-        let mut roles = Vec::new();
-        for column in &table.columns.columns {
-            match sheet.role(column, key) {
-                Ok(role) => roles.push(role),
-                Err(error) => return Ok(Err((sheet.header, Box::new(error)))),
-            }
-        }
+        let mut sheet = Self::empty(table.header.clone());
+        let roles = match sheet.roles(columns, key) {
+            Ok(roles) => roles,
+            Err(error) => return Ok(Err((sheet.header, Box::new(error)))),
+        };
         let mut lines = Lines::default();
         loop {
             table.lines(CHUNK, &mut lines)?;
@@ -102,10 +92,9 @@ impl Sheet {
                 break;
             }
             for raw in (0..lines.len()).filter_map(|i| lines.get(i)) {
-                let text = String::from_utf8_lossy(raw.bytes).into_owned();
-                let text = Source::line(name, text, raw.line);
-                match sheet.row(&roles, text, raw.line, table.separator) {
-                    Ok(row) => sheet.rows.push(row),
+                match sheet.line(&roles, name, &raw, table.separator, key.is_none()) {
+                    Ok(()) => {}
+                    Err(fault) if key.is_some() => sheet.left_out.push(fault),
                     Err(fault) => return Ok(Err(fault)),
                 }
             }
@@ -116,39 +105,16 @@ impl Sheet {
         })
     }
 
-    fn role(&mut self, column: &Column, key: Option<&Self>) -> Result<Role, TableError> {
-        let name = &column.name.node;
-        if column.unit.is_none() {
-            if let Some(i) = NAMES.iter().position(|n| n == name) {
-                self.named[i] = true;
-                return Ok(Role::Name(i));
-            }
-            if PERSONS.contains(&name.as_str()) {
-                self.persons = true;
-                return Ok(Role::Person);
-            }
+    const fn empty(header: Source) -> Self {
+        Self {
+            quantities: Vec::new(),
+            rows: Vec::new(),
+            header,
+            named: [false; 4],
+            persons: false,
+            left_out: Vec::new(),
+            points: Vec::new(),
         }
-        let unit = match &column.unit {
-            Some(word) => lookup(&word.node).map_err(|e| TableError::Unit {
-                why: e.to_string(),
-                help: e.help(),
-                span: word.span,
-            })?,
-            None => Unit::si(Dimension::NUMBER),
-        };
-        if let Some(key) = key {
-            fits(column, &unit, key)?;
-        }
-        let again = column.name.span;
-        if let Some(i) = self.place(name, unit.dimension) {
-            let first = &self.quantities[i];
-            if first.unit.text == unit.text {
-                return Err(TableError::Twice { name: name.clone(), first: first.span, again });
-            }
-            return Ok(Role::Quantity(i, unit));
-        }
-        self.quantities.push(Quantity { name: name.clone(), unit: unit.clone(), span: again });
-        Ok(Role::Quantity(self.quantities.len() - 1, unit))
     }
 
     /// The quantity of that name and kind: two files may call different things alike.
@@ -156,25 +122,18 @@ impl Sheet {
         self.quantities.iter().position(|q| q.name == name && dimension.fits(q.unit.dimension))
     }
 
-    fn row(
-        &self,
+    fn line(
+        &mut self,
         roles: &[Role],
-        text: Source,
-        line: usize,
+        name: &str,
+        raw: &RawRow<'_>,
         separator: Separator,
-    ) -> Result<SheetRow, Fault> {
-        let found = cells(&text.text, separator).map_err(|span| {
-            let help = "a quote within a text is written twice";
-            let error = TableError::Line { line, why: "a quote is not closed".to_owned(), help, span };
-            (text.clone(), Box::new(error))
-        })?;
-        if let Some(extra) = found.get(roles.len()) {
-            let columns = format!("{} columns", roles.len());
-            let span = Span::new(extra.span.start, text.text.len());
-            let help = "texts with a comma in them stand in quotes".to_owned();
-            let error = TableError::TooMany { line, found: found.len(), columns, help, span };
-            return Err((text, Box::new(error)));
-        }
+        of_key: bool,
+    ) -> Result<(), Fault> {
+        let text = Source::line(name, raw.text(name)?, raw.line);
+        let fault = |error| (text.clone(), Box::new(error));
+        let line = raw.line;
+        let found = divided(&text.text, line, separator, roles.len()).map_err(fault)?;
         let mut row = SheetRow {
             line,
             names: [None, None, None, None],
@@ -184,66 +143,96 @@ impl Sheet {
         };
         for (role, cell) in roles.iter().zip(&found) {
             match role {
-                Role::Name(i) => row.names[*i] = Some(from_cell(&shown(&cell.text)).to_owned()),
-                Role::Person => row.person = Some(from_cell(&shown(&cell.text)).to_owned()),
-                Role::Quantity(i, unit) => match entry(&cell.text, unit) {
-                    Entry::Empty => {}
-                    entry => row.entries[*i] = entry,
-                },
+                Role::Name(i) => row.names[*i] = name_in(cell),
+                Role::Person => row.person = name_in(cell),
+                Role::Quantity(..) | Role::LeftOut => {}
             }
         }
-        Ok(row)
+        if of_key && row.names[1..3].iter().flatten().any(|name| name.eq_ignore_ascii_case(POINTS)) {
+            let points = self.points_of(roles, line, &found, &row).map_err(fault)?;
+            self.points.push(points);
+            return Ok(());
+        }
+        for ((role, cell), column) in roles.iter().zip(&found).zip(1..) {
+            let Role::Quantity(i, unit) = role else { continue };
+            match Entry::read(&cell.text, unit) {
+                Entry::Unreadable(_, why) if of_key => {
+                    let name = self.quantities[*i].name.clone();
+                    let help = Some("the key has numbers, true or false, and empty cells".to_owned());
+                    return Err(fault(TableError::Number { line, column, name, why, help, span: cell.span }));
+                }
+                entry => row.entries[*i].and(&cell.text, entry),
+            }
+        }
+        self.rows.push(row);
+        Ok(())
+    }
+
+    fn points_of(
+        &self,
+        roles: &[Role],
+        line: usize,
+        found: &[Cell<'_>],
+        row: &SheetRow,
+    ) -> Result<PointsRow, TableError> {
+        let file = row.names[0].clone();
+        if self.points.iter().any(|other| other.file == file) {
+            let why = "the points are given twice".to_owned();
+            let help = "keep one row of points, or one per file";
+            return Err(TableError::Line { line, why, help, span: Span::new(0, row.text.text.len()) });
+        }
+        let mut points = vec![0.0; self.quantities.len()];
+        for ((role, cell), column) in roles.iter().zip(found).zip(1..) {
+            let Role::Quantity(i, _) = role else { continue };
+            if cell.text.is_empty() {
+                continue;
+            }
+            let wrong = |why| {
+                let name = self.quantities[*i].name.clone();
+                let help = Some("write the points as a number from 0".to_owned());
+                TableError::Number { line, column, name, why, help, span: cell.span }
+            };
+            points[*i] = match plain(&cell.text).map_err(wrong)? {
+                number if number >= 0.0 => number,
+                _ => return Err(wrong(format!("`{}` points are less than none", cell.text))),
+            };
+        }
+        Ok(PointsRow { file, points })
     }
 }
 
-/// Whether the key has a quantity of that name and kind.
-fn fits(column: &Column, unit: &Unit, key: &Sheet) -> Result<(), TableError> {
-    let name = &column.name.node;
-    let Some(quantity) = key.quantities.iter().find(|q| q.name == *name) else {
-        let near = did_you_mean(name, key.quantities.iter().map(|q| q.name.as_str()));
-        let all = || key.quantities.iter().map(|q| format!("`{}`", q.name)).collect::<Vec<_>>().join(", ");
-        let help = match near.first() {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("the key has {}; rows are named by row, variant, file, pose", all()),
-        };
-        return Err(TableError::UnknownColumn { name: name.clone(), help, span: column.name.span });
-    };
-    if key.place(name, unit.dimension).is_some() {
-        return Ok(());
+/// The cells of a line, no more than there are columns.
+fn divided(
+    text: &str,
+    line: usize,
+    separator: Separator,
+    columns: usize,
+) -> Result<Vec<Cell<'_>>, TableError> {
+    let found = cells(text, separator).map_err(|span| {
+        let help = "a quote within a text is written twice";
+        TableError::Line { line, why: "a quote is not closed".to_owned(), help, span }
+    })?;
+    match found.iter().skip(columns).find(|cell| !cell.text.is_empty()) {
+        None => Ok(found),
+        Some(extra) => Err(TableError::TooMany {
+            line,
+            found: found.len(),
+            columns: format!("{columns} columns"),
+            help: "texts with a comma in them stand in quotes".to_owned(),
+            span: Span::new(extra.span.start, text.len()),
+        }),
     }
-    let wanted = &quantity.unit.text;
-    let (why, help) = match (&column.unit, wanted.is_empty()) {
-        (None, _) => (format!("`{name}` has no unit"), format!("write `{name} [{wanted}]`")),
-        (Some(_), true) => (format!("`{name}` is a plain number"), format!("write `{name}`")),
-        (Some(_), false) => {
-            (format!("`{name}` is given in {wanted} by the key"), format!("write `{name} [{wanted}]`"))
-        }
-    };
-    let span = column.unit.as_ref().map_or(column.name.span, |u| u.span);
-    Err(TableError::Unit { why, help: Some(help), span })
 }
 
-/// A number, in the column's unit or in one of its own; a truth; nothing.
-fn entry(text: &str, unit: &Unit) -> Entry {
-    match text {
-        "" | "-" | "—" => return Entry::Empty,
-        "true" => return Entry::Bool(true),
-        "false" => return Entry::Bool(false),
-        _ => {}
-    }
-    // a cell of its own may have a decimal comma
-    let read = |text: &str| Written::read(text, Separator::Semicolon);
-    match read(text) {
-        Ok(written) => Entry::Number(unit.to_si(written.value)),
-        Err((why, _)) => {
-            let split =
-                text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E') || matches!(c, '%' | '°'));
-            let own = split.and_then(|i| {
-                let (number, word) = text.split_at(i);
-                let own = lookup(word.trim()).ok().filter(|own| own.dimension.fits(unit.dimension))?;
-                Some(own.to_si(read(number.trim()).ok()?.value))
-            });
-            own.map_or_else(|| Entry::Unreadable(text.to_owned(), why), Entry::Number)
-        }
-    }
+/// The name in a cell; nothing where it is empty.
+fn name_in(cell: &Cell<'_>) -> Option<String> {
+    let text: String = shown(&cell.text).nfc().collect();
+    let name = from_cell(&text).split_whitespace().collect::<Vec<_>>().join(" ");
+    (!name.is_empty()).then_some(name)
+}
+
+/// The names of a row in words: `row 3`, `pose 1`.
+pub(super) fn row_words(names: &[Option<String>; 4]) -> Vec<String> {
+    let shown = NAMES.iter().zip(names).filter_map(|(what, name)| Some((*what, name.as_deref()?)));
+    shown.map(|(what, name)| format!("{what} {name}")).collect()
 }

@@ -14,7 +14,7 @@ pub enum Slip {
         /// How often the answer contains the key.
         factor: f64,
         /// What that factor is.
-        what: &'static str,
+        cause: Cause,
         /// The sign is wrong too.
         sign: bool,
     },
@@ -32,73 +32,110 @@ pub enum Slip {
     /// The same quantity of another row.
     OtherRow(String),
     /// Not far off.
-    Near,
+    Close,
 }
 
-/// Factors with a name. The first that fits is told.
-const FACTORS: [(f64, &str); 10] = [
-    (1000.0, "a prefix: mm and m, N and kN, g and kg"),
-    (180.0 / PI, "degrees and radians"),
-    (30.0 / PI, "revolutions per minute and radians per second"),
-    (TAU, "revolutions and radians"),
-    (9.81, "the acceleration of free fall: mass and weight"),
-    (60.0, "minutes and seconds"),
-    (10.0, "the decimal point"),
-    (100.0, "the decimal point, or cm and m"),
-    (1.0e6, "two prefixes, or mm² and m²"),
-    (2.0, "a half"),
+/// What a factor comes from: the short name of the slip, and what to say of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cause {
+    name: &'static str,
+    words: &'static str,
+}
+
+const fn cause(name: &'static str, words: &'static str) -> Cause {
+    Cause { name, words }
+}
+
+/// Factors with a name.
+const FACTORS: [(f64, Cause); 10] = [
+    (1000.0, cause("unit", "a prefix: mm and m, N and kN, g and kg")),
+    (180.0 / PI, cause("unit", "degrees and radians")),
+    (30.0 / PI, cause("unit", "revolutions per minute and radians per second")),
+    (TAU, cause("unit", "revolutions and radians")),
+    (9.81, cause("weight", "the acceleration of free fall: mass and weight")),
+    (60.0, cause("unit", "minutes and seconds")),
+    (10.0, cause("decimal-point", "the decimal point")),
+    (100.0, cause("decimal-point", "the decimal point, or cm and m")),
+    (1.0e6, cause("unit", "two prefixes, or mm² and m²")),
+    (TWICE, cause("half", "")),
+];
+/// This factor has words of its own.
+const TWICE: f64 = 2.0;
+
+/// The short names of all slips.
+pub const SLIPS: [&str; 11] = [
+    "sign",
+    "other-link",
+    "unit",
+    "weight",
+    "decimal-point",
+    "half",
+    "other-component",
+    "magnitude",
+    "other-quantity",
+    "other-row",
+    "close",
 ];
 
-/// The factor by which an answer differs from the key, the sign aside.
-pub(super) fn factor(given: f64, near: &dyn Fn(f64) -> bool) -> Option<Slip> {
+/// The factor by which an answer differs from the key, the sign aside: of those that fit the nearest. `off` says how far
+/// a number is from the key, where that is near.
+pub(super) fn factor(given: f64, off: &dyn Fn(f64) -> Option<f64>) -> Option<Slip> {
     let signs = [(1.0, false), (-1.0, true)];
-    for (value, what) in FACTORS {
-        for (sign, wrong) in signs {
-            for factor in [value, 1.0 / value] {
-                if near(sign * given / factor) {
-                    return Some(Slip::Factor { factor, what, sign: wrong });
-                }
+    let mut nearest: Option<(f64, Slip)> = None;
+    for (value, cause) in FACTORS {
+        for ((sign, wrong), factor) in signs.into_iter().flat_map(|s| [(s, value), (s, 1.0 / value)]) {
+            let Some(off) = off(sign * given / factor) else { continue };
+            if nearest.as_ref().is_none_or(|(least, _)| off < *least) {
+                nearest = Some((off, Slip::Factor { factor, cause, sign: wrong }));
             }
         }
     }
-    None
+    nearest.map(|(_, slip)| slip)
 }
 
 impl Slip {
-    /// A short word for it.
+    /// Its short name, one of [`SLIPS`].
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Sign => "sign",
-            Self::OtherLink => "other link",
-            Self::Factor { .. } => "factor",
-            Self::Swapped => "other component",
+            Self::OtherLink => "other-link",
+            Self::Factor { cause, .. } => cause.name,
+            Self::Swapped => "other-component",
             Self::Magnitude => "magnitude",
-            Self::OtherQuantity { .. } => "other quantity",
-            Self::OtherRow(_) => "other row",
-            Self::Near => "near",
+            Self::OtherQuantity { .. } => "other-quantity",
+            Self::OtherRow(_) => "other-row",
+            Self::Close => "close",
         }
     }
 
-    /// A sentence for it.
+    /// Whether the sign is wrong in addition to it.
+    #[must_use]
+    pub const fn has_other_sign(&self) -> bool {
+        matches!(self, Self::Factor { sign: true, .. } | Self::OtherQuantity { sign: true, .. })
+    }
+
+    /// What it is, in words.
     #[must_use]
     pub fn words(&self) -> String {
-        let also = |sign: &bool| if *sign { ", and the other sign" } else { "" };
+        let also = if self.has_other_sign() { ", opposite sign" } else { "" };
         match self {
             Self::Sign => "right but for the sign".to_owned(),
             Self::OtherLink => {
                 "the reaction on the other link of the pair: both signs are opposite".to_owned()
             }
-            Self::Factor { factor, what, sign } => {
-                let (n, way) = if *factor < 1.0 { (1.0 / factor, "small") } else { (*factor, "large") };
+            Self::Factor { factor, .. } if *factor == TWICE => format!("twice the value{also}"),
+            Self::Factor { factor, .. } if *factor == 1.0 / TWICE => format!("half the value{also}"),
+            Self::Factor { factor, cause, .. } => {
+                let (n, size) = if *factor < 1.0 { (1.0 / factor, "small") } else { (*factor, "large") };
                 let n = assur_text::units::significant(n, 4);
-                format!("too {way} by a factor of {n} ({what}){}", also(sign))
+                format!("too {size} by a factor of {n} ({}){also}", cause.words)
             }
             Self::Swapped => "the other component of the vector".to_owned(),
             Self::Magnitude => "the magnitude of the vector, not its component".to_owned(),
-            Self::OtherQuantity { name, sign } => format!("the value of `{name}`{}", also(sign)),
+            Self::OtherQuantity { name, .. } => format!("the value of `{name}`{also}"),
             Self::OtherRow(row) => format!("the value of {row}"),
-            Self::Near => "not far off: rounded too early, or read off roughly".to_owned(),
+            Self::Close => "close: a rounding or reading error?".to_owned(),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod error;
 mod formula;
+mod header;
 mod line;
 mod number;
 
@@ -11,12 +12,10 @@ pub use line::{Cell, Separator, cells};
 pub use number::Written;
 
 use assur_check::{ColumnUse, Row, RowCell, RowColumn};
-use assur_syntax::document::{Column, Name, Variants};
-use assur_text::source::{Source, Span, Spanned};
-use assur_text::units::lookup;
+use assur_syntax::document::{Column, Variants};
+use assur_text::source::{Source, Span};
 use std::io::{self, BufRead};
 use std::sync::Arc;
-use unicode_normalization::UnicodeNormalization;
 
 /// More bytes than this are not one line of numbers.
 const LONGEST_LINE: u64 = 1 << 20;
@@ -38,6 +37,9 @@ pub struct Table<R> {
     line: usize,
     rows: usize,
 }
+
+/// The columns of a header, each with what is wrong with it.
+pub type Columns = Vec<Result<Column, TableError>>;
 
 /// Lines of a table, not yet divided into cells.
 #[derive(Debug, Default)]
@@ -63,7 +65,21 @@ impl<R: BufRead> Table<R> {
     ///
     /// # Errors
     /// What cannot be read; the inner error is one of the header.
-    pub fn open(name: &str, mut reader: R) -> io::Result<Result<Self, Fault>> {
+    pub fn open(name: &str, reader: R) -> io::Result<Result<Self, Fault>> {
+        Ok(Self::open_each(name, reader)?.and_then(|(mut table, columns)| {
+            match columns.into_iter().collect() {
+                Ok(columns) => table.columns.columns = columns,
+                Err(error) => return Err((table.header, Box::new(error))),
+            }
+            Ok(table)
+        }))
+    }
+
+    /// Reads the header. Each of its columns is readable or not by itself; the table has none yet.
+    ///
+    /// # Errors
+    /// What cannot be read; the inner error is one of the header as a whole.
+    pub fn open_each(name: &str, mut reader: R) -> io::Result<Result<(Self, Columns), Fault>> {
         let mut bytes = Vec::new();
         let mut line = 0;
         while bytes.trim_ascii().is_empty() {
@@ -80,19 +96,17 @@ impl<R: BufRead> Table<R> {
         let text = String::from_utf8_lossy(&bytes).into_owned();
         let header = Source::line(name, text, line);
         let separator = Separator::of(&header.text);
-        Ok(match columns(&header.text, separator, std::str::from_utf8(&bytes).is_ok()) {
-            Ok(columns) => {
-                let columns = Variants { columns, rows: Vec::new() };
-                let first = String::from_utf8_lossy(reader.fill_buf()?);
-                if let Some(error) =
-                    separators(&header.text, separator, first.lines().next().unwrap_or_default())
-                {
-                    return Ok(Err((header, Box::new(error))));
-                }
-                Ok(Self { name: name.to_owned(), header, columns, separator, reader, line, rows: 0 })
-            }
-            Err(error) => Err((header, Box::new(error))),
-        })
+        let first = String::from_utf8_lossy(reader.fill_buf()?);
+        let first = first.lines().next().unwrap_or_default();
+        let found = header::columns(&header.text, separator, line_text(&bytes))
+            .and_then(|found| header::separators(&header.text, separator, first).map_or(Ok(found), Err));
+        let found = match found {
+            Ok(found) => found,
+            Err(error) => return Ok(Err((header, Box::new(error)))),
+        };
+        let columns = Variants { columns: Vec::new(), rows: Vec::new() };
+        let table = Self { name: name.to_owned(), header, columns, separator, reader, line, rows: 0 };
+        Ok(Ok((table, found)))
     }
 
     /// Reads the next lines, at most so many; blank ones are left out. Fewer come at the end of the table only.
@@ -135,8 +149,25 @@ fn read_line(reader: &mut impl BufRead, bytes: &mut Vec<u8>) -> io::Result<usize
         if bytes.ends_with(b"\r") {
             bytes.pop();
         }
+    } else if is_cut(read) {
+        // one line stays one line: it is reported by its beginning
+        reader.skip_until(b'\n')?;
     }
     Ok(read)
+}
+
+/// Whether a line of that length is not read to its end.
+const fn is_cut(length: usize) -> bool {
+    length as u64 >= LONGEST_LINE
+}
+
+/// The text of a line, or what is wrong with it and what to do.
+fn line_text(bytes: &[u8]) -> Result<&str, (&'static str, &'static str)> {
+    if is_cut(bytes.len()) {
+        return Err(("it is longer than 1 MiB", "leave out what is not part of the table"));
+    }
+    std::str::from_utf8(bytes)
+        .map_err(|_| ("it is not a text in UTF-8", "save the file in the encoding UTF-8"))
 }
 
 impl Lines {
@@ -177,94 +208,6 @@ fn decimal_comma(text: &str, cells: &[Cell<'_>], separator: Separator, one_more:
     Some(format!("{}.{}", pair[0].text, pair[1].text))
 }
 
-/// What is wrong where the header separates its cells otherwise than the first row.
-fn separators(header: &str, separator: Separator, first: &str) -> Option<TableError> {
-    let count = |text: &str, separator| cells(text, separator).map_or(0, |cells| cells.len());
-    let columns = count(header, separator);
-    let fits = |other: &Separator| *other != separator && count(first, *other) == columns;
-    let of_row = [Separator::Semicolon, Separator::Tab, Separator::Comma].into_iter().find(fits)?;
-    if columns < 2 || count(first, separator) != 1 {
-        return None;
-    }
-    let why = format!(
-        "its cells are separated by {}, those of the rows by {}",
-        separator.plural(),
-        of_row.plural()
-    );
-    let names = cells(header, separator).ok()?;
-    let names = names.iter().map(|cell| cell.text.as_ref()).collect::<Vec<_>>();
-    let help = format!("write: {}", names.join(of_row.text()));
-    Some(TableError::Header { why, help, span: Span::new(0, header.len()) })
-}
-
-/// The columns of a header.
-fn columns(text: &str, separator: Separator, utf8: bool) -> Result<Vec<Column>, TableError> {
-    let whole = Span::new(0, text.len());
-    let wrong = |why: &str, help: &str, span| {
-        Err(TableError::Header { why: why.to_owned(), help: help.to_owned(), span })
-    };
-    if !utf8 {
-        return wrong("it is not a text in UTF-8", "save the file in the encoding UTF-8", whole);
-    }
-    if text.contains('\r') {
-        return wrong(
-            "its lines end in lone carriage returns",
-            "save the file with line ends LF or CR LF",
-            whole,
-        );
-    }
-    let Ok(cells) = cells(text, separator) else {
-        return wrong("a quote is not closed", "write names without quotes: `r [mm], n [rpm]`", whole);
-    };
-    if cells.iter().all(|cell| cell.text.replace(',', ".").parse::<f64>().is_ok()) {
-        let help = "write a line above it that names the columns, as in `r [mm], n [rpm]`";
-        return wrong("the first line names the columns, and these are numbers", help, whole);
-    }
-    if let Some(cell) = cells.iter().find(|cell| in_parentheses(&cell.text)) {
-        let (why, help) = (
-            format!("the unit of `{}` is in parentheses", cell.text),
-            format!("write: {}", text.replace('(', "[").replace(')', "]")),
-        );
-        return Err(TableError::Header { why, help, span: cell.span });
-    }
-    cells.iter().map(|cell| column(text, cell)).collect()
-}
-
-/// `r (mm)`
-fn in_parentheses(text: &str) -> bool {
-    let unit = text.strip_suffix(')').and_then(|text| text.split_once('('));
-    unit.is_some_and(|(name, unit)| !name.trim().is_empty() && lookup(unit.trim()).is_ok())
-}
-
-/// `r [mm]`
-fn column(line: &str, cell: &Cell<'_>) -> Result<Column, TableError> {
-    let text = cell.text.as_ref();
-    let wrong = |why: String| {
-        let help = "write a name with its unit in brackets, as in `r [mm]`".to_owned();
-        Err(TableError::Header { why, help, span: cell.span })
-    };
-    let (name, unit) = match text.split_once('[') {
-        Some((name, rest)) => match rest.trim_end().strip_suffix(']') {
-            Some(unit) if !unit.trim().is_empty() => (name.trim(), Some(unit.trim())),
-            _ => return wrong(format!("the bracket of `{text}` is not closed, or empty")),
-        },
-        None => (text, None),
-    };
-    if name.is_empty() {
-        return wrong("a name is missing".to_owned());
-    }
-    // places within a cell are those of the words as they stand in the line
-    let place = |word: &str, from: usize| {
-        let at = line[from..cell.span.end]
-            .find(word)
-            .map_or(cell.span, |i| Span::new(from + i, from + i + word.len()));
-        (at, at.end)
-    };
-    let (at, end) = place(name, cell.span.start);
-    let name = Name::new(name.nfc().collect(), at);
-    Ok(Column { name, unit: unit.map(|unit| Spanned::new(unit.to_owned(), place(unit, end).0)) })
-}
-
 /// A row in numbers, and what the column `variant` calls it.
 pub struct Read<'a> {
     /// Its numbers.
@@ -276,6 +219,19 @@ pub struct Read<'a> {
 }
 
 impl<'a> RawRow<'a> {
+    /// The text of the line.
+    ///
+    /// # Errors
+    /// It is not UTF-8, or too long.
+    pub fn text(&self, table: &str) -> Result<&'a str, Fault> {
+        line_text(self.bytes).map_err(|(why, help)| {
+            let text = String::from_utf8_lossy(self.bytes);
+            let span = Span::new(0, text.len());
+            let error = TableError::Line { line: self.line, why: why.to_owned(), help, span };
+            (Source::line(table, text, self.line), Box::new(error))
+        })
+    }
+
     /// Reads the row.
     ///
     /// # Errors
@@ -288,12 +244,7 @@ impl<'a> RawRow<'a> {
     ) -> Result<Read<'a>, Fault> {
         let fault = |text: &str, error| (Source::line(table, text, self.line), Box::new(error));
         let line = self.line;
-        let Ok(text) = std::str::from_utf8(self.bytes) else {
-            let text = String::from_utf8_lossy(self.bytes);
-            let span = Span::new(0, text.len());
-            let (why, help) = ("it is not a text in UTF-8".to_owned(), "save the file in the encoding UTF-8");
-            return Err(fault(&text, TableError::Line { line, why, help, span }));
-        };
+        let text = self.text(table)?;
         let cells = cells(text, separator).map_err(|span| {
             let help = "numbers need no quotes; a quote within a text is written twice";
             fault(text, TableError::Line { line, why: "a quote is not closed".to_owned(), help, span })
