@@ -18,7 +18,7 @@ pub mod grade;
 pub mod json;
 mod latex;
 pub mod lines;
-mod markdown;
+pub mod markdown;
 mod mobility;
 mod modes;
 mod page;

@@ -31,6 +31,8 @@ const ALSO: &[(Function, &[&str])] = &[
     (Function::Max, &["maximum", "amax"]),
     (Function::Min, &["minimum", "amin"]),
     (Function::Sqrt, &["root"]),
+    (Function::Distance, &["dist", "gap"]),
+    (Function::InstantCentre, &["instant_center", "icr", "pole", "velocity_pole"]),
 ];
 
 impl Context<'_> {
@@ -55,10 +57,7 @@ impl Context<'_> {
         let name = call.name.node.as_str();
         let also = ALSO.iter().filter(|(_, others)| others.contains(&name)).map(|(function, _)| *function);
         let named = also.map(|function| called(function, call.args, call.span));
-        let mut candidates = named.collect::<Vec<_>>();
-        if let ("distance" | "dist", [a, b]) = (name, call.args) {
-            candidates.push(apart(a, b, call.span));
-        }
+        let candidates = named.collect::<Vec<_>>();
         if let ("range" | "span", [_]) = (name, call.args) {
             let [most, least] =
                 [Function::Max, Function::Min].map(|f| written(&called(f, call.args, call.span)));
@@ -174,14 +173,6 @@ impl Context<'_> {
 fn called(function: Function, args: &[Arg], span: Span) -> Expr {
     let function = Spanned::new(function.name().to_owned(), span);
     Expr { kind: ExprKind::Call { function, args: args.to_vec() }, span }
-}
-
-/// `mag(position(A) - position(C))`
-fn apart(a: &Arg, b: &Arg, span: Span) -> Expr {
-    let position = |arg: &Arg| called(Function::Position, std::slice::from_ref(arg), span);
-    let minus = Spanned::new(assur_syntax::document::BinaryOp::Subtract, span);
-    let kind = ExprKind::Chain(Box::new(position(a)), vec![(minus, position(b))]);
-    called(Function::Mag, &[Arg { name: None, value: Expr { kind, span } }], span)
 }
 
 /// `did you mean …?`, functions with which the name shares more than a few letters.
