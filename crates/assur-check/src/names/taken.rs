@@ -72,7 +72,10 @@ impl Scope<'_, '_> {
             ExprKind::Name(name) => Some(name.as_str()),
             _ => None,
         });
-        let open = names.filter(|n| *n != "reactions" && !statements().any(|s| declares(s, n)));
+        let open = names.filter(|n| {
+            !["reactions", "positions", "velocities", "accelerations"].contains(n)
+                && !statements().any(|s| declares(s, n))
+        });
         only(&open.collect::<IndexSet<_>>())
     }
 

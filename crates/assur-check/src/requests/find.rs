@@ -3,6 +3,7 @@
 use crate::error::{RequestError, UnitsError};
 use crate::expr::context::Context;
 use crate::expr::want::Want;
+use crate::requests::all_motion;
 use crate::statements::walk;
 use crate::values::definition::Settled;
 use crate::values::typed::{Type, Typed, phrase};
@@ -27,6 +28,15 @@ pub(crate) fn finds(cx: &mut Context<'_>) {
                 continue;
             }
             asked.insert(name.clone(), item.span);
+            if let Some(all) = all_motion::asked(cx, item) {
+                for found in all {
+                    if !asked.contains_key(&found.name) {
+                        asked.insert(found.name.clone(), found.span);
+                        cx.builder.mech.finds.push(found);
+                    }
+                }
+                continue;
+            }
             if let Some(kind) = asked_for(cx, item) {
                 cx.builder.mech.finds.push(Find { name: name.clone(), span: item.span, kind });
             }

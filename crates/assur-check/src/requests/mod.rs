@@ -1,5 +1,6 @@
 //! What is asked for: `find`, `expect`, functions of results, tables of variants.
 
+mod all_motion;
 pub mod definitions;
 pub mod expect;
 pub mod expected_list;

@@ -1,0 +1,106 @@
+//! `find positions`, `find velocities`, `find accelerations`: one answer for every named point and every link that moves.
+
+use crate::expr::context::Context;
+use assur_model::model::{Expr, Find, FindKind, LinkId, PairKind, PointRef, Query};
+use assur_syntax::document::{ExprKind, FindItem};
+use assur_text::language::Function;
+use assur_text::source::Span;
+use assur_text::units::Dimension;
+
+/// What a word asks of points, and what of links that turn.
+struct Asked {
+    word: &'static str,
+    of_point: (Function, fn(PointRef) -> Query, Dimension),
+    of_link: (Function, fn(LinkId) -> Query, Dimension),
+}
+
+const ASKED: [Asked; 3] = [
+    Asked {
+        word: "positions",
+        of_point: (Function::Position, Query::Position, Dimension::LENGTH),
+        of_link: (Function::Angle, Query::Angle, Dimension::ANGLE),
+    },
+    Asked {
+        word: "velocities",
+        of_point: (Function::Velocity, Query::Velocity, Dimension::VELOCITY),
+        of_link: (Function::Omega, Query::Omega, Dimension::ANGULAR_VELOCITY),
+    },
+    Asked {
+        word: "accelerations",
+        of_point: (Function::Acceleration, Query::Acceleration, Dimension::ACCELERATION),
+        of_link: (Function::Alpha, Query::Alpha, Dimension::ANGULAR_ACCELERATION),
+    },
+];
+
+/// The answers that one of these words asks for; `None` for anything else, and where the file has such a name.
+pub(crate) fn asked(cx: &Context<'_>, item: &FindItem) -> Option<Vec<Find>> {
+    let ExprKind::Name(name) = &item.value.kind else { return None };
+    let asked = ASKED.iter().find(|a| a.word == name)?;
+    if item.name.is_some() || cx.names.quantities.contains_key(name) {
+        return None;
+    }
+    let mut all = Vec::new();
+    let (function, query, dimension) = asked.of_point;
+    for (name, point) in points(cx) {
+        all.push(find(cx, (function, &name), query(point), dimension, item.span));
+    }
+    let (function, query, dimension) = asked.of_link;
+    for (i, link) in cx.builder.mech.links.iter().enumerate().skip(1) {
+        if turns(cx, LinkId::at(i)) {
+            all.push(find(cx, (function, &link.name), query(LinkId::at(i)), dimension, item.span));
+        }
+    }
+    Some(all)
+}
+
+fn find(
+    cx: &Context<'_>,
+    (function, of): (Function, &str),
+    query: Query,
+    dimension: Dimension,
+    span: Span,
+) -> Find {
+    let display = cx.values.display(dimension);
+    let kind = FindKind::Value { expr: Expr::Query(query), display, poseless: false };
+    Find { name: format!("{}({of})", function.name()), span, kind }
+}
+
+/// The points of moving links, each once: a pin by its name alone, points of one name on several links with their link.
+fn points(cx: &Context<'_>) -> Vec<(String, PointRef)> {
+    let mut seen = Vec::new();
+    let mut all = Vec::new();
+    let links = &cx.builder.mech.links;
+    for (i, link) in links.iter().enumerate().skip(1) {
+        for point in &link.points {
+            let here = (LinkId::at(i), point.at);
+            if seen.contains(&here) {
+                continue;
+            }
+            let joined = cx.builder.joined_with(here);
+            let grounded = joined.iter().any(|(link, _)| *link == LinkId::GROUND);
+            let others = links.iter().enumerate().flat_map(|(i, l)| {
+                l.points.iter().filter(|p| p.name == point.name).map(move |p| (LinkId::at(i), p.at))
+            });
+            let alone = others.into_iter().all(|other| other == here || joined.contains(&other));
+            seen.extend(joined);
+            seen.push(here);
+            if grounded {
+                continue;
+            }
+            let name = if alone { point.name.clone() } else { format!("{}.{}", link.name, point.name) };
+            all.push((name, PointRef::Fixed(here.0, here.1)));
+        }
+    }
+    all
+}
+
+/// Whether a link turns: it is not guided by the ground with a constant angle.
+fn turns(cx: &Context<'_>, link: LinkId) -> bool {
+    !cx.builder.mech.pairs.iter().any(|pair| match &pair.kind {
+        PairKind::Prismatic(guide) => {
+            let ends = [guide.slider, guide.guide];
+            ends.contains(&link) && ends.contains(&LinkId::GROUND)
+        }
+        _ => false,
+    })
+}
