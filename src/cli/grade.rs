@@ -44,7 +44,7 @@ fn graded(args: &Grade, screen: &Screen) -> Result<Status, CliError> {
     Ok(printed.max(if whole { Status::Fine } else { Status::Wrong }))
 }
 
-/// A sheet; `None` where it has an error, which is told.
+/// A sheet; `None` if it has an error, which is reported.
 fn sheet(name: &str, key: Option<&Sheet>, screen: &Screen) -> Result<Option<Sheet>, CliError> {
     let fail = |error: std::io::Error| match error.kind() {
         std::io::ErrorKind::NotFound => CliError::Missing { name: name.to_owned() },

@@ -15,6 +15,11 @@ fn of((right, all): (usize, usize)) -> String {
     format!("{right} of {all}")
 }
 
+/// `3 %`; relative to a key of 0 there is no percentage.
+fn deviation(error: f64) -> String {
+    if error.is_finite() { percent(error) } else { "key is 0".to_owned() }
+}
+
 /// `3 %`
 fn percent(x: f64) -> String {
     format!("{} %", significant(100.0 * x, 3))
@@ -48,7 +53,7 @@ fn figures(graded: &Graded, mark: &Mark) -> (String, String) {
     (given, figures(mark.key))
 }
 
-/// Tables to read: what is not right, totals per row and per quantity.
+/// Tables to read: wrong and missing answers, totals per row and per quantity.
 #[must_use]
 pub fn report(graded: &Graded) -> Report {
     let sections = [not_right(graded), per_row(graded), per_quantity(graded), not_answered(graded)];
@@ -66,7 +71,7 @@ fn not_right(graded: &Graded) -> Section {
             Column::right("given"),
             Column::right("key"),
             Column::words("unit"),
-            Column::right("off by"),
+            Column::right("deviation"),
             Column::words("verdict"),
         ],
         2,
@@ -78,12 +83,12 @@ fn not_right(graded: &Graded) -> Section {
             let hint = hint(&mark.verdict);
             let verdict = word(&mark.verdict);
             let verdict = if hint.is_empty() { verdict.to_owned() } else { format!("{verdict}: {hint}") };
-            let off = mark.error.map(percent).unwrap_or_default();
+            let off = mark.error.map(deviation).unwrap_or_default();
             let unit = quantity.unit.text.clone();
             table.row(vec![row.words(), quantity.name.clone(), given, key, unit, off, verdict]);
         }
     }
-    let mut section = Section::new("Not right");
+    let mut section = Section::new("Wrong or missing");
     section.table(table);
     section
 }
@@ -106,7 +111,7 @@ fn per_quantity(graded: &Graded) -> Section {
 
 fn not_answered(graded: &Graded) -> Section {
     let mut section = Section::new("Not answered");
-    section.list(graded.unanswered.iter().map(|row| format!("nobody answered {row}")).collect());
+    section.list(graded.unanswered.iter().map(|row| format!("no answers for {row}")).collect());
     if !graded.unasked.is_empty() {
         section.text(format!("No column answers {}.", graded.unasked.join(", ")));
     }

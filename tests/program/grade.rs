@@ -99,6 +99,6 @@ fn a_row_that_nobody_answered_is_listed() {
     let folder = Folder::new("nobody").with("key.csv", KEY).with("a.csv", "row,Mb [N*m]\n1,26\n");
     let said = assur(&folder, &["grade", "key.csv", "a.csv"]);
     assert_eq!(said.status, 1);
-    assert!(said.stdout.contains("nobody answered row 2"), "{}", said.stdout);
+    assert!(said.stdout.contains("no answers for row 2"), "{}", said.stdout);
     assert!(said.stdout.contains("1 of 1 right"), "{}", said.stdout);
 }

@@ -32,7 +32,7 @@ pub struct Table<R> {
     pub header: Source,
     /// The columns.
     pub columns: Variants,
-    /// What separates cells.
+    /// The separator of cells.
     pub separator: Separator,
     reader: R,
     line: usize,
@@ -47,7 +47,7 @@ pub struct Lines {
     ends: Vec<(usize, usize, usize)>,
 }
 
-/// A row as it stands in a table.
+/// A row of a table, as written.
 #[derive(Clone, Copy, Debug)]
 pub struct RawRow<'a> {
     /// Counted from 1.
@@ -62,7 +62,7 @@ impl<R: BufRead> Table<R> {
     /// Reads the header.
     ///
     /// # Errors
-    /// What cannot be read; the inner error is one of the header.
+    /// An error of reading; the inner error is one of the header.
     pub fn open(name: &str, mut reader: R) -> io::Result<Result<Self, Fault>> {
         let mut bytes = Vec::new();
         let mut line = 0;
@@ -98,7 +98,7 @@ impl<R: BufRead> Table<R> {
     /// Reads the next lines, at most so many; blank ones are left out. Fewer come at the end of the table only.
     ///
     /// # Errors
-    /// What cannot be read.
+    /// An error of reading.
     pub fn lines(&mut self, most: usize, lines: &mut Lines) -> io::Result<()> {
         lines.bytes.clear();
         lines.ends.clear();
@@ -187,7 +187,7 @@ fn separators(header: &str, separator: Separator, first: &str) -> Option<TableEr
         return None;
     }
     let why = format!(
-        "its cells are separated by {}, those of the rows by {}",
+        "its cells are separated by {}, but those of the rows by {}",
         separator.plural(),
         of_row.plural()
     );
@@ -204,7 +204,7 @@ fn columns(text: &str, separator: Separator, utf8: bool) -> Result<Vec<Column>, 
         Err(TableError::Header { why: why.to_owned(), help: help.to_owned(), span })
     };
     if !utf8 {
-        return wrong("it is not a text in UTF-8", "save the file in the encoding UTF-8", whole);
+        return wrong("it is not UTF-8 text", "save the file in the encoding UTF-8", whole);
     }
     if text.contains('\r') {
         return wrong(
@@ -217,8 +217,8 @@ fn columns(text: &str, separator: Separator, utf8: bool) -> Result<Vec<Column>, 
         return wrong("a quote is not closed", "write names without quotes: `r [mm], n [rpm]`", whole);
     };
     if cells.iter().all(|cell| cell.text.replace(',', ".").parse::<f64>().is_ok()) {
-        let help = "write a line above it that names the columns, as in `r [mm], n [rpm]`";
-        return wrong("the first line names the columns, and these are numbers", help, whole);
+        let help = "add a line above it that names the columns, as in `r [mm], n [rpm]`";
+        return wrong("the first line must name the columns, but contains numbers", help, whole);
     }
     if let Some(cell) = cells.iter().find(|cell| in_parentheses(&cell.text)) {
         let (why, help) = (
@@ -291,11 +291,11 @@ impl<'a> RawRow<'a> {
         let Ok(text) = std::str::from_utf8(self.bytes) else {
             let text = String::from_utf8_lossy(self.bytes);
             let span = Span::new(0, text.len());
-            let (why, help) = ("it is not a text in UTF-8".to_owned(), "save the file in the encoding UTF-8");
+            let (why, help) = ("it is not UTF-8 text".to_owned(), "save the file in the encoding UTF-8");
             return Err(fault(&text, TableError::Line { line, why, help, span }));
         };
         let cells = cells(text, separator).map_err(|span| {
-            let help = "numbers need no quotes; a quote within a text is written twice";
+            let help = "write numbers without quotes, and a quote within a text twice";
             fault(text, TableError::Line { line, why: "a quote is not closed".to_owned(), help, span })
         })?;
         self.fits(text, &cells, columns, separator).map_err(|e| fault(text, e))?;
@@ -332,9 +332,9 @@ impl<'a> RawRow<'a> {
             let plural = if count == 1 { "" } else { "s" };
             let one_more = cells.len() == count + 1;
             let help = match decimal_comma(text, cells, separator, one_more) {
-                Some(number) => format!(
-                    "write decimals with a point, as in `{number}`, or separate the cells by semicolons"
-                ),
+                Some(number) => {
+                    format!("use a decimal point, as in `{number}`, or separate the cells by semicolons")
+                }
                 None if one_more => {
                     format!("leave `{}` out, or name a column for it in the header", extra.text)
                 }
