@@ -52,7 +52,8 @@ fn phrases(text: &str) -> Vec<&'static (&'static str, &'static str)> {
     let whole = |phrase: &str| {
         text.match_indices(phrase).any(|(at, _)| {
             let after = text[at + phrase.len()..].chars().next();
-            !is_word(text[..at].chars().next_back()) && !(is_word(after) && !phrase.ends_with(':'))
+            let goes_on = is_word(after) && !phrase.ends_with(':');
+            !goes_on && !is_word(text[..at].chars().next_back())
         })
     };
     PHRASES.iter().filter(|(phrase, _)| whole(phrase)).collect()
