@@ -9,18 +9,18 @@ use assur_check::Overrides;
 
 /// Solves planar mechanism problems written as text.
 ///
-/// A file says what is given, what the mechanism is, what acts on it and what to find. Results go to standard output,
+/// A file contains the given values, the mechanism, its loads and the questions. Results go to standard output,
 /// diagnostics to standard error.
 #[derive(Debug, Parser)]
 #[command(name = "assur", version, after_help = EXAMPLES, after_long_help = LONG)]
 pub struct Args {
-    /// What to do
+    /// The command
     #[command(subcommand)]
     pub command: Command,
-    /// When to use colours; NO_COLOR and pipes are respected by `auto`
+    /// Use of colours; `auto` respects NO_COLOR and pipes
     #[arg(long, global = true, value_enum, value_name = "WHEN", default_value_t = Color::Auto)]
     pub color: Color,
-    /// How many diagnostics to show of a file; the others are counted
+    /// Maximum number of diagnostics shown per file; the others are counted
     #[arg(long, global = true, value_name = "N", default_value_t = 50, value_parser = at_least_one)]
     pub max_errors: usize,
 }
@@ -28,47 +28,47 @@ pub struct Args {
 const EXAMPLES: &str = "Example: assur solve engine.mech";
 const LONG: &str = "\
 Examples:
-  assur check engine.mech                   what the mechanism is built from
-  assur check --modes engine.mech           in which ways it can be assembled
-  assur check --plan engine.mech            what every step and effect costs per position
-  assur solve engine.mech                   the answers as a readable table
+  assur check engine.mech                   the structure of the mechanism
+  assur check --modes engine.mech           its possible assemblies
+  assur check --plan engine.mech            cost of every step and effect per position
+  assur solve engine.mech                   the answers as a table
   assur solve examples --format json        one object per file and line
   assur solve engine.mech --format csv      one line per pose, for up to a million of them
   assur solve engine.mech --set r=120mm     with another crank
-  assur solve engine.mech --within 1e-6     only as accurate as that
-  assur accuracy engine.mech --plot a.svg   what accuracy costs in time
-  assur test 'homework/**/*.mech'           the answer key
+  assur solve engine.mech --within 1e-6     with a maximum relative error
+  assur accuracy engine.mech --plot a.svg   computing time of each accuracy
+  assur test 'homework/**/*.mech'           compare with the answer key
   assur profile cam.mech --format dxf       a cam as a drawing
   assur batch engine.mech --variants T.csv --out answers.csv
   assur batch homework --key key.csv        solve an exercise set and write its answer key
-  assur grade key.csv answers.csv           mark answers
+  assur grade key.csv answers.csv           grade answers
   assur grade key.csv answers.csv --points 'Mb=2,F_A=1' --credit sign=0.5
-  assur explain mech::assembly::ambiguous   what a diagnostic means
+  assur explain mech::assembly::ambiguous   meaning of a diagnostic
 
 Exit status:
-  0  fine
-  1  a problem is wrong: it has errors or, with `test`, an expectation fails; with `grade`, an answer is wrong or
-     missing, or a line cannot be marked
-  2  the command line, a value of `--set` or a file cannot be used, or not all could be written: a disk is full, or
-     nobody reads a pipe to its end (of which nothing is said)
-  128 + n  signal n ended the program: 129 SIGHUP, 130 SIGINT (Ctrl-C), 143 SIGTERM; no temporary file stays";
+  0  success
+  1  a problem has errors; with `test`, an expectation fails; with `grade`, an answer is wrong or missing, or a line
+     cannot be graded
+  2  the command line, a value of `--set` or a file cannot be used, or the output is incomplete: the disk is full, or
+     a pipe was closed (this is not reported)
+  128 + n  signal n ended the program: 129 SIGHUP, 130 SIGINT (Ctrl-C), 143 SIGTERM; no temporary file is left";
 
 /// Subcommands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Show what a mechanism is built from: mobility, structural groups, effects, plan
+    /// Show the structure of a mechanism: mobility, structural groups, effects, plan
     Check(Check),
     /// Solve and print the answers
     Solve(Solve),
-    /// Hold the solution against the file's own answer key
+    /// Compare the results with the file's `expect` lines
     Test(Problem),
     /// Solve once per row of a table of variants, in parallel
     Batch(Batch),
-    /// Mark given answers by an answer key
+    /// Grade answers by an answer key
     Grade(Grade),
-    /// Show what accuracy costs in time: every setting that trades the one for the other, measured on this machine
+    /// Show the time that accuracy costs: every accuracy setting, timed on this machine
     Accuracy(Accuracy),
-    /// Print the profile of a cam for other programs
+    /// Print the profile of a cam, for other programs
     Profile(Profile),
     /// Explain a diagnostic by its code
     Explain(Explain),
@@ -80,7 +80,7 @@ pub struct Problem {
     /// Files, folders, globs, or `-` for standard input
     #[arg(required = true, value_name = "FILES")]
     pub files: Vec<String>,
-    /// Give a `given` another value, as in `--set r=120mm`; may be repeated
+    /// Replace the value of a `given`, e.g. `--set r=120mm`; may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     pub settings: Vec<(String, String)>,
 }
@@ -88,13 +88,13 @@ pub struct Problem {
 /// Arguments of `check`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Check {
-    /// What to look at
+    /// Files to check
     #[command(flatten)]
     pub problem: Problem,
-    /// List all assemblies of every group at the first pose, each with the line that chooses it
+    /// List all assemblies of every group at the first pose, each with the line that selects it
     #[arg(long)]
     pub modes: bool,
-    /// Run the plan over the file's positions, or a turn of its drive, and list what every step and effect costs
+    /// Run the plan over the file's positions, or a turn of its drive, and list the cost of every step and effect
     #[arg(long)]
     pub plan: bool,
 }
@@ -102,13 +102,13 @@ pub struct Check {
 /// Arguments of `solve`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Solve {
-    /// What to solve
+    /// Files to solve
     #[command(flatten)]
     pub problem: Problem,
-    /// How to print the answers
+    /// Output format
     #[arg(long, value_enum, default_value_t = Format::Table)]
     pub format: Format,
-    /// Take the cheapest settings whose answers keep this error, as 1e-6; it is measured and reported
+    /// Maximum relative error, e.g. 1e-6; the fastest sufficient settings are used and the error reached is reported
     #[arg(long, value_name = "ERROR", value_parser = accuracy)]
     pub within: Option<f64>,
 }
@@ -116,16 +116,16 @@ pub struct Solve {
 /// Arguments of `accuracy`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Accuracy {
-    /// What to measure
+    /// Files to measure
     #[command(flatten)]
     pub problem: Problem,
-    /// The error for which settings are recommended
+    /// Maximum relative error for which settings are recommended
     #[arg(long = "for", value_name = "ERROR", default_value = "1e-9", value_parser = accuracy)]
     pub wanted: f64,
-    /// Draw error against time into this file
+    /// Write a diagram of error against time to this file
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<String>,
-    /// How to print the tables
+    /// Output format
     #[arg(long, value_enum, default_value_t = AccuracyFormat::Table)]
     pub format: AccuracyFormat,
 }
@@ -159,38 +159,38 @@ impl AccuracyFormat {
 fn accuracy(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(x) if x > 0.0 && x < 1.0 => Ok(x),
-        _ => Err("write a part of the greatest value, as 1e-6".to_owned()),
+        _ => Err("write a number between 0 and 1, e.g. 1e-6".to_owned()),
     }
 }
 
 /// Arguments of `batch`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Batch {
-    /// What to solve
+    /// Files to solve
     #[command(flatten)]
     pub problem: Problem,
-    /// A table of variants instead of the files' own: names with units in the header, plain numbers below
+    /// Table of variants that replaces those of the files: names with units in the header, plain numbers below
     #[arg(long, value_name = "TABLE.csv")]
     pub variants: Option<String>,
-    /// How to print the answers [default: by the ending of --out, else table]
+    /// Output format [default: by the ending of --out, else table]
     #[arg(long, value_enum)]
     pub format: Option<BatchFormat>,
-    /// Write the answers to this file, which appears once it is whole
+    /// Write the answers to this file (created only when complete)
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
     /// Write the answer key for `assur grade` to this file
     #[arg(long, value_name = "KEY.csv")]
     pub key: Option<String>,
-    /// Take for every row the cheapest settings whose answers keep this error, as 1e-6
+    /// Maximum relative error of every row, e.g. 1e-6; the fastest sufficient settings are used
     #[arg(long, value_name = "ERROR", value_parser = accuracy)]
     pub within: Option<f64>,
-    /// How many threads to use [default: all]
+    /// Number of threads [default: all processors]
     #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<usize>,
 }
 
 impl Batch {
-    /// As wanted, else as the name of the file says.
+    /// The format of the option, else of the file name.
     #[must_use]
     pub fn format(&self) -> BatchFormat {
         let ending = self.out.as_deref().and_then(|name| name.rsplit_once('.')).map(|(_, ending)| ending);
@@ -234,7 +234,7 @@ pub struct Grade {
     /// `student` for who answered
     #[arg(value_name = "ANSWERS.csv")]
     pub answers: String,
-    /// The greatest difference allowed, as a part of the value
+    /// Maximum difference, relative to the value
     #[arg(long, value_name = "TOLERANCE", default_value = "3%", value_parser = tolerance)]
     pub within: f64,
     /// Leave missing answers out of the totals; without it they count as wrong
@@ -249,7 +249,7 @@ pub struct Grade {
     /// Give a part of the points for a slip, as in sign=0.5,unit=0.25; may be repeated
     #[arg(long, value_name = "SLIP=PART,…", value_parser = Credit::read)]
     pub credit: Vec<Credit>,
-    /// How to print the marks
+    /// Output format
     #[arg(long, value_enum, default_value_t = GradeFormat::Table)]
     pub format: GradeFormat,
 }
@@ -293,23 +293,23 @@ fn tolerance(text: &str) -> Result<f64, String> {
     };
     match number.parse::<f64>() {
         Ok(x) if x > 0.0 && x * part < 1.0 => Ok(x * part),
-        _ => Err("write a part of the value, as 3% or 0.03".to_owned()),
+        _ => Err("write a number between 0 and 1, e.g. 3% or 0.03".to_owned()),
     }
 }
 
 /// Arguments of `profile`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Profile {
-    /// Whose cam
+    /// File with the cam
     #[command(flatten)]
     pub problem: Problem,
-    /// Which cam, where the file has several
+    /// Name of the cam, if the file has several
     #[arg(long, value_name = "NAME")]
     pub cam: Option<String>,
-    /// In how many steps of the cam angle
+    /// Number of steps of the cam angle
     #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(3..=36_000))]
     pub steps: u32,
-    /// How to print it
+    /// Output format
     #[arg(long, value_enum, default_value_t = ProfileFormat::Csv)]
     pub format: ProfileFormat,
 }
@@ -326,7 +326,7 @@ pub enum ProfileFormat {
 /// Arguments of `explain`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Explain {
-    /// The code of a diagnostic, as `mech::assembly::ambiguous`; `mech::` may be left out
+    /// Code of a diagnostic, e.g. `mech::assembly::ambiguous`; `mech::` may be left out
     #[arg(required_unless_present = "all", value_name = "CODE")]
     pub code: Option<String>,
     /// List all codes
@@ -387,6 +387,6 @@ fn setting(text: &str) -> Result<(String, String), String> {
         Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
             Ok((name.trim().to_owned(), value.trim().to_owned()))
         }
-        _ => Err("write NAME=VALUE, as in r=120mm".to_owned()),
+        _ => Err("write NAME=VALUE, e.g. r=120mm".to_owned()),
     }
 }

@@ -1,4 +1,4 @@
-//! What can be wrong with the command line and with files.
+//! Errors of the command line and with files.
 
 use miette::Diagnostic;
 use thiserror::Error;
@@ -17,11 +17,11 @@ pub enum CliError {
     Unreadable {
         /// As given.
         name: String,
-        /// What the system says.
+        /// The message of the system.
         why: String,
     },
     /// No text.
-    #[error("`{name}` is not a text in UTF-8: byte {at} cannot be read")]
+    #[error("`{name}` is not UTF-8 text: byte {at} cannot be read")]
     #[diagnostic(help("save the file in the encoding UTF-8"))]
     NotUtf8 {
         /// As given.
@@ -32,7 +32,7 @@ pub enum CliError {
     /// An empty folder.
     #[error("there is no .mech file in the folder `{name}`")]
     #[diagnostic(help(
-        "files that .gitignore names are left out; name a file itself to read it all the same"
+        "name a file itself to read it although .gitignore names it: such files are left out"
     ))]
     NoMechFiles {
         /// As given.
@@ -49,12 +49,12 @@ pub enum CliError {
     BadPattern {
         /// As given.
         pattern: String,
-        /// What is wrong.
+        /// The mistake.
         why: String,
     },
     /// Several files, one drawing.
-    #[error("`{name}` can hold the drawing of one file, and there are several")]
-    #[diagnostic(help("give `--plot` with one file"))]
+    #[error("`{name}` can contain the drawing of one file only, but there are several")]
+    #[diagnostic(help("use `--plot` with one file"))]
     OneDrawing {
         /// The drawing.
         name: String,
@@ -62,38 +62,38 @@ pub enum CliError {
     /// No cam, or several and no choice.
     #[error("{message}")]
     NoCam {
-        /// What is wrong.
+        /// The mistake.
         message: String,
-        /// What to do.
+        /// The correction.
         #[help]
         help: String,
     },
     /// Results that cannot be written.
     #[error("`{name}` cannot be written: {why}")]
-    #[diagnostic(help("what stood there is as it was"))]
+    #[diagnostic(help("the existing file was not changed"))]
     Unwritable {
         /// As given.
         name: String,
-        /// What the system says.
+        /// The message of the system.
         why: String,
     },
     /// Results that cannot be printed.
     #[error("standard output cannot be written: {why}")]
     Unprinted {
-        /// What the system says.
+        /// The message of the system.
         why: String,
     },
     /// Results in the place of what they are made from.
-    #[error("`{name}` is read and written at once")]
-    #[diagnostic(help("give the results a file of their own"))]
+    #[error("`{name}` is both an input and the output")]
+    #[diagnostic(help("write the results to another file"))]
     Overwrites {
         /// As given.
         name: String,
     },
     /// A signal.
     #[error("interrupted after {rows} rows")]
-    #[diagnostic(help("{}", if kept.is_empty() { "all rows printed are whole".to_owned() }
-        else { format!("these rows are kept in {kept}") }))]
+    #[diagnostic(help("{}", if kept.is_empty() { "all printed rows are complete".to_owned() }
+        else { format!("the complete rows are kept in {kept}") }))]
     Interrupted {
         /// How many are done.
         rows: usize,
@@ -103,7 +103,7 @@ pub enum CliError {
     /// No threads.
     #[error("the threads cannot be started: {why}")]
     Threads {
-        /// What the system says.
+        /// The message of the system.
         why: String,
     },
     /// No such code.
@@ -111,7 +111,7 @@ pub enum CliError {
     UnknownCode {
         /// As given.
         code: String,
-        /// What may be meant.
+        /// Similar names.
         #[help]
         help: String,
     },
@@ -127,7 +127,7 @@ pub enum CliError {
     /// Our own mistake.
     #[error("internal error of assur {version} in `{file}`: {what}")]
     #[diagnostic(help(
-        "this is a mistake of the program, not of your file: please report it with the file and this message"
+        "report it with the file and this message: it is an error of the program, not of your file"
     ))]
     Internal {
         /// The file.

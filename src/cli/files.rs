@@ -105,7 +105,7 @@ fn literal_part(pattern: &str) -> PathBuf {
     PathBuf::from(if folder.is_empty() { "." } else { folder.as_str() })
 }
 
-/// Files below a folder in the order of their names, behind the folders that cannot be read.
+/// Files below a folder in the order of their names, after the folders that cannot be read.
 fn walk(folder: &Path, wanted: impl Fn(&Path) -> bool) -> Found {
     let mut files: Vec<PathBuf> = Vec::new();
     let mut found = Found::new();

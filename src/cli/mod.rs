@@ -25,7 +25,7 @@ use clap::Parser;
 use reply::Status;
 use screen::Screen;
 
-/// Runs the program: results on standard output, diagnostics on standard error. 0: fine; 1: a problem is wrong; 2: the
+/// Runs the program: results on standard output, diagnostics on standard error. 0: success; 1: a problem has errors; 2: the
 /// command line or a file cannot be used, or not all could be written; 128 + n: signal n ended it.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let args = match Args::try_parse_from(args) {

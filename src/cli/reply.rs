@@ -1,4 +1,4 @@
-//! What the program says about a file, and the loop over all files.
+//! The reply about a file, and the loop over all files.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -42,7 +42,7 @@ impl Status {
     }
 }
 
-/// What is said about one file.
+/// The reply about one file.
 #[derive(Debug, Default)]
 pub struct Reply {
     /// For standard output.
@@ -72,7 +72,7 @@ pub fn complaint(error: CliError, screen: &Screen) -> String {
     screen.diagnostics(&problems, &Source::new("", ""))
 }
 
-/// Writes the results of files, with what stands between them.
+/// Writes the results of files, with separators.
 pub struct Printer<'s> {
     screen: &'s Screen,
     apart: &'s str,
@@ -98,8 +98,8 @@ impl Printer<'_> {
     }
 }
 
-/// Works through all files that the command line names; one that cannot be used does not spoil the others. `apart`
-/// stands between the results of two files.
+/// Works through all files that the command line names; one that cannot be used does not affect the others. `apart`
+/// separates the results of two files.
 pub fn for_each_file(
     names: &[String],
     screen: &Screen,

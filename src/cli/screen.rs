@@ -1,4 +1,4 @@
-//! Where the program writes.
+//! The streams of the program.
 
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -69,8 +69,8 @@ impl Screen {
         self.most
     }
 
-    /// Writes results; `false` where that cannot be done. A reader that has gone away has seen enough: nothing is said of
-    /// it.
+    /// Writes results; `false` if that fails. A reader that has closed its pipe is not
+    /// reported.
     #[must_use]
     pub fn print(&self, text: &str) -> bool {
         let mut out = io::stdout().lock();

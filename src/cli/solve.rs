@@ -112,7 +112,7 @@ fn of_rows(
     Reply::new(results.join(apart), &problems, source, screen)
 }
 
-/// The poses of a row behind its number and its givens; a row without solution has no answers.
+/// The poses of a row after its number and its givens; a row without solution has no answers.
 fn csv_row(table: &mut Table, columns: &[RowColumn], row: &SolvedRow, solved: Option<&Answers<'_>>) {
     let cells =
         row.row.row.entries().map(|(c, cell)| significant(c.unit.from_si(cell.value), report::rows::FULL));

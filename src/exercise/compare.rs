@@ -10,7 +10,7 @@ pub fn is_within(difference: f64, within: f64) -> bool {
     difference <= within * SLACK
 }
 
-/// What is asked of a value, as `= 26 N*m` or `> 40 deg`; empty for a truth.
+/// The expectation, as `= 26 N*m` or `> 40 deg`; empty for a condition.
 pub(super) fn bound(
     comparison: Option<Comparison>,
     display: &Display,

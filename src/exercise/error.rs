@@ -1,4 +1,4 @@
-//! What can be wrong with an answer key, or with an answer.
+//! Errors of an answer key, or with an answer.
 
 use miette::Diagnostic;
 use thiserror::Error;
@@ -15,37 +15,37 @@ pub enum ExpectError {
     #[error("{message}")]
     #[diagnostic(code(mech::expect::mismatch))]
     Mismatch {
-        /// What was expected, and what was got.
+        /// The expected and the computed value.
         message: String,
         /// By how much it differs, and how much is allowed.
         difference: String,
         /// Where.
         #[label("{difference}")]
         span: Span,
-        /// What slip would explain it.
+        /// The common mistake that explains it.
         #[help]
         help: Option<String>,
     },
     /// A sweep, and nothing says which of its poses.
-    #[error("`{text}` has {poses} values, one per pose, and only one is expected")]
+    #[error("`{text}` has {poses} values, one per pose, but only one is expected")]
     #[diagnostic(
         code(mech::expect::which_pose),
-        help("say where it holds, as in `at pose 1` or `at crank = 30 deg`, or list one value per pose")
+        help("add a pose, as in `at pose 1` or `at crank = 30 deg`, or list one value per pose")
     )]
     NeedsPose {
-        /// What is expected of.
+        /// The quantity.
         text: String,
         /// How many poses there are.
         poses: usize,
         /// Where.
-        #[label("at which pose?")]
+        #[label("the pose is missing")]
         span: Span,
     },
     /// A list of another length than the sweep.
-    #[error("{values} values are expected of `{text}` at {poses} pose{}", if *poses == 1 { "" } else { "s" })]
+    #[error("`{text}` has {poses} pose{}, but {values} values are expected", if *poses == 1 { "" } else { "s" })]
     #[diagnostic(code(mech::expect::count), help("list one value per pose, in the order of the sweep"))]
     ListLength {
-        /// What is expected of.
+        /// The quantity.
         text: String,
         /// Values in the list.
         values: usize,
@@ -70,12 +70,9 @@ pub enum ExpectError {
     },
     /// The pose has no solution.
     #[error("`{text}`{} cannot be compared: {reason}", and_more(*more))]
-    #[diagnostic(
-        code(mech::expect::pose_failed),
-        help("an expectation can only hold at a pose that is solved")
-    )]
+    #[diagnostic(code(mech::expect::pose_failed), help("choose a pose that can be solved"))]
     PoseFailed {
-        /// What is expected of.
+        /// The quantity.
         text: String,
         /// How many other expectations cannot be compared either.
         more: usize,
@@ -86,19 +83,19 @@ pub enum ExpectError {
         span: Span,
     },
     /// The value does not exist.
-    #[error("`{text}` has no value{pose}{}", why.as_ref().map(|w| format!(": {w}")).unwrap_or_default())]
+    #[error("`{text}` is not defined{pose}{}", why.as_ref().map(|w| format!(": {w}")).unwrap_or_default())]
     #[diagnostic(code(mech::expect::undefined))]
     NoValue {
-        /// What is expected of.
+        /// The quantity.
         text: String,
         /// ` at pose 3`, or empty.
         pose: String,
         /// Why not, where that is known.
         why: Option<String>,
         /// Where.
-        #[label("nothing to compare with")]
+        #[label("no value to compare")]
         span: Span,
-        /// What to look for.
+        /// A cause to check.
         #[help]
         help: Option<&'static str>,
     },
@@ -140,7 +137,7 @@ impl ExpectError {
     pub(super) fn no_value(expect: &Expect, pose: String, why: Option<String>) -> Self {
         let help = match why {
             Some(_) => None,
-            None => Some("look for a division by zero, or a root or an inverse function out of its range"),
+            None => Some("check for a division by zero, or a root or an inverse function out of its range"),
         };
         Self::NoValue { text: expect.text.clone(), pose, why, span: expect.span, help }
     }

@@ -7,22 +7,22 @@ use assur_model::model::{At, Comparison, Display, Expect, Expr, Relation, Tolera
 use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, PoseOrigin, Solution, State, compare};
 use assur_text::source::Span;
 
-/// What became of one expectation at one pose.
+/// The outcome of one expectation at one pose.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// What was expected of: the left side's own text.
+    /// The left side, as written.
     pub text: String,
     /// The pose's name; `None` where no pose is needed.
     pub pose: Option<String>,
     /// The pose in words, as ` at pose 3`; empty where there is no other.
     pub place: String,
-    /// The comparison that should hold; `None` for an equality and for a truth.
+    /// The comparison; `None` for an equality and for a condition.
     pub comparison: Option<Comparison>,
-    /// The expected value, the bound of a comparison, or `true` for a truth; SI.
+    /// The expected value, the bound of a comparison, or `true` for a condition; SI.
     pub expected: Value,
-    /// What the solution says, SI.
+    /// The computed value, SI.
     pub got: Value,
-    /// The greatest difference allowed, SI; `None` for comparisons and truths.
+    /// The greatest difference allowed, SI; `None` for comparisons and conditions.
     pub within: Option<f64>,
     /// Whether it holds.
     pub passed: bool,
@@ -132,7 +132,7 @@ impl<'a> Key<'a> {
         texts.collect::<Vec<_>>().join(", ")
     }
 
-    /// Where a pose is, behind a sentence.
+    /// The pose, after a sentence.
     fn place(&self, pose: &Pose) -> String {
         match pose.origin {
             PoseOrigin::Expected(_) => format!(" at {}", self.name(pose)),
@@ -157,7 +157,7 @@ impl<'a> Key<'a> {
             if let Some(value) = found {
                 return Ok(value);
             }
-            let locked = || "friction locks the mechanism, and no effort moves it".to_owned();
+            let locked = || "friction locks the mechanism, so no effort moves it".to_owned();
             let why = why_undefined(self.model, expr)
                 .or_else(|| without_cycle(self.model, self.solution, expr))
                 .or_else(|| view.state.forces.locked.then(locked));
@@ -213,13 +213,13 @@ fn values(expect: &Expect) -> usize {
 }
 
 impl Outcome {
-    /// What was got less what was expected, SI; modulo a turn for angles. A truth has none.
+    /// The computed minus the expected value, SI; modulo a turn for angles. A condition has none.
     #[must_use]
     pub fn difference(&self) -> Value {
         equal::difference(self.got, self.expected, self.angle)
     }
 
-    /// What was expected, as `= 26 N*m`, `> 40 deg`; empty for a truth.
+    /// The expectation, as `= 26 N*m`, `> 40 deg`; empty for a condition.
     #[must_use]
     pub fn expectation(&self, digits: usize) -> String {
         bound(self.comparison, &self.display, self.expected, digits)

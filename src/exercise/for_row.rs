@@ -1,4 +1,4 @@
-//! What is said of a file with a row of variants.
+//! Messages about a file with a row of variants.
 
 use assur_text::diagnostic::{AnyDiagnostic, Problems};
 use assur_text::source::Span;

@@ -1,10 +1,10 @@
-//! What is said of expectations that are not met: once per `expect`.
+//! Messages about expectations that are not met: one per `expect`.
 
 use super::error::ExpectError;
 use super::expect::Outcome;
 use assur_model::model::Value;
 
-/// What is wrong with the answers: one error per `expect`, however many poses it is for.
+/// Errors of the answers: one per `expect`, for any number of poses.
 #[must_use]
 pub fn mismatches(outcomes: &[Outcome]) -> Vec<ExpectError> {
     let of_one = outcomes.chunk_by(|a, b| a.span == b.span);
@@ -51,7 +51,9 @@ impl Failed<'_> {
             1 => format!("expected {what}{at}, got {got}"),
             count => {
                 let all = self.all.len();
-                format!("{count} of {all} poses differ, most{at}: expected {what}, got {got}")
+                format!(
+                    "{count} of {all} poses differ, the greatest difference is{at}: expected {what}, got {got}"
+                )
             }
         };
         let difference = match self.worst.within {
@@ -94,15 +96,17 @@ fn slip(outcome: &Outcome) -> Option<String> {
     };
     let degree = std::f64::consts::PI / 180.0;
     if alike(-1.0) {
-        return Some("the two differ in their sign: which way is positive, and on which link?".to_owned());
+        return Some(
+            "check the sign: the positive direction, and the link on which the force acts".to_owned(),
+        );
     }
     for factor in [1e3, 1e-3, 1e6, 1e-6] {
         if alike(factor) || alike(-factor) {
-            return Some("the two differ by a power of 1000: check the units".to_owned());
+            return Some("check the units: the two differ by a power of 1000".to_owned());
         }
     }
     if alike(degree) || alike(1.0 / degree) {
-        return Some("the two differ by 180/pi: one is in degrees, the other in radians".to_owned());
+        return Some("check the units: the two differ by 180/pi, degrees against radians".to_owned());
     }
     None
 }

@@ -1,4 +1,4 @@
-//! The answer key: what a file expects of its own answers.
+//! The answer key: the expectations of a file.
 
 #[doc(hidden)]
 pub mod compare;

@@ -42,13 +42,13 @@ pub fn why_undefined(model: &Model<'_>, expr: &Expr) -> Option<String> {
         if let Query::Critical(index) = query
             && let Some(name) = model.mechanism.criticals.get(*index)
         {
-            why = Some(format!("locking neither begins nor ends at any value of `{name}` within reach"));
+            why = Some(format!("no value of `{name}` within its range is a limit of locking"));
         }
         let Some(pair) = query.facts().couple else { return };
         if model.structure.undetermined_couples.contains(&pair) {
             let name = &model.mechanism.pair(pair).name;
             why = Some(format!(
-                "the couple in `{name}` is not determined: it closes a chain of prismatic pairs"
+                "the couple in `{name}` is not determined: the pair closes a chain of prismatic pairs"
             ));
         }
     });

@@ -4,7 +4,7 @@ use assur_math::math::Vec2;
 use assur_model::model::{Display, Value};
 use std::fmt;
 
-/// What an answer is.
+/// The kind of an answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Quantity {
     /// A number.
@@ -53,7 +53,7 @@ impl Answer {
         self.si
     }
 
-    /// The number in [`Answer::unit`]; `None` where it is not a number.
+    /// The number in [`Answer::unit`]; `None` if it is not a number.
     #[must_use]
     pub const fn number(&self) -> Option<f64> {
         match self.quantity {
@@ -62,7 +62,7 @@ impl Answer {
         }
     }
 
-    /// The components in [`Answer::unit`]; `None` where it is not a vector.
+    /// The components in [`Answer::unit`]; `None` if it is not a vector.
     #[must_use]
     pub const fn vector(&self) -> Option<(f64, f64)> {
         match self.quantity {

@@ -4,7 +4,7 @@ use assur_text::diagnostic::{DiagnosticView, Problems, Style, render};
 use assur_text::source::Source;
 use std::fmt;
 
-/// Errors and warnings about a text, in the order of their places. Printed, they are what the command line shows, without
+/// Errors and warnings about a text, by position in the text. Printed, they look as on the command line, without
 /// colour and 100 columns wide.
 #[derive(Clone, Debug, Default)]
 pub struct Diagnostics {
@@ -29,7 +29,7 @@ impl Diagnostics {
         self.views.iter().any(|d| d.severity == "error")
     }
 
-    /// One after another: code, severity, message, places, help.
+    /// One after another: code, severity, message, spans, help.
     pub fn iter(&self) -> impl Iterator<Item = &DiagnosticView> {
         self.views.iter()
     }

@@ -10,12 +10,12 @@ use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use std::sync::Arc;
 
-/// What is set from outside a text.
+/// Options from outside a text.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Values in place of those of `given` statements: name and value with its unit, as `("r", "120 mm")`. A later one wins.
+    /// Values that replace those of `given` statements: name and value with its unit, as `("r", "120 mm")`. The last one counts.
     pub set: Vec<(String, String)>,
-    /// The relative error that is allowed: the fastest settings that keep it are used. Without it, the settings are those of
+    /// The greatest relative error allowed: the fastest sufficient settings are used. Without it, the settings are those of
     /// `docs/accuracy.md`.
     pub within: Option<f64>,
 }
@@ -36,7 +36,7 @@ pub struct Options {
 pub struct Problem {
     source: Source,
     document: Arc<Document>,
-    /// What was found on reading.
+    /// The problems found on reading.
     found: Problems,
     options: Options,
 }
@@ -50,8 +50,8 @@ pub fn solve(text: impl Into<String>) -> Result<Solution, Diagnostics> {
 }
 
 impl Problem {
-    /// Reads a text. Messages show `name`, usually the name of its file. Where the text cannot be read, the methods below report
-    /// why.
+    /// Reads a text. Messages show `name`, usually the name of its file. If the text cannot be read, the methods below report
+    /// the errors.
     #[must_use]
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
         let source = Source::new(name, text);
@@ -65,7 +65,7 @@ impl Problem {
         Self { options, ..self }
     }
 
-    /// With a value in place of that of a `given`: `problem.set("r", "120 mm")`.
+    /// With another value of a `given`: `problem.set("r", "120 mm")`.
     #[must_use]
     pub fn set(mut self, name: &str, value: &str) -> Self {
         self.options.set.push((name.to_owned(), value.to_owned()));
@@ -102,11 +102,11 @@ impl Problem {
         solved.map(|solved| Solution::of(&solved, diagnostics.clone())).ok_or(diagnostics)
     }
 
-    /// Solves every row of the text's own table of `variants`, in order; no row where it has no table.
+    /// Solves every row of the text's own table of `variants`, in order; no row if it has no table.
     ///
     /// # Errors
-    /// The diagnostics of a text or a table that cannot be read, and of what is wrong in every row. What is wrong in one row is
-    /// in its place in the list.
+    /// The diagnostics of a text or a table that cannot be read, and errors common to all rows. The errors of one row are
+    /// at its position in the list.
     pub fn solve_variants(&self) -> Result<Vec<Result<Solution, Diagnostics>>, Diagnostics> {
         if self.found.has_errors() {
             return Err(self.diagnostics(&self.found));
@@ -123,7 +123,7 @@ impl Problem {
         Ok(rows.map(answer).collect())
     }
 
-    /// Solves the text, every row of a table of `variants` too, and compares the answers with its `expect` lines. Empty where
+    /// Solves the text, every row of a table of `variants` too, and compares the answers with its `expect` lines. Empty if
     /// all are met and there is no warning.
     #[must_use]
     pub fn test(&self) -> Diagnostics {

@@ -35,7 +35,7 @@ pub struct Pose {
 pub struct Expectation {
     /// Its left side, as written.
     pub text: String,
-    /// The pose; `None` where it needs none.
+    /// The pose; `None` if it needs none.
     pub pose: Option<String>,
     /// Whether it is met.
     pub met: bool,
@@ -65,7 +65,7 @@ impl Solution {
         &self.poses
     }
 
-    /// An answer that needs no pose, such as `stroke(C)` or a size of a gear pair; `None` where there is none of this name.
+    /// An answer that needs no pose, such as `stroke(C)` or a size of a gear pair; `None` if there is none of this name.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<&Answer> {
         self.whole.get(name)
@@ -93,7 +93,7 @@ impl Solution {
 /// An answer that needs no pose.
 ///
 /// # Panics
-/// Where there is none of this name: see [`Solution::get`].
+/// If there is none of this name: see [`Solution::get`].
 impl Index<&str> for Solution {
     type Output = Answer;
 
@@ -129,7 +129,7 @@ impl Pose {
         &self.name
     }
 
-    /// An answer by its name; `None` where there is none.
+    /// An answer by its name; `None` if there is none.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<&Answer> {
         self.answers.get(self.names.iter().position(|n| n == name)?)
@@ -140,7 +140,7 @@ impl Pose {
         self.names.iter().map(String::as_str).zip(&self.answers)
     }
 
-    /// Why it has no solution; `None` where it has one.
+    /// The reason why it has no solution; `None` if it has one.
     #[must_use]
     pub fn failure(&self) -> Option<&str> {
         self.failure.as_deref()
@@ -148,7 +148,7 @@ impl Pose {
 }
 
 /// # Panics
-/// Where there is no answer of this name: see [`Pose::get`].
+/// If there is no answer of this name: see [`Pose::get`].
 impl Index<&str> for Pose {
     type Output = Answer;
 

@@ -17,11 +17,11 @@ use std::sync::Arc;
 pub struct Compiled {
     /// The mechanism.
     pub mechanism: Mechanism,
-    /// What it is built from.
+    /// Its structure.
     pub structure: Structure,
     /// How it is solved.
     pub plan: Plan,
-    /// What it was compiled from, where its answers take other solutions: see [`Mechanism::asks_again`].
+    /// Its source, if its answers need other solutions: see [`Mechanism::asks_again`].
     pub origin: Option<Origin>,
 }
 
@@ -42,7 +42,7 @@ impl Compiled {
     }
 }
 
-/// Text → [`Mechanism`], with all that was found on the way. No mechanism comes out where there is an error.
+/// Text → [`Mechanism`], with all problems found. There is no mechanism if there is an error.
 #[must_use]
 pub fn check_source(source: &Source, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
     let (document, mut problems) = syntax::parse(source);
@@ -51,8 +51,8 @@ pub fn check_source(source: &Source, overrides: &Overrides) -> (Option<Mechanism
     (mechanism.filter(|_| !problems.has_errors()), problems)
 }
 
-/// Text → [`Compiled`]: checked, decomposed into structural groups, planned. Nothing is solved. What is compiled can be
-/// looked at even where the problems hold an error: that forces are asked for which are not determined.
+/// Text → [`Compiled`]: checked, decomposed into structural groups, planned. Nothing is solved. The result can be
+/// used even if the problems contain an error: forces that are asked for but not determined.
 #[must_use]
 pub fn compile(source: &Source, overrides: &Overrides) -> (Option<Compiled>, Problems) {
     let (document, found) = syntax::parse(source);

@@ -29,7 +29,7 @@ pub type Followed = Result<Option<(Solution, Problems)>, Problems>;
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum SizeError {
     /// More than are kept at once.
-    #[error("there are {positions} positions, and {most} of this mechanism can be kept at once")]
+    #[error("there are {positions} positions, but at most {most} of this mechanism can be kept at once")]
     #[diagnostic(
         code(mech::request::too_many_positions),
         help(

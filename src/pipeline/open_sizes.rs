@@ -20,20 +20,20 @@ const EQUAL: f64 = 1e-9;
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum OpenSizeError {
     /// On the radius of a wheel, or the module of its teeth.
-    #[error("`{what}` hangs on the {size} of `{wheel}`, which is not given")]
+    #[error("`{what}` depends on the {size} of `{wheel}`, which is not given")]
     #[diagnostic(code(mech::train::missing_radius))]
     MissingRadius {
-        /// What is asked.
+        /// The question.
         what: String,
         /// The wheel.
         wheel: String,
         /// `radius`, `module`
         size: &'static str,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
-        /// Where it is asked.
-        #[label(primary, "hangs on it")]
+        /// The question.
+        #[label(primary, "depends on it")]
         span: miette::SourceSpan,
         /// The wheel's place.
         #[label("no {size}")]
@@ -82,7 +82,7 @@ fn error(size: &OpenSize, what: String, span: Span) -> OpenSizeError {
         what,
         wheel: wheel.clone(),
         size: what_size,
-        help: format!("give it: `{example}`, or ask for something that the ratios alone determine"),
+        help: format!("give the size, as in `{example}`, or ask for a quantity that depends only on ratios"),
         span: span.into(),
         wheel_span: size.span.into(),
     }

@@ -12,16 +12,16 @@ use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use std::sync::Arc;
 
-/// A compiled mechanism, solved, with what became of its expectations.
+/// A compiled mechanism, solved, with the outcomes of its expectations.
 #[derive(Debug)]
 pub struct Solved {
-    /// What was solved.
+    /// The solved file.
     pub compiled: Compiled,
     /// Its poses.
     pub solution: Solution,
     /// Its expectations, one per pose.
     pub outcomes: Vec<Outcome>,
-    /// What accuracy was wanted and reached, where one was.
+    /// The accuracy wanted and reached, if one was.
     pub reached: Option<AchievedAccuracy>,
 }
 
@@ -35,7 +35,7 @@ impl Solved {
     }
 }
 
-/// Solves what was compiled and holds it against its answer key. A failed expectation is an outcome, not a problem; one
+/// Solves a compiled file and compares it with its answer key. A failed expectation is an outcome, not a problem; one
 /// that cannot be evaluated is a problem, and so are more positions than can be kept: see [`solve_each`].
 pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
     let found = followed(&compiled.model(), compiled.origin.as_ref(), None);
@@ -43,7 +43,7 @@ pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
 }
 
 /// As [`solve()`], however many positions there are: each is handed out, with the answers to what needs none, and of many
-/// those alone are kept that an expectation names. Nothing comes out, and nothing is said, where `each` stops it.
+/// those alone are kept that an expectation names. There is no result and no message if `each` stops it.
 pub fn solve_each(
     compiled: Compiled,
     each: &mut dyn FnMut(&report::Answers<'_>, &Pose) -> bool,
@@ -58,7 +58,7 @@ pub fn solve_each(
     evaluated(compiled, found)
 }
 
-/// Holds a solution against its answer key.
+/// Compares a solution with its answer key.
 fn evaluated(compiled: Compiled, found: Followed) -> (Result<Solved, Compiled>, Problems) {
     match found {
         Err(problems) => (Err(compiled), problems),
@@ -71,8 +71,8 @@ fn evaluated(compiled: Compiled, found: Followed) -> (Result<Solved, Compiled>, 
     }
 }
 
-/// As [`solve()`], with the cheapest settings whose answers keep a wanted accuracy, see [`accuracy::candidates`]. Where none
-/// do, the finest answer comes out beside an error.
+/// As [`solve()`], with the fastest settings that reach a wanted accuracy, see [`accuracy::candidates`]. If none
+/// does, the result is the most accurate answer with an error.
 pub fn solve_within(mut compiled: Compiled, within: Option<f64>) -> (Result<Solved, Compiled>, Problems) {
     let Some(wanted) = within else { return solve(compiled) };
     let mut candidates = accuracy::candidates(&compiled.model(), wanted);
@@ -99,7 +99,7 @@ pub fn solve_within(mut compiled: Compiled, within: Option<f64>) -> (Result<Solv
     (Err(compiled), Problems::new())
 }
 
-/// Text → [`Solved`], with all that was found on the way. A solution comes out even where an expectation cannot be
+/// Text → [`Solved`], with all problems found. There is a solution even if an expectation cannot be
 /// evaluated.
 #[must_use]
 pub fn solve_source(source: &Source, overrides: &Overrides) -> (Option<Solved>, Problems) {

@@ -1,4 +1,4 @@
-//! What a report of answers is made from.
+//! The input of a report of answers.
 
 use crate::exercise::Outcome;
 use assur_model::model::{DriveTarget, FindKind};
@@ -9,13 +9,13 @@ use assur_text::units::significant;
 /// A solved file.
 #[derive(Clone, Copy, Debug)]
 pub struct Answers<'a> {
-    /// What was solved.
+    /// The solved file.
     pub model: Model<'a>,
     /// Its poses.
     pub solution: &'a Solution,
-    /// What became of its expectations.
+    /// The outcomes of its expectations.
     pub outcomes: &'a [Outcome],
-    /// What accuracy was wanted and reached, where one was.
+    /// The accuracy wanted and reached, if one was.
     pub reached: Option<&'a AchievedAccuracy>,
     /// How numbers are rounded for people.
     pub precision: Precision,
@@ -33,9 +33,9 @@ pub struct Precision {
 }
 
 impl Precision {
-    /// What people read.
+    /// For people.
     pub const READABLE: Self = Self { digits: 6, noise: 1e-13, coarse_residuals: false };
-    /// What does not depend on the last digits of the arithmetic.
+    /// Independent of the last digits of the arithmetic.
     pub const STABLE: Self = Self { digits: 6, noise: 1e-9, coarse_residuals: true };
 
     /// A number in figures; `scale` is the greatest magnitude in its column.
@@ -45,7 +45,7 @@ impl Precision {
     }
 }
 
-/// What stands where there is no number.
+/// The text for a missing number.
 pub(super) const NONE: &str = "—";
 
 impl<'a> Answers<'a> {

@@ -16,7 +16,7 @@ pub(super) struct Quantity {
     pub display: Display,
     /// Values in SI, one per pose. `None` where the pose has no solution or the value does not exist.
     pub values: Vec<Option<Value>>,
-    /// What stands where there is no value.
+    /// The text for a missing value.
     pub missing: &'static str,
 }
 
@@ -137,12 +137,12 @@ pub(super) struct Part {
     pub cells: Vec<Cell>,
 }
 
-/// What a quantity is at one pose.
+/// The value of a quantity at one pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cell {
     /// A number in the author's unit.
     Number(f64),
-    /// A truth.
+    /// A condition.
     Bool(bool),
     /// It has no value here.
     None,
@@ -177,7 +177,7 @@ impl Quantity {
     }
 }
 
-/// What stands in the place of a value that does not exist.
+/// The text for a value that does not exist.
 fn missing(model: &Model<'_>, expr: &Expr) -> &'static str {
     match expr {
         Expr::Quantity(id) => {

@@ -1,4 +1,4 @@
-//! What the plan costs per position: by step, by effect, and what costs nothing because nothing asks for it.
+//! The cost of the plan per position: by step, by effect, and the effects that are not asked for.
 
 use super::document::{Block, Column, Section, Table};
 use assur_model::structure::{BodyOrigin, Group};
@@ -17,7 +17,7 @@ pub(super) fn add_columns(costs: &Costs, table: &mut Table) {
     }
 }
 
-/// The effects with their times; of these contacts and transmissions; what is not asked for.
+/// The effects with their times; the part of contacts and transmissions; effects that are not asked for.
 pub(super) fn section(model: &Model<'_>, costs: &Costs) -> Section {
     let mut section = Section::new("Cost per position");
     let columns = vec![Column::words("effect"), times(), Column::right("share")];
@@ -43,7 +43,7 @@ pub(super) fn section(model: &Model<'_>, costs: &Costs) -> Section {
         }
     }
     for (name, time) in &costs.beside {
-        facts.push(((*name).to_owned(), format!("{} ns beside the plan", nanoseconds(*time))));
+        facts.push(((*name).to_owned(), format!("{} ns in addition to the plan", nanoseconds(*time))));
     }
     let idle = model.plan.effects.not_asked_for(model.mechanism);
     if !idle.is_empty() {
@@ -54,7 +54,7 @@ pub(super) fn section(model: &Model<'_>, costs: &Costs) -> Section {
     section
 }
 
-/// What the steps of some groups cost together; `None` where there are no such groups.
+/// The cost of the steps of some groups together; `None` if there are no such groups.
 fn of_groups(model: &Model<'_>, costs: &Costs, wanted: impl Fn(&Group) -> bool) -> Option<f64> {
     let motion = model.structure.motion.iter().zip(&costs.motion);
     let forces = model.structure.forces.iter().zip(&costs.forces);
@@ -66,10 +66,10 @@ fn measured(model: &Model<'_>, costs: &Costs) -> String {
     let places = costs.places;
     match (costs.over, model.mechanism.drives.as_slice()) {
         (Over::Turn, [drive]) => {
-            format!("at {places} places of a turn of {}, least of many times", drive.name)
+            format!("best of repeated runs at {places} positions over one turn of {}", drive.name)
         }
-        _ if places == 1 => "at the file's position, least of many times".to_owned(),
-        _ => format!("at {places} of the file's positions, least of many times"),
+        _ if places == 1 => "best of repeated runs at the file's position".to_owned(),
+        _ => format!("best of repeated runs at {places} of the file's positions"),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Flywheels, and how well functions over the sweep are known.
+//! Flywheels, and the accuracy of functions over the sweep.
 
 use super::answers::{Answers, NONE};
 use super::document::{Column, Report, Section, Table};
@@ -17,7 +17,7 @@ pub(super) fn flywheels(answers: &Answers<'_>, report: &mut Report) {
     }
 }
 
-/// The flywheels of a file with what was found.
+/// The flywheels of a file with their results.
 pub(super) fn all_flywheels<'a>(
     answers: &Answers<'a>,
 ) -> impl Iterator<Item = (&'a Flywheel, &'a FlywheelAnswer)> {
@@ -37,8 +37,8 @@ fn of_flywheel(answers: &Answers<'_>, wheel: &Flywheel, found: &FlywheelAnswer) 
     let energy = Display { unit: "J".into(), factor: 1.0, dimension: of(Dimension::TORQUE).dimension };
     add("mean torque", found.mean_torque, of(Dimension::TORQUE));
     add("mean speed", found.speed, of(Dimension::ANGULAR_VELOCITY));
-    add("least work, the drive at", found.extremes[0], of(Dimension::ANGLE));
-    add("greatest work, the drive at", found.extremes[1], of(Dimension::ANGLE));
+    add("drive at least work", found.extremes[0], of(Dimension::ANGLE));
+    add("drive at greatest work", found.extremes[1], of(Dimension::ANGLE));
     add("fluctuation of work", found.fluctuation, energy);
     let [mean, least, greatest] = found.links;
     if greatest > 0.0 {
@@ -46,12 +46,12 @@ fn of_flywheel(answers: &Answers<'_>, wheel: &Flywheel, found: &FlywheelAnswer) 
         add("least", least, of(Dimension::INERTIA));
         add("greatest", greatest, of(Dimension::INERTIA));
     }
-    let subtracted = if wheel.with_links { ", beside the links" } else { "" };
+    let subtracted = if wheel.with_links { " without the links" } else { "" };
     add(&format!("moment of inertia{subtracted}"), found.inertia, of(Dimension::INERTIA));
     table
 }
 
-/// Names of functions over the sweep, by the item or expectation that asks for each, with what was found.
+/// Names of functions over the sweep, by the item or expectation that asks for each, with their results.
 pub(super) fn named<'a>(answers: &Answers<'a>) -> Vec<(&'a str, &'a CycleAnswer)> {
     let mechanism = answers.model.mechanism;
     let finds = mechanism.finds.iter().filter_map(|f| match &f.kind {
@@ -74,7 +74,7 @@ pub(super) fn named<'a>(answers: &Answers<'a>) -> Vec<(&'a str, &'a CycleAnswer)
     found.into_iter().filter_map(answer).collect()
 }
 
-/// Estimated errors, and where quantities are not smooth.
+/// Estimated errors, and switching points.
 pub(super) fn accuracy(answers: &Answers<'_>, order_of: impl Fn(f64) -> String) -> Table {
     let mechanism = answers.model.mechanism;
     let with_samples = !answers.precision.coarse_residuals;
@@ -82,7 +82,7 @@ pub(super) fn accuracy(answers: &Answers<'_>, order_of: impl Fn(f64) -> String) 
     if with_samples {
         columns.push(Column::right("positions solved"));
     }
-    columns.push(Column::words("not smooth at"));
+    columns.push(Column::words("switching points"));
     let mut table = Table::new(columns, 1);
     let cycles = named(answers).into_iter().map(|(name, c)| (name, c.value, c.error, c.samples, &c.splits));
     let wheels =

@@ -1,4 +1,4 @@
-//! What a report is made of, whatever it is printed as.
+//! The parts of a report, for all renderers.
 
 /// A report: one per file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub struct Report {
 pub struct Section {
     /// Its heading.
     pub heading: String,
-    /// What it holds, in this order.
+    /// Its contents, in this order.
     pub blocks: Vec<Block>,
 }
 
@@ -49,11 +49,11 @@ pub struct Table {
 pub struct Column {
     /// Header.
     pub header: String,
-    /// How its cells stand below each other.
+    /// The alignment of its cells.
     pub align: Align,
 }
 
-/// How cells stand below each other.
+/// The alignment of cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Align {
     /// At their left ends.

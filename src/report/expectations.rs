@@ -1,4 +1,4 @@
-//! The answer key beside the answers.
+//! The answer key next to the answers.
 
 use super::answers::{Answers, NONE};
 use super::document::{Column, Report, Section, Table};
@@ -8,7 +8,7 @@ use assur_text::units::significant;
 /// A difference that is shown though the key allows it, in parts of the expected value.
 const VISIBLE: f64 = 0.01;
 
-/// How many expectations hold, and a table of those that do not.
+/// The number of expectations met, and a table of the others.
 pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     let outcomes = answers.outcomes;
     let failed: Vec<&Outcome> = outcomes.iter().filter(|o| !o.passed).collect();
@@ -28,13 +28,13 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     report.section(section);
 }
 
-/// Whether an equality holds by its tolerance only: published values that were read off a drawing.
+/// Whether an equality is met by its tolerance only: published values that were read off a drawing.
 fn is_off(outcome: &Outcome) -> bool {
     let expected = outcome.expected.magnitude();
     outcome.within.is_some() && expected > 0.0 && outcome.difference().magnitude() > VISIBLE * expected
 }
 
-/// Expected values beside what was got, with the difference in parts of the value got.
+/// Expected values next to the computed ones, with the difference relative to the computed value.
 fn deviations(off: &[&Outcome], digits: usize) -> Table {
     let mut columns = ["expectation", "pose"].map(Column::words).to_vec();
     columns.extend(["expected", "got", "deviation"].map(Column::right));

@@ -1,4 +1,4 @@
-//! Friction: what every pair does at a position, or over a sweep what it loses.
+//! Friction: the state of every pair at a position, or the power that each loses over a sweep.
 
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
@@ -6,7 +6,7 @@ use assur_model::model::{Display, Value};
 use assur_solve::solve::{PairFriction, Pose, PoseAnswers, Solved};
 use assur_text::units::{Dimension, significant};
 
-/// Digits of what the file itself says.
+/// Digits of coefficients and angles.
 const LAW_DIGITS: usize = 4;
 
 /// Friction of every pair at the one pose, or the power lost in each at every pose of a sweep.
@@ -82,20 +82,18 @@ fn power_display(answers: &Answers<'_>) -> Display {
     answers.model.mechanism.display_of(Dimension::POWER)
 }
 
-/// The loads and the motion are the same without friction, so the efforts differ by what the pairs lose.
+/// The loads and the motion are the same without friction, so the efforts differ by the losses of the pairs.
 fn balance(answers: &Answers<'_>, view: &PoseAnswers<'_>) -> String {
     let display = power_display(answers);
     let text = |x: f64| display.text(Value::Scalar(x), answers.precision.digits);
     let lost: f64 = view.pair_frictions().iter().map(|r| r.power).sum();
     let (actual, ideal) = (view.power_of_efforts(), view.without_friction().power_of_efforts());
-    let speed =
-        if answers.model.plan.effects.timed { "" } else { " Powers are those at unit speed of the drive." };
+    let speed = if answers.model.plan.effects.timed { "" } else { ", at unit drive speed" };
     format!(
-        "The pairs lose {}; the efforts give {} with friction and {} without, {} more.{speed}",
+        "Friction losses {} = power of the efforts with friction ({}) minus without ({}){speed}.",
         text(lost),
         text(actual),
-        text(ideal),
-        text(actual - ideal)
+        text(ideal)
     )
 }
 

@@ -10,7 +10,7 @@ use assur_solve::solve::{Model, Pose};
 #[derive(Clone, Debug)]
 pub struct CsvLines {
     columns: AnswerColumns,
-    /// What needs no pose, once it is known.
+    /// The answers that need no pose, once known.
     whole: Option<Vec<Option<Value>>>,
 }
 

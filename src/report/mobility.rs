@@ -58,7 +58,7 @@ pub(super) fn link_names(model: &Model<'_>, group: &Group) -> Vec<String> {
     links.collect()
 }
 
-/// The facts in short, as they stand above the answers.
+/// The facts in short, as shown above the answers.
 pub(super) fn summary(model: &Model<'_>, report: &mut Report) {
     let mut section = Section::new("Structure");
     let groups: Vec<String> = model
@@ -190,13 +190,13 @@ fn effort_names(model: &Model<'_>) -> String {
     balances.collect::<Vec<_>>().join(", ")
 }
 
-/// What is out of the ordinary.
+/// Unusual properties of the structure.
 fn notes(model: &Model<'_>) -> Vec<String> {
     let (mechanism, structure) = (model.mechanism, model.structure);
     let mut notes = Vec::new();
     for link in &structure.passive {
         notes.push(format!(
-            "`{}` can turn without moving anything else: a passive freedom, set aside",
+            "`{}` can turn without moving anything else: a passive freedom, which is not solved",
             mechanism.link(*link).name
         ));
     }

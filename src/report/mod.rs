@@ -61,12 +61,12 @@ pub fn of_structure(source: &Source, model: &Model<'_>, costs: Option<&Costs>) -
     report
 }
 
-/// What `check --modes` prints below: all assemblies of every group at the first pose.
+/// The output of `check --modes`: all assemblies of every group at the first pose.
 pub fn add_modes(report: &mut Report, model: &Model<'_>, modes: &Assemblies) {
     report.section(modes::section(model, modes));
 }
 
-/// What `solve` prints: structure in short, answers, reactions, expectations, accuracy.
+/// The output of `solve`: structure in short, answers, reactions, expectations, accuracy.
 #[must_use]
 pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     let mut report = headed(file, &answers.model);
@@ -85,7 +85,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     report
 }
 
-/// The answers as one table, one row per pose: what CSV prints, with all digits.
+/// The answers as one table, one row per pose, with all digits, for CSV.
 #[must_use]
 pub fn table_of_poses(answers: &Answers<'_>) -> document::Table {
     results::full_table(answers)
@@ -97,7 +97,7 @@ fn headed(file: &str, model: &Model<'_>) -> Report {
     Report { title, notes: model.mechanism.notes.clone(), sections: Vec::new() }
 }
 
-/// There are links beside the ground: not given values alone.
+/// There are links in addition to the ground.
 fn has_mechanism(model: &Model<'_>) -> bool {
     model.mechanism.links.len() > 1
 }

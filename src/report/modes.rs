@@ -8,7 +8,7 @@ pub(super) fn section(model: &Model<'_>, modes: &Assemblies) -> Section {
     let mut columns = vec![Column::right("#"), Column::words("kind")];
     columns.push(Column::right("assembly"));
     columns.push(Column::right("condition"));
-    columns.extend(["chosen", "to choose it write"].map(Column::words));
+    columns.extend(["chosen", "selected by"].map(Column::words));
     let mut table = Table::new(columns, 3);
     for group in &modes.groups {
         let structure = &model.structure.motion[group.group];
@@ -26,7 +26,7 @@ pub(super) fn section(model: &Model<'_>, modes: &Assemblies) -> Section {
     let mut section = Section::new(format!("Assemblies{}", modes.pose));
     section.table(table);
     if modes.groups.iter().any(|g| g.searched) {
-        section.text("The assemblies of general groups are searched for: there may be others.");
+        section.text("The assemblies of general groups come from a search: there may be others.");
     }
     section
 }

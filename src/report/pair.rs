@@ -2,7 +2,7 @@
 
 use assur_model::model::{LinkId, Mechanism, PairKind, Profile};
 
-/// What a pair joins: `piston.C - ground.guide`.
+/// The ends of a pair: `piston.C - ground.guide`.
 pub(super) fn pair_text(mechanism: &Mechanism, kind: &PairKind) -> String {
     let name = |link: LinkId| mechanism.link(link).name.as_str();
     match kind {

@@ -12,7 +12,7 @@ use assur_solve::solve::Model;
 use assur_text::diagnostic::place;
 use assur_text::source::Source;
 
-/// What is done at every position, at which cost where it was measured, and what is understood but not solved yet.
+/// The steps at every position, with their cost if it was measured, and statements that are not supported yet.
 pub(super) fn sections(source: &Source, model: &Model<'_>, costs: Option<&Costs>, report: &mut Report) {
     let mut table = Table::of_words(&["step", "what", "how"]);
     let mut step = |what: String, how: String| {
@@ -43,7 +43,7 @@ pub(super) fn sections(source: &Source, model: &Model<'_>, costs: Option<&Costs>
     let mut unsupported: Vec<&Unsupported> = model.mechanism.unsupported.iter().collect();
     unsupported.sort_by_key(|u| u.span);
     let line = |u: &&Unsupported| format!("{} (line {})", u.what, place(&source.text, u.span.start).line);
-    let mut later = Section::new("Understood, not solved yet");
+    let mut later = Section::new("Not yet supported");
     later.list(unsupported.iter().map(line).collect());
     report.section(later);
 }
@@ -61,7 +61,7 @@ fn bodies(model: &Model<'_>, group: &Group) -> String {
 fn motion_in_words(model: &Model<'_>, group: &Group, efforts: &[Effort], step: &MotionStep) -> String {
     let with: Vec<String> = group.efforts.iter().map(|&e| source_name(model, &efforts[e])).collect();
     match step {
-        MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("as {} says", with.join(", ")),
+        MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("prescribed by {}", with.join(", ")),
         MotionStep::Triad { .. } => {
             "triad: all assemblies by a sextic, then followed with a certificate".to_owned()
         }
@@ -89,7 +89,7 @@ fn force_in_words(model: &Model<'_>, group: &Group, efforts: &[Effort], step: &F
             format!("all equations of equilibrium at once, with {}", with.join(", "))
         }
         ForceStep::Sequence(_) => {
-            "with the last group, to which friction in a hinge of several links couples it".into()
+            "solved together with the last group (coupled by friction in a shared hinge)".into()
         }
         ForceStep::Friction { plain, .. } if matches!(**plain, ForceStep::Sequence(_)) => {
             "all groups in turn, friction by Newton's method for all at once".to_owned()
@@ -137,8 +137,8 @@ fn load_in_words(model: &Model<'_>, step: &LoadStep) -> (String, String) {
             };
             (format!("{what} of {}", mechanism.link(LinkId::at(*body)).name), "at its mass centre".to_owned())
         }
-        LoadStep::Force { load, .. } => load_on(model, load.index(), "does not change"),
-        LoadStep::Torque { load, .. } => load_on(model, load.index(), "does not change"),
+        LoadStep::Force { load, .. } => load_on(model, load.index(), "constant"),
+        LoadStep::Torque { load, .. } => load_on(model, load.index(), "constant"),
         LoadStep::Evaluated(load) => load_on(model, load.index(), "evaluated at every pose"),
         LoadStep::Spring { spring, .. } => {
             (format!("spring {}", mechanism.springs[spring.index()].name), "from its length".to_owned())

@@ -222,7 +222,10 @@ fn remarks(mechanism: &Mechanism, answers: &Answers<'_>) -> Vec<String> {
     let bearing = |p: &assur_model::model::Pair| !matches!(p.kind, PairKind::Transmission(_));
     let open: Vec<&str> = pairs.filter(|(p, u)| *u && bearing(p)).map(|(p, _)| p.name.as_str()).collect();
     if !open.is_empty() {
-        remarks.push(format!("the reactions in {} are not known: a place is left open", open.join(", ")));
+        remarks.push(format!(
+            "the reactions in {} cannot be found: an axis position is not given",
+            open.join(", ")
+        ));
     }
     remarks
 }

@@ -24,7 +24,7 @@ pub(super) fn section(model: &Model<'_>, report: &mut Report) {
         };
         table.row(vec![pair.name.clone(), pair_text(model.mechanism, &pair.kind), by]);
     }
-    let mut section = Section::new("Higher pairs and what replaces them");
+    let mut section = Section::new("Equivalent linkages of higher pairs");
     section.table(table);
     report.section(section);
 }
@@ -55,7 +55,7 @@ fn contact(model: &Model<'_>, first: &Profile, second: &Profile, internal: bool)
         let (cam, tip) = (profile_text(model.mechanism, cam), profile_text(model.mechanism, follower));
         return match follower.shape {
             ProfileShape::Line(..) => {
-                format!("an imaginary block hinged on `{cam}` where it touches, that slides along `{tip}`")
+                format!("an imaginary block hinged on `{cam}` at the contact point that slides along `{tip}`")
             }
             _ => format!("an imaginary block hinged on `{tip}` that slides along the tangent of `{cam}`"),
         };

@@ -10,7 +10,7 @@ use assur_model::model::{Display, Value};
 use assur_solve::solve::Pose;
 use assur_text::units::{Dimension, significant};
 
-/// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
+/// Digits that remain after the conversion from SI into the author's unit: 30 deg remain 30 deg.
 const FULL: usize = 15;
 
 /// Answers, and the poses that have none.
@@ -27,14 +27,14 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     } else {
         section.table(of_a_sweep(answers, scale, &poses, &quantities));
         let whole = answers.quantities_without_pose();
-        section.table(of_one_pose(answers, scale, "at no pose".to_owned(), &whole));
+        section.table(of_one_pose(answers, scale, "for the whole cycle".to_owned(), &whole));
     }
     let own: Vec<String> = answers.efforts().into_iter().filter(|e| e.of_drive).map(|e| e.name).collect();
     if !own.is_empty() {
         section.text(format!("No balance is declared: {} is the drive's own effort.", own.join(", ")));
     }
     if answers.model.mechanism.finds.is_empty() && answers.outcomes.is_empty() {
-        section.text("The file asks for nothing: add what to find, as in `find reactions`.");
+        section.text("Nothing requested. Add a `find` statement, e.g. `find reactions`.");
     }
     report.section(section);
     let mut failed = Section::new("Poses without solution");

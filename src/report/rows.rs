@@ -115,7 +115,7 @@ impl AnswerColumns {
         self.write_beside(answers, pose, &self.whole(answers), (digits, key), out);
     }
 
-    /// What needs no pose, by answer.
+    /// The answers that need no pose.
     #[must_use]
     pub fn whole(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
         let value = |answer: &Answer| match answer.content {

@@ -87,7 +87,7 @@ fn aligned(table: &Table) -> Vec<Vec<String>> {
         .collect()
 }
 
-/// Numbers with blanks behind them so that their decimal points stand below each other.
+/// Numbers with blanks after them so that their decimal points stand below each other.
 fn at_decimal_points(cells: &[Cow<'_, str>]) -> Vec<String> {
     let is_number = |c: &str| c.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '.');
     let after = |c: &str| if is_number(c) { c.find('.').map_or(0, |at| c.len() - at) } else { 0 };

@@ -1,4 +1,4 @@
-//! What accuracy costs in time, as tables and as JSON.
+//! The time that accuracy costs, as tables and as JSON.
 
 use serde::Serialize;
 
@@ -15,32 +15,32 @@ use assur_text::units::significant;
 /// Name and version of the format.
 const SCHEMA: &str = "assur.accuracy/1";
 
-/// What `accuracy` prints. `solve` is the time of a whole `assur solve`, µs.
+/// The output of `accuracy`. `solve` is the time of a whole `assur solve`, µs.
 #[must_use]
 pub fn of_study(file: &str, model: &Model<'_>, study: &AccuracyStudy, solve: f64) -> Report {
     let mut report = headed(file, model);
     report.notes.clear();
-    report.section(held_against(study));
+    report.section(measured(study));
     for knob in &study.knobs {
         let mut section = Section::new(heading(knob.kind));
         section.table(table(knob));
         report.section(section);
     }
-    let mut section = Section::new("Not set here");
+    let mut section = Section::new("Settings without effect here");
     section.list(study.absent.iter().map(|a| format!("{}: {}", a.what, a.why)).collect());
     report.section(section);
     report.section(recommended(study, solve));
     report
 }
 
-fn held_against(study: &AccuracyStudy) -> Section {
+fn measured(study: &AccuracyStudy) -> Section {
     let mut section = Section::new("Measured");
     let against = match study.source {
         Source::DoubleDouble => "the same positions in double-double",
         Source::Full => "f64 with all settings at their finest",
     };
     section.text(format!(
-        "{} position{}, held against {against}, itself good to about {:.0e}.",
+        "{} position{}, compared with {against}, whose own error is about {:.0e}.",
         study.positions,
         if study.positions == 1 { "" } else { "s" },
         study.floor
@@ -56,25 +56,25 @@ fn held_against(study: &AccuracyStudy) -> Section {
     let in_play: Vec<String> = kinds
         .iter()
         .filter(|k| k.2 > 0.0)
-        .map(|(what, _, scale, unit)| format!("{what} over {} {unit}", significant(*scale, 3)))
+        .map(|(what, _, scale, unit)| format!("{what} relative to {} {unit}", significant(*scale, 3)))
         .collect();
-    section.text(format!("Errors are the greatest of all: {}.", in_play.join(", ")));
+    section.text(format!("Errors are the greatest over all positions: {}.", in_play.join(", ")));
     let wide = match lanes() {
         (1, _) => String::new(),
         (width, instructions) => format!("; lanes are {width} wide with {instructions}"),
     };
-    section.text(format!("Times are the least of many repeats, on one thread{wide}."));
+    section.text(format!("Times are the best of repeated runs, on one thread{wide}."));
     section
 }
 
 fn heading(kind: Kind) -> String {
     let says = match kind {
-        Kind::Scalar => "what every position is computed with",
-        Kind::Friction => "when the iteration of friction ends, as a part of the forces",
-        Kind::Newton => "when Newton's method of a general group ends, by its last step",
-        Kind::Triad => "when Newton's method of a triad ends, by the error that is left",
-        Kind::Samples => "when functions over the sweep take no more samples, by their estimated error",
-        Kind::Root => "how near places are found where a function over the sweep is not smooth",
+        Kind::Scalar => "the number type of every position",
+        Kind::Friction => "tolerance of the iteration, relative to the forces",
+        Kind::Newton => "last step of Newton's method",
+        Kind::Triad => "error after Newton's method",
+        Kind::Samples => "estimated error at which sampling of a function over the sweep ends",
+        Kind::Root => "tolerance of the drive values where a function over the sweep is not smooth",
     };
     let name = kind.name();
     let (first, rest) = name.split_at(1);
@@ -123,21 +123,21 @@ fn table(knob: &Setting) -> Table {
 fn recommended(study: &AccuracyStudy, solve: f64) -> Section {
     let mut section = Section::new(format!("For an error of {:.0e}", study.wanted));
     let Some(found) = &study.recommendation else {
-        section.text("No setting keeps it.");
+        section.text("No setting reaches it.");
         return section;
     };
     let settings = found.settings.iter().map(|(kind, setting)| format!("{}: {setting}", kind.name()));
     section.list(settings.collect());
     if let Some((micros, error)) = found.together {
         section.text(format!(
-            "Together {} µs per position with an error of {error:.0e}, {} of what f64 takes with all its digits.",
+            "Together {} µs per position with an error of {error:.0e}: {} of the time of f64 with all its digits.",
             time(micros),
             share(micros, found.full)
         ));
     }
     if let Some((micros, error, full)) = found.cycle {
         section.text(format!(
-            "Over the cycle {} µs with an error of {error:.0e}, {} of what all digits take.",
+            "For the cycle {} µs with an error of {error:.0e}: {} of the time for all digits.",
             time(micros),
             share(micros, full)
         ));
@@ -147,7 +147,7 @@ fn recommended(study: &AccuracyStudy, solve: f64) -> Section {
     let saved = 100.0 * (positions + cycle) / solve;
     let saves =
         if saved >= 1.0 { format!("{} %", significant(saved, 2)) } else { "less than 1 %".to_owned() };
-    section.text(format!("Of a whole solve, {} µs from text to report, that saves {saves}.", time(solve)));
+    section.text(format!("This saves {saves} of a whole solve ({} µs from text to report).", time(solve)));
     section
 }
 
@@ -155,10 +155,12 @@ fn share(part: f64, whole: f64) -> String {
     format!("{} %", significant(100.0 * part / whole, 2))
 }
 
-/// What accuracy was wanted and reached, in one line.
+/// The accuracy wanted and reached, in one line.
 pub(super) fn reached(reached: &AchievedAccuracy) -> String {
     let against = match reached.source {
-        Source::DoubleDouble => format!("the greatest of {} against double-double", positions(reached)),
+        Source::DoubleDouble => {
+            format!("the greatest error of {} compared with double-double", positions(reached))
+        }
         Source::Full => "estimated from the condition".to_owned(),
     };
     let error = format!("{:.0e}", reached.error);

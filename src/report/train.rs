@@ -23,7 +23,7 @@ pub(super) fn kind_name(model: &Model<'_>, group: &Group) -> &'static str {
     group.kind_name()
 }
 
-/// One row per transmission: what it joins, and its law.
+/// One row per transmission: its links and its law.
 pub(super) fn laws(model: &Model<'_>, report: &mut Report) {
     let mut table = Table::of_words(&["transmission", "kind", "joins", "law"]);
     for pair in &model.mechanism.pairs {
@@ -32,7 +32,7 @@ pub(super) fn laws(model: &Model<'_>, report: &mut Report) {
             let each = t.laws.iter().map(|l| law_text(model.mechanism, &l.terms));
             each.collect::<Vec<_>>().join("; ")
         } else {
-            "with sizes that are left open".to_owned()
+            "depends on sizes that are not given".to_owned()
         };
         let joins = pair_text(model.mechanism, &pair.kind);
         table.row(vec![pair.name.clone(), t.kind.word().to_owned(), joins, law]);
@@ -70,7 +70,7 @@ fn sum(terms: impl Iterator<Item = (f64, String)>) -> String {
 /// How a train group moves: `ω(II) = −0.833333 ω(I)`.
 pub(super) fn motion_in_words(model: &Model<'_>, train: &TrainMotion) -> String {
     if !model.mechanism.open_sizes.is_empty() {
-        return "linear in the rates before it".to_owned();
+        return "linear in the rates solved before".to_owned();
     }
     let body = |slot: usize| model.structure.replaced.body_name(model.mechanism, BodyId(slot));
     let source = |s: &TrainSource| match s {
@@ -91,7 +91,7 @@ pub(super) fn motion_in_words(model: &Model<'_>, train: &TrainMotion) -> String 
     each.collect::<Vec<_>>().join(", ")
 }
 
-/// What a transmission does at a pose, SI.
+/// Forces and torques of a transmission at a pose, SI.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Pull {
     /// The transmission.

@@ -60,7 +60,7 @@ const CASES: &[Case] = &[
     near(
         "messages/092-wrong-hint",
         FAILED,
-        "12 of 12 poses differ, most at pose 1",
+        "12 of 12 poses differ, the greatest difference is at pose 1",
         &[Whole("assemble D left of B-C", "assemble C left of B-D")],
     ),
     near("messages/101-no-balance-but-found", UNKNOWN, "", &[Line("balance torque Mb on crank")]),
@@ -73,20 +73,20 @@ const CASES: &[Case] = &[
     near(
         "messages/106-friction-no-radius",
         &["mech::geometry::incomplete"],
-        "`friction` means nothing without `radius`",
+        "`friction` has no effect without `radius`",
         &[Whole("all revolute { friction 0.1 }", "all revolute { radius 20 mm; friction 0.1 }")],
     ),
     near("messages/139-drive-deg-of-length", MISMATCH, "`c1` slides", &[]),
     near(
         "messages/142-gear-frac",
         TEETH,
-        "teeth are a whole number",
+        "the number of teeth is a whole number",
         &[Whole("given zs = 24.5", "given zs = 24")],
     ),
     near(
         "messages/144-gear-no-carrier",
         &["mech::train::no_carrier"],
-        "`P` turns on the ground and meshes with the fixed wheel `ring`",
+        "`P` cannot turn: its axis is on the ground and it meshes with the fixed wheel `ring`",
         &[Whole("shaft P {", "shaft P on H {")],
     ),
     near("messages/146-gear-missing-mesh", UNKNOWN, "there is no pair `sp`", &[]),
@@ -338,7 +338,7 @@ const CASES: &[Case] = &[
         "name the wheels",
         &[Whole("mesh k: I - II", "mesh k: z1 - z2")],
     ),
-    near("messages/177-modules-differ", TEETH, "one module", &[]),
+    near("messages/177-modules-differ", TEETH, "the same module", &[]),
     near(
         "messages/181-over-for-under",
         &["mech::train::rope_end"],

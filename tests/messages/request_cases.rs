@@ -91,7 +91,7 @@ const CASES: &[Case] = &[
     case(
         "requests/167-expect-in-find",
         &["mech::name::duplicate"],
-        "stands in its `expect`",
+        "its `expect` gives the expected value",
         &[Whole("find M = 12 N*m", "find M")],
     ),
     near(

@@ -38,10 +38,10 @@ const SLIDER: &str = "given r = 80 mm\ngiven l = 300 mm\ngiven n = 500 rpm\ngive
 fn tables() {
     for (name, wanted) in [
         ("badunit", &["`milli` is not a unit", "write `mm`"][..]),
-        ("deccomma", &["6 cells", "decimals with a point, as in `80.5`"]),
+        ("deccomma", &["6 cells", "a decimal point, as in `80.5`"]),
         ("cell_too_many", &["6 cells", "leave `7` out, or name a column for it"]),
-        ("other_separator", &["semicolons, those of the rows by commas", "write: r [mm],l [mm],n [rpm]"]),
-        ("noheader", &["the first line names the columns"]),
+        ("other_separator", &["semicolons, but those of the rows by commas", "write: r [mm],l [mm],n [rpm]"]),
+        ("noheader", &["the first line must name the columns"]),
         ("paren", &["in parentheses", "write: r [mm],l [mm],n [rpm],phi [deg],P [N]"]),
         ("thousands", &["`1,500`", "write `1.500` or `1500`"]),
     ] {

@@ -106,7 +106,7 @@ fn broken_rows_stand_among_good_ones() {
         "failed (",
         "t.csv:4:5",
         "`abc` is not a number",
-        "line 5, column 2: there is no value for `l`",
+        "line 5, column 2: the value of `l` is missing",
         "line 6 has 3 cells",
         "row 2 (r = 900 mm, l = 350 mm)",
     ] {
@@ -164,8 +164,7 @@ fn a_broken_file_spoils_no_other() {
     let said = assur(&folder, &["batch", "a.mech", "b.mech", "d.mech", "no", "c.mech", "--format", "csv"]);
     assert_eq!(said.status, 2);
     assert_eq!(column(&said.stdout, "file"), ["a.mech", "c.mech"]);
-    for part in
-        ["mech::syntax", "`d.mech` is not a text in UTF-8", "no file or folder `no`", "2 files: 2 solved"]
+    for part in ["mech::syntax", "`d.mech` is not UTF-8 text", "no file or folder `no`", "2 files: 2 solved"]
     {
         assert!(said.stderr.contains(part), "{part}: {}", said.stderr);
     }
@@ -192,7 +191,7 @@ fn a_file_is_whole_or_as_it_was() {
     assert!(said.stderr.contains("cannot be written"), "{}", said.stderr);
     let said = assur(&folder, &["batch", "p.mech", "--variants", "t.csv", "--out", "t.csv"]);
     assert_eq!(said.status, 2);
-    assert!(said.stderr.contains("read and written at once"), "{}", said.stderr);
+    assert!(said.stderr.contains("both an input and the output"), "{}", said.stderr);
     assert_eq!(folder.read("t.csv"), many(5));
     let said = assur(&folder, &["batch", "p.mech", "--variants", "t.csv", "--out", "old.csv"]);
     fine(&said);

@@ -262,7 +262,7 @@ fn accuracy_is_measured() {
     let out = assur(&folder, &["accuracy", "a.mech", "--for", "1e-6", "--plot", "a.svg"]);
     assert_eq!((out.status, out.stderr.as_str()), (0, ""));
     let (tables, recommended) = out.stdout.split_once("For an error of 1e-6").unwrap();
-    assert!(recommended.contains("scalar: ") && recommended.contains("Of a whole solve"), "{recommended}");
+    assert!(recommended.contains("scalar: ") && recommended.contains("of a whole solve"), "{recommended}");
     let sets = ["no AVX2", "Neon", "AVX2", "AVX-512"];
     let tables =
         sets.iter().fold(tables.to_owned(), |text, set| text.replace(&format!(" with {set}."), " with …."));
@@ -271,11 +271,11 @@ fn accuracy_is_measured() {
             Crank-slider (a.mech)
 
             Measured
-             2 positions, held against the same positions in double-double, itself good to about 2e-31.
-             Errors are the greatest of all: positions over 0.35 m, velocities over 35 m/s.
-             Times are the least of many repeats, on one thread; lanes are 8 wide with ….
+             2 positions, compared with the same positions in double-double, whose own error is about 2e-31.
+             Errors are the greatest over all positions: positions relative to 0.35 m, velocities relative to 35 m/s.
+             Times are the best of repeated runs, on one thread; lanes are 8 wide with ….
 
-            Scalar: what every position is computed with
+            Scalar: the number type of every position
              numbers µs per position error digits
              ─ ─ ─ ─
              f32 µs 5e-8 7.3
@@ -283,7 +283,7 @@ fn accuracy_is_measured() {
              f64 µs 2e-16 15.8
              double-double µs 3e-31 30.6
 
-            Not set here
+            Settings without effect here
              - friction: none in this problem
              - general groups: none in this problem
              - triads: none in this problem
@@ -294,17 +294,17 @@ fn accuracy_is_measured() {
             Crank-slider (a.mech)
 
             Measured
-             2 positions, held against the same positions in double-double, itself good to about 2e-31.
-             Errors are the greatest of all: positions over 0.35 m, velocities over 35 m/s.
-             Times are the least of many repeats, on one thread.
+             2 positions, compared with the same positions in double-double, whose own error is about 2e-31.
+             Errors are the greatest over all positions: positions relative to 0.35 m, velocities relative to 35 m/s.
+             Times are the best of repeated runs, on one thread.
 
-            Scalar: what every position is computed with
+            Scalar: the number type of every position
              numbers µs per position error digits
              ─ ─ ─ ─
              f64 µs 2e-16 15.8
              double-double µs 3e-31 30.6
 
-            Not set here
+            Settings without effect here
              - f32, lanes: built without the feature `lanes`
              - friction: none in this problem
              - general groups: none in this problem
@@ -361,7 +361,7 @@ fn what_was_chosen_for_an_accuracy_is_said() {
     let out = assur(&folder, &["batch", "a.mech", "--within", "1e-9", "--format", "jsonl"]);
     let value: serde_json::Value = serde_json::from_str(&out.stdout).unwrap();
     assert_eq!(value["accuracy"]["within"], 1e-9);
-    assert!(out.stderr.contains("within 1e-9: all rows to "), "{}", out.stderr);
+    assert!(out.stderr.contains("within 1e-9: greatest error of all rows "), "{}", out.stderr);
 }
 
 #[test]
@@ -461,17 +461,17 @@ fn a_plan_has_what_is_asked_for_and_says_what_is_not() {
     insta::assert_snapshot!(without_times(&out.stdout), @r"
     Plan
     step what how time [ns] share
-    1 motion of crank as drive crank says #.# # %
+    1 motion of crank prescribed by drive crank #.# # %
     2 motion of rod, piston closed form, dyad RRP #.# # %
 
     Cost per position
     effect time [ns] share
     positions #.# # %
     the plan #.# # %
-    residuals #.# ns beside the plan
-    quantities #.# ns beside the plan
+    residuals #.# ns in addition to the plan
+    quantities #.# ns in addition to the plan
     not asked for velocities, accelerations, inertia, reactions
-    measured at 2 of the file's positions, least of many times
+    measured best of repeated runs at 2 of the file's positions
     ");
 }
 
@@ -494,7 +494,7 @@ fn a_plan_says_what_its_steps_and_effects_cost() {
     insta::assert_snapshot!(without_times(&out.stdout), @r"
     Plan
     step what how time [ns] share
-    1 motion of crank as drive crank says #.# # %
+    1 motion of crank prescribed by drive crank #.# # %
     2 motion of rod, piston closed form, dyad RRP #.# # %
     3 weight and inertia force of piston at its mass centre #.# # %
     4 force P on piston evaluated at every pose #.# # %
@@ -514,9 +514,9 @@ fn a_plan_says_what_its_steps_and_effects_cost() {
     reactions #.# # %
     friction #.# # %
     the plan #.# # %
-    residuals #.# ns beside the plan
-    quantities #.# ns beside the plan
-    measured at 64 places of a turn of crank, least of many times
+    residuals #.# ns in addition to the plan
+    quantities #.# ns in addition to the plan
+    measured best of repeated runs at 64 positions over one turn of crank
     ");
     // shares add up to the whole
     let shares = out.stdout.lines().skip_while(|l| !l.starts_with("Cost")).filter_map(|line| {

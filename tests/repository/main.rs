@@ -6,4 +6,5 @@ mod floors;
 #[path = "../folder/mod.rs"]
 mod folder;
 mod language_tables;
+mod plain_words;
 mod reference_scripts;

@@ -1,7 +1,7 @@
 //! Document → Mechanism: names, units, expressions, geometry, requests.
 //!
-//! Every mistake of a file is reported in one run. What contains a mistake is left out of the mechanism, and what refers
-//! to something left out is skipped in silence. No mechanism comes out where there is an error.
+//! Every mistake of a file is reported in one run. Parts with a mistake are left out of the mechanism, and references
+//! to them are skipped without a message. There is no mechanism if there is an error.
 
 mod elements;
 mod error;
@@ -48,13 +48,13 @@ use values::order::order;
 use values::store::Values;
 use values::unit_use;
 
-/// Checks a document. The mechanism is absent where the problems hold an error.
+/// Checks a document. The mechanism is absent if the problems contain an error.
 #[must_use]
 pub fn check(document: &Document, overrides: &Overrides) -> (Option<Mechanism>, Problems) {
     run(start(document, overrides))
 }
 
-/// As [`check`], with one `given` that has this SI value whatever the document and the overrides say.
+/// As [`check`], with one `given` that has this SI value for any document and overrides.
 #[must_use]
 pub fn check_at(
     document: &Document,
@@ -67,7 +67,7 @@ pub fn check_at(
     run(cx)
 }
 
-/// As [`check`], with another size assumed of a wheel whose own the document leaves open.
+/// As [`check`], with another assumed size of a wheel that the document leaves open.
 #[must_use]
 pub fn check_with_other_size(
     document: &Document,
@@ -79,8 +79,8 @@ pub fn check_with_other_size(
     run(cx)
 }
 
-/// The columns of a table of variants for a document: its own, or one beside it, whose spans are those of the table's
-/// text. Nothing comes out where one of them has an error, or the `given` that it replaces.
+/// The columns of a table of variants for a document: its own, or a separate one, whose spans are those of the table's
+/// text. There is no result if one of them, or the `given` that it replaces, has an error.
 #[must_use]
 pub fn columns(
     document: &Document,
@@ -100,7 +100,7 @@ pub fn columns(
     (columns.filter(|_| !cx.problems.has_errors()), cx.problems.into_found())
 }
 
-/// What is left of a document's mechanism without all that contains an error.
+/// The mechanism of a document without the parts that contain an error.
 #[must_use]
 pub fn sound_part(document: &Document, overrides: &Overrides) -> Mechanism {
     let mut cx = start(document, overrides);
@@ -120,7 +120,7 @@ fn start<'a>(document: &'a Document, overrides: &'a Overrides) -> Context<'a> {
     Context::new(document, Values::new(overrides, unit_use::count(document)), RESULTS)
 }
 
-/// What depends on no value.
+/// The state that depends on no value.
 fn definitions(cx: &mut Context<'_>) {
     let Context { doc, names, values, builder, problems, .. } = cx;
     let mut scope = Scope { doc, names, builder, problems };

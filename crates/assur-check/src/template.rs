@@ -25,7 +25,7 @@ pub struct Template<'a> {
     units: UnitUse,
     order: Vec<String>,
     results: IndexMap<String, String>,
-    /// What every row starts from.
+    /// The common start of all rows.
     mech: Mechanism,
     displays: Vec<Display>,
     links: usize,

@@ -6,7 +6,7 @@ use assur_text::source::Span;
 pub struct Change {
     pub span: Span,
     pub kind: Kind,
-    /// What to write instead.
+    /// The correction.
     pub with: &'static str,
 }
 

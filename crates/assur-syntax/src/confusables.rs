@@ -1,4 +1,4 @@
-//! What a name looks like.
+//! The appearance of a name.
 
 /// Letters of the Cyrillic and Greek scripts with the Latin letters they look like.
 const LOOK_ALIKES: &[(&str, &str)] = &[

@@ -1,4 +1,4 @@
-//! What can be wrong with the text.
+//! Errors of the text.
 
 use assur_text::source::Span;
 use miette::Diagnostic;
@@ -44,28 +44,28 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("an invisible character (U+{found:04X})")]
+    #[error("invisible character (U+{found:04X})")]
     #[diagnostic(code(mech::syntax::invisible_character))]
     InvisibleCharacter {
         found: u32,
-        #[label("it cannot be seen, and cannot be read")]
+        #[label("invisible")]
         at: Span,
         #[help]
         help: String,
     },
 
-    #[error("a carriage return alone ends this line")]
+    #[error("this line ends with a carriage return alone")]
     #[diagnostic(
         code(mech::syntax::lone_carriage_return),
         severity(Warning),
-        help("save the file with line ends LF or CR LF; it is read as the end of a line here")
+        help("save the file with line ends LF or CR LF")
     )]
     LoneCarriageReturn {
         #[label("CR without LF")]
         at: Span,
     },
 
-    #[error("more than {limit} levels are nested")]
+    #[error("nested more than {limit} levels deep")]
     #[diagnostic(
         code(mech::syntax::too_deep),
         help("give a part of it a name: let part = …; the rest of this line is not read")
@@ -89,11 +89,11 @@ pub enum SyntaxError {
     #[error("the number {text} is too large")]
     #[diagnostic(
         code(mech::syntax::number_too_large),
-        help("the largest number that can be computed with is 1.7e308; is the exponent right?")
+        help("check the exponent: the largest number is 1.7e308")
     )]
     NumberTooLarge {
         text: String,
-        #[label("larger than any number here can be")]
+        #[label("too large")]
         at: Span,
     },
 
@@ -106,7 +106,7 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("a comma in a number may be a decimal point or separate thousands")]
+    #[error("a comma in a number is ambiguous: decimal point or thousands")]
     #[diagnostic(code(mech::syntax::decimal_comma))]
     ThousandsComma {
         #[label("three digits follow")]
@@ -142,7 +142,7 @@ pub enum SyntaxError {
         word: String,
         #[label("within these braces")]
         open: Span,
-        #[label(primary, "this belongs behind them")]
+        #[label(primary, "this belongs after them")]
         at: Span,
         #[help]
         help: String,
@@ -205,8 +205,8 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("there are two titles")]
-    #[diagnostic(code(mech::syntax::title_twice), help("one file is one problem: remove one of them"))]
+    #[error("the file has two titles")]
+    #[diagnostic(code(mech::syntax::title_twice), help("remove one of them: one file is one problem"))]
     TitleTwice {
         #[label(primary, "a second title")]
         at: Span,
@@ -214,7 +214,7 @@ pub enum SyntaxError {
         first: Span,
     },
 
-    #[error("edition {found} of the language is not known")]
+    #[error("edition {found} of the language does not exist")]
     #[diagnostic(code(mech::syntax::unknown_edition), help("write `mech 1`; this is the only edition"))]
     UnknownEdition {
         found: String,
@@ -222,7 +222,7 @@ pub enum SyntaxError {
         at: Span,
     },
 
-    #[error("the edition is the first statement, once")]
+    #[error("the edition must be the first statement, once")]
     #[diagnostic(code(mech::syntax::edition_not_first), help("{help}"))]
     EditionNotFirst {
         #[label(primary, "the edition")]
@@ -360,13 +360,13 @@ pub enum SyntaxError {
         help: String,
     },
 
-    #[error("a vector has two coordinates")]
+    #[error("a vector has exactly two coordinates")]
     #[diagnostic(
         code(mech::syntax::third_coordinate),
         help("write `(x, y)`, mechanisms are planar; in numbers use a decimal point, not a comma")
     )]
     ThirdCoordinate {
-        #[label("a third one")]
+        #[label("a third coordinate")]
         at: Span,
     },
 

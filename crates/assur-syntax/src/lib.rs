@@ -1,6 +1,6 @@
 //! Text → [`Document`].
 //!
-//! Parsing cannot fail: what cannot be read is reported, left out, and kept as `Bad`.
+//! Parsing cannot fail: a part that cannot be read is reported and kept as `Bad`.
 
 mod change;
 mod comma;
@@ -28,7 +28,7 @@ use document::Document;
 use grammar::{Grammar, Rule};
 use pest::Parser;
 
-/// Reads a text. Every mistake is reported, and the document holds all that could be read.
+/// Reads a text. Every mistake is reported, and the document contains all parts that could be read.
 #[must_use]
 pub fn parse(source: &Source) -> (Document, Problems) {
     let mut problems = Problems::new();

@@ -59,7 +59,7 @@ struct Prepare<'a> {
     changes: Vec<Change>,
     /// The comments of other languages.
     comments: Vec<Span>,
-    /// Where the last `*/` stands: a `/*` behind it is not closed and ends with its line.
+    /// Where the last `*/` stands: a `/*` after it is not closed and ends with its line.
     block_end: usize,
     /// Where brackets were nested too deep first.
     deep: Option<Span>,
@@ -157,13 +157,13 @@ impl<'a> Prepare<'a> {
         run.bytes().take_while(in_word).count()
     }
 
-    /// Filling behind a run of replaced characters, so that the run itself has none.
+    /// Filling after a run of replaced characters, so that the run itself has none.
     fn pad(&mut self, padding: &mut usize) {
         self.out.extend(std::iter::repeat_n(FILL, *padding));
         *padding = 0;
     }
 
-    /// What is written for a character that stays, and the mode behind it.
+    /// What is written for a character that stays, and the mode after it.
     fn plain(&mut self, span: Span, c: char, next: Option<char>, mode: Mode) -> (&'a str, Mode) {
         let text = &self.text[span.start..span.end];
         match (mode, c) {

@@ -1,4 +1,4 @@
-//! What holds for the file as a whole: it is not empty, the edition is first, the title stands once.
+//! Rules for the whole file: it is not empty, the edition is first, there is one title.
 
 use super::document::{Document, Statement};
 use super::error::SyntaxError;
@@ -28,7 +28,7 @@ pub(super) fn check(document: &Document, problems: &mut Problems) {
                 }
                 let first = document.statements.first().map_or(at, |s| s.span);
                 if let Some(before) = edition {
-                    let (other, help) = ("it stands here already", "remove one of them");
+                    let (other, help) = ("already given here", "remove one of them");
                     problems.push(SyntaxError::EditionNotFirst { at, before, other, help });
                 } else if index > 0 {
                     let help = "move it to the first line";

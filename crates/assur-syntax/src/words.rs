@@ -12,7 +12,7 @@ pub(super) enum Expected {
     Name,
     /// Something that is described.
     Kind(&'static str),
-    /// An operator, behind something complete.
+    /// An operator, after something complete.
     Operator,
     /// The end of what is being read.
     End,
@@ -112,7 +112,7 @@ fn say(expected: Expected) -> String {
     }
 }
 
-/// What a statement begins with.
+/// The words that begin a statement.
 pub(super) fn statements() -> impl Iterator<Item = &'static str> {
     words_of(Place::Statement).chain(words_of(Place::Pair))
 }

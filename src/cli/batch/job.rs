@@ -39,7 +39,7 @@ const SHORT: Duration = Duration::from_millis(40);
 const TABLE_CHUNK: usize = 1000;
 /// Rows that one thread takes at a time.
 const PIECE: usize = 32;
-/// So many rows that fail for one reason are explained, the others named.
+/// The number of rows that are explained of those that fail for one reason; the others are named.
 const EXPLAINED: usize = 3;
 const BUFFER: usize = 1 << 17;
 
@@ -48,7 +48,7 @@ const BUFFER: usize = 1 << 17;
 pub struct Job {
     /// Its text.
     pub source: Source,
-    /// What it says.
+    /// Its contents.
     pub document: Arc<Document>,
     /// What replaces the values of all rows.
     pub overrides: Overrides,
@@ -60,7 +60,7 @@ pub struct Job {
 }
 
 type Csv = Table<BufReader<File>>;
-/// What is done with a chunk of rows, of which there are so many where that is known; says whether to go on.
+/// Processes a chunk of rows, with their total number if it is known; returns whether to continue.
 type Work<'a> = dyn FnMut(&Chunk<'_>, Option<usize>) -> Result<bool, CliError> + 'a;
 
 fn open(name: &str) -> Result<Result<Csv, Fault>, CliError> {
@@ -84,8 +84,8 @@ fn tell_fault((source, error): Fault, screen: &Screen) {
 }
 
 impl Job {
-    /// Reads a file and the header of its table; a status where either has an error, or a value set from outside, which is
-    /// told.
+    /// Reads a file and the header of its table; a status if either has an error, or a value of `--set`, which is
+    /// reported.
     pub fn new(
         source: Source,
         overrides: &Overrides,
@@ -174,7 +174,7 @@ impl Job {
         headers
     }
 
-    /// The columns of the table that are shown beside the answers.
+    /// The columns of the table that are shown next to the answers.
     pub fn givens(&self) -> impl Iterator<Item = (usize, &RowColumn)> {
         self.columns.iter().enumerate().filter(|(_, c)| c.what == ColumnUse::Given)
     }

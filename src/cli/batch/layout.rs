@@ -70,7 +70,7 @@ impl Layout {
         self.several.then(|| job.headers(self.key).iter().map(place).collect())
     }
 
-    /// Puts the cells of lines in their places, behind the file's name.
+    /// Puts the cells of lines in their places, after the file's name.
     pub fn placed(&self, lines: &str, places: &[usize], file: &str) -> String {
         let mut out = String::new();
         let mut row: Vec<&str> = Vec::new();

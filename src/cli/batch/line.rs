@@ -36,7 +36,7 @@ pub struct Written<'a> {
     pub key_out: &'a mut String,
 }
 
-/// What is to be said of a row.
+/// The messages about a row.
 #[derive(Default)]
 pub struct Said {
     /// Why it failed: a code.
@@ -172,7 +172,7 @@ impl Written<'_> {
     }
 }
 
-/// The lines of a row: what stands before the pose, and the columns behind it.
+/// The lines of a row: the cells before the pose, and the columns after it.
 struct Line<'a> {
     head: String,
     columns: Option<&'a AnswerColumns>,
@@ -236,7 +236,7 @@ fn code_of(problem: &dyn miette::Diagnostic) -> String {
     problem.code().map_or_else(|| "error".to_owned(), |code| code.to_string())
 }
 
-/// What is said of a row, by code.
+/// The messages about a row, by code.
 fn sorted(problems: &Problems) -> Said {
     let (mut failed, mut warned) = (None, Vec::new());
     for problem in problems.sorted() {

@@ -6,22 +6,22 @@ use crate::exercise::table::{Cell, Fault, Lines, RawRow, Separator};
 use assur_check::{FileRow, Row, RowColumn};
 use assur_text::source::Span;
 
-/// Where rows come from.
+/// The source of rows.
 #[derive(Debug)]
 pub enum Rows {
-    /// The file as it stands.
+    /// The file as written.
     One,
     /// Its own table.
     Own(Vec<FileRow>),
-    /// A table beside it.
+    /// A separate table.
     Csv(String),
 }
 
 /// Rows in memory.
 pub enum Chunk<'a> {
-    /// The file as it stands.
+    /// The file as written.
     One,
-    /// Rows of its own table, behind so many.
+    /// Rows of its own table, after a number of them.
     Own {
         rows: &'a [FileRow],
         before: usize,
@@ -37,9 +37,9 @@ pub enum Chunk<'a> {
 pub struct Input<'a> {
     /// Counted from 1.
     pub number: usize,
-    /// What the column `variant` calls it.
+    /// Its name in the column `variant`.
     pub label: Option<String>,
-    /// Its numbers as written in a table beside the file.
+    /// Its numbers as written in a separate table.
     pub written: Option<Vec<Cell<'a>>>,
     /// Its numbers.
     pub row: Row,

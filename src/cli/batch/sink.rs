@@ -1,4 +1,4 @@
-//! Where results go: standard output, or a file that appears once it is whole.
+//! The destination of results: standard output, or a file that is created only when complete.
 
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -30,11 +30,11 @@ enum Target {
     Stdout(BufWriter<io::Stdout>),
     /// A pipe or a device: there is nothing to put in its place.
     Special(BufWriter<File>),
-    /// Written beside its place, and moved there at the end.
+    /// Written to a temporary file in the same folder, and renamed at the end.
     File(BufWriter<NamedTempFile>),
 }
 
-/// Where results go.
+/// The destination of results.
 pub struct Sink {
     target: Target,
     path: PathBuf,
@@ -48,7 +48,7 @@ impl Sink {
         Self { target, path: PathBuf::from("-"), closed: false }
     }
 
-    /// A file. Nothing stands in its place before [`Sink::finish`].
+    /// A file, which is created by [`Sink::finish`] only.
     pub fn file(path: &Path) -> Result<Self, CliError> {
         let fail = |error: io::Error| unwritable(path, &error);
         // a link stays one: what it leads to is replaced
@@ -123,7 +123,7 @@ impl Sink {
         .map(|()| read)
     }
 
-    /// Keeps what was written beside its place: `FILE.part`.
+    /// Keeps the temporary file as `FILE.part`.
     pub fn keep_part(self) -> Result<Option<String>, CliError> {
         let mut part = self.path.clone().into_os_string();
         part.push(".part");

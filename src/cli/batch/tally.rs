@@ -1,15 +1,15 @@
-//! What became of the rows, in one line.
+//! The outcomes of the rows, in one line.
 
 use assur_solve::measure::accuracy::AchievedAccuracy;
 use indexmap::IndexMap;
 
-/// So many rows are named, the others counted.
+/// The number of rows that are named; the others are counted.
 const NAMED: usize = 12;
 
 /// The stage of what is wrong with a line of a table.
 const TABLE: &str = "mech::table::";
 
-/// What is counted.
+/// The kinds of outcomes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// The row has no answers, or not all.
@@ -26,7 +26,7 @@ struct Group {
     first: Vec<usize>,
 }
 
-/// What became of the rows.
+/// The outcomes of the rows.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     solved: usize,
@@ -102,7 +102,7 @@ impl Tally {
             }
         }
         if let Some((within, worst)) = self.reached {
-            parts.push(format!("within {within:.0e}: all rows to {worst:.0e}"));
+            parts.push(format!("within {within:.0e}: greatest error of all rows {worst:.0e}"));
         }
         parts.join(", ")
     }

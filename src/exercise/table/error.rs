@@ -1,4 +1,4 @@
-//! What can be wrong with a table beside a file.
+//! Errors of a separate table.
 
 use assur_text::source::Span;
 use miette::Diagnostic;
@@ -11,9 +11,9 @@ pub enum TableError {
     #[error("this header cannot be read: {why}")]
     #[diagnostic(code("mech::table::header"))]
     Header {
-        /// What is wrong.
+        /// The mistake.
         why: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
         /// The place.
@@ -32,7 +32,7 @@ pub enum TableError {
         /// `no header`, `no rows`
         what: &'static str,
         /// The place.
-        #[label("nothing below this")]
+        #[label("no rows below this")]
         span: Option<Span>,
     },
     /// A cell that is no number.
@@ -45,9 +45,9 @@ pub enum TableError {
         column: usize,
         /// Its header.
         name: String,
-        /// What is wrong.
+        /// The mistake.
         why: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: Option<String>,
         /// The cell.
@@ -55,7 +55,7 @@ pub enum TableError {
         span: Span,
     },
     /// A cell without a number.
-    #[error("line {line}, column {column}: there is no value for `{name}`")]
+    #[error("line {line}, column {column}: the value of `{name}` is missing")]
     #[diagnostic(code("mech::table::missing_cell"), help("write one number per column in every row"))]
     Missing {
         /// Line in the file.
@@ -69,7 +69,7 @@ pub enum TableError {
         span: Span,
     },
     /// More cells than columns.
-    #[error("line {line} has {found} cells, and the table has {columns}")]
+    #[error("line {line} has {found} cells, but the table has {columns}")]
     #[diagnostic(code("mech::table::too_many_cells"))]
     TooMany {
         /// Line in the file.
@@ -78,7 +78,7 @@ pub enum TableError {
         found: usize,
         /// `2 columns`
         columns: String,
-        /// What may be meant.
+        /// Similar names.
         #[help]
         help: String,
         /// The cells too many.
@@ -91,9 +91,9 @@ pub enum TableError {
     Line {
         /// Line in the file.
         line: usize,
-        /// What is wrong.
+        /// The mistake.
         why: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: &'static str,
         /// The place.
@@ -106,7 +106,7 @@ pub enum TableError {
     UnknownColumn {
         /// Its name.
         name: String,
-        /// What may be meant.
+        /// Similar names.
         #[help]
         help: String,
         /// The header.
@@ -117,9 +117,9 @@ pub enum TableError {
     #[error("{why}")]
     #[diagnostic(code("mech::table::unit"))]
     Unit {
-        /// What is wrong.
+        /// The mistake.
         why: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: Option<String>,
         /// The place.
@@ -127,7 +127,7 @@ pub enum TableError {
         span: Span,
     },
     /// Two columns of one name.
-    #[error("`{name}` is twice in the header")]
+    #[error("`{name}` appears twice in the header")]
     #[diagnostic(code("mech::table::column_twice"), help("leave one of the columns out"))]
     Twice {
         /// The name.
@@ -145,9 +145,9 @@ pub enum TableError {
     UnknownRow {
         /// Line in the file.
         line: usize,
-        /// What is wrong.
+        /// The mistake.
         why: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
         /// The line.

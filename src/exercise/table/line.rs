@@ -66,7 +66,7 @@ pub struct Cell<'a> {
 /// The cells of a line; an error is the place of a quote that is not closed.
 ///
 /// # Errors
-/// The place of a quote that is not closed, or with something other than a separator behind it.
+/// The place of a quote that is not closed, or with something other than a separator after it.
 pub fn cells(line: &str, separator: Separator) -> Result<Vec<Cell<'_>>, Span> {
     let mut cells = Vec::with_capacity(8);
     let mut start = 0;

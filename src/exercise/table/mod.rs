@@ -31,7 +31,7 @@ pub struct Table<R> {
     pub header: Source,
     /// The columns.
     pub columns: Variants,
-    /// What separates cells.
+    /// The separator of cells.
     pub separator: Separator,
     reader: R,
     line: usize,
@@ -49,7 +49,7 @@ pub struct Lines {
     ends: Vec<(usize, usize, usize)>,
 }
 
-/// A row as it stands in a table.
+/// A row of a table, as written.
 #[derive(Clone, Copy, Debug)]
 pub struct RawRow<'a> {
     /// Counted from 1.
@@ -112,7 +112,7 @@ impl<R: BufRead> Table<R> {
     /// Reads the next lines, at most so many; blank ones are left out. Fewer come at the end of the table only.
     ///
     /// # Errors
-    /// What cannot be read.
+    /// An error of reading.
     pub fn lines(&mut self, most: usize, lines: &mut Lines) -> io::Result<()> {
         lines.bytes.clear();
         lines.ends.clear();
@@ -246,7 +246,7 @@ impl<'a> RawRow<'a> {
         let line = self.line;
         let text = self.text(table)?;
         let cells = cells(text, separator).map_err(|span| {
-            let help = "numbers need no quotes; a quote within a text is written twice";
+            let help = "write numbers without quotes, and a quote within a text twice";
             fault(text, TableError::Line { line, why: "a quote is not closed".to_owned(), help, span })
         })?;
         self.fits(text, &cells, columns, separator).map_err(|e| fault(text, e))?;
@@ -283,9 +283,9 @@ impl<'a> RawRow<'a> {
             let plural = if count == 1 { "" } else { "s" };
             let one_more = cells.len() == count + 1;
             let help = match decimal_comma(text, cells, separator, one_more) {
-                Some(number) => format!(
-                    "write decimals with a point, as in `{number}`, or separate the cells by semicolons"
-                ),
+                Some(number) => {
+                    format!("use a decimal point, as in `{number}`, or separate the cells by semicolons")
+                }
                 None if one_more => {
                     format!("leave `{}` out, or name a column for it in the header", extra.text)
                 }

@@ -16,14 +16,14 @@ pub struct Written {
     pub digit: f64,
 }
 
-/// What is wrong, and what to write instead.
+/// The mistake, and the correction.
 pub type Why = (String, Option<String>);
 
 impl Written {
     /// Reads a plain number. Where cells are not separated by commas it may have a decimal comma.
     ///
     /// # Errors
-    /// What is wrong, and what to write instead.
+    /// The mistake, and the correction.
     pub fn read(text: &str, separator: Separator) -> Result<Self, Why> {
         let plain = text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'-' | b'+' | b'e' | b'E'));
         if plain && let Ok(value) = text.parse::<f64>() {
@@ -86,7 +86,7 @@ fn no_number(text: &str) -> Why {
     let split = text.find(|c: char| c.is_alphabetic() || matches!(c, '%' | '°')).unwrap_or(text.len());
     let (number, unit) = (text[..split].trim(), text[split..].trim());
     if !number.is_empty() && number.parse::<f64>().is_ok() && (is_unit(unit) || lookup(unit).is_ok()) {
-        let help = "the header names the unit: write the number in that unit, without it".to_owned();
+        let help = "write the number without a unit, in the unit of the header".to_owned();
         return (format!("`{text}` has a unit"), Some(help));
     }
     (format!("`{text}` is not a number"), Some("write a plain number, as `120` or `-1.5e3`".to_owned()))

@@ -73,7 +73,7 @@ pub(super) fn flywheels(answers: &Answers<'_>) -> Entries<FlywheelView> {
     Entries(all.collect())
 }
 
-/// What functions over the sweep took, by the names of what asks for them.
+/// The effort of functions over the sweep, by the names of the questions.
 pub(super) fn accuracy(answers: &Answers<'_>) -> Entries<AccuracyView> {
     let entry = |(name, cycle): (&str, &CycleAnswer)| {
         let error = Number::of(cycle.error).filter(|_| cycle.value.is_finite())?;

@@ -36,7 +36,7 @@ pub(super) enum Reading {
     Number(Number),
     /// A vector.
     Pair(Pair),
-    /// A truth.
+    /// A condition.
     Bool(bool),
 }
 

@@ -76,7 +76,7 @@ struct PositionView<'a> {
 pub struct Variant {
     /// Counted from 1.
     row: usize,
-    /// What the column `variant` calls it.
+    /// Its name in the column `variant`.
     #[serde(skip_serializing_if = "Option::is_none")]
     name: Option<String>,
     /// Its numbers by name, SI.

@@ -1,4 +1,4 @@
-//! What accuracy was wanted and reached.
+//! The accuracy wanted and reached.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! docs/stability.md tells what the catalogue measures.
+//! docs/stability.md shows the measurements of the catalogue.
 //!
 //! ```sh
 //! ASSUR_WRITE=1 cargo test --test mechanics hard::page
@@ -12,40 +12,40 @@ use std::path::Path;
 
 const HEAD: &str = "# Stability
 
-What is left of the answers where mechanisms are hard to compute. Written by
+Accuracy of the answers for mechanisms that are hard to compute. Written by
 
 ```sh
 ASSUR_WRITE=1 cargo test --test mechanics hard::page
 ```
 
-which solves the programs below `examples/hard`, each with its settings, and holds every quantity against a reference of 50
+which solves the programs below `examples/hard`, each with its settings, and compares every quantity with a reference of 50
 digits (`tests/reference/hard/catalogue.py`) on the decimal numbers of the file. The error is relative to the quantity, or
-to the magnitude in play where that passes through nothing. The tests assert that every error keeps
+to its typical magnitude if the quantity passes through zero. The tests assert for every error
 
 > error ≤ c ε/σ^k, with ε = 2.2e-16, σ the reported condition, k = 1 for positions, 2 for velocities and forces, 3 for
-> accelerations and what hangs on them,
+> accelerations and quantities that depend on them,
 
-with c = 64; the table tells the least power of four that each case needs. Where fewer than seven digits are left the user is
-told by `mech::solve::ill_conditioned`, and the tests assert it. Errors are rounded up to a power of ten.
+with c = 64; the table gives the least power of four that each case needs. If fewer than seven digits are left,
+`mech::solve::ill_conditioned` is reported, and the tests assert it. Errors are rounded up to a power of ten.
 
-| case | settings | least σ | error: positions | velocities, forces | accelerations | c | told |
+| case | settings | least σ | error: positions | velocities, forces | accelerations | c | reported |
 | --- | --- | --- | --- | --- | --- | --- | --- |
 ";
 
 const TAIL: &str = "
 ## Beyond the table
 
-- A sweep goes through a change point as it came: by the parabola through three places well apart. It changes the assembly
-  only where |σ| truly vanishes on the way (below 3e-7): a four-bar that misses its change point by 1e-12 of its lengths turns
-  back as it should. Nearer than that the rounding of the lengths decides, and the change is told.
-- 10,000 turns of a four-bar and of a parallelogram end on their branch and at their angle, to the rounding of the angle
-  itself (`tests/mechanics/hard/long.rs`). A way of more than 11,111 turns between two positions is refused.
-- In a chain of 1,000 dyads what one dyad loses is carried on by the next: the bound grows with their number.
-- Groups in series multiply what they lose: σ in the report is the least of all groups, and a group that hangs on another
+- A sweep continues through a change point along the parabola through three earlier positions well apart. It changes the assembly
+  only if |σ| really vanishes (below 3e-7): a four-bar that misses its change point by 1e-12 of its lengths turns
+  back as it should. Nearer than that the rounding of the lengths decides, and the change is reported.
+- After 10,000 turns a four-bar and a parallelogram are on their branch and at their angle, to the rounding of the angle
+  itself (`tests/mechanics/hard/long.rs`). More than 11,111 turns between two positions are an error.
+- In a chain of 1,000 dyads each dyad passes its error on to the next: the bound grows with their number.
+- The errors of groups in series multiply: σ in the report is the least of all groups, and a group that depends on another
   one near its dead position may lose more than ε/σ^k (up to 3e8 times that in positions, over the random cases below). The
-  warning of lost digits goes by the product of the σ below 0.05 and covers it.
-- A third crank on a parallelogram is a constraint too many and an error (`tests/errors/determinacy/repeated/equal_cranks.mech`); a roller that turns
-  freely is set aside and named.
+  warning of lost digits uses the product of all σ below 0.05, which includes this.
+- A third crank on a parallelogram is a redundant constraint and an error (`tests/errors/determinacy/repeated/equal_cranks.mech`); the free
+  rotation of a roller is not solved, and the report names it.
 
 ## No silent wrong answer
 
@@ -54,12 +54,12 @@ ASSUR_CASES=100000 cargo test --test mechanics no_silent -- --nocapture
 ```
 
 draws random mechanisms (a driven link and up to five groups of all kinds), most of them with groups near their dead positions
-down to σ = 1e-16, driven elsewhere, scaled from 1e-4 to 1e4 and shifted. Every answer is judged against Newton's method in
-double-double on the constraints of all pairs and an independent system of Newton and Euler, which the reference of 30 digits
-(`solve::reference`) takes over where it is ill-conditioned itself: it has the digits that the warning tells, or seven where
-there is none. What has no answer is refused with a diagnostic. A part of 10,000 runs with all tests. Of the 100,000, 81,908
-answers are judged and 17,277 refused; forces of 5,689 are not judged, because a load hangs on the sign of nothing or no digit
-is claimed; the other cases claim no digit either. All hold.
+down to σ = 1e-16, driven elsewhere, scaled from 1e-4 to 1e4 and shifted. Every answer is compared with Newton's method in
+double-double on the constraints of all pairs and an independent system of Newton and Euler; if this is ill-conditioned itself, with the
+reference of 30 digits (`solve::reference`). The answer must have as many correct digits as the warning states, or seven if
+there is no warning. A case without an answer must end with a diagnostic. 10,000 of these cases run with all tests. Of the 100,000, 81,908
+answers are compared and 17,277 end with a diagnostic; forces of 5,689 are not compared, because a load depends on the sign of zero or the
+warning claims no digit; the other cases claim no digit either. All answers pass.
 
 ## No panic, no hang
 
@@ -67,9 +67,9 @@ is claimed; the other cases claim no digit either. All hold.
 fuzz/run.sh 10000000 86400
 ```
 
-runs the libFuzzer targets on the stable toolchain, `parse` (text to document) and `solve` (text to answers), from the statements
-and the files of the examples and the tests, with assertions and checks of overflow, on as many mutated texts as the first number
-says: of up to 100 bytes for `parse`, 2,000 for `solve`. A panic, more than two seconds or more than 1 GB ends it, and the text is
+runs the libFuzzer targets on the stable toolchain, `parse` (text to document) and `solve` (text to answers), with assertions and checks of
+overflow. They start from the statements and files of the examples and the tests. The first number is the number of mutated texts,
+of up to 100 bytes for `parse`, 2,000 for `solve`. A panic, more than two seconds or more than 1 GB ends the run, and the text is
 kept. `parse` has tried 10,000,000 texts (2,400 per second beside builds, 44 MB) without any of these.
 ";
 

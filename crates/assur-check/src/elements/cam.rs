@@ -65,15 +65,20 @@ fn cam(cx: &mut Context<'_>, cam: &document::Cam) -> Option<PlateCam> {
     let base = find(&properties, "base_radius");
     let missing = match (base, members.turning, &follower) {
         (None, ..) => Some(("base_radius 50 mm", "the least radius of the pitch curve")),
-        (_, None, _) => Some(("turning ccw", "the sense in which it turns")),
-        (_, _, None) => Some(("follower translating roller { radius 10 mm }", "what it moves")),
+        (_, None, _) => Some(("turning ccw", "its sense of rotation")),
+        (_, _, None) => Some(("follower translating roller { radius 10 mm }", "its follower")),
         _ if members.phases.is_empty() => {
-            Some(("rise 90 deg through 20 mm cycloidal", "how the follower moves"))
+            Some(("rise 90 deg through 20 mm cycloidal", "the motion of its follower"))
         }
         _ => None,
     };
     if let Some((example, what)) = missing {
-        return incomplete(cx, format!("cam `{name}` does not say {what}"), format!("add `{example}`"), span);
+        return incomplete(
+            cx,
+            format!("cam `{name}` does not give {what}"),
+            format!("add `{example}`"),
+            span,
+        );
     }
     let (base, follower, given) = (base?, follower??, given?);
     let program = program(cx, name, span, &given, way?)?;
@@ -156,7 +161,7 @@ fn follower_of(cx: &mut Context<'_>, follower: &document::Follower) -> Option<Fo
     }
     let sense = [find(&properties, "with_cam"), find(&properties, "against_cam")];
     if oscillates && sense.iter().flatten().count() != 1 {
-        let message = "an oscillating follower rises either with the cam or against it".to_owned();
+        let message = "the sense in which the oscillating follower rises is missing".to_owned();
         let help = "write one of `with_cam` (the rise turns it in the sense of the cam) and `against_cam`";
         return incomplete(cx, message, help.into(), span);
     }
@@ -166,7 +171,7 @@ fn follower_of(cx: &mut Context<'_>, follower: &document::Follower) -> Option<Fo
         name => !wanted.contains(&name),
     });
     if let Some(property) = too_much {
-        let message = format!("`{}` means nothing for a follower `{what}`", property.name);
+        let message = format!("`{}` does not apply to a follower `{what}`", property.name);
         return incomplete(cx, message, "leave it out".into(), property.span);
     }
     let number = |name: &str| find(&properties, name).map_or(0.0, Read::number);
@@ -220,7 +225,7 @@ fn phases(cx: &mut Context<'_>, phases: &[(&Phase, Span)], way: Option<Dimension
 fn phase(cx: &mut Context<'_>, phase: &Phase, span: Span, way: Option<Dimension>) -> Option<Given> {
     let angle = positive(cx, &phase.angle, Dimension::ANGLE, "the angle the cam turns");
     let through = match (&phase.through, way) {
-        (Some(through), Some(way)) => positive(cx, through, way, "the way of the follower").map(Some),
+        (Some(through), Some(way)) => positive(cx, through, way, "the lift of the follower").map(Some),
         (_, None) => None,
         (None, _) => Some(None),
     };
@@ -229,16 +234,15 @@ fn phase(cx: &mut Context<'_>, phase: &Phase, span: Span, way: Option<Dimension>
     let wrong = match (kind, &phase.through, &phase.law) {
         (PhaseKind::Dwell, None, None) => None,
         (PhaseKind::Dwell, ..) => {
-            Some(("in a dwell the follower stands still", "write `dwell 10 deg`".to_owned()))
+            Some(("a dwell has neither a lift nor a law", "write `dwell 10 deg`".to_owned()))
         }
-        (PhaseKind::Rise, None, _) => Some((
-            "a rise needs the way of the follower",
-            format!("write `rise 60 deg through {example} cycloidal`"),
-        )),
+        (PhaseKind::Rise, None, _) => {
+            Some(("a rise needs a lift", format!("write `rise 60 deg through {example} cycloidal`")))
+        }
         (_, _, None) => Some((
-            "by which law does the follower move?",
-            "write one of uniform, parabolic, harmonic, cycloidal, poly345, poly4567, modified_trapezoid, \
-             modified_sine behind it"
+            "the law of the follower is missing",
+            "add one of uniform, parabolic, harmonic, cycloidal, poly345, poly4567, modified_trapezoid, \
+             modified_sine after it"
                 .to_owned(),
         )),
         _ => None,

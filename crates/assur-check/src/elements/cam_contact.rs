@@ -43,7 +43,7 @@ pub(crate) fn contacts(cx: &mut Context<'_>) {
     }
 }
 
-/// What differs, and what to write.
+/// The difference, and the correction.
 type Difference = (String, String);
 
 fn mm(x: f64) -> String {
@@ -55,7 +55,7 @@ fn same(what: &str, here: f64, designed: f64, scale: f64) -> Result<(), Differen
     if (here - designed).abs() <= EQUAL * scale {
         return Ok(());
     }
-    let message = format!("{what} is {} here and {} in the design of the cam", mm(here), mm(designed));
+    let message = format!("{what} is {} here, but {} in the design of the cam", mm(here), mm(designed));
     Err((message, format!("write {} in both", mm(designed))))
 }
 
@@ -78,7 +78,7 @@ fn build(
     let tip = tip(cam, other, scale, &name(follower))?;
     let stands = stands(cx, disk, centre, scale);
     if stands.is_empty() {
-        let message = format!("`{}` turns about no hinge in the centre of its profile", name(disk));
+        let message = format!("`{}` has no hinge in the centre of its profile", name(disk));
         let help = format!("join the centre to the frame: `revolute O: ground - {}`", name(disk));
         return Err((message, help));
     }
@@ -124,12 +124,15 @@ fn build(
             }
         }
     }
-    let (motion, pair) = if oscillates { ("turns", "revolute") } else { ("slides", "prismatic pair") };
+    let (motion, pair) = if oscillates { ("turns", "revolute pair") } else { ("slides", "prismatic pair") };
     let (frame, follower) = (name(stands[0].frame), name(follower));
     let message = format!(
         "the cam is designed for a follower that {motion}, but no {pair} joins `{follower}` and `{frame}`"
     );
-    Err((message, format!("cam and follower stand on one frame: join `{follower}` to `{frame}` by a {pair}")))
+    Err((
+        message,
+        format!("join `{follower}` to `{frame}` by a {pair}: cam and follower need the same frame"),
+    ))
 }
 
 /// The end of the follower: knife edge, centre of the roller, a point of the face.
@@ -145,7 +148,8 @@ fn tip(cam: &Cam, other: &Profile, scale: f64, link: &str) -> Result<Vec2, Diffe
         }
         (Shape::Knife, ProfileShape::Point(p)) | (Shape::Flat, ProfileShape::Line(p, _)) => Ok(p),
         _ => {
-            let message = format!("the cam is designed for {designed}, which `{link}.{}` is not", other.name);
+            let message =
+                format!("the cam is designed for {designed}, but `{link}.{}` is not {designed}", other.name);
             Err((message, format!("name {wanted} of `{link}`")))
         }
     }
@@ -213,8 +217,11 @@ fn translating(cam: &Cam, contact: &mut CamContact, guide: &Guide, scale: f64) -
         let cosine = along.dot(direction).abs();
         if cosine > EQUAL {
             let off = format_value(libm::asin(cosine.min(1.0)), Dimension::ANGLE);
-            let message = format!("the face stands {off} off the normal of the follower's way");
-            return Err((message, "lay its line across the way: `line face through P along 90 deg`".into()));
+            let message = format!("the face deviates by {off} from the normal of the follower's path");
+            return Err((
+                message,
+                "make its line perpendicular to the path: `line face through P along 90 deg`".into(),
+            ));
         }
         return Ok(());
     }
@@ -225,7 +232,7 @@ fn translating(cam: &Cam, contact: &mut CamContact, guide: &Guide, scale: f64) -
             mm(offset.abs())
         );
         let help = format!(
-            "the follower rises in the sense of its guide; write `offset {}` in the design, or turn the guide round",
+            "write `offset {}` in the design, or reverse the guide: the follower rises in the direction of its guide",
             mm(-offset)
         );
         return Err((message, help));

@@ -68,7 +68,7 @@ pub(crate) fn follows(cx: &mut Context<'_>, plate: &PlateCam) {
     let shape = cam.follower.shape();
     let enough = || match rounded_up(cam) {
         Some(r) => format!("write `base_radius {}`, which is enough", mm(r)),
-        None => "spread the motion over more of the turn, or take a smoother law".to_owned(),
+        None => "spread the motion over more of the turn, or use a smoother law".to_owned(),
     };
     let smaller = |radius: f64| match shape {
         Shape::Roller(_) => format!("; or a roller smaller than {}", mm(radius)),
@@ -76,7 +76,11 @@ pub(crate) fn follows(cx: &mut Context<'_>, plate: &PlateCam) {
     };
     let bend = |radius: f64| match shape {
         Shape::Roller(r) => {
-            format!("the pitch curve bends with a radius of {}, the roller has {}", mm(radius), mm(r))
+            format!(
+                "the pitch curve has a radius of curvature of {}, the roller a radius of {}",
+                mm(radius),
+                mm(r)
+            )
         }
         Shape::Knife | Shape::Flat => {
             format!("under the flat face the profile would need a radius of {}", mm(radius))
@@ -102,7 +106,7 @@ pub(crate) fn follows(cx: &mut Context<'_>, plate: &PlateCam) {
             name: name.clone(),
             at: deg(phi),
             bend: bend(radius),
-            help: "a point wears off at once: take a greater base radius".to_owned() + &smaller(radius),
+            help: "use a greater base radius: a sharp edge wears off".to_owned() + &smaller(radius),
             span,
         }),
     }

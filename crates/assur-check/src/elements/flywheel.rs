@@ -34,8 +34,9 @@ fn flywheel(cx: &mut Context<'_>, flywheel: &Flywheel) -> Option<model::Flywheel
     let properties = read(cx, "a flywheel", &flywheel.properties, FLYWHEEL)?;
     let (name, span) = (flywheel.name.node.clone(), flywheel.name.span);
     let Some(fluctuation) = find(&properties, "fluctuation").map(Read::number) else {
-        let (message, label) = (format!("flywheel `{name}` is not fully described"), "how even must it run?");
-        let help = "add `fluctuation 1/30`: the greatest less the least speed, over the mean speed";
+        let (message, label) =
+            (format!("flywheel `{name}` is not fully described"), "its fluctuation is missing");
+        let help = "add `fluctuation 1/30`: the greatest minus the least speed, divided by the mean speed";
         incomplete(cx, message, help, span, label);
         return None;
     };

@@ -39,7 +39,7 @@ fn spring(cx: &mut Context<'_>, spring: &Spring, ends: [&Path; 2]) -> Option<mod
     let (properties, from, to) = (properties?, from?, to?);
     if from.0 == to.0 {
         cx.error(PairError::JoinedWithItself {
-            help: "a link is rigid: name another link in one of the two places".into(),
+            help: "name another link at one of the two ends: a link is rigid".into(),
             what: "spring".into(),
             name: spring.name.node.clone(),
             link: ends[0].head.node.clone(),

@@ -1,4 +1,4 @@
-//! What can be wrong with a cam, and with its use as a pair.
+//! Errors of cams, and of their use as a pair.
 
 use assur_text::source::Span;
 use miette::Diagnostic;
@@ -8,53 +8,55 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum CamError {
     /// The phases take more than a turn.
-    #[error("the phases of cam `{name}` take {total}, {over} more than a turn")]
+    #[error("the phases of cam `{name}` take {total}, {over} more than one turn")]
     #[diagnostic(code("mech::cam::turn_exceeded"), help("make one of them shorter by {over}"))]
     TurnExceeded {
         /// The cam.
         name: String,
         /// Sum of the angles.
         total: String,
-        /// What is too much.
+        /// The excess.
         over: String,
         /// The cam's name.
         #[label("{total} in all")]
         span: Span,
         /// The last phase.
-        #[label(primary, "does not fit any more")]
+        #[label(primary, "does not fit into the turn")]
         last: Span,
     },
     /// The follower does not come back.
-    #[error("after one turn the follower of cam `{name}` stands {left} higher than before")]
+    #[error("after one turn the follower of cam `{name}` is {left} higher than before")]
     #[diagnostic(
         code("mech::cam::does_not_return"),
         help(
-            "rises and falls must be equal ({rises} up, {falls} down): let it fall by {left} more, or leave out `through` in the last fall"
+            "let it fall by {left} more ({rises} up, {falls} down), or leave out `through` in the last fall"
         )
     )]
     DoesNotReturn {
         /// The cam.
         name: String,
-        /// How far it stands off.
+        /// The remaining lift.
         left: String,
         /// Sum of the rises.
         rises: String,
         /// Sum of the falls.
         falls: String,
         /// The last phase.
-        #[label("behind this")]
+        #[label("after this phase")]
         span: Span,
     },
     /// The follower would fall below the base circle.
     #[error("the follower of cam `{name}` falls by {by} from {from} above the base circle")]
     #[diagnostic(
         code("mech::cam::below_base"),
-        help("the base circle is the least radius: begin with a rise, and fall by no more than it rose")
+        help(
+            "begin with a rise, and let it fall by no more than it rose: the base circle is the least radius"
+        )
     )]
     BelowBase {
         /// The cam.
         name: String,
-        /// Where the fall begins.
+        /// The start of the fall.
         from: String,
         /// How far it falls.
         by: String,
@@ -62,13 +64,13 @@ pub enum CamError {
         #[label("falls by {by}")]
         span: Span,
     },
-    /// The follower does not stand on the base circle.
+    /// The follower does not reach the base circle.
     #[error("{message}")]
     #[diagnostic(code("mech::cam::base_radius"), help("{help}"))]
     BaseRadius {
-        /// What does not fit.
+        /// The sizes that do not fit.
         message: String,
-        /// Which radii do.
+        /// The radii that fit.
         help: String,
         /// The base radius.
         #[label("does not fit the follower")]
@@ -84,10 +86,10 @@ pub enum CamError {
         at: String,
         /// The radii.
         bend: String,
-        /// What is enough.
+        /// A base radius that is enough.
         help: String,
         /// The cam's name.
-        #[label("its follower cannot follow the law")]
+        #[label("the follower cannot follow this law")]
         span: Span,
     },
     /// The profile comes to a point.
@@ -100,18 +102,20 @@ pub enum CamError {
         at: String,
         /// The radii.
         bend: String,
-        /// What is better.
+        /// A better base radius.
         help: String,
         /// The cam's name.
         #[label("pointed")]
         span: Span,
     },
     /// The velocity of the follower jumps.
-    #[error("at {at} the follower of cam `{name}` changes its velocity from {before} to {behind} at once")]
+    #[error("at {at} the follower of cam `{name}` jumps from a velocity of {before} to {behind}")]
     #[diagnostic(
         code("mech::cam::shock"),
         severity(warning),
-        help("its acceleration has no bound there: take a law that starts and ends at rest, as `cycloidal`")
+        help(
+            "use a law that starts and ends at rest, such as `cycloidal`: the acceleration is unbounded there"
+        )
     )]
     Shock {
         /// The cam.
@@ -120,21 +124,21 @@ pub enum CamError {
         at: String,
         /// Velocity before.
         before: String,
-        /// Velocity behind.
+        /// Velocity after.
         behind: String,
         /// The cam's name.
-        #[label("its law jumps at {at}")]
+        #[label("the velocity jumps at {at}")]
         span: Span,
     },
-    /// The follower in the mechanism is not the one the cam was designed for.
+    /// The follower in the mechanism is not the follower of the design.
     #[error("`{pair}`: {message}")]
     #[diagnostic(code("mech::cam::other_follower"), help("{help}"))]
     OtherFollower {
         /// The contact.
         pair: String,
-        /// What differs, with both numbers.
+        /// The difference, with both numbers.
         message: String,
-        /// What to write.
+        /// The correction.
         help: String,
         /// The contact.
         #[label(primary, "touches here")]

@@ -4,43 +4,43 @@ use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// What can be wrong with an expectation.
+/// Errors of expectations.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum ExpectError {
-    /// A quantity without anything it is compared with.
-    #[error("`{text}` is {is}: what is it expected to be?")]
+    /// A quantity without an expected value.
+    #[error("`{text}` is {is}, and no expected value is given")]
     #[diagnostic(
         code("mech::expect::no_value"),
         help("write `expect {text} = …`, or compare it: `expect {text} > …`")
     )]
     NoValue {
-        /// What is expected, as written.
+        /// The expectation, as written.
         text: String,
-        /// What it is, with its article.
+        /// Its kind, with its article.
         is: String,
         /// Its place.
         #[label(primary, "not a condition")]
         span: Span,
     },
-    /// A truth with values behind it.
+    /// A condition with a value.
     #[error("`{text}` is a condition; it is either true or false")]
     #[diagnostic(
         code("mech::expect::truth"),
         help("remove the right-hand side; to expect the opposite, write `not …`")
     )]
     ConditionWithValue {
-        /// What is expected, as written.
+        /// The expectation, as written.
         text: String,
         /// Its place.
         #[label(primary, "a condition")]
         span: Span,
     },
-    /// A tolerance on what has none.
+    /// A tolerance of a condition.
     #[error("a condition has no tolerance")]
     #[diagnostic(code("mech::expect::tolerance_of_truth"), help("leave out `within …`"))]
     ToleranceOfCondition {
         /// The tolerance.
-        #[label(primary, "nothing to be within")]
+        #[label(primary, "a condition is true or false")]
         span: Span,
     },
     /// Zero has no digits and no relative tolerance.
@@ -58,15 +58,15 @@ pub enum ExpectError {
     #[diagnostic(
         code("mech::expect::no_tolerance"),
         help(
-            "a value that is computed needs a tolerance: `within 1e-9`, `within 0.1 %`, or one with a unit"
+            "add `within 1e-9`, `within 0.1 %`, or a tolerance with a unit: a computed value has no written digits"
         )
     )]
     NoTolerance {
         /// The value.
-        #[label(primary, "not a number as written")]
+        #[label(primary, "computed, not written as a number")]
         span: Span,
     },
-    /// A tolerance behind `+-`.
+    /// A tolerance after `+-`.
     #[error("`+-` is a sum and a sign, not a tolerance")]
     #[diagnostic(code("mech::expect::no_tolerance"), help("write `expect {line}`"))]
     PlusMinus {
@@ -76,8 +76,8 @@ pub enum ExpectError {
         #[label(primary, "`within` instead of this")]
         span: Span,
     },
-    /// A tolerance that is no positive number.
-    #[error("a tolerance is greater than zero")]
+    /// A tolerance that is not a positive number.
+    #[error("a tolerance must be greater than zero")]
     #[diagnostic(
         code("mech::expect::tolerance"),
         help("write `within 1e-9`, `within 0.1 %`, or one with a unit")
@@ -91,7 +91,7 @@ pub enum ExpectError {
     #[error("any value would meet this tolerance: {why}")]
     #[diagnostic(code("mech::expect::any_value"), help("{help}"))]
     AnyValue {
-        /// What is so wide about it.
+        /// The reason.
         why: String,
         /// The tolerance, or the value that it is inferred from.
         #[label(primary, "too wide")]
@@ -100,28 +100,28 @@ pub enum ExpectError {
         help: String,
     },
     /// A value that is compared with itself.
-    #[error("this is compared with itself: any value would pass")]
+    #[error("a value is compared with itself")]
     #[diagnostic(
         code("mech::expect::any_value"),
         help("write the value that is expected, as in `expect Mb = 26 N*m`")
     )]
     Itself {
         /// Both sides.
-        #[label(primary, "equal whatever comes out")]
+        #[label(primary, "both sides are equal")]
         span: Span,
     },
     /// A tolerance of another dimension than the value's.
-    #[error("this tolerance is {found}, but `{text}` is {is}")]
+    #[error("the tolerance is {found}, but `{text}` is {is}")]
     #[diagnostic(
         code("mech::expect::tolerance_unit"),
-        help("write a plain number or a percentage for a share of the value, or a tolerance in {unit}")
+        help("write a plain number or a percentage, both relative to the value, or a tolerance in {unit}")
     )]
     ToleranceUnit {
-        /// What is expected, as written.
+        /// The expectation, as written.
         text: String,
-        /// What that is.
+        /// Its dimension.
         is: String,
-        /// What the tolerance is.
+        /// The dimension of the tolerance.
         found: String,
         /// The unit it should have.
         unit: String,
@@ -130,20 +130,20 @@ pub enum ExpectError {
         span: Span,
     },
     /// One value for many poses.
-    #[error("`{text}` has {count}, and nothing says which of them is expected")]
+    #[error("`{text}` has {count}, but only one is expected")]
     #[diagnostic(
         code("mech::expect::which_pose"),
         help("add `at pose 1` or `at {drive} = …`, or list one value per pose, with commas")
     )]
     WhichPose {
-        /// What is expected, as written.
+        /// The expectation, as written.
         text: String,
         /// `12 values, one per pose`
         count: String,
         /// A drive of the sweep.
         drive: String,
         /// Its place.
-        #[label(primary, "of which pose?")]
+        #[label(primary, "the pose is missing")]
         span: Span,
         /// The sweep.
         #[label("this goes through several poses")]
@@ -163,14 +163,14 @@ pub enum ExpectError {
         /// The sweep.
         #[label("{poses}")]
         sweep: Option<Span>,
-        /// What to do.
+        /// The correction.
         help: String,
     },
-    /// A list for what is the same at every pose.
+    /// A list for a quantity with one value for the whole motion.
     #[error("`{text}` has one value for the whole motion, and {count} are expected")]
-    #[diagnostic(code("mech::expect::count"), help("leave one of the values"))]
+    #[diagnostic(code("mech::expect::count"), help("keep one of the values"))]
     ListOfOne {
-        /// What is expected, as written.
+        /// The expectation, as written.
         text: String,
         /// How many values.
         count: usize,
@@ -180,7 +180,7 @@ pub enum ExpectError {
     },
     /// A list for one pose.
     #[error("a list gives one value per pose and cannot be combined with `at …`")]
-    #[diagnostic(code("mech::expect::list_at_pose"), help("leave one value, or leave out `at …`"))]
+    #[diagnostic(code("mech::expect::list_at_pose"), help("keep one value, or leave out `at …`"))]
     ListAtPose {
         /// The values.
         #[label(primary, "{count} values")]
@@ -194,10 +194,10 @@ pub enum ExpectError {
     UnknownPose {
         /// Its name.
         name: String,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "no such pose")]
         span: Span,
-        /// The poses there are.
+        /// The existing poses.
         #[help]
         help: Option<String>,
     },

@@ -3,18 +3,18 @@
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 
-/// What can be odd with the friction of a file.
+/// Warnings about friction.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum FrictionError {
     /// Friction without motion.
-    #[error("friction opposes motion, and nothing says which way `{drive}` moves: it is left out")]
+    #[error("friction is left out: the direction in which `{drive}` moves is not given")]
     #[diagnostic(
         code("mech::friction::no_motion"),
         severity(Warning),
-        help("say which way it moves: `drive {drive} = … {sense}`, or give it a speed")
+        help("give its direction, `drive {drive} = … {sense}`, or a speed")
     )]
     NoMotion {
-        /// What is driven.
+        /// The driven link, pair or point.
         drive: String,
         /// `turning ccw`
         sense: String,

@@ -1,4 +1,4 @@
-//! What can be wrong with a pair of gears.
+//! Errors of gear pairs.
 
 use assur_text::source::Span;
 use miette::Diagnostic;
@@ -7,37 +7,37 @@ use thiserror::Error;
 /// Errors and warnings of gear pairs.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum GearError {
-    /// The geometry of a mesh is asked of wheels that do not say enough.
+    /// The geometry of a mesh is asked for, but its wheels are not fully described.
     #[error("{message}")]
     #[diagnostic(code("mech::gear::incomplete"), help("{help}"))]
     Incomplete {
-        /// What is missing.
+        /// The missing size.
         message: String,
-        /// What to write.
+        /// The correction.
         help: String,
-        /// Where it is asked.
+        /// The question.
         #[label(primary, "asked here")]
         span: Span,
         /// The mesh.
         #[label("the mesh")]
         mesh: Span,
     },
-    /// The shifts leave no working pressure angle.
+    /// With these shifts there is no working pressure angle.
     #[error(
-        "the teeth of `{mesh}` do not reach each other: with these shifts the involute of the working pressure angle would be {involute}"
+        "the teeth of `{mesh}` do not reach each other: the involute of the working pressure angle would be {involute}, less than zero"
     )]
     #[diagnostic(
         code("mech::gear::no_mesh"),
         help(
-            "it must not be negative: make the sum of the shifts (of an internal pair the ring's less the pinion's) greater"
+            "make the sum of the shifts greater (in an internal pair the shift of the ring minus that of the pinion)"
         )
     )]
     NoMesh {
         /// The mesh.
         mesh: String,
-        /// What it would be.
+        /// The value it would have.
         involute: String,
-        /// Where it is declared.
+        /// Its declaration.
         #[label("shifted too far")]
         span: Span,
     },
@@ -48,7 +48,7 @@ pub enum GearError {
     #[diagnostic(
         code("mech::gear::undercut"),
         severity(warning),
-        help("write `shift {proposed}` or give it more teeth: {teeth} are enough without shift")
+        help("write `shift {proposed}` or give it more teeth: {teeth} are enough without a shift")
     )]
     Undercut {
         /// The wheel.
@@ -59,29 +59,29 @@ pub enum GearError {
         least: String,
         /// Both shifts as they may be written.
         proposed: String,
-        /// Number of teeth that is enough.
+        /// A sufficient number of teeth.
         teeth: String,
         /// The mesh.
         #[label("in this mesh")]
         span: Span,
     },
-    /// Teeth that cannot run together, or cannot be made.
+    /// Teeth that interfere, or cannot be made.
     #[error("{message}")]
     #[diagnostic(code("mech::gear::interference"), help("{help}"))]
     Interference {
-        /// What meets what, with the numbers.
+        /// The interfering parts, with the numbers.
         message: String,
-        /// What to change.
+        /// The correction.
         help: String,
         /// The mesh.
-        #[label("these teeth do not run together")]
+        #[label("these teeth interfere")]
         span: Span,
     },
     /// The tooth comes to a point.
     #[error(
         "the teeth of wheel `{wheel}` come to a point: on the tip circle their thickness would be {thickness}"
     )]
-    #[diagnostic(code("mech::gear::pointed"), help("take a smaller profile shift, or a smaller addendum"))]
+    #[diagnostic(code("mech::gear::pointed"), help("use a smaller profile shift, or a smaller addendum"))]
     Pointed {
         /// The wheel.
         wheel: String,
@@ -96,14 +96,14 @@ pub enum GearError {
     #[diagnostic(
         code("mech::gear::contact_ratio"),
         severity(warning),
-        help("it should be 1.2 or more: take more teeth, a smaller pressure angle, or smaller shifts")
+        help("use more teeth, a smaller pressure angle, or smaller shifts: it should be 1.2 or more")
     )]
     ContactRatio {
         /// The mesh.
         mesh: String,
         /// Its contact ratio.
         ratio: String,
-        /// Where it is declared.
+        /// Its declaration.
         #[label("does not run smoothly")]
         span: Span,
     },

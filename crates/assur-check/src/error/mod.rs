@@ -1,4 +1,4 @@
-//! What can be wrong with the meaning of a document: one enum per topic.
+//! Errors of the meaning of a document: one enum per topic.
 
 mod cam;
 mod expect;

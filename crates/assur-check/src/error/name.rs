@@ -4,23 +4,23 @@ use assur_text::source::{Span, Spanned};
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 
-/// What can be wrong with a name.
+/// Errors of names.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum NameError {
     /// Nothing of that name is declared.
     #[error("there is no {kind} `{name}`{place}")]
     #[diagnostic(code("mech::name::unknown"))]
     Unknown {
-        /// What was looked for: `link`, `point`.
+        /// The kind that is expected: `link`, `point`.
         kind: &'static str,
         /// The name.
         name: String,
-        /// Where it was looked for: empty, or ` in link crank`.
+        /// The link searched: empty, or ` in link crank`.
         place: String,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "not declared")]
         span: Span,
-        /// What may have been meant, or what there is.
+        /// Similar names, or all that exist.
         #[help]
         help: Option<String>,
     },
@@ -30,17 +30,17 @@ pub enum NameError {
     WrongKind {
         /// The name.
         name: String,
-        /// What it is, with its article.
+        /// Its kind, with its article.
         is: String,
-        /// What was looked for, with its article.
+        /// The expected kind, with its article.
         wanted: String,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "{wanted} is expected here")]
         span: Span,
-        /// Where it is declared.
+        /// Its declaration.
         #[label("declared here")]
         declared: Option<Span>,
-        /// What to write instead.
+        /// The correction.
         #[help]
         help: Option<String>,
     },
@@ -48,7 +48,7 @@ pub enum NameError {
     #[error("`{name}` is declared twice")]
     #[diagnostic(code("mech::name::duplicate"), help("{help}"))]
     Duplicate {
-        /// What to write.
+        /// The correction.
         help: String,
         /// The name.
         name: String,
@@ -59,14 +59,14 @@ pub enum NameError {
         #[label("first declared here")]
         first: Option<Span>,
     },
-    /// An expected value in a `find`, of what is declared already.
-    #[error("`{name}` is declared already: a `find` only asks for it")]
+    /// An expected value in a `find`, of a declared quantity.
+    #[error("`{name}` is already declared, and a `find` takes no value")]
     #[diagnostic(code("mech::name::duplicate"))]
     ValueInFind {
         /// The name.
         name: String,
         /// The item of the `find`.
-        #[label(primary, "asks and states a value at once")]
+        #[label(primary, "a question with a value")]
         span: Span,
         /// The declaration.
         #[label("declared here")]
@@ -80,7 +80,7 @@ pub enum NameError {
     #[diagnostic(
         code("mech::name::number"),
         help(
-            "a number stands for one link in the symbols of the report, as in R12 and ω2: give one of them another, or none"
+            "give one of them another number, or none: the symbols of the report, such as R12 and ω2, use it"
         )
     )]
     SameNumber {
@@ -93,16 +93,16 @@ pub enum NameError {
         #[label("first here")]
         first: Span,
     },
-    /// Two names that only look alike.
+    /// Two names that look alike.
     #[error("two different names look like `{name}`")]
     #[diagnostic(code("mech::name::look_alike"), help("{help}"))]
     LookAlike {
         /// The one with letters of another script.
         name: String,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "looks like the other one")]
         span: Span,
-        /// Where the other one stands.
+        /// The span of the other one.
         #[label("the other one")]
         first: Span,
         /// What to write, and which letters differ.
@@ -110,11 +110,11 @@ pub enum NameError {
     },
     /// A definition that depends on itself.
     #[error("`{name}` is defined in terms of itself: {chain}")]
-    #[diagnostic(code("mech::name::cycle"), help("give one of them a value of its own"))]
+    #[diagnostic(code("mech::name::cycle"), help("define one of them without the others"))]
     Cycle {
         /// The name.
         name: String,
-        /// All names on the way round.
+        /// All names of the circle.
         chain: String,
         /// The definition.
         #[label(primary, "circular definition starts here")]
@@ -123,14 +123,14 @@ pub enum NameError {
         #[label(collection)]
         others: Vec<LabeledSpan>,
     },
-    /// A point name that stands for several points.
-    #[error("`{name}` names several points that no pin joins")]
+    /// A point name that fits several points.
+    #[error("several points have the name `{name}`, and no pin joins them")]
     #[diagnostic(code("mech::name::ambiguous_point"))]
     AmbiguousPoint {
         /// The name.
         name: String,
-        /// Where it stands.
-        #[label(primary, "which of them?")]
+        /// Its span.
+        #[label(primary, "the link is missing")]
         span: Span,
         /// The points as they can be written.
         #[help]

@@ -1,24 +1,24 @@
-//! What is asked for.
+//! Errors of questions.
 
 use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// What can be wrong with a question, or with an expression that depends on results.
+/// Errors of questions, and of expressions that depend on results.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum RequestError {
     /// A value that must be known beforehand depends on results.
     #[error("{what} must be a constant, but it depends on {result}")]
     #[diagnostic(
         code("mech::request::not_constant"),
-        help("use numbers, `given` and those `let` that hang on nothing but them")
+        help("use numbers, `given` and those `let` that depend only on them")
     )]
     NotConstant {
-        /// What it is for.
+        /// Its purpose.
         what: String,
         /// The result it depends on.
         result: String,
-        /// Where that stands.
+        /// The span of the result.
         #[label(primary, "known only once the mechanism is solved")]
         span: Span,
     },
@@ -26,12 +26,12 @@ pub enum RequestError {
     #[error("{what} cannot depend on computed results")]
     #[diagnostic(
         code("mech::request::needs_pose"),
-        help("it says which poses there are: use numbers, `given`, `let`, `dead(…)` and `stroke(…)`")
+        help("use numbers, `given`, `let`, `dead(…)` and `stroke(…)`: this value determines the poses")
     )]
     NeedsPose {
-        /// What it is for.
+        /// Its purpose.
         what: String,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "differs from pose to pose")]
         span: Span,
     },
@@ -43,10 +43,10 @@ pub enum RequestError {
         function: String,
         /// `one argument`, `one or two arguments`
         takes: &'static str,
-        /// How many there are.
+        /// The number given.
         found: usize,
         /// The call.
-        #[label(primary, "{found} here")]
+        #[label(primary, "{found} given")]
         span: Span,
         /// How it is written.
         usage: String,
@@ -79,8 +79,8 @@ pub enum RequestError {
         /// How it is written.
         usage: String,
     },
-    /// A force between two links of which nobody said on which it acts.
-    #[error("`{function}({pair})` acts on {count} links with opposite signs: on which of them?")]
+    /// A force between two links without the link on which it acts.
+    #[error("`{function}({pair})` acts on {count} links with opposite signs, and no link is named")]
     #[diagnostic(code("mech::request::which_link"))]
     WhichLink {
         /// The function.
@@ -90,7 +90,7 @@ pub enum RequestError {
         /// How many links the pair joins.
         count: usize,
         /// The call.
-        #[label(primary, "on which link?")]
+        #[label(primary, "the link is missing")]
         span: Span,
         /// The choices.
         #[help]
@@ -104,7 +104,7 @@ pub enum RequestError {
         pair: String,
         /// The link.
         link: String,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "not a link of `{pair}`")]
         span: Span,
         /// Where the pair is declared.
@@ -113,7 +113,7 @@ pub enum RequestError {
         /// The links it joins.
         help: String,
     },
-    /// A result that this kind of pair has not.
+    /// A result that this kind of pair does not have.
     #[error("`{function}` is not defined for `{pair}`, {kind}")]
     #[diagnostic(code("mech::request::not_of_this_pair"))]
     NotOfThisPair {
@@ -121,7 +121,7 @@ pub enum RequestError {
         function: String,
         /// The pair.
         pair: String,
-        /// What kind it is, with its article.
+        /// Its kind, with its article.
         kind: String,
         /// The call.
         #[label(primary, "asked here")]
@@ -129,12 +129,12 @@ pub enum RequestError {
         /// Where the pair is declared.
         #[label("declared here")]
         declared: Span,
-        /// What to ask instead.
+        /// Another question.
         #[help]
         help: Option<String>,
     },
     /// The relative motion in a pin that joins more than two links.
-    #[error("`{pair}` joins {count} links: the motion of which two is meant?")]
+    #[error("`{pair}` joins {count} links and has no single relative motion")]
     #[diagnostic(code("mech::request::which_two"))]
     WhichTwo {
         /// The pair.
@@ -152,7 +152,7 @@ pub enum RequestError {
     #[error("`{pair}` has no contact points")]
     #[diagnostic(
         code("mech::request::no_contacts"),
-        help("give it some, in its braces: `contacts -20 mm, 25 mm`")
+        help("add them in its braces: `contacts -20 mm, 25 mm`")
     )]
     NoContacts {
         /// The pair.
@@ -168,7 +168,7 @@ pub enum RequestError {
     #[error("`{link}` has no mass")]
     #[diagnostic(
         code("mech::request::no_mass"),
-        help("give it one, in its braces: `mass 2 kg at S; inertia 0.1 kg*m^2`")
+        help("add a mass in its braces: `mass 2 kg at S; inertia 0.1 kg*m^2`")
     )]
     NoMass {
         /// The link.
@@ -180,27 +180,27 @@ pub enum RequestError {
         #[label("declared here")]
         declared: Span,
     },
-    /// The effort of what nothing drives.
+    /// The effort of a link or pair that is not driven.
     #[error("nothing drives `{name}`")]
     #[diagnostic(code("mech::request::not_driven"))]
     NotDriven {
-        /// What was named.
+        /// The name.
         name: String,
-        /// Where.
+        /// Its span.
         #[label(primary, "no drive of that name")]
         span: Span,
-        /// The drives there are.
+        /// The existing drives.
         #[help]
         help: Option<String>,
     },
     /// The effort of a drive, where other unknown efforts are declared.
-    #[error("`{name}` has no effort of its own, since the file declares what is unknown: `{balance}`")]
+    #[error("`{name}` has no effort of its own, because the file declares the unknown effort `{balance}`")]
     #[diagnostic(
         code("mech::request::no_own_effort"),
-        help("ask for `{balance}`, or leave out that `balance`")
+        help("ask for `{balance}`, or leave out this `balance`")
     )]
     NoOwnEffort {
-        /// What is driven.
+        /// The driven link, pair or point.
         name: String,
         /// The first unknown effort.
         balance: String,
@@ -213,7 +213,7 @@ pub enum RequestError {
     },
     /// An expression that is too long.
     #[error("this expression has {count} parts in a row; at most {most} can be read")]
-    #[diagnostic(code("mech::request::too_long"), help("divide it among several `let`"))]
+    #[diagnostic(code("mech::request::too_long"), help("divide it among several `let` statements"))]
     TooLong {
         /// How many.
         count: usize,
@@ -223,9 +223,9 @@ pub enum RequestError {
         #[label(primary, "too long")]
         span: Span,
     },
-    /// Values of the drive, where there is not one drive.
-    #[error("`{function}` gives values of the drive, and there are {count} drives")]
-    #[diagnostic(code("mech::request::which_drive"), help("it is defined for mechanisms with one drive"))]
+    /// Values of the drive, if there is not exactly one drive.
+    #[error("`{function}` needs exactly one drive, but there are {count}")]
+    #[diagnostic(code("mech::request::which_drive"), help("use it in a mechanism with one drive"))]
     WhichDrive {
         /// The function.
         function: String,
@@ -235,43 +235,43 @@ pub enum RequestError {
         #[label(primary, "asked here")]
         span: Span,
     },
-    /// A point is named where a value is due.
+    /// A point is named where a value is expected.
     #[error("`{path}` is not a quantity")]
     #[diagnostic(code("mech::request::no_value"))]
     NoValue {
-        /// As written.
+        /// Its text.
         path: String,
-        /// Where.
+        /// Its span.
         #[label(primary, "a value is expected here")]
         span: Span,
-        /// What may be asked of it.
+        /// Quantities that it has.
         #[help]
         help: Option<String>,
     },
-    /// A part that this result has not.
-    #[error("this has no part `.{part}`")]
+    /// A part that this result does not have.
+    #[error("there is no part `.{part}` here")]
     #[diagnostic(code("mech::request::part"))]
     Part {
         /// The part.
         part: String,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "no such part")]
         span: Span,
-        /// The parts there are.
+        /// The existing parts.
         #[help]
         help: Option<String>,
     },
-    /// The same is asked twice.
+    /// The same quantity is asked for twice.
     #[error("`{name}` is asked for twice")]
     #[diagnostic(
         code("mech::request::asked_twice"),
         severity(Warning),
-        help("leave one out, or give it a name of its own: `NAME = {name}`")
+        help("leave one of them out, or give it another name: `NAME = {name}`")
     )]
     AskedTwice {
-        /// What it is called.
+        /// Its name.
         name: String,
-        /// The second place.
+        /// The second one.
         #[label(primary, "again here")]
         again: Span,
         /// The first.
@@ -279,8 +279,11 @@ pub enum RequestError {
         first: Span,
     },
     /// A row of variants that is longer or shorter than the header.
-    #[error("this row has {found}, and the table has {columns}")]
-    #[diagnostic(code("mech::request::variant_row"), help("one number per column, separated by commas"))]
+    #[error("this row has {found}, but the table has {columns}")]
+    #[diagnostic(
+        code("mech::request::variant_row"),
+        help("write one number per column, separated by commas")
+    )]
     VariantRow {
         /// `1 number`
         found: String,
@@ -293,8 +296,8 @@ pub enum RequestError {
         #[label("{columns}")]
         header: Option<Span>,
     },
-    /// A table beside the file without a column that the file's answer key needs.
-    #[error("the table has no column `{name}`, and an `expect` of the file takes its value from there")]
+    /// A separate table without a column that the file's answer key needs.
+    #[error("the table has no column `{name}`, which an `expect` of the file needs")]
     #[diagnostic(
         code("mech::request::key_column"),
         help("add the column, or write `given {name} = …` in the file")
@@ -306,22 +309,22 @@ pub enum RequestError {
         #[label("no `{name}` here")]
         span: Span,
     },
-    /// A value from outside for what is no `given`.
+    /// A value of `--set` for a name that is not a `given`.
     #[error("`--set {name}=…`: {why}")]
     #[diagnostic(code("mech::request::set_unknown"))]
     SetUnknown {
         /// The name.
         name: String,
-        /// What is wrong with it.
+        /// The reason.
         why: String,
-        /// Its declaration, where there is one.
+        /// Its declaration, if there is one.
         #[label("declared here")]
         declared: Option<Span>,
-        /// What may have been meant.
+        /// Similar names.
         #[help]
         help: Option<String>,
     },
-    /// A value from outside that cannot be used.
+    /// A value of `--set` that cannot be used.
     #[error("`--set {name}={text}`: {why}")]
     #[diagnostic(code("mech::request::set_value"))]
     SetValue {
@@ -329,12 +332,12 @@ pub enum RequestError {
         name: String,
         /// The value as written.
         text: String,
-        /// What is wrong with it.
+        /// The reason.
         why: String,
         /// Its declaration.
         #[label("the value it would replace")]
         declared: Span,
-        /// What to write instead.
+        /// The correction.
         #[help]
         help: Option<String>,
     },

@@ -1,4 +1,4 @@
-//! What can be wrong with wheels and what runs between them.
+//! Errors of wheels and transmissions.
 
 use assur_text::source::Span;
 use miette::{Diagnostic, LabeledSpan};
@@ -7,14 +7,14 @@ use thiserror::Error;
 /// Errors of wheels, shafts and transmissions.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum TrainError {
-    /// Two wheels of one shaft that are to drive each other.
-    #[error("`{name}` joins `{first}` and `{second}`, which both sit on `{link}`")]
+    /// Two wheels of one shaft that should drive each other.
+    #[error("`{name}` joins `{first}` and `{second}`, which are both on `{link}`")]
     #[diagnostic(
         code("mech::train::same_shaft"),
-        help("wheels on one shaft turn as one; {what} joins wheels of two shafts")
+        help("put one of them on another shaft: {what} joins wheels of two shafts")
     )]
     SameShaft {
-        /// What joins them, with its article.
+        /// The transmission, with its article.
         what: &'static str,
         /// Its name.
         name: String,
@@ -32,16 +32,16 @@ pub enum TrainError {
         second_span: Span,
     },
     /// Two wheels whose axes no link holds at a distance.
-    #[error("nothing holds the axes of `{first}` and `{second}` at a distance: {why}")]
+    #[error("no link holds the axes of `{first}` and `{second}` at a fixed distance: {why}")]
     #[diagnostic(code("mech::train::no_carrier"))]
     NoCarrier {
         /// The first wheel.
         first: String,
         /// The second wheel.
         second: String,
-        /// On what each of them turns.
+        /// The links on which they turn.
         why: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
         /// The transmission.
@@ -49,14 +49,14 @@ pub enum TrainError {
         span: Span,
     },
     /// A shaft of the ground that meshes with a fixed wheel.
-    #[error("`{shaft}` turns on the ground and meshes with the fixed wheel `{fixed}`: it cannot turn")]
+    #[error("`{shaft}` cannot turn: its axis is on the ground and it meshes with the fixed wheel `{fixed}`")]
     #[diagnostic(code("mech::train::no_carrier"))]
     Stands {
         /// The shaft.
         shaft: String,
         /// The wheel of the ground.
         fixed: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
         /// The mesh.
@@ -70,22 +70,20 @@ pub enum TrainError {
     #[error("{message}")]
     #[diagnostic(code("mech::train::sizes"))]
     Sizes {
-        /// What does not agree, with the numbers.
+        /// The sizes that do not agree, with the numbers.
         message: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
     /// An internal mesh of two wheels of one size.
-    #[error("`{first}` and `{second}` are of one size ({size}): neither fits into the other")]
+    #[error("`{first}` and `{second}` have the same size ({size}): neither fits into the other")]
     #[diagnostic(
         code("mech::train::internal"),
-        help(
-            "in an internal mesh the larger wheel is the ring; leave `internal` out where both have outer teeth"
-        )
+        help("make one wheel larger, it is the ring; or leave out `internal` if both have outer teeth")
     )]
     Internal {
         /// The first wheel.
@@ -99,10 +97,10 @@ pub enum TrainError {
         span: Span,
     },
     /// Placed wheels that do not touch.
-    #[error("`{first}` and `{second}` stand {distance} apart, but {rule} is {due}")]
+    #[error("the axes of `{first}` and `{second}` are {distance} apart, but {rule} is {due}")]
     #[diagnostic(
         code("mech::train::centre_distance"),
-        help("move one of the axes, or change a size: {rule} must be the distance of the axes")
+        help("move one of the axes, or change a size: {rule} must equal the distance of the axes")
     )]
     CentreDistance {
         /// The first wheel.
@@ -113,7 +111,7 @@ pub enum TrainError {
         distance: String,
         /// `the sum of their radii`
         rule: &'static str,
-        /// What it comes to.
+        /// Its value.
         due: String,
         /// The mesh.
         #[label(primary, "cannot touch")]
@@ -121,11 +119,11 @@ pub enum TrainError {
     },
     /// A planet that cannot mesh on both sides.
     #[error(
-        "shaft `{shaft}` cannot turn about one axis: `{first}` asks for an arm of {one}, `{second}` for {two}"
+        "planet `{shaft}` cannot mesh on both sides: `{first}` needs an arm of {one}, `{second}` needs {two}"
     )]
     #[diagnostic(code("mech::train::planet_distance"), severity(Warning), help("{help}"))]
     PlanetDistance {
-        /// What to write.
+        /// The correction.
         help: String,
         /// The planet's shaft.
         shaft: String,
@@ -144,29 +142,29 @@ pub enum TrainError {
         #[label(primary, "an arm of {two}")]
         second_span: Span,
     },
-    /// A rope that runs nowhere.
+    /// A rope with a wrong end.
     #[error("{message}")]
     #[diagnostic(code("mech::train::rope_end"))]
     RopeEnd {
-        /// What is wrong.
+        /// The mistake.
         message: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
-        /// Place.
+        /// Its span.
         #[label(primary, "here")]
         span: Span,
     },
-    /// An efficiency that is none.
-    #[error("an efficiency lies above 0 and not above 1, this is {value}")]
+    /// An efficiency out of range.
+    #[error("the efficiency must be between 0 and 1; got {value}")]
     #[diagnostic(code("mech::train::efficiency"), help("{help}"))]
     Efficiency {
-        /// What is written.
+        /// The value written.
         value: String,
-        /// What to write.
+        /// The correction.
         help: String,
-        /// Place.
-        #[label(primary, "more than goes in")]
+        /// Its span.
+        #[label(primary, "out of range")]
         span: Span,
     },
 }

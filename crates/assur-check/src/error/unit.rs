@@ -5,53 +5,53 @@ use assur_text::units::Dimension;
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// What can be wrong with the units of an expression.
+/// Errors of units in an expression.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum UnitsError {
-    /// A word after a number is no unit.
+    /// A word after a number is not a unit.
     #[error("{why}")]
     #[diagnostic(code("mech::unit::unknown"))]
     Unknown {
-        /// What is wrong with it.
+        /// The reason.
         why: String,
         /// What the help replaces.
         #[label(primary, "not a unit")]
         span: Span,
-        /// What may have been meant.
+        /// Similar units.
         #[help]
         help: Option<String>,
     },
-    /// A bare number where a quantity is due.
+    /// A number without a unit where a quantity is expected.
     #[error("{what} needs a unit: it is {want}")]
     #[diagnostic(code("mech::unit::missing"), help("write {example}"))]
     Missing {
-        /// What the number is for.
+        /// The purpose of the number.
         what: String,
-        /// What is due.
+        /// The expected dimension.
         want: Dimension,
         /// The number.
         #[label(primary, "a number without a unit")]
         span: Span,
-        /// Where it is used, if that is elsewhere.
+        /// Its use, if that is elsewhere.
         #[label("used here")]
         used: Option<Span>,
         /// The number with the unit that is most likely.
         example: String,
     },
-    /// A quantity of another dimension than the one due.
+    /// A quantity of another dimension than expected.
     #[error("{what} should be {want}, but this is {found}")]
     #[diagnostic(code("mech::unit::mismatch"))]
     Mismatch {
-        /// What it is for.
+        /// Its purpose.
         what: String,
-        /// What is due.
+        /// The expected dimension.
         want: String,
-        /// What is there.
+        /// The dimension found.
         found: String,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "{found}")]
         span: Span,
-        /// What would correct it.
+        /// A correction.
         #[help]
         help: Option<String>,
     },
@@ -65,48 +65,48 @@ pub enum UnitsError {
         left: String,
         /// The right one.
         right: String,
-        /// Its place.
+        /// Its span.
         #[label("{left}")]
         left_span: Span,
-        /// Its place.
+        /// Its span.
         #[label(primary, "{right}")]
         right_span: Span,
-        /// What would correct it.
+        /// A correction.
         #[help]
         help: Option<String>,
     },
     /// Turns per time, which may be revolutions or radians.
-    #[error("{what} is an angular velocity: does `{unit}` mean revolutions or radians?")]
+    #[error("{what} is an angular velocity, and `{unit}` may mean revolutions or radians")]
     #[diagnostic(code("mech::unit::hertz"))]
     Hertz {
-        /// What it is for.
+        /// Its purpose.
         what: String,
         /// `Hz`, `1/min`
         unit: String,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "revolutions or radians?")]
         span: Span,
-        /// Where it is used, if that is elsewhere.
+        /// Its use, if that is elsewhere.
         #[label("used here")]
         used: Option<Span>,
-        /// The two values that may be meant.
+        /// The two possible values.
         #[help]
         help: String,
     },
-    /// A number where a vector is due, or the other way round, or a truth.
+    /// A number where a vector is expected, or a vector where a number is expected, or a condition.
     #[error("{what} should be {want}, but this is {found}")]
     #[diagnostic(code("mech::unit::shape"))]
     Shape {
-        /// What it is for.
+        /// Its purpose.
         what: String,
         /// `a vector`
         want: &'static str,
         /// `a number`
         found: &'static str,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "{found}")]
         span: Span,
-        /// What would correct it.
+        /// A correction.
         #[help]
         help: Option<String>,
     },
@@ -119,19 +119,19 @@ pub enum UnitsError {
         /// The base.
         #[label(primary, "{base}")]
         span: Span,
-        /// What the base is.
+        /// The dimension of the base.
         base: Dimension,
-        /// What would correct it.
+        /// A correction.
         #[help]
         help: Option<String>,
     },
-    /// A constant expression without value.
-    #[error("this has no value: {why}")]
+    /// A constant expression that is not defined.
+    #[error("this expression is not defined: {why}")]
     #[diagnostic(code("mech::unit::no_value"))]
     NoValue {
         /// `division by zero`
         why: &'static str,
-        /// Where it stands.
+        /// Its span.
         #[label(primary, "{why}")]
         span: Span,
         /// The numbers.
@@ -139,12 +139,12 @@ pub enum UnitsError {
         help: Option<String>,
     },
     /// A part of a unit that is also a name of the file.
-    #[error("`{name}` is read as a unit here, and it is also a name of this file")]
+    #[error("`{name}` is read as a unit here, but it is also a name of this file")]
     #[diagnostic(
         code("mech::unit::also_a_name"),
         severity(Warning),
         help(
-            "for the name, put blanks around the operator, as in `… * {name}` or `… / {name}`; or rename `{name}`"
+            "put blanks around the operator to use the name, as in `… * {name}` or `… / {name}`; or rename `{name}`"
         )
     )]
     AlsoAName {

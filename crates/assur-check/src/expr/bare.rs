@@ -96,8 +96,7 @@ impl Context<'_> {
         }
         let text = format!("{}*{}", number.text, word.node);
         if self.problems.reported.insert(("product", text.clone())) {
-            let why =
-                format!("`{}` is not a unit but a name: a sign of multiplication is missing", word.node);
+            let why = format!("`{}` is a name, not a unit: `*` is missing", word.node);
             self.error(UnitsError::Unknown { why, span: at, help: Some(format!("write `{text}`")) });
         }
         true
@@ -126,7 +125,7 @@ fn factors<'e>(expr: &'e Expr, names: &mut Vec<&'e str>) {
     }
 }
 
-/// A number, behind its sign.
+/// A number, after its sign.
 fn literal(expr: &Expr) -> Option<&Number> {
     match &expr.kind {
         ExprKind::Number(number) => Some(number),
@@ -135,7 +134,7 @@ fn literal(expr: &Expr) -> Option<&Number> {
     }
 }
 
-/// The two values that a number per time may mean, behind what defines it.
+/// The two values that a number per time may mean, with their definition.
 fn per_time(number: &Number, before: &str) -> Option<String> {
     let unit = lookup(&number.unit.as_ref()?.node).ok()?;
     let [turns, radians] = revolutions_or_radians(&number.text, &unit);

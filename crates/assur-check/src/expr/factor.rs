@@ -1,4 +1,4 @@
-//! Factors behind a unit that look like units and are none: `5 rad/sec`, `0.2 kg*m2`.
+//! Factors after a unit that look like units and are none: `5 rad/sec`, `0.2 kg*m2`.
 
 use crate::error::UnitsError;
 use crate::expr::context::Context;

@@ -47,7 +47,7 @@ impl Context<'_> {
             return Some(t);
         }
         let help = Some("compare it with something: `a < b`".to_owned());
-        self.shape(what, "a truth", t.ty, expr.span, help);
+        self.shape(what, "a condition", t.ty, expr.span, help);
         None
     }
 
@@ -106,7 +106,7 @@ impl Context<'_> {
             return Some(format!("write `{text}`{}", part.unwrap_or_default()));
         }
         if let Some(text) = bare(x, left, y) {
-            return Some(format!("write `{text}` for the first"));
+            return Some(format!("write `{text}` for the first operand"));
         }
         let name = |d: Dimension, expr: &Expr, other: Dimension| match &expr.kind {
             ExprKind::Name(name) if d == Dimension::NUMBER => {
@@ -117,7 +117,7 @@ impl Context<'_> {
         };
         name(y, right, x)
             .or_else(|| name(x, left, y))
-            .or_else(|| correction(x, y).map(|text| text.replacen("by", "the second by", 1)))
+            .or_else(|| correction(x, y).map(|text| text.replacen("by", "the second operand by", 1)))
     }
 }
 

@@ -67,11 +67,11 @@ impl Context<'_> {
             && let Some(Value::Scalar(x)) = t.value()
             && x.abs() > 1.0
         {
-            self.without_value("its sine or cosine would lie beyond 1", call.span, &t, expr);
+            self.without_value("a sine or cosine is at most 1 in magnitude", call.span, &t, expr);
             return None;
         }
         let t = apply(f, Type::number(to), [t]);
-        self.finite(t, "its sine or cosine would lie beyond 1", call.span)
+        self.finite(t, "a sine or cosine is at most 1 in magnitude", call.span)
     }
 
     /// `sqrt`
@@ -88,7 +88,7 @@ impl Context<'_> {
         let Some(root) = root else {
             let base = dim.known();
             let what = format!("the square root of {}", phrase(base));
-            let help = Some("the square root of an area is a length: is a square missing?".to_owned());
+            let help = Some("add the missing square: the square root of an area is a length".to_owned());
             self.error(UnitsError::Power { what, span: expr.span, base, help });
             return None;
         };

@@ -1,4 +1,4 @@
-//! Expressions with the quantities behind them written out.
+//! Expressions with their quantities written out.
 
 use crate::error::UnitsError;
 use crate::expr::context::Context;
@@ -12,7 +12,11 @@ impl Context<'_> {
     /// The expression with quantities that need no pose written out. Reports one that grows too large.
     pub(crate) fn inline(&mut self, expr: &model::Expr, span: Span) -> Option<model::Expr> {
         if self.values.definitions.size(expr) > LARGEST {
-            self.error(UnitsError::NoValue { why: "written out it is too long", span, help: None });
+            self.error(UnitsError::NoValue {
+                why: "with its definitions inserted it is too long",
+                span,
+                help: None,
+            });
             return None;
         }
         Some(self.written_out(expr))

@@ -56,7 +56,7 @@ impl Context<'_> {
     }
 }
 
-/// The expression with a unit behind its bare numbers, where it consists of nothing else: `40 mm`, `(1 mm, 2 mm)`.
+/// The expression with a unit after its bare numbers, where it consists of nothing else: `40 mm`, `(1 mm, 2 mm)`.
 pub fn with_unit(expr: &Expr, unit: &str) -> Option<String> {
     match &expr.kind {
         ExprKind::Number(Number { text, unit: None, .. }) => Some(format!("{text} {unit}")),

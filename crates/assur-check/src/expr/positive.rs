@@ -25,8 +25,8 @@ pub(crate) fn positive_value(
         return Some(value);
     }
     let help = match dimension {
-        Dimension::LENGTH => "a length is a distance; directions are given by points and angles",
-        Dimension::MASS => "leave the mass out where it is of no account",
+        Dimension::LENGTH => "write a positive length; give directions by points and angles",
+        Dimension::MASS => "leave the mass out if it is negligible",
         Dimension::ACCELERATION => {
             let up = format_value_like(&cx.names, -value, dimension, expr);
             &format!("write its magnitude, `{what} {up}`: it points down; `{what} {up} @ 90 deg` points up")

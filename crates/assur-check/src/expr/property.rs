@@ -111,7 +111,7 @@ fn one(
         let help = usual
             .map(|(_, ours)| format!("did you mean `{ours}`?"))
             .or_else(|| suggestion(name, &known, "properties"))
-            .unwrap_or_else(|| format!("{what} has no properties at all; leave the braces out"));
+            .unwrap_or_else(|| format!("leave the braces out: {what} has no properties"));
         let (what, name, span) = (what.to_owned(), name.clone(), property.name.span);
         cx.error(PairError::UnknownProperty { what, name, help, span });
         return None;

@@ -74,7 +74,7 @@ impl Context<'_> {
             if v.pending {
                 return Some(v);
             }
-            self.shape(&format!("what stands before `.{}`", part.node), "a vector", v.ty, base.span, None);
+            self.shape(&format!("the expression before `.{}`", part.node), "a vector", v.ty, base.span, None);
             return None;
         };
         Some(Typed { expr: fold::component(v.expr, axis), ty: Type::Number(dim), pending: v.pending })
@@ -102,7 +102,7 @@ impl Context<'_> {
     fn polar(&mut self, r: &Expr, phi: &Expr) -> Option<Typed> {
         let magnitude = self.read(r);
         let angle =
-            self.read(phi).and_then(|t| self.fit(t, Dimension::ANGLE, "the direction behind `@`", phi));
+            self.read(phi).and_then(|t| self.fit(t, Dimension::ANGLE, "the direction after `@`", phi));
         let (magnitude, angle) = (magnitude?, angle?);
         let Type::Number(dim) = magnitude.ty else {
             self.shape("the magnitude before `@`", "a number", magnitude.ty, r.span, None);
@@ -118,11 +118,11 @@ impl Context<'_> {
             (UnaryOp::Not, Type::Bool) => Some(Typed { expr: fold::not(t.expr), ..t }),
             (UnaryOp::Not, _) => {
                 let help = Some("compare it with something: `not (a < b)`".to_owned());
-                self.shape("what stands behind `not`", "a truth", t.ty, inner.span, help);
+                self.shape("the operand of `not`", "a condition", t.ty, inner.span, help);
                 None
             }
             (_, Type::Bool) => {
-                self.shape("what stands behind a sign", "a number or a vector", t.ty, inner.span, None);
+                self.shape("the operand of a sign", "a number or a vector", t.ty, inner.span, None);
                 None
             }
             (UnaryOp::Minus, _) => Some(Typed { expr: fold::negate(t.expr), ..t }),
@@ -175,7 +175,7 @@ impl Context<'_> {
             BinaryOp::And | BinaryOp::Or => {
                 for (t, span) in [(&a, a_span), (&b, b_span)] {
                     if t.ty != Type::Bool {
-                        self.shape("what `and` and `or` join", "a truth", t.ty, span, None);
+                        self.shape("an operand of `and` or `or`", "a condition", t.ty, span, None);
                         return None;
                     }
                 }
@@ -280,7 +280,7 @@ impl Context<'_> {
             return None;
         };
         let ty = if dim == Dim::Any { Type::Number(Dim::Any) } else { Type::number(raised) };
-        let why = "this power does not exist";
+        let why = "this power is not defined";
         self.finite(Typed { expr: fold::power(b.expr, n.expr), ty, pending }, why, span)
     }
 

@@ -223,9 +223,9 @@ impl Context<'_> {
                     let taken = self.names.things.contains_key(&name.node);
                     let verb = if taken { "write it" } else { "add" };
                     let where_to = if taken {
-                        format!("`{}` joins other points; to join these", name.node)
+                        format!("`{}` joins other points; to join these points", name.node)
                     } else {
-                        "if a hinge is missing there".to_owned()
+                        "if a hinge is missing".to_owned()
                     };
                     format!("write {choices}; {where_to}, {verb} `revolute {}: {a} - {b}`", name.node)
                 }

@@ -32,7 +32,7 @@ pub(crate) fn points<'a>(
     for member in body {
         match &member.node {
             Member::Point(p) if !found.contains_key(p.name.node.as_str()) => {
-                let what = format!("the place of point `{}`", p.name.node);
+                let what = format!("the position of point `{}`", p.name.node);
                 // A number behind a name is reported where it is read: `wieght 21 N`.
                 let number = matches!(&p.at.kind, ExprKind::Number(n) if n.value != 0.0);
                 let at = if number { None } else { cx.vector_constant(&p.at, &Want::LENGTH, &what) };

@@ -89,8 +89,13 @@ pub(crate) fn of_open_shaft(cx: &mut Context<'_>, name: &Name, what: &str) -> Op
     if !open {
         return Some(());
     }
-    let message = format!("the place of `{}` is left open: {what} on it has no arm", name.node);
-    form(cx, message, "write a torque, as in `torque on I = 10 N*m`, or hang the load on a rope", name.span);
+    let message = format!("the position of `{}` is not given, so {what} on it has no lever arm", name.node);
+    form(
+        cx,
+        message,
+        "write a torque, as in `torque on I = 10 N*m`, or attach the load to a rope",
+        name.span,
+    );
     None
 }
 
@@ -103,7 +108,7 @@ fn on_slider(
 ) -> Option<LoadKind> {
     let on = cx.link(link)?;
     if let Some(sense) = &load.value.sense {
-        let message = "a force has no sense of turning".into();
+        let message = "a force has no sense of rotation".into();
         form(cx, message, "write a minus before the value instead", sense.span);
         return None;
     }
@@ -112,13 +117,13 @@ fn on_slider(
             document::Place::Point(name) => name.span,
             document::Place::Ground(expr) => expr.span,
         };
-        form(cx, "a slider moves along one line, wherever it is pulled".into(), "leave `at` out", span);
+        form(cx, "a load on a slider needs no point".into(), "leave `at` out", span);
         return None;
     }
     let source = &load.value.value;
     if cx.is_vector(source)? {
-        let help = "write the part along its way: `100 N`, positive where the rope pays out";
-        form(cx, "a slider's direction is left open".into(), help, source.span);
+        let help = "write the component along its line: `100 N`, positive in the direction in which the rope is paid out";
+        form(cx, "the direction of a slider is not given".into(), help, source.span);
         return None;
     }
     let value = value(cx, load, false, Dimension::FORCE)?;
@@ -151,7 +156,7 @@ fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::P
         }
     };
     if let Some(sense) = &load.value.sense {
-        let message = "a force has no sense of turning".into();
+        let message = "a force has no sense of rotation".into();
         form(cx, message, "give its direction: `1000 N @ 180 deg`", sense.span);
         return None;
     }
@@ -161,12 +166,12 @@ fn force(cx: &mut Context<'_>, load: &Load, link: &Name, at: Option<&document::P
         return Some(LoadKind::Force { on: on?, at: place?, value: value?, frame: frame? });
     };
     if cx.is_vector(&load.value.value)? {
-        let message = "`against motion` is a direction, and so is the value".into();
+        let message = "both `against motion` and the value give a direction".into();
         form(cx, message, "write a magnitude: `1400 N against motion`", load.value.value.span);
         return None;
     }
     if let Some(frame) = &load.frame {
-        let message = "a force against the motion turns with no link".into();
+        let message = "a force against the motion cannot turn with a link".into();
         form(cx, message, "leave `in` out", frame.span.to(against));
         return None;
     }
@@ -279,7 +284,7 @@ fn in_pair(cx: &mut Context<'_>, load: &Load, pair: &Name) -> Option<LoadKind> {
     let value = value(cx, load, false, dimension)?;
     match &load.value.sense {
         Some(sense) if moves != Moves::Turning => {
-            let message = "a force has no sense of turning".into();
+            let message = "a force has no sense of rotation".into();
             form(cx, message, "write a minus before the value instead", sense.span);
             None
         }
@@ -318,12 +323,12 @@ pub(crate) fn moving(cx: &mut Context<'_>, name: &Name, what: &str) -> Option<Li
     on_moving(cx, link, name.span, what).map(|()| link)
 }
 
-/// Where on a link a force acts.
+/// The point of a link at which a force acts.
 pub(crate) fn place(cx: &mut Context<'_>, link: LinkId, at: &document::Place) -> Option<Place> {
     match at {
         document::Place::Point(name) => cx.point(link, name).map(Place::Local),
         document::Place::Ground(expr) => {
-            let what = "the place of a force";
+            let what = "the point of a force";
             let place = cx.vector(expr, &Want::LENGTH, what)?;
             no_forces(cx, &place, what, expr.span).then_some(Place::Ground(place))
         }

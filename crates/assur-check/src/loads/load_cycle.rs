@@ -52,7 +52,7 @@ fn report(cx: &mut Context<'_>, loads: &[usize]) {
     let Some(first) = loads.first() else { return };
     let chain = way_round(&loads.iter().map(name).collect::<Vec<_>>());
     let place = |i: &usize| cx.builder.mech.loads[*i].span;
-    let label = |i: &usize| LabeledSpan::at(place(i).start..place(i).end, "hangs on the next");
+    let label = |i: &usize| LabeledSpan::at(place(i).start..place(i).end, "depends on the next one");
     let others = loads[1..].iter().map(label).collect();
     let (name, span) = (name(first), place(first));
     cx.error(NameError::Cycle { name, chain, span, others });

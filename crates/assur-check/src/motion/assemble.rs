@@ -50,7 +50,7 @@ fn hint(cx: &mut Context<'_>, clause: &AssembleClause) -> Option<HintKind> {
     match clause {
         AssembleClause::Near { what, at } => {
             let point = point(cx, what);
-            let place = cx.vector_constant(at, &Want::LENGTH, "the place behind `near`");
+            let place = cx.vector_constant(at, &Want::LENGTH, "the point after `near`");
             Some(HintKind::Near { point: point?, place: place? })
         }
         AssembleClause::Side { what, side, from, to } => {
@@ -131,9 +131,9 @@ fn guide(
         return None;
     }
     let help = match (slides(cx, other), order) {
-        (Some(_), Order::Ahead) => format!("turn it round: `{} behind {}`", text(than), text(what)),
-        (Some(_), Order::Behind) => format!("turn it round: `{} ahead of {}`", text(than), text(what)),
-        _ => format!("write `{0} left of …`, or where it is: `{0} near (100 mm, 0)`", text(what)),
+        (Some(_), Order::Ahead) => format!("reverse it: `{} behind {}`", text(than), text(what)),
+        (Some(_), Order::Behind) => format!("reverse it: `{} ahead of {}`", text(than), text(what)),
+        _ => format!("write `{0} left of …`, or give its position: `{0} near (100 mm, 0)`", text(what)),
     };
     cx.error(MotionError::NoGuide { point: text(what), help, span: what.span() });
     None

@@ -236,7 +236,7 @@ fn steps_of(
     None
 }
 
-/// A value with the sense behind it. `order` 0 is a position, 1 a speed, 2 an acceleration.
+/// A value with the sense after it. `order` 0 is a position, 1 a speed, 2 an acceleration.
 pub(crate) fn value(
     cx: &mut Context<'_>,
     sensed: &Sensed,
@@ -278,7 +278,7 @@ pub(crate) fn negated(expr: Expr) -> Expr {
 
 fn wrong_turn(cx: &mut Context<'_>, sense: &Spanned<Turn>, name: &str) {
     cx.error(MotionError::WrongSense {
-        message: format!("`{name}` does not turn, so it has no sense of turning"),
+        message: format!("`{name}` does not turn, so it has no sense of rotation"),
         help: "write a minus before the value instead".into(),
         span: sense.span,
     });
@@ -304,8 +304,8 @@ fn sense(cx: &mut Context<'_>, drive: &Drive, moves: Moves) -> Option<Option<f64
     let name = text(&drive.target);
     let (message, help) = match (direction.node, moves) {
         _ if drive.rate.is_some() => (
-            format!("the speed of `{name}` says which way it goes"),
-            "the sense is that of the speed, `cw` behind it makes it negative: `at 1500 rpm cw`",
+            format!("the direction of `{name}` is given twice: its speed already has a sign"),
+            "leave the sense out, and write `cw` after a negative speed: `at 1500 rpm cw`",
         ),
         (Direction::Turning(turn), Moves::Turning) => {
             return Some(Some(if turn == Turn::Ccw { 1.0 } else { -1.0 }));

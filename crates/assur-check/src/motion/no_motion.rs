@@ -26,7 +26,7 @@ pub(crate) fn no_motion(cx: &mut Context<'_>) {
         };
         for property in properties.iter().filter(amount) {
             let span = property.span;
-            let text = if labels.is_empty() { "against which motion?" } else { "and here" };
+            let text = if labels.is_empty() { "against a motion without direction" } else { "and here" };
             labels.push(LabeledSpan::at(span.start..span.end, text));
         }
     }

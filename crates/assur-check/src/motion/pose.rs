@@ -27,7 +27,7 @@ pub(crate) fn poses(cx: &mut Context<'_>) {
     }
 }
 
-/// Drive values behind `at`. Drives that are not named keep their single position. `what` is what needs them; `span` is
+/// Drive values after `at`. Drives that are not named keep their single position. `what` is what needs them; `span` is
 /// its place. Reports what is not driven, left open or said twice; silent about drives that have an error.
 pub(crate) fn settings(
     cx: &mut Context<'_>,

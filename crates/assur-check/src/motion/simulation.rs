@@ -44,7 +44,7 @@ fn until(cx: &mut Context<'_>, until: &Until) {
     if let (Some(what), Some(value)) = (what, value)
         && let Type::Number(_) = what.ty
     {
-        cx.fit(value, what.ty.dimension(), "the value that is waited for", &until.value);
+        cx.fit(value, what.ty.dimension(), "the value after `until`", &until.value);
     }
 }
 

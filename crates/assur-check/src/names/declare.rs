@@ -187,8 +187,8 @@ fn quantity<'a>(cx: &mut Scope<'_, 'a>, name: &Name, what: QuantityKind<'a>) {
             let is_expected =
                 |s: &Spanned<Statement>| matches!(&s.node, Statement::Expect(e) if e.text == name);
             let help = match cx.doc.statements.iter().any(is_expected) {
-                true => format!("write `find {name}`; what is expected of it stands in its `expect`"),
-                false => format!("write `find {name}`, and as a line of its own `expect {name} = {value}`"),
+                true => format!("write `find {name}`; its `expect` gives the expected value"),
+                false => format!("write `find {name}`, and on a separate line `expect {name} = {value}`"),
             };
             cx.error(NameError::ValueInFind { name, span, declared: first, help });
             return;

@@ -8,7 +8,7 @@ use indexmap::{IndexMap, IndexSet};
 /// A declared name: what it is and where.
 #[derive(Clone, Debug)]
 pub struct Declared<T> {
-    /// What it is.
+    /// Its kind.
     pub what: T,
     /// Where the name stands.
     pub span: Span,
@@ -39,7 +39,7 @@ impl QuantityKind<'_> {
         match self {
             Self::Given(_) => "a `given`",
             Self::Let(_) => "a `let`",
-            Self::Find(_) => "what is to be found",
+            Self::Find(_) => "an item of `find`",
             Self::Load(..) => "a load",
             Self::Balance(..) => "an unknown effort",
             Self::Flywheel(_) => "a flywheel",

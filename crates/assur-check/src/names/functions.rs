@@ -33,5 +33,5 @@ pub fn ask_of(kind: ThingKind, name: &str) -> Option<String> {
         ThingKind::Slider => [format!("speed({name})"), format!("velocity({name})")],
         _ => return None,
     };
-    Some(format!("ask something of it: `{}` or `{}`", asked[0], asked[1]))
+    Some(format!("ask for one of its quantities: `{}` or `{}`", asked[0], asked[1]))
 }

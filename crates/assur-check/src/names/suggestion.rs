@@ -18,7 +18,7 @@ pub fn suggestion(name: &str, all: &[&str], kind: &str) -> Option<String> {
         |n: &&&str| **n != name && !(n.is_ascii() && name.is_ascii()) && skeleton(n) == skeleton(name);
     if let Some(lookalike) = all.iter().find(lookalike) {
         let how = difference(lookalike, name, "there", "here");
-        return Some(format!("`{lookalike}` is declared, and only looks the same: {how}"));
+        return Some(format!("`{lookalike}` is declared; it only looks the same: {how}"));
     }
     let near = did_you_mean(name, all.iter().copied());
     if !near.is_empty() {

@@ -28,7 +28,7 @@ impl Scope<'_, '_> {
         let missing = only(&open);
         let help = missing.as_ref().map(|name| {
             let line = pose_line(name, pose).unwrap_or_else(|| format!("pose {name} at …"));
-            format!("`{name}` is asked for and declared nowhere: write `{line}`")
+            format!("write `{line}`; `{name}` is asked for but not declared")
         });
         self.taken(&pose.name, first, help, missing);
     }
@@ -44,8 +44,8 @@ impl Scope<'_, '_> {
                 QuantityKind::Balance(_, balance) => balance_line(open, balance),
                 _ => None,
             };
-            let how = line.map_or_else(|| "name it so here".into(), |line| format!("write `{line}`"));
-            format!("`{open}` is asked for and declared nowhere: {how}")
+            let how = line.map_or_else(|| "use this name here".into(), |line| format!("write `{line}`"));
+            format!("{how}; `{open}` is asked for but not declared")
         });
         self.taken(name, first, help, missing);
     }
@@ -86,7 +86,7 @@ impl Scope<'_, '_> {
             Statement::Joint(other) => other.name.span == first && spelled(other) == spelled(joint),
             _ => false,
         });
-        let help = again.then(|| "leave this line out: it says the same again".to_owned());
+        let help = again.then(|| "leave this line out: it repeats the other line".to_owned());
         self.taken(&joint.name, first, help, None);
     }
 
@@ -101,8 +101,8 @@ impl Scope<'_, '_> {
             end => end_text(end),
         });
         self.error(TrainError::RopeEnd {
-            message: format!("`{}` is a slider: no rope runs over it", name.node),
-            help: format!("a movable pulley hangs on it: write `{line}`"),
+            message: format!("`{}` is a slider: a rope cannot run over it", name.node),
+            help: format!("write `{line}` for a movable pulley on it"),
             span: name.span,
         });
         self.names.bad.insert(joint.name.node.clone());

@@ -1,9 +1,9 @@
-//! The results that an expression depends on, directly or behind quantities of the mechanism.
+//! The results that an expression depends on, directly or through quantities of the mechanism.
 
 use assur_model::model::{self, Mechanism, QuantityId};
 use indexmap::IndexSet;
 
-/// Calls `visit` on every result the expression depends on, those behind other quantities included.
+/// Calls `visit` on every result the expression depends on, those of its quantities included.
 pub fn queries(mech: &Mechanism, expr: &model::Expr, visit: &mut dyn FnMut(&model::Query)) {
     let mut found = Behind::default();
     found.look(expr, visit);

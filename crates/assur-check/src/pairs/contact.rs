@@ -22,18 +22,16 @@ pub(crate) fn contact(
     let problem = match (a.shape, b.shape) {
         (Line(..), Line(..)) => Some((
             "two lines",
-            format!("two lines that lie on each other are a `prismatic {}`", joint.name.node),
+            format!("write `prismatic {}` for two lines that slide on each other", joint.name.node),
         )),
-        (Rim(_), Rim(_)) => {
-            Some(("two cams", "a designed cam touches the follower it is designed for".to_owned()))
-        }
+        (Rim(_), Rim(_)) => Some(("two cams", "name the cam and its follower".to_owned())),
         (Point(_), Point(_)) => Some((
             "two points",
-            format!("two points that stay together are a `revolute {}`", joint.name.node),
+            format!("write `revolute {}` for two points that stay together", joint.name.node),
         )),
         (Circle(_, p), Circle(_, q)) if internal.is_some() && p == q => Some((
             "two equal circles inside each other",
-            format!("their centres coincide: a `revolute {}` of the centres", joint.name.node),
+            format!("write `revolute {}` between the centres, which coincide", joint.name.node),
         )),
         _ => None,
     };
@@ -46,10 +44,10 @@ pub(crate) fn contact(
         && !circles
     {
         cx.error(PairError::Incomplete {
-            message: "only a circle can lie inside another".into(),
+            message: "`internal` needs two circles".into(),
             help: "leave `internal` out, or name two circles".into(),
             span: internal.span,
-            label: "not with these profiles".into(),
+            label: "these profiles are not two circles".into(),
         });
         return None;
     }

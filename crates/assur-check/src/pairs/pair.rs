@@ -77,7 +77,7 @@ fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
             what: phrase(joint.kind.node),
             wants: "two links".into(),
             got: format!("{} of them", joint.ends.len()),
-            help: "write one statement for each two links".into(),
+            help: "write one statement for each pair of two links".into(),
             span: third.span(),
         });
         return None;
@@ -87,7 +87,7 @@ fn ends(cx: &mut Context<'_>, joint: &Joint) -> Option<Vec<Joined>> {
     for (i, end) in joined.iter().enumerate() {
         if let Some(first) = joined[..i].iter().find(|e| e.link == end.link) {
             let help = other_link(cx, joint, end.link)
-                .unwrap_or_else(|| "a link is rigid: name another link in one of the two places".into());
+                .unwrap_or_else(|| "name another link at one of the two ends: a link is rigid".into());
             cx.error(PairError::JoinedWithItself {
                 help,
                 what: joint.kind.node.word().into(),
@@ -182,7 +182,7 @@ pub(crate) fn nothing_to_join(cx: &mut Context<'_>, joint: &Joint, end: &Joined,
     let choices = match all.len() {
         0 => format!("give `{link}` the point: `{}`", with_point(cx, &link, name)),
         1 => format!("write {}, or give `{link}` a point `{name} (0, 0)`", all[0]),
-        n => format!("say which point is meant: {}", all[..n.min(8)].join(" or ")),
+        n => format!("name the point: {}", all[..n.min(8)].join(" or ")),
     };
     let help = match &lookalike {
         Some(point) => {
@@ -318,9 +318,9 @@ fn group_links(cx: &mut Context<'_>, group: &Group) -> Option<Vec<LinkId>> {
     for name in &group.links {
         let link = cx.link(name);
         let message = match link {
-            Some(LinkId::GROUND) => Some("the ground is no part of a structural group".to_owned()),
+            Some(LinkId::GROUND) => Some("the ground cannot be part of a structural group".to_owned()),
             Some(link) if links.iter().flatten().any(|l| *l == link) => {
-                Some(format!("`{}` stands twice in group `{}`", name.node, group.name.node))
+                Some(format!("`{}` is named twice in group `{}`", name.node, group.name.node))
             }
             _ => None,
         };
@@ -348,7 +348,7 @@ pub(crate) fn link_point(cx: &mut Context<'_>, path: &Path, what: &str) -> Optio
     cx.error(NameError::WrongKind {
         name: path.head.node.clone(),
         is: "a link".into(),
-        wanted: format!("a point: {what} is fastened to a point of a link"),
+        wanted: format!("a point, to which {what} is fastened"),
         span: path.span(),
         declared: None,
         help,

@@ -217,7 +217,7 @@ fn wrong_ends<T>(
     let meant = cx.lines_meant(joint, joint.kind.node);
     let meant = meant.iter().map(|l| format!("`{l}`")).collect::<Vec<_>>();
     let help = match (slot, got) {
-        (true, "two lines") => format!("two lines on each other are a `prismatic {name}`"),
+        (true, "two lines") => format!("write `prismatic {name}` for two lines that slide on each other"),
         (_, "two points") if first.implied && second.implied => {
             let line = line_of(
                 &Joint { kind: Spanned::new(JointKind::Revolute, joint.kind.span), ..joint.clone() },
@@ -227,9 +227,9 @@ fn wrong_ends<T>(
         }
         (_, "two points") if !meant.is_empty() => format!("name the line: {}", meant.join(" or ")),
         (_, "two points") => {
-            "one of the two links needs a line to slide along: `line guide through A along 0 deg`".into()
+            "give one of the two links a line to slide along: `line guide through A along 0 deg`".into()
         }
-        _ => "name a point of the one link and a line of the other".into(),
+        _ => "name a point of one link and a line of the other".into(),
     };
     cx.error(PairError::WrongEnds {
         what: phrase(joint.kind.node),
@@ -244,10 +244,10 @@ fn wrong_ends<T>(
 fn no_angle(cx: &mut Context<'_>, angle: Option<&Read>) -> Option<()> {
     let Some(angle) = angle else { return Some(()) };
     cx.error(PairError::Incomplete {
-        message: "two lines that lie on each other make no angle".into(),
+        message: "two lines on each other have no `angle`".into(),
         help: "leave `angle` out, or name a point instead of the first line".into(),
         span: angle.span,
-        label: "not with two lines".into(),
+        label: "the pair joins two lines".into(),
     });
     None
 }

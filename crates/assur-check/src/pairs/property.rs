@@ -52,13 +52,13 @@ pub(crate) fn phrase(kind: JointKind) -> String {
     }
 }
 
-/// What means nothing alone, or not beside another.
+/// Reports a property that needs another one, or contradicts another one.
 /// The first `own` properties are those of the pair, the others those of `all` statements.
 fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read], own: usize) -> Option<()> {
     let said = all.iter().filter(|p| AMOUNTS.contains(&p.name)).collect::<Vec<_>>();
     let needs = |name: &'static str, other: &'static str, missing: &'static [&'static str]| {
         let property = find(all, name).filter(|_| find(all, other).is_none())?;
-        Some((format!("`{name}` means nothing without `{other}`"), missing, property))
+        Some((format!("`{name}` has no effect without `{other}`"), missing, property))
     };
     let missing = match kind {
         JointKind::Revolute => needs("friction", "radius", &["radius 20 mm"])
@@ -84,7 +84,7 @@ fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read], 
     };
     let problem = match (&said[..], missing) {
         ([_, second, ..], _) => Some((
-            format!("`{}` and `{}` both say how much friction there is", said[0].name, second.name),
+            format!("`{}` and `{}` both give the friction", said[0].name, second.name),
             &[][..],
             *second,
         )),
@@ -98,13 +98,17 @@ fn complete(cx: &mut Context<'_>, kind: JointKind, joint: &Joint, all: &[Read], 
     let help = if missing.is_empty() {
         "keep one of them".into()
     } else if of_all {
-        let beside = braces(properties_of_all(cx, property.span), missing);
-        format!("write `all {}{beside}`, with its own value", kind.word())
+        let more = braces(properties_of_all(cx, property.span), missing);
+        format!("write `all {}{more}`, with its own value", kind.word())
     } else {
-        let beside = braces(&joint.properties, missing);
-        format!("write `{}`, with its own value", beside.trim())
+        let more = braces(&joint.properties, missing);
+        format!("write `{}`, with its own value", more.trim())
     };
-    let label = if of_all { "in all of them".into() } else { format!("in `{}`", joint.name.node) };
+    let label = if of_all {
+        "applies to all pairs of this kind".into()
+    } else {
+        format!("in pair `{}`", joint.name.node)
+    };
     cx.error(PairError::Incomplete { message, help, span: property.span, label });
     None
 }

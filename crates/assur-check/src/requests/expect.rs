@@ -267,7 +267,7 @@ fn pose_is_clear(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At
     }
     let Some((count, drive, place)) = sweep(cx) else {
         if values > 1 && !may_sweep(cx) {
-            let help = "a file without a sweep has one pose, and so one value".to_owned();
+            let help = "keep one value: a file without a sweep has one pose".to_owned();
             cx.error(ExpectError::Count { values, poses: "one pose".into(), span, sweep: None, help });
             return None;
         }

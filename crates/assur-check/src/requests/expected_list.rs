@@ -20,7 +20,7 @@ pub(crate) fn help(cx: &Context<'_>, count: usize, values: usize, sweep: Span) -
     };
     let turn = match drive.map(|d| &d.positions) {
         Some(Positions::Range { steps, .. }) if *steps == count => {
-            "; over a whole turn the last pose is the first again, and has no value"
+            "; over a whole turn the last pose is the first again and has no value"
         }
         _ => "",
     };

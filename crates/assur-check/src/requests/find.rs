@@ -90,7 +90,7 @@ impl Context<'_> {
         let read = self.read(&item.value);
         if let Some(steps) = &item.steps {
             self.scalar_constant(steps, &Want::NUMBER, "the number of steps");
-            self.builder.unsupported("a table of so many steps", item.span);
+            self.builder.unsupported("a table with this number of steps", item.span);
         }
         let unit = match &item.unit {
             Some(word) => Some(self.unit(word)?),
@@ -119,13 +119,13 @@ impl Context<'_> {
         }
         let span = item.unit.as_ref().map_or(item.span, |u| u.span);
         let (found, help) = match t.ty {
-            Type::Bool => ("a truth".to_owned(), Some("leave out `as …`".to_owned())),
+            Type::Bool => ("a condition".to_owned(), Some("leave out `as …`".to_owned())),
             ty => {
                 let usual = self.values.usual_unit(ty.dimension());
                 (phrase(ty.dimension()), (!usual.is_empty()).then(|| format!("write `{usual}`")))
             }
         };
-        let (want, what) = (phrase(unit.dimension), format!("what is printed in {}", unit.text));
+        let (want, what) = (phrase(unit.dimension), format!("a quantity printed in {}", unit.text));
         self.error(UnitsError::Mismatch { what, want, found, span, help });
         None
     }

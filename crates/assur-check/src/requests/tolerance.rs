@@ -123,7 +123,7 @@ fn magnitude(t: &Typed) -> Option<f64> {
     }
 }
 
-/// How deep a value may be hidden behind names of `given`.
+/// The greatest depth of names of `given` before a value.
 const DEPTH: usize = 8;
 
 /// One unit in the last digit written, in SI.

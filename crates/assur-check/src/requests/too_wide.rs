@@ -26,7 +26,7 @@ pub(crate) fn relative(cx: &mut Context<'_>, within: &Expr, size: f64, ty: Type)
         }
         _ => String::new(),
     };
-    let why = format!("it is {} % of the value, and zero would be near enough", digits(size * 100.0));
+    let why = format!("it is {} % of the value, so zero would pass", digits(size * 100.0));
     let help = format!("write `within {percent}`{absolute}");
     cx.error(ExpectError::AnyValue { why, span: within.span, help });
     None
@@ -39,7 +39,7 @@ pub(crate) fn turn(cx: &mut Context<'_>, span: Span, size: f64, ty: Type) -> Opt
         return Some(());
     }
     let why = format!(
-        "it is {}, and no two angles differ by more than half a turn",
+        "it is {}, and two angles differ by at most half a turn",
         format_value(size, Dimension::ANGLE)
     );
     cx.error(ExpectError::AnyValue { why, span, help: "write `within 1 deg`".into() });

@@ -23,7 +23,7 @@ const LABEL: &str = "variant";
 pub struct FileRow {
     /// Its numbers.
     pub row: Row,
-    /// What the column `variant` calls it.
+    /// Its name in the column `variant`.
     pub label: Option<String>,
     /// Its place.
     pub span: Span,

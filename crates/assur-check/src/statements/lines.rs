@@ -9,7 +9,7 @@ pub fn write_one(lines: &[String]) -> Option<String> {
     (!lines.is_empty()).then(|| format!("write {}", quoted.join(" or ")))
 }
 
-/// Properties in braces as they would be written, behind some more; nothing where there are none.
+/// Properties in braces as they would be written, after some more; nothing where there are none.
 pub fn braces(properties: &[Property], more: &[&str]) -> String {
     let one = |p: &Property| {
         let values = p.values.iter().map(written).collect::<Option<Vec<_>>>()?.join(", ");

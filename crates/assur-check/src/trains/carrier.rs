@@ -89,7 +89,7 @@ fn none(cx: &mut Context<'_>, first: &Wheel, second: &Wheel, on: (&[LinkId], &[L
     let turns = |wheel: &Wheel, on: &[LinkId]| {
         let names: Vec<String> = on.iter().map(|l| format!("`{}`", cx.builder.mech.link(*l).name)).collect();
         match names.as_slice() {
-            [] => format!("`{}` turns on nothing", wheel.name),
+            [] => format!("`{}` has no axis", wheel.name),
             names => format!("`{}` turns on {}", wheel.name, names.join(" and ")),
         }
     };

@@ -20,7 +20,7 @@ const RACK: (f64, f64, f64) = (20.0 * std::f64::consts::PI / 180.0, 1.0, 0.25);
 const EQUAL: f64 = 1e-12;
 
 impl Context<'_> {
-    /// The geometry of a mesh. What is wrong with it is said once.
+    /// The geometry of a mesh. Its errors are reported once.
     pub(crate) fn gear_pair(&mut self, name: &str, asked: Span) -> Option<GearPair> {
         if let Some(known) = self.values.gears.get(name) {
             return *known;
@@ -189,7 +189,7 @@ impl Context<'_> {
                     mm(begin)
                 );
                 let help =
-                    "give the smaller wheel more teeth or a greater shift, or take a smaller addendum".into();
+                    "give the smaller wheel more teeth or a greater shift, or use a smaller addendum".into();
                 self.error(GearError::Interference { message, help, span });
             }
             GearFault::RingTip { tip, base } => {
@@ -199,12 +199,12 @@ impl Context<'_> {
                     mm(tip),
                     mm(base)
                 );
-                let help = "give the ring more teeth or a greater shift, or take a smaller addendum".into();
+                let help = "give the ring more teeth or a greater shift, or use a smaller addendum".into();
                 self.error(GearError::Interference { message, help, span });
             }
             GearFault::Overlap { gap } => {
                 let message = format!(
-                    "the tips of `{}` and ring `{}` meet beside the line of contact: they overlap by {}",
+                    "the tips of `{}` and ring `{}` meet away from the line of contact: they overlap by {}",
                     name(0),
                     name(1),
                     format_value(-gap, Dimension::ANGLE)

@@ -5,7 +5,7 @@ use crate::expr::context::Context;
 use crate::statements::lines::{end_text, line_of};
 use assur_syntax::document::{End, Expr, ExprKind, Joint, Path};
 
-/// The line with `%` behind an efficiency that is written as a number up to 100.
+/// The line with `%` after an efficiency that is written as a number up to 100.
 pub(crate) fn percent(cx: &Context<'_>, joint: &Joint, value: f64) -> Option<String> {
     let property = joint.properties.iter().find(|p| p.name.node == "efficiency")?;
     let bare = |e: &Expr| matches!(&e.kind, ExprKind::Number(n) if n.unit.is_none());

@@ -80,10 +80,10 @@ pub(crate) fn arm(
     let line =
         format!("mesh {}: {} - {}", joint.name.node, end_text(&joint.ends[0]), end_text(&joint.ends[1]));
     let help = if internal {
-        format!("`{}` is no internal mesh: leave `internal` out", joint.name.node)
+        format!("leave `internal` out: `{}` is not an internal mesh", joint.name.node)
     } else {
         let more = braces(&joint.properties, &["internal"]);
-        format!("a ring has its teeth inside: write `{line}{more}`")
+        format!("write `{line}{more}` for a ring with inner teeth")
     };
     let asked = Arm { length, turned, mesh: joint.name.node.clone(), span: joint.name.span, help };
     let agree = |a: f64, b: f64| (a - b).abs() <= AGREES * b;
@@ -102,8 +102,8 @@ pub(crate) fn arm(
     } else if agree(first.turned, length) {
         format!("{}; then both arms are {}", first.help, text(length))
     } else {
-        "make the arms equal: with coaxial wheels sun and planet add, ring and planet subtract; the rates are the \
-         same either way"
+        "make the arms equal: with coaxial wheels sun and planet add, ring and planet subtract; the speeds are the \
+         same in both cases"
             .into()
     };
     let error = TrainError::PlanetDistance {

@@ -2,7 +2,7 @@
 //!
 //! With s the speed of the rope along its path towards its first end: a slider at the first end moves away by v = s, one at
 //! the last end by v = −s; a wheel keeps the rope from slipping, s = ±ω r; under a pulley on slider P the rope grows by two
-//! parts, s behind − s before = 2 v_P. A slider counts positive where the rope pays out of a wheel turning ccw, and wheels
+//! parts, s after − s before = 2 v_P. A slider counts positive where the rope pays out of a wheel turning ccw, and wheels
 //! on one rope keep their sense: from a rope that begins with a wheel, ω counts with −r.
 
 use crate::error::TrainError;
@@ -30,19 +30,17 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
         let outer = i == 0 || i == last;
         let message = match station {
             Station::Over | Station::Under(..) if outer => "a rope ends at a slider, a wheel or the ground",
-            Station::Slider(..) | Station::Anchor if !outer => {
-                "a rope that runs on cannot be fastened on its way"
-            }
+            Station::Slider(..) | Station::Anchor if !outer => "a rope can be fastened only at its ends",
             _ => continue,
         };
         let help = match end {
-            End::Over(name) => format!("let it run on: `… - over({}) - w1`", name.node),
+            End::Over(name) => format!("continue the rope: `… - over({}) - w1`", name.node),
             End::Under(name) => {
                 format!("fasten its end: `ground - under({}) - w1`", name.node)
             }
             End::At(path) if outer => format!("name the slider itself: `{}`", path.head.node),
             End::At(path) => format!(
-                "let it run under a pulley on the slider: `under({})`, or write two ropes that end there",
+                "write `under({})` for a pulley on the slider, or two ropes that end there",
                 path.head.node
             ),
         };
@@ -85,7 +83,7 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
     if laws.iter().any(|l| l.terms.iter().all(|(r, _)| *r == Rate::Turn(LinkId::GROUND))) {
         cx.error(TrainError::RopeEnd {
             message: format!("rope `{}` moves nothing", joint.name.node),
-            help: "a rope runs from a slider or a wheel: `rope a: A - over(C) - w1`".into(),
+            help: "begin the rope at a slider or a wheel: `rope a: A - over(C) - w1`".into(),
             span: joint.name.span,
         });
         return None;
@@ -164,8 +162,8 @@ pub(crate) fn two_sides(cx: &mut Context<'_>, joint: &Joint, laws: &[Law]) -> Op
         return Some(());
     }
     cx.error(TrainError::Sizes {
-        message: "the efficiency of a rope is that from its one end to the other".into(),
-        help: "leave it out, or divide the rope: this one has more than two parts that move".into(),
+        message: "the efficiency of a rope needs exactly two moving parts".into(),
+        help: "leave it out, or divide the rope".into(),
         labels: vec![label("more than two parts", joint.name.span)],
     });
     None

@@ -75,7 +75,7 @@ fn place<'b>(cx: &mut Context<'_>, body: &'b Body, base: LinkId) -> Option<Optio
         if cx.point(base, other)? != at {
             cx.error(PairError::Incomplete {
                 message: format!("`{}` and `{}` are two axes of one shaft", first.node, other.node),
-                help: "all wheels of a shaft sit on one axis; use two shafts".into(),
+                help: "use two shafts: all wheels of a shaft are on one axis".into(),
                 span: other.span,
                 label: "another axis".into(),
             });
@@ -88,7 +88,7 @@ fn place<'b>(cx: &mut Context<'_>, body: &'b Body, base: LinkId) -> Option<Optio
 /// The mass of a planet moves with its carrier: where, must be known.
 fn heavy_planet(cx: &mut Context<'_>, body: &Body) {
     for member in body.iter().filter(|m| matches!(m.node, Member::Mass(_) | Member::Weight(_))) {
-        cx.builder.unsupported("the mass of a planet whose place is left open", member.span);
+        cx.builder.unsupported("the mass of a planet without a position", member.span);
     }
 }
 
@@ -123,8 +123,8 @@ fn members(cx: &mut Context<'_>, body: &Body, what: &str, turns: bool) {
             Member::Mass(_) | Member::Weight(_) | Member::Bad(_) => continue,
             Member::Wheel(_) if turns => continue,
             Member::Inertia(_) if turns => continue,
-            Member::Wheel(_) => ("a wheel", "wheels belong to shafts and links: `shaft I { wheel w1 … }`"),
-            Member::Inertia(_) => ("a moment of inertia", "a slider does not turn; give it a `mass`"),
+            Member::Wheel(_) => ("a wheel", "give wheels to shafts and links: `shaft I { wheel w1 … }`"),
+            Member::Inertia(_) => ("a moment of inertia", "give it a `mass`: a slider does not turn"),
             _ => ("a point, line or circle", "give them to a `link` with a pair of its own"),
         };
         misplaced(cx, what, is, help, member.span);
@@ -133,9 +133,9 @@ fn members(cx: &mut Context<'_>, body: &Body, what: &str, turns: bool) {
 
 fn misplaced(cx: &mut Context<'_>, what: &str, is: &str, help: &str, span: Span) {
     cx.error(PairError::Incomplete {
-        message: format!("{what} has no place for {is}"),
+        message: format!("{what} cannot have {is}"),
         help: help.into(),
         span,
-        label: "not here".into(),
+        label: "not allowed here".into(),
     });
 }

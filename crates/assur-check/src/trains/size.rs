@@ -111,13 +111,10 @@ fn centre(cx: &mut Context<'_>, declared: DeclaredWheel<'_>) -> Option<Option<as
                 (p.name.clone(), format!(", at {} in the link", place_text(p.at)))
             });
             cx.error(PairError::Incomplete {
-                message: format!(
-                    "where on `{}` does the wheel `{name}` sit?",
-                    cx.builder.mech.link(link).name
-                ),
+                message: format!("wheel `{name}` has no position on `{}`", cx.builder.mech.link(link).name),
                 help: format!("name the point of its axis: `wheel {name} … at {point}`{at}"),
                 span: member.name.span,
-                label: "at which point?".into(),
+                label: "the point is missing".into(),
             });
             None
         }
@@ -143,13 +140,13 @@ fn teeth(cx: &mut Context<'_>, member: &WheelMember) -> Option<Option<f64>> {
             let length = |x| format_value(x, Dimension::LENGTH);
             cx.error(TrainError::Sizes {
                 message: format!(
-                    "wheel `{name}` would have {} teeth: its diameter {} over its module {}",
+                    "wheel `{name}` would have {} teeth: its diameter is {}, its module {}",
                     crate::values::format_value::digits(teeth),
                     length(2.0 * radius),
                     length(module)
                 ),
                 help: format!(
-                    "the diameter is a whole number of modules: write `teeth {} module {}`, or another module",
+                    "write `teeth {} module {}`, or another module: the diameter is a whole number of modules",
                     teeth.round().max(1.0),
                     length(module)
                 ),
@@ -178,7 +175,7 @@ fn whole(cx: &mut Context<'_>, number: f64, wheel: &str, written: &Expr) -> Opti
     let choices = if below == above { line(above) } else { format!("{} or {}", line(below), line(above)) };
     cx.error(TrainError::Sizes {
         message: format!("wheel `{wheel}` has {} teeth", crate::values::format_value::digits(number)),
-        help: format!("teeth are a whole number: write {choices}"),
+        help: format!("write {choices}: the number of teeth is a whole number"),
         labels: vec![label("not a whole number", written.span)],
     });
     None
@@ -250,7 +247,7 @@ fn family_module(cx: &mut Context<'_>, declared: DeclaredWheel<'_>) -> Option<f6
     }
 }
 
-/// What is assumed where the file says nothing.
+/// The assumed size, if the file gives none.
 fn assumed(cx: &mut Context<'_>, member: &WheelMember, teeth: bool) -> f64 {
     let name = &member.name.node;
     if !cx.builder.mech.open_sizes.iter().any(|s| s.wheel == *name) {
@@ -264,7 +261,7 @@ fn cycle(cx: &mut Context<'_>, again: &str) {
     let names: Vec<String> = cx.values.sizes.reading[from..].to_vec();
     let place =
         |name: &String| cx.values.sizes.declared.get(name).map_or_else(Span::default, |d| d.member.name.span);
-    let others = names.iter().skip(1).map(|n| label("hangs on the next", place(n))).collect();
+    let others = names.iter().skip(1).map(|n| label("depends on the next one", place(n))).collect();
     let span = names.first().map_or_else(Span::default, place);
     let chain = way_round(&names);
     for name in &names {

@@ -121,7 +121,7 @@ fn efficiency(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Optio
         return Some(Some(value));
     }
     let help = percent(cx, joint, value).unwrap_or_else(|| {
-        "write the part of the power that gets through: `efficiency 0.98`, or `efficiency 98 %`".into()
+        "write the part of the power that is passed on: `efficiency 0.98`, or `efficiency 98 %`".into()
     });
     cx.error(TrainError::Efficiency { value: digits(value), help, span: property.span });
     None
@@ -134,8 +134,8 @@ fn pressure_angle(cx: &mut Context<'_>, properties: &[Read]) -> Option<Option<f6
     }
     incomplete(
         cx,
-        "a pressure angle lies below 90 deg",
-        "20 deg is usual: `pressure_angle 20 deg`",
+        "a pressure angle must be less than 90 deg",
+        "write for example `pressure_angle 20 deg`",
         property.span,
     )
 }
@@ -155,7 +155,7 @@ fn two<'j>(cx: &mut Context<'_>, joint: &'j Joint) -> Option<[&'j Path; 2]> {
             what,
             wants: "two ends".into(),
             got: if i > 1 { format!("{} of them", joint.ends.len()) } else { "a pulley".into() },
-            help: "write one statement for each two; `over` and `under` belong to a rope".into(),
+            help: "write one statement for each two ends; use `over` and `under` only in a rope".into(),
             span: end.span(),
         });
         return None;
@@ -176,7 +176,7 @@ impl Context<'_> {
 fn wheel(cx: &mut Context<'_>, path: &Path) -> Option<Wheel> {
     known(cx, &path.head, "wheel", &[ThingKind::Wheel]);
     if let Some(part) = &path.tail {
-        return incomplete(cx, "a wheel is named alone", "leave out what stands behind the dot", part.span);
+        return incomplete(cx, "a wheel has no points", "leave out the part after the dot", part.span);
     }
     cx.wheel(&path.head.node)
 }
@@ -277,7 +277,7 @@ fn coefficients(
             b.name,
             length(modules[1])
         ),
-        help: "wheels that mesh have one module: the diameter over the number of teeth".into(),
+        help: "give both the same module, diameter divided by number of teeth".into(),
         labels: vec![
             label(format!("joins {} and {}", a.name, b.name), joint.name.span),
             label(format!("module {}", length(modules[0])), a.span),
@@ -328,8 +328,13 @@ fn sliding(cx: &mut Context<'_>, path: &Path) -> Option<(PairId, LinkId, f64)> {
             sense * line.along.dot(direction).signum()
         }
         Some(line) => {
-            let message = format!("the line `{}` does not lie along the guide of its link", line.name);
-            return incomplete(cx, &message, "the teeth of a rack lie along its guide", path.span());
+            let message = format!("the line `{}` is not parallel to the guide of its link", line.name);
+            return incomplete(
+                cx,
+                &message,
+                "make it parallel to the guide: the teeth of a rack lie along it",
+                path.span(),
+            );
         }
     };
     Some((pair, link, sense))
@@ -363,12 +368,17 @@ fn worm(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Runs
     let (worm, wheel) = (turning(cx, first), wheel(cx, second));
     let (worm, wheel) = (worm?, wheel?);
     let Some(teeth) = wheel.teeth else {
-        let message = format!("a worm wheel has teeth, and `{}` says nothing of them", wheel.name);
+        let message = format!("worm wheel `{}` needs a number of teeth", wheel.name);
         let help = format!("write `wheel {} teeth 40`", wheel.name);
         return incomplete(cx, &message, &help, second.span());
     };
     if worm == wheel.link {
-        return incomplete(cx, "a worm and its wheel sit on two shafts", "name two shafts", joint.name.span);
+        return incomplete(
+            cx,
+            "a worm and its wheel are on the same shaft",
+            "name two shafts",
+            joint.name.span,
+        );
     }
     let starts = find(properties, "starts").map_or(1.0, Read::number);
     let terms = vec![(Rate::Turn(worm), starts), (Rate::Turn(wheel.link), -teeth)];
@@ -386,7 +396,7 @@ fn screw(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Run
             "add the lead, with its own value: `{}`",
             braces(&joint.properties, &["lead 5 mm"]).trim()
         );
-        return incomplete(cx, "how far does the nut go in one turn?", &help, joint.name.span);
+        return incomplete(cx, "the lead of the screw is missing", &help, joint.name.span);
     };
     let lead_per_angle = lead.number() / TAU;
     if lead_per_angle == 0.0 {

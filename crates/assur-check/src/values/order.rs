@@ -42,7 +42,7 @@ pub fn order(names: &Names<'_>, definitions: &mut Definitions, problems: &mut Pr
         let found =
             definition(declared.what).and_then(|e| definitions.first_root(names, e)).map(|(_, root, _)| root);
         let found = found.or_else(|| {
-            matches!(declared.what, QuantityKind::Find(_)).then(|| "what is to be found".to_owned())
+            matches!(declared.what, QuantityKind::Find(_)).then(|| "an item of `find`".to_owned())
         });
         if let Some(result) = found {
             definitions.results.insert(name, result);
@@ -100,7 +100,8 @@ fn cycle(
     let names = path[from..].iter().filter_map(|(name, _)| named(*name)).collect::<Vec<_>>();
     let again = named(again).unwrap_or_default();
     let place = |name: &String| declared.quantities.get(name).map_or_else(Span::default, |d| d.span);
-    let label = |name: &String| LabeledSpan::at(place(name).start..place(name).end, "hangs on the next");
+    let label =
+        |name: &String| LabeledSpan::at(place(name).start..place(name).end, "depends on the next one");
     let others = names.iter().skip(1).take(SHOWN).map(label).collect();
     let span = names.first().map_or_else(Span::default, place);
     let chain = way_round(&names);

@@ -1,4 +1,4 @@
-//! What is set from outside the file.
+//! Values from outside the file.
 
 use crate::values::row::Row;
 

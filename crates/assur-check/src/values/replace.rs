@@ -19,7 +19,7 @@ pub fn unknown_names(names: &Names<'_>, overrides: &Overrides, problems: &mut Pr
             Some((QuantityKind::Given(_), _)) => {}
             Some((kind, span)) => {
                 let is = kind.phrase();
-                let why = format!("`{name}` is {is}, and only a `given` can be set from outside");
+                let why = format!("`{name}` is {is}, but only a `given` can be set");
                 let help = matches!(kind, QuantityKind::Let(_))
                     .then(|| format!("write `given {name} = …` in the file instead of `let {name} = …`"));
                 problems.error(RequestError::SetUnknown {
@@ -79,10 +79,7 @@ type Why = (String, Option<String>);
 /// Reads `120mm`, `-30 deg`, `0.1`.
 pub fn value(name: &str, text: &str, ty: Type, usual: &str) -> Result<Typed, Why> {
     let Type::Number(want) = ty else {
-        return Err((
-            format!("it is {} in the file, and only numbers can be set from outside", ty.shape()),
-            None,
-        ));
+        return Err((format!("it is {} in the file, but only numbers can be set", ty.shape()), None));
     };
     let write = |values: &[String]| {
         let line = |value: &String| format!("`--set {name}={}`", value.replacen(' ', "", 1));
@@ -119,7 +116,7 @@ pub fn value(name: &str, text: &str, ty: Type, usual: &str) -> Result<Typed, Why
     })?;
     let Some(dim) = want.unify(Dim::Of(unit.dimension)) else {
         let found = phrase(unit.dimension);
-        let why = format!("it is {} in the file, and this is {found}", phrase(want.known()));
+        let why = format!("it is {} in the file, but this is {found}", phrase(want.known()));
         let rate = unit.dimension == Dimension::FREQUENCY && want.known() == Dimension::ANGULAR_VELOCITY;
         let turns = rate.then(|| revolutions_or_radians(number, &unit));
         return Err((why, turns.map_or_else(example, |values| write(&values))));

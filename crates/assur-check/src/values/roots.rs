@@ -44,7 +44,7 @@ impl Definitions {
         first
     }
 
-    /// The first such part, what it comes down to, and the name it is hidden behind.
+    /// The first such part, the result it depends on, and the name that contains it.
     pub fn first_root(&self, names: &Names<'_>, expr: &Expr) -> Option<(Span, String, Option<String>)> {
         let mut first = None;
         values(expr, &mut |part| {

@@ -1,4 +1,4 @@
-//! What is known of an expression that has been read.
+//! The type and value of an expression that has been read.
 
 use assur_model::model;
 use assur_model::model::Value;
@@ -14,7 +14,7 @@ pub enum Dim {
 }
 
 impl Dim {
-    /// What both are, if they fit.
+    /// The common type, if they fit.
     pub fn unify(self, other: Self) -> Option<Self> {
         match (self, other) {
             (Self::Any, d) | (d, Self::Any) => Some(d),
@@ -69,12 +69,12 @@ impl Type {
         Self::Vector(Dim::Of(d))
     }
 
-    /// `a number`, `a vector`, `a truth`
+    /// `a number`, `a vector`, `a condition`
     pub const fn shape(self) -> &'static str {
         match self {
             Self::Number(_) => "a number",
             Self::Vector(_) => "a vector",
-            Self::Bool => "a truth",
+            Self::Bool => "a condition",
         }
     }
 
@@ -92,7 +92,7 @@ impl Type {
             Self::Number(d) => phrase(d.known()),
             Self::Vector(d) if d.known() == Dimension::NUMBER => "a vector of plain numbers".into(),
             Self::Vector(d) => format!("a vector in {}", d.known().si_text()),
-            Self::Bool => "a truth".into(),
+            Self::Bool => "a condition".into(),
         }
     }
 }
@@ -125,7 +125,7 @@ impl Typed {
         Self { expr, ty, pending: false }
     }
 
-    /// What cannot be solved yet.
+    /// A part that cannot be solved yet.
     pub const fn pending(ty: Type) -> Self {
         Self { expr: model::Expr::Constant(Value::Scalar(0.0)), ty, pending: true }
     }
@@ -144,7 +144,7 @@ impl Typed {
     }
 }
 
-/// What would make one dimension of another: `multiply by a length`.
+/// The factor between two dimensions: `multiply by a length`.
 pub fn correction(want: Dimension, found: Dimension) -> Option<String> {
     let exponents = |d: Dimension| (d.length, d.mass, d.time);
     if exponents(want) == exponents(found) {
@@ -170,9 +170,9 @@ pub fn correction(want: Dimension, found: Dimension) -> Option<String> {
     FACTORS.into_iter().find_map(|f| {
         let name = f.name()?;
         if exponents(found.times(f)) == exponents(want) {
-            Some(format!("multiply by {name}?"))
+            Some(format!("multiply by {name}"))
         } else if exponents(found.over(f)) == exponents(want) {
-            Some(format!("divide by {name}?"))
+            Some(format!("divide by {name}"))
         } else {
             None
         }

@@ -10,7 +10,7 @@
 //! ```
 //!
 //! s², d² and sd = l_1² − l_2² do not change with the position: they are formed once with twice the digits, [`Sides`].
-//! A difference of q and the leading part of one of them is exact wherever it cancels, the rest is added behind it. So
+//! A difference of q and the leading part of one of them is exact wherever it cancels, the rest is added after it. So
 //! A and both r are accurate for q as it is, near the dead centres and relative to a link however short. It takes one
 //! root and no length L.
 //!

@@ -58,7 +58,7 @@ pub fn mean(samples: &[f64]) -> Mean {
     Mean { value, error: left_off + 2.0 * f64::EPSILON * scale, scale }
 }
 
-/// What is left off where the coefficients fall slower and slower, as a power of their number: behind a kink. Given are the
+/// What is left off where the coefficients fall slower and slower, as a power of their number: after a kink. Given are the
 /// greatest beyond an eighth, a quarter and three eighths of the number of samples.
 fn kinked(first: f64, second: f64, third: f64) -> f64 {
     // of a smooth function each is the same part of the one before, or less

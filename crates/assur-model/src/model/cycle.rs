@@ -8,7 +8,7 @@ use crate::source::Span;
 pub struct Cycle {
     /// Place of the call.
     pub span: Span,
-    /// What is computed.
+    /// The computed quantity.
     pub how: CycleFunction,
     /// Of what: a number.
     pub expr: Expr,

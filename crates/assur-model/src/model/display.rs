@@ -6,7 +6,7 @@ use crate::units::{Dimension, Unit};
 /// How a value is printed: SI value over `factor`, followed by `unit`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Display {
-    /// Unit as the author writes it; empty for plain numbers and truths.
+    /// Unit as the author writes it; empty for plain numbers and conditions.
     pub unit: String,
     /// SI value of one unit.
     pub factor: f64,

@@ -11,12 +11,12 @@ pub enum Value {
     Scalar(f64),
     /// A vector in ground axes.
     Vector(Vec2),
-    /// A truth.
+    /// A condition.
     Bool(bool),
 }
 
 impl Value {
-    /// Whether it is a truth, or numbers that are finite.
+    /// Whether it is a condition, or numbers that are finite.
     #[must_use]
     pub fn is_defined(&self) -> bool {
         match self {
@@ -26,7 +26,7 @@ impl Value {
         }
     }
 
-    /// Magnitude of a number or a vector; zero for a truth.
+    /// Magnitude of a number or a vector; zero for a condition.
     #[must_use]
     pub fn magnitude(&self) -> f64 {
         match self {
@@ -192,13 +192,13 @@ pub enum Query {
     FrictionPower(PairId),
     /// Ideal over actual effort where the balance drives, actual over ideal where it resists.
     Efficiency,
-    /// Whether the efficiency is not positive, as a truth.
+    /// Whether the efficiency is not positive, as a condition.
     Locked,
     /// Value of a given at which locking begins: index into [`super::Mechanism::criticals`].
     Critical(usize),
     /// Force at one of two contact points of a prismatic pair (1 or 2) along the left normal, on the sliding link.
     ContactForce(PairId, u8),
-    /// Where the resultant crosses the guide, in the pair's coordinate.
+    /// The point at which the resultant crosses the guide, as a coordinate of the pair.
     LineOffset(PairId),
     /// −m a_S, a vector.
     InertiaForce(LinkId),
@@ -274,7 +274,7 @@ pub struct Quantity {
     pub name: String,
     /// Place of the name.
     pub span: Span,
-    /// What it is.
+    /// Its kind.
     pub expr: Expr,
     /// How it is printed.
     pub display: Display,

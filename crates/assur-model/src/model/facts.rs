@@ -15,7 +15,7 @@ pub enum Level {
     Accelerations,
 }
 
-/// What an answer is.
+/// The kind of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
     /// A number.
@@ -28,7 +28,7 @@ pub enum Answer {
     Load(LoadId),
 }
 
-/// What a question is about.
+/// The subject of a question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum About {
     /// A link.
@@ -39,7 +39,7 @@ pub enum About {
     Point(PointRef),
 }
 
-/// What a question needs, and what its answer is.
+/// The needs of a question, and the kind of its answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facts {
     /// How far motion must be followed.
@@ -50,13 +50,13 @@ pub struct Facts {
     pub poseless: bool,
     /// It is found from all positions of the motion, or from other solutions of the file.
     pub of_solution: bool,
-    /// What the answer is.
+    /// The kind of the answer.
     pub answer: Answer,
-    /// What it is called, where it is found from the loads.
+    /// Its name, if it is found from the loads.
     pub from_loads: Option<&'static str>,
-    /// What must have a position, and what is asked of it.
+    /// The bodies that must have a position, with the question.
     pub placed: Option<(About, &'static str)>,
-    /// What must have a determined rotation.
+    /// The bodies that must have a determined rotation.
     pub turned: Option<About>,
     /// The link or pair whose angle is continuous over the sweep.
     pub continuous: Option<About>,
@@ -101,7 +101,7 @@ const fn extreme(pair: PairId, function: Function, which: Option<u8>) -> Facts {
 }
 
 impl Query {
-    /// What it needs, and what its answer is.
+    /// Its needs, and the kind of its answer.
     #[must_use]
     pub const fn facts(&self) -> Facts {
         match *self {
@@ -169,7 +169,7 @@ impl Query {
                 Facts { reaction: Some(pair), couple: Some(pair), ..force("a normal force") }
             }
             Self::LineOffset(pair) => {
-                Facts { reaction: Some(pair), couple: Some(pair), ..force("the place of a reaction") }
+                Facts { reaction: Some(pair), couple: Some(pair), ..force("the position of a reaction") }
             }
             Self::Friction(..) => force("a friction force"),
             Self::TangentialForce(_) | Self::ToothForce(_) => force("a force between teeth"),

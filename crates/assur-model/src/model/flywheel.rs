@@ -46,7 +46,7 @@ pub struct Rim {
     pub height_to_width: f64,
 }
 
-/// What is asked of a flywheel.
+/// A question about a flywheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FlywheelPart {
     /// Its moment of inertia, kg m². Needs no pose.

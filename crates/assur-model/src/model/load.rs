@@ -13,7 +13,7 @@ pub struct Gravity {
     pub span: Span,
 }
 
-/// Where on a link a force acts.
+/// The point of a link at which a force acts.
 #[derive(Clone, Debug)]
 pub enum Place {
     /// A point of the link, in its frame, m.
@@ -29,13 +29,13 @@ pub struct Load {
     pub name: Option<String>,
     /// Place of the statement.
     pub span: Span,
-    /// What acts.
+    /// The load.
     pub kind: LoadKind,
-    /// Acts only where this truth holds.
+    /// Acts only while this condition is true.
     pub when: Option<Expr>,
 }
 
-/// What acts where. Expressions are in SI; those that need no results are folded to numbers.
+/// The load and its point. Expressions are in SI; those that need no results are folded to numbers.
 #[derive(Clone, Debug)]
 pub enum LoadKind {
     /// A force on a link; a vector expression, N, in ground axes or in the axes of `frame`.
@@ -132,7 +132,7 @@ impl Load {
     }
 }
 
-/// A spring, with a damper beside it, between two points.
+/// A spring, with a parallel damper, between two points.
 #[derive(Clone, Debug)]
 pub struct Spring {
     /// Name.
@@ -158,7 +158,7 @@ pub struct Balance {
     pub name: String,
     /// Place of the name.
     pub span: Span,
-    /// What is unknown.
+    /// The unknown effort.
     pub kind: BalanceKind,
 }
 

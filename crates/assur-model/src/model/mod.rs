@@ -1,4 +1,4 @@
-//! The mechanism as plain data: SI units, radians, typed ids. What the compiler knows after `check` and before any
+//! The mechanism as plain data: SI units, radians, typed ids. The result of `check`, before any
 //! structure is found.
 
 mod cam_part;
@@ -40,7 +40,7 @@ use crate::source::Span;
 /// A checked mechanism: every name resolved, every number in SI, every expression typed.
 #[derive(Clone, Debug, Default)]
 pub struct Mechanism {
-    /// The title, empty where the file has none.
+    /// The title, empty if the file has none.
     pub title: String,
     /// The problem's text: the comment lines below the title.
     pub notes: Vec<String>,
@@ -50,15 +50,15 @@ pub struct Mechanism {
     pub pairs: Vec<Pair>,
     /// All wheels.
     pub wheels: Vec<Wheel>,
-    /// Sizes that are left open and assumed.
+    /// Sizes that are not given, and assumed.
     pub open_sizes: Vec<OpenSize>,
     /// Asserted structural groups.
     pub groups: Vec<GroupAssertion>,
     /// The drives.
     pub drives: Vec<Drive>,
-    /// Poses beside the sweep's own.
+    /// Poses in addition to those of the sweep.
     pub poses: Vec<NamedPose>,
-    /// What `assemble` says.
+    /// The clauses of `assemble`.
     pub hints: Vec<Hint>,
     /// The acceleration of free fall, where declared.
     pub gravity: Option<Gravity>,
@@ -70,15 +70,15 @@ pub struct Mechanism {
     pub balances: Vec<Balance>,
     /// Designed cams.
     pub cams: Vec<PlateCam>,
-    /// Where they touch their followers.
+    /// Their contacts with followers.
     pub cam_contacts: Vec<CamContact>,
-    /// `ignore inertia` stands in the file.
+    /// The file contains `ignore inertia`.
     pub ignore_inertia: bool,
     /// Quantities with one value per pose: `let` from results and named items of `find`.
     pub quantities: Vec<Quantity>,
-    /// What is asked.
+    /// The questions.
     pub finds: Vec<Find>,
-    /// What the answer key expects.
+    /// The expectations of the answer key.
     pub expects: Vec<Expect>,
     /// Functions over the sweep, each after those it depends on.
     pub cycles: Vec<Cycle>,
@@ -88,7 +88,7 @@ pub struct Mechanism {
     pub unsupported: Vec<Unsupported>,
     /// Givens whose critical value is asked for.
     pub criticals: Vec<String>,
-    /// The unit the file uses most for a dimension: what results without a unit of their own are printed in.
+    /// The unit the file uses most for a dimension, in which results without a unit of their own are printed.
     pub displays: Vec<Display>,
     /// Given and derived values that need no pose, in the order of the file: name, SI value, display.
     pub values: Vec<NamedValue>,
@@ -97,9 +97,9 @@ pub struct Mechanism {
 /// `group NAME: a, b`: these links are asserted to be one structural group.
 #[derive(Clone, Debug)]
 pub struct GroupAssertion {
-    /// Name and its place.
+    /// Name and its span.
     pub name: String,
-    /// Place of the statement.
+    /// Span of the statement.
     pub span: Span,
     /// The links named.
     pub links: Vec<LinkId>,
@@ -123,7 +123,7 @@ impl Mechanism {
         &self.links[id.index()]
     }
 
-    /// Whether its answers take other solutions of the same text: with other values of a `given`, or with other sizes of
+    /// Whether its answers need other solutions of the same text: with other values of a `given`, or with other sizes of
     /// wheels that are left open.
     #[must_use]
     pub fn asks_again(&self) -> bool {

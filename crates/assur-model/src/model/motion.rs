@@ -11,7 +11,7 @@ pub struct Drive {
     pub name: String,
     /// Place of the statement.
     pub span: Span,
-    /// What is driven.
+    /// The driven link, pair or point.
     pub target: DriveTarget,
     /// Its positions, rad, m, or a vector in m for a point. Expressions depend on nothing but `dead`, `stroke`.
     pub positions: Positions,
@@ -25,7 +25,7 @@ pub struct Drive {
     pub sense: Option<f64>,
 }
 
-/// What a drive moves.
+/// The target of a drive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DriveTarget {
     /// The angle of a link to the ground.
@@ -54,7 +54,7 @@ pub enum Positions {
     },
 }
 
-/// A pose beside the sweep's own.
+/// A pose in addition to those of the sweep.
 #[derive(Clone, Debug)]
 pub struct NamedPose {
     /// Its name, as `4'`.
@@ -70,14 +70,14 @@ pub struct NamedPose {
 pub struct Hint {
     /// Place of the clause.
     pub span: Span,
-    /// What it says.
+    /// Its contents.
     pub kind: HintKind,
 }
 
 /// A point of a link: link and coordinates in its frame, m.
 pub type LinkPoint = (LinkId, Vec2);
 
-/// What a clause of `assemble` says.
+/// A clause of `assemble`.
 #[derive(Clone, Debug)]
 pub enum HintKind {
     /// The point lies left (or right) of the line from one point to another.

@@ -12,7 +12,7 @@ pub struct Pair {
     pub name: String,
     /// Place of the name.
     pub span: Span,
-    /// What it joins, and how.
+    /// Its kind and the things it joins.
     pub kind: PairKind,
     /// Friction in it, where declared.
     pub friction: Option<Friction>,
@@ -90,11 +90,11 @@ pub enum PairKind {
         /// Where the rod is hinged.
         to: Pin,
     },
-    /// What runs between wheels and sliders. As many higher pairs as it has laws.
+    /// A transmission between wheels and sliders. It counts as one higher pair per law.
     Transmission(Transmission),
 }
 
-/// A point of a link where a hinge stands.
+/// A point of a link at a hinge.
 #[derive(Clone, Debug)]
 pub struct Pin {
     /// The link.

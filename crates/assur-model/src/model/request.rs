@@ -1,4 +1,4 @@
-//! What is asked and what is expected.
+//! Questions and expectations.
 
 use super::{Display, DriveId, Expr};
 use crate::source::Span;
@@ -10,11 +10,11 @@ pub struct Find {
     pub name: String,
     /// Place of the item.
     pub span: Span,
-    /// What is asked.
+    /// The question.
     pub kind: FindKind,
 }
 
-/// What an item of `find` asks.
+/// The question of a `find` item.
 #[derive(Clone, Debug)]
 pub enum FindKind {
     /// A value at every pose.
@@ -39,13 +39,13 @@ pub struct Expect {
     pub text: String,
     /// Place of the statement.
     pub span: Span,
-    /// What is computed.
+    /// The computed quantity.
     pub expr: Expr,
-    /// What is expected of it.
+    /// The expectation.
     pub relation: Relation,
     /// Tolerance.
     pub tolerance: Tolerance,
-    /// Where it holds; `None`: the file's one pose, all poses for a list, or no pose needed.
+    /// Its pose; `None`: the only pose of the file, all poses for a list, or no pose needed.
     pub at: Option<At>,
     /// Compared modulo one turn.
     pub angle: bool,
@@ -55,14 +55,14 @@ pub struct Expect {
     pub poseless: bool,
 }
 
-/// What is expected of a value.
+/// The expectation of a value.
 #[derive(Clone, Debug)]
 pub enum Relation {
     /// Equal: one value, or one value per pose.
     Equal(Vec<Expr>),
     /// Stands in this relation to a bound.
     Compare(super::Comparison, Expr),
-    /// A truth that holds.
+    /// A condition that is true.
     Condition,
 }
 
@@ -75,11 +75,11 @@ pub enum Tolerance {
     Absolute(f64),
     /// Inferred from the digits written, one per expected value: absolute, SI.
     Written(Vec<f64>),
-    /// Comparisons and truths have none.
+    /// Comparisons and conditions have none.
     None,
 }
 
-/// Where an `expect` holds.
+/// The poses of an `expect`.
 #[derive(Clone, Debug)]
 pub enum At {
     /// A pose by name: of the sweep (`4`), or one of its own (`4'`).
@@ -91,7 +91,7 @@ pub enum At {
 /// A construct that parses and checks but cannot be solved yet.
 #[derive(Clone, Debug)]
 pub struct Unsupported {
-    /// What it is, as in "friction in a pair".
+    /// Its name, as in "friction in a pair".
     pub what: String,
     /// Its place.
     pub span: Span,

@@ -33,7 +33,7 @@ pub struct OpenSize {
     pub teeth: bool,
 }
 
-/// What a law speaks of.
+/// A variable of a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rate {
     /// Angular velocity of a link.
@@ -59,7 +59,7 @@ pub struct Law {
 pub struct Transmission {
     /// Which.
     pub kind: TransmissionKind,
-    /// What it joins, as written: `w1`, `over(C)`.
+    /// The ends, as written: `w1`, `over(C)`.
     pub ends: Vec<String>,
     /// The links joined, in the order written.
     pub links: Vec<LinkId>,
@@ -126,7 +126,7 @@ impl TransmissionKind {
         self.statement().word()
     }
 
-    /// What it is, with its article.
+    /// Its kind, with its article.
     #[must_use]
     pub const fn phrase(self) -> &'static str {
         match self {

@@ -30,7 +30,7 @@ pub(super) fn check(
                 structure.motion[*one].name = Some(assertion.name.clone());
             }
             [_, ..] if covered == assertion.links.len() => {
-                let sentence = "a structural group is one that cannot be split; name each of them by itself";
+                let sentence = "name each group by itself: a structural group cannot be split";
                 let help = with_lines(sentence, &lines(mechanism, structure, assertion));
                 warnings.push(StructureError::ContainsSmaller { name, help, span });
             }
@@ -104,7 +104,7 @@ fn not_a_group(
     }
 }
 
-/// What was found with the links of the assertion.
+/// The groups found with the links of the assertion.
 fn instead(mechanism: &Mechanism, structure: &Structure, assertion: &GroupAssertion) -> String {
     let driven: Vec<String> = found(mechanism, structure, assertion)
         .filter(|&i| structure.motion[i].kind == GroupKind::Driven)
@@ -115,9 +115,9 @@ fn instead(mechanism: &Mechanism, structure: &Structure, assertion: &GroupAssert
     let lines = lines(mechanism, structure, assertion);
     let sentence = match (driven.is_empty(), lines.is_empty()) {
         (true, true) => "leave the statement out: groups are found without it".to_owned(),
-        (true, false) => "the groups found that hold these links are".to_owned(),
-        (false, true) => format!("{} {is} to no group; leave the statement out", driven.join(", ")),
-        (false, false) => format!("{} {is} to no group; found with the rest", driven.join(", ")),
+        (true, false) => "write the groups that were found with these links".to_owned(),
+        (false, true) => format!("leave the statement out: {} {is} to no group", driven.join(", ")),
+        (false, false) => format!("write the groups that were found; {} {is} to no group", driven.join(", ")),
     };
     with_lines(&sentence, &lines)
 }

@@ -13,7 +13,7 @@ use crate::model::PairId;
 /// Random numbers of motions begin here.
 const MOTIONS: u64 = 1 << 56;
 
-/// What is not determined.
+/// The undetermined part.
 #[derive(Clone, Debug)]
 pub(super) struct Defect {
     /// Parts with too many conditions, each overconstrained by itself.
@@ -46,7 +46,7 @@ impl Part {
     }
 }
 
-/// What is left over.
+/// The remainder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Fit {
     /// Freedoms that no condition takes.

@@ -61,13 +61,13 @@ pub(super) fn of_forces(trial: Trial<'_>, count: &Count, defect: &Defect) -> Str
     let declared = format!("{unknown} {} declared", if unknown == 1 { "is" } else { "are" });
     let why = match (unknown == needed, needed) {
         (true, _) => format!(
-            "mobility F = {formula} asks for {}, and {declared}, but not where {} needed",
+            "mobility F = {formula} needs {}, and {declared}, but not where {} needed",
             counted(needed, "unknown effort"),
             if needed == 1 { "it is" } else { "they are" }
         ),
-        (false, 0) => format!("mobility F = {formula} leaves none for an unknown effort, but {declared}"),
+        (false, 0) => format!("mobility F = {formula} allows no unknown effort, but {declared}"),
         (false, n) => {
-            format!("mobility F = {formula} asks for {}, but {declared}", counted(n, "unknown effort"))
+            format!("mobility F = {formula} needs {}, but {declared}", counted(n, "unknown effort"))
         }
     };
     let mut labels = loose_labels(trial, &defect.loose, "nothing holds this link");
@@ -97,7 +97,7 @@ fn equations(trial: Trial<'_>, part: &Part) -> String {
     let has = if moving.len() == 1 { "has" } else { "have" };
     let names = names(trial.mechanism, links(trial.replaced, &moving));
     if !is_rigid(part) {
-        return format!("{} of the unknowns marked cannot be separated from the others", part.surplus);
+        return format!("{} of the marked unknowns cannot be separated from the others", part.surplus);
     }
     format!("{names} {has} {} equations of equilibrium for {} unknowns", part.freedoms, part.taken())
 }
@@ -113,7 +113,7 @@ fn moving(trial: Trial<'_>, part: &Part) -> Vec<BodyId> {
     part.bodies.iter().copied().filter(|b| !trial.replaced.bodies[b.0].known).collect()
 }
 
-/// `` `a` and `b` have 6 freedoms and lose 7 at the places marked ``
+/// `` `a` and `b` have 6 freedoms and lose 7 at the marked joints ``
 fn sum(trial: Trial<'_>, part: &Part) -> String {
     let moving = moving(trial, part);
     let names = names(trial.mechanism, links(trial.replaced, &moving));
@@ -121,14 +121,14 @@ fn sum(trial: Trial<'_>, part: &Part) -> String {
     if !is_rigid(part) {
         let surplus = counted(part.surplus, "condition");
         return format!(
-            "{names} have {surplus} too many at the places marked: joints at one place repeat each other"
+            "{names} have {surplus} too many at the marked joints: joints at one point repeat each other"
         );
     }
     if moving.len() == part.bodies.len() {
-        return format!("{names} have {free} relative to each other and lose {taken} at the places marked");
+        return format!("{names} have {free} relative to each other and lose {taken} at the marked joints");
     }
     let (has, lose) = if moving.len() == 1 { ("has", "loses") } else { ("have", "lose") };
-    format!("{names} {has} {free} and {lose} {taken} at the places marked")
+    format!("{names} {has} {free} and {lose} {taken} at the marked joints")
 }
 
 fn to_leave_out(trial: Trial<'_>, defect: &Defect) -> String {
@@ -136,8 +136,8 @@ fn to_leave_out(trial: Trial<'_>, defect: &Defect) -> String {
     let mut parts: Vec<String> = parts.collect();
     match defect.over.len().saturating_sub(MOST_PARTS) {
         0 => {}
-        1 => parts.push("one part more is overconstrained".to_owned()),
-        n => parts.push(format!("{n} parts more are overconstrained")),
+        1 => parts.push("one more part is overconstrained".to_owned()),
+        n => parts.push(format!("{n} more parts are overconstrained")),
     }
     parts.join(";\n")
 }
@@ -166,7 +166,7 @@ fn of_part(repair: Repair<'_>) -> String {
         ways.push(format!("leave out {}", one_of(&texts(&best))));
     }
     if !rest.is_empty() {
-        ways.push(format!("leave out {}, though fewer links move then", one_of(&texts(&rest))));
+        ways.push(format!("leave out {}, but then fewer links move", one_of(&texts(&rest))));
     }
     ways.extend(
         changes.slots.iter().map(|(name, line)| format!("write `{line}` in place of `prismatic {name}`")),
@@ -205,7 +205,7 @@ fn together(repair: Repair<'_>) -> Option<String> {
 }
 
 fn drives_more(freedoms: usize) -> String {
-    if freedoms == 1 { "a drive more is".to_owned() } else { format!("{freedoms} drives more are") }
+    if freedoms == 1 { "one more drive is".to_owned() } else { format!("{freedoms} more drives are") }
 }
 
 /// Leaving out one pair takes more than is too much.
@@ -214,7 +214,7 @@ fn loosened(repair: Repair<'_>) -> Option<String> {
     let (_, freedoms) = found.first()?;
     let pairs: Vec<String> = found.iter().map(|f| f.0.clone()).collect();
     let more =
-        if *freedoms == 1 { "a drive more is".to_owned() } else { format!("{freedoms} drives more are") };
+        if *freedoms == 1 { "one more drive is".to_owned() } else { format!("{freedoms} more drives are") };
     let one_link = match repair.part.bodies.as_slice() {
         [a, b] if repair.part.efforts.is_empty() => {
             let names = names(repair.trial.mechanism, links(repair.trial.replaced, &[*a, *b]));
@@ -230,8 +230,8 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     let missing = defect.fit.missing;
     let drives = missing_efforts(trial, defect, Adds::Drives);
     let mut text = if count.redundant > 0 && is_chain(trial.replaced, &defect.loose) {
-        "links joined by prismatic pairs alone keep their angles, so that in a closed chain one pair holds an angle \
-         already held and a link can still slide: three prismatic pairs make no structural group; "
+        "links joined only by prismatic pairs keep their angles, so in a closed chain one pair repeats a condition \
+         and a link can still slide: three prismatic pairs make no structural group; "
             .to_owned()
     } else {
         format!("{loose} can still move with {}; ", counted(missing, "freedom"))

@@ -8,9 +8,9 @@ use crate::model::{BalanceId, BalanceKind, DriveId, DriveTarget, LinkId, Mechani
 /// A driven freedom, or the effort that acts in it.
 #[derive(Clone, Debug)]
 pub struct Effort {
-    /// Where it is declared.
+    /// Its declaration.
     pub source: EffortSource,
-    /// Where it stands.
+    /// Its span.
     pub kind: EffortKind,
 }
 

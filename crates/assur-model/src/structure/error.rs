@@ -1,4 +1,4 @@
-//! What can be wrong with a structure, said with the count and the pairs it concerns.
+//! Errors of the structure, with the count and the pairs concerned.
 
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
@@ -8,16 +8,16 @@ use crate::source::Span;
 /// A defect of the structure.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum StructureError {
-    /// A link is joined to nothing.
-    #[error("link `{name}` is joined to nothing")]
+    /// A link is not joined to any other.
+    #[error("link `{name}` is not joined to any other link")]
     #[diagnostic(code(mech::determinacy::floating_link))]
     FloatingLink {
         /// Its name.
         name: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
-        /// Its place.
+        /// Its span.
         #[label("no pair names this link")]
         span: miette::SourceSpan,
     },
@@ -27,10 +27,10 @@ pub enum StructureError {
     NotGrounded {
         /// Their names.
         names: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -41,7 +41,7 @@ pub enum StructureError {
     #[diagnostic(
         code(mech::determinacy::outer_link),
         help(
-            "a link driven at a point stands for the rest of a machine: join it at that point only, or join it to the ground and drive its angle"
+            "join it at this point only, or join it to the ground and drive its angle: a link driven at a point must not be joined elsewhere"
         )
     )]
     OuterLink {
@@ -49,16 +49,16 @@ pub enum StructureError {
         drive: String,
         /// The pair.
         pair: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// Something would turn a roller that nothing holds.
+    /// Something would turn a free roller.
     #[error("`{name}` turns freely in `{pair}`: nothing balances {what}")]
     #[diagnostic(
         code(mech::determinacy::free_roller),
         help(
-            "its rotation is a passive freedom and is not solved; leave that out, or give the circle to the link that carries `{name}`, and it slides instead of rolling"
+            "leave that out, or give the circle to the link that carries `{name}`, so that it slides instead of rolling: the rotation of a free roller is not solved"
         )
     )]
     FreeRoller {
@@ -66,9 +66,9 @@ pub enum StructureError {
         name: String,
         /// The pair on which it turns.
         pair: String,
-        /// What would turn it.
+        /// The loads that would turn it.
         what: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -80,10 +80,10 @@ pub enum StructureError {
         formula: String,
         /// `but no drive is declared`, `but 1 drive is declared`.
         drives: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -95,10 +95,10 @@ pub enum StructureError {
         formula: String,
         /// `but 2 drives are declared`.
         drives: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -108,7 +108,7 @@ pub enum StructureError {
         code(mech::determinacy::immobile),
         severity(warning),
         help(
-            "{pairs} hold them to the ground: check which links these pairs join; if the links are meant to stand still, make them part of the ground"
+            "check which links {pairs} join, because they hold them to the ground; if the links should not move, make them part of the ground"
         )
     )]
     Immobile {
@@ -118,11 +118,11 @@ pub enum StructureError {
         moves: &'static str,
         /// The pairs that hold them.
         pairs: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// A link or guide that only repeats what others of its kind do.
+    /// A link or guide that only repeats others of its kind.
     #[error("{what} repeats what {others} already: {how}")]
     #[diagnostic(code(mech::determinacy::repeated))]
     Repeated {
@@ -130,12 +130,12 @@ pub enum StructureError {
         what: String,
         /// The others with their verb.
         others: String,
-        /// What makes it so.
+        /// The reason.
         how: &'static str,
         /// The count and what to write.
         #[help]
         help: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -147,10 +147,10 @@ pub enum StructureError {
         formula: String,
         /// `and 2 drives are declared`.
         drives: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -162,9 +162,9 @@ pub enum StructureError {
     MixedTrain {
         /// The links of the group.
         links: String,
-        /// What to do.
+        /// The correction.
         help: &'static str,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
@@ -172,32 +172,32 @@ pub enum StructureError {
     #[error("the forces are not determined: {why}")]
     #[diagnostic(code(mech::determinacy::efforts))]
     Efforts {
-        /// What does not fit, with the count in figures.
+        /// The reason, with the count in figures.
         why: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// The asserted group does not count.
-    #[error("`{name}` is no structural group: {formula}, not 0")]
+    /// The asserted group does not satisfy the count.
+    #[error("`{name}` is not a structural group: {formula}, not 0")]
     #[diagnostic(code(mech::determinacy::not_a_group))]
     NotAGroup {
         /// Its name.
         name: String,
         /// The count in figures.
         formula: String,
-        /// What to write.
+        /// The correction.
         #[help]
         help: String,
-        /// Places.
+        /// Spans.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
     /// The asserted links are not one of the groups found, nor made of several.
-    #[error("`{name}` counts as a group, but its links are not solved by themselves")]
+    #[error("`{name}` satisfies the count of a group, but its links cannot be solved by themselves")]
     #[diagnostic(code(mech::determinacy::part_of_larger))]
     PartOfLarger {
         /// Its name.
@@ -205,12 +205,12 @@ pub enum StructureError {
         /// The groups found that hold its links.
         #[help]
         help: String,
-        /// Place.
+        /// Its span.
         #[label("asserted here")]
         span: miette::SourceSpan,
     },
     /// The asserted group is made of smaller ones.
-    #[error("`{name}` counts as a group, but is made of smaller ones")]
+    #[error("`{name}` satisfies the count of a group, but consists of smaller groups")]
     #[diagnostic(code(mech::determinacy::contains_smaller), severity(warning))]
     ContainsSmaller {
         /// Its name.
@@ -218,7 +218,7 @@ pub enum StructureError {
         /// The groups found.
         #[help]
         help: String,
-        /// Place.
+        /// Its span.
         #[label("asserted here")]
         span: miette::SourceSpan,
     },

@@ -90,6 +90,6 @@ fn help(trial: Trial<'_>, defect: Option<&Defect>, links: &[LinkId]) -> String {
     let (link, point) = named.map_or(("LINK", "P"), |(l, p)| (l.name.as_str(), p.name.as_str()));
     format!(
         "give the ground a point `{point}` too and add `revolute {point}: ground - {link}`, with a drive or a second pair \
-         for what can then still turn; or remove {it}"
+         for the remaining freedoms; or remove {it}"
     )
 }

@@ -17,7 +17,7 @@ pub struct Group {
     pub efforts: Vec<usize>,
     /// Laws inside it; on the side of forces, those whose multipliers are found in it.
     pub laws: Vec<JointId>,
-    /// What it is.
+    /// Its kind.
     pub kind: GroupKind,
     /// Class after Artobolevsky: I for a driven link, II for a dyad, III and higher for the rest.
     pub class: u8,
@@ -181,7 +181,7 @@ impl Group {
         Some(dyad)
     }
 
-    /// Takes the driven joints out, each with the body behind it, and looks whether a dyad is left.
+    /// Takes the driven joints out, each with the body after it, and looks whether a dyad is left.
     fn arrange_driven_legs(&mut self, efforts: &[Effort], replaced: &Replaced) -> Option<Dyad> {
         let driven: Vec<JointId> = self
             .efforts

@@ -3,7 +3,7 @@
 use crate::math::Vec2;
 use crate::model::{LinkId, Mechanism, PairId};
 
-/// A body of the replaced mechanism: the mechanism's links first, imaginary ones behind.
+/// A body of the replaced mechanism: the mechanism's links first, imaginary ones after.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BodyId(pub usize);
 
@@ -41,7 +41,7 @@ pub enum BodyOrigin {
 pub struct Joint {
     /// The pair it belongs to.
     pub pair: PairId,
-    /// What it is.
+    /// Its kind.
     pub kind: JointKind,
 }
 
@@ -76,7 +76,7 @@ pub enum JointKind {
     Law(Vec<(BodyRate, f64)>),
 }
 
-/// What a law speaks of.
+/// A variable of a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BodyRate {
     /// Angular velocity of a body.

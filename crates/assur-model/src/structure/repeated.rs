@@ -58,14 +58,14 @@ fn of_guides(trial: Trial<'_>, count: &Count, pair: PairId, other: PairId) -> St
         others: format!("{first} does"),
         how: "parallel guides between the same two links",
         help: format!(
-            "by the count F = {} the slider could not move; it does, because the guides are parallel, but no equation \
-             tells how they share the forces; leave out {what}; what bears at two places is one pair with `contacts`, as in \
-             `prismatic {}: … {{ contacts -20 mm, 20 mm }}`",
+            "leave out {what}: by the count F = {} the slider could not move; it does, because the guides are parallel, but no \
+             equation determines how they share the forces; write a slider that touches at two points as one pair with \
+             `contacts`, as in `prismatic {}: … {{ contacts -20 mm, 20 mm }}`",
             count.formula(),
             mechanism.pair(other).name
         ),
         labels: vec![
-            label("holds nothing that is still free", mechanism.pair(pair).span),
+            label("repeats the other guide", mechanism.pair(pair).span),
             label("parallel to this", mechanism.pair(other).span),
         ],
         what,
@@ -105,11 +105,11 @@ fn describe(trial: Trial<'_>, count: &Count, bar: &Bar, others: [LinkId; 2]) -> 
         others: format!("{} do", listed(&others.map(quoted), "and")),
         how: "equal cranks between the same two links",
         help: format!(
-            "by the count F = {} nothing could move; it does, because the lengths are equal, but no equation tells how \
-             these links share the forces; leave out {} with its pairs {}: the motion stays the same",
-            count.formula(),
+            "leave out {} with its pairs {}, the motion stays the same: by the count F = {} nothing could move; it does, \
+             because the lengths are equal, but no equation determines how these links share the forces",
             quoted(bar.link),
-            listed(&pairs, "and")
+            listed(&pairs, "and"),
+            count.formula()
         ),
         labels,
     }

@@ -1,4 +1,4 @@
-//! What a mechanism is built from.
+//! The structure of a mechanism.
 
 use super::count::Count;
 use super::effort::Effort;
@@ -7,7 +7,7 @@ use super::group::Group;
 use super::joint::Replaced;
 use crate::model::{LinkId, PairId};
 
-/// What the mechanism is built from.
+/// The structure of the mechanism.
 #[derive(Clone, Debug)]
 pub struct Structure {
     /// Numbers of links and pairs, mobility.
@@ -25,7 +25,7 @@ pub struct Structure {
     pub forces: Vec<Group>,
     /// Why forces are not determined, where they are not.
     pub force_defect: Option<StructureError>,
-    /// Links whose rotation changes nothing (a free roller): set aside.
+    /// Links whose rotation changes nothing (a free roller): not solved.
     pub passive: Vec<LinkId>,
     /// Prismatic pairs whose couples are not determined: they close a chain of prismatic pairs.
     pub undetermined_couples: Vec<PairId>,

@@ -24,7 +24,7 @@ fn describe(mechanism: &Mechanism, roller: LinkId) -> Option<StructureError> {
         }
     }
     if weighs(mechanism, link) && link.mass.is_some_and(|m| m.mass > 0.0 && beside(m.centre)) {
-        found.push(("its mass beside the hinge".to_owned(), link.span));
+        found.push(("its mass, which is not at the hinge".to_owned(), link.span));
     }
     if found.is_empty() {
         return None;
@@ -58,7 +58,7 @@ fn loads(mechanism: &Mechanism, roller: LinkId, beside: &impl Fn(Vec2) -> bool) 
             LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. } if *on == roller => {
                 match at {
                     Place::Local(at) if !beside(*at) => continue,
-                    _ => "the force on it beside the hinge".to_owned(),
+                    _ => "the force on it, which does not act at the hinge".to_owned(),
                 }
             }
             LoadKind::InPair { pair, .. } if mechanism.pair(*pair).kind.links().contains(&roller) => {
@@ -70,7 +70,7 @@ fn loads(mechanism: &Mechanism, roller: LinkId, beside: &impl Fn(Vec2) -> bool) 
     }
     for spring in &mechanism.springs {
         if [spring.from, spring.to].iter().any(|(link, at)| *link == roller && beside(*at)) {
-            found.push(("the spring on it beside the hinge".to_owned(), spring.span));
+            found.push(("the spring on it, which is not joined at the hinge".to_owned(), spring.span));
         }
     }
     found

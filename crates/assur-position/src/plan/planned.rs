@@ -55,7 +55,7 @@ pub struct Plan {
     pub pin_slots: Vec<(usize, f64)>,
     /// Number of unknown efforts.
     pub efforts: usize,
-    /// What is computed.
+    /// The computed quantity.
     pub effects: Effects,
     /// How accurately.
     pub settings: Settings,

@@ -105,7 +105,7 @@ pub struct DrivenLeg {
     pub joint: Option<DrivenJoint>,
 }
 
-/// The driven joint inside a leg, and the body behind it.
+/// The driven joint inside a leg, and the body after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DrivenJoint {
     /// A guide on the first body.

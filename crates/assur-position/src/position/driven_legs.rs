@@ -68,7 +68,7 @@ impl<S: Scalar> State<S> {
         self.arm(leg).w.norm()
     }
 
-    /// Places the body behind a driven joint.
+    /// Places the body after a driven joint.
     #[inline(never)]
     fn follow<const LEVEL: u8>(&mut self, leg: &DrivenLeg) {
         match &leg.joint {

@@ -27,7 +27,7 @@ pub enum Member {
     Inertia(About),
     /// `wheel z2 teeth 42 module 16 mm at O2`
     Wheel(WheelMember),
-    /// What could not be read; reported already.
+    /// A part that could not be read; already reported.
     Bad(Bad),
 }
 

@@ -6,13 +6,13 @@ use assur_text::source::{Span, Spanned};
 /// An expression and its place. Brackets leave no node; the place of what they enclose includes them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
-    /// What it is.
+    /// Its kind.
     pub kind: ExprKind,
-    /// Where it stands.
+    /// Its span.
     pub span: Span,
 }
 
-/// What an expression is made of.
+/// The parts of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ExprKind {
     /// `100`, `100 mm`

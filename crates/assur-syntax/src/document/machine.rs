@@ -66,7 +66,7 @@ pub struct Joint {
     pub name: Name,
     /// What it joins, in the order written; two or more.
     pub ends: Vec<End>,
-    /// What stands in its braces.
+    /// The contents of its braces.
     pub properties: Vec<Property>,
 }
 
@@ -139,11 +139,11 @@ pub struct Group {
 pub struct Cam {
     /// Its name.
     pub name: Name,
-    /// What stands in its braces.
+    /// The contents of its braces.
     pub members: Vec<Spanned<CamMember>>,
 }
 
-/// What a cam is described by.
+/// The description of a cam.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CamMember {
     /// `turning cw`
@@ -154,7 +154,7 @@ pub enum CamMember {
     Phase(Box<Phase>),
     /// `base_radius 50 mm`, and what else may come
     Property(Property),
-    /// What could not be read; reported already.
+    /// A part that could not be read; already reported.
     Bad(super::Bad),
 }
 
@@ -165,7 +165,7 @@ pub struct Follower {
     pub motion: Name,
     /// `roller`, `knife` or `flat`
     pub shape: Name,
-    /// What stands in its braces.
+    /// The contents of its braces.
     pub properties: Vec<Property>,
 }
 
@@ -202,6 +202,6 @@ pub struct Flywheel {
     pub on: Name,
     /// The torque whose work it evens out.
     pub torque: Option<Name>,
-    /// What stands in its braces.
+    /// The contents of its braces.
     pub properties: Vec<Property>,
 }

@@ -46,7 +46,7 @@ impl Path {
     }
 }
 
-/// What a text says.
+/// The contents of a text.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// The statements in the order written.
@@ -123,7 +123,7 @@ pub enum Statement {
     Until(Until),
     /// `ignore inertia`
     Ignore(Name),
-    /// What could not be read; reported already.
+    /// A part that could not be read; already reported.
     Bad(Bad),
 }
 
@@ -134,7 +134,7 @@ pub struct Bad {
     pub names: Vec<String>,
 }
 
-/// `NAME = EXPRESSION` behind `given` or `let`.
+/// `NAME = EXPRESSION` after `given` or `let`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Definition {
     /// The name defined.

@@ -44,7 +44,7 @@ pub enum Order {
 pub struct Sensed {
     /// The value as written.
     pub value: Expr,
-    /// The sense behind it.
+    /// The sense after it.
     pub sense: Option<Spanned<Turn>>,
 }
 
@@ -63,7 +63,7 @@ pub struct Drive {
     pub direction: Option<Spanned<Direction>>,
 }
 
-/// Where a drive stands.
+/// The positions of a drive.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DrivePosition {
     /// One value or several.
@@ -111,7 +111,7 @@ pub enum Direction {
     Moving(Way),
 }
 
-/// `crank = 90 deg` behind `at`.
+/// `crank = 90 deg` after `at`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {
     /// The drive, or `time`.
@@ -136,7 +136,7 @@ pub struct Assemble {
     pub clauses: Vec<Spanned<AssembleClause>>,
 }
 
-/// What names one of several poses.
+/// The name of one of several poses.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AssembleClause {
     /// `C near (420 mm, 0)`
@@ -195,12 +195,12 @@ pub enum Site {
     Link {
         /// The link.
         link: Name,
-        /// Where on it.
+        /// Its point.
         at: Option<Place>,
     },
 }
 
-/// Where a force acts.
+/// The point of a force.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Place {
     /// A point of the link.

@@ -1,4 +1,4 @@
-//! What is asked and what the answer key says.
+//! Questions and expectations.
 
 use super::{Expr, Name, Number, Setting};
 use assur_text::source::{Span, Spanned};
@@ -15,7 +15,7 @@ pub struct Find {
 pub struct FindItem {
     /// The name it is given.
     pub name: Option<Name>,
-    /// What is asked.
+    /// The question.
     pub value: Expr,
     /// What is asked as written, with single blanks: what it is called where it has no name.
     pub text: String,
@@ -34,7 +34,7 @@ pub struct Expect {
     pub what: Expr,
     /// That as written, with single blanks.
     pub text: String,
-    /// The values behind `=`; empty for a condition such as `locked()` or `a > b`.
+    /// The values after `=`; empty for a condition such as `locked()` or `a > b`.
     pub values: Vec<Expr>,
     /// The tolerance.
     pub within: Option<Expr>,
@@ -92,7 +92,7 @@ pub struct Simulate {
 /// `until angle(crank) = 360 deg`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Until {
-    /// What is watched.
+    /// The watched quantity.
     pub what: Expr,
     /// The value at which the motion ends.
     pub value: Expr,

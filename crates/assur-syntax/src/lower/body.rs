@@ -148,7 +148,7 @@ impl Lower<'_> {
         Some(PointMember { name: function.clone(), at: Expr { kind, span } })
     }
 
-    /// A point behind whose name a number stands is no point: `wieght 21 N`.
+    /// A point after whose name a number stands is no point: `wieght 21 N`.
     fn check_point(&mut self, name: &Name, at: &Expr) {
         if matches!(&at.kind, ExprKind::Number(n) if n.value != 0.0) {
             let problem = crate::recover::point_without_coordinates(self.text, name, at.span);

@@ -45,7 +45,7 @@ impl Lower<'_> {
     }
 }
 
-/// A number behind its sign.
+/// A number after its sign.
 fn unsigned(value: &mut Expr) -> Option<&mut Number> {
     match &mut value.kind {
         ExprKind::Unary(_, inner) => unsigned(inner),

@@ -12,7 +12,7 @@ use assur_text::units;
 /// How many signs, powers or parts may follow each other: each is a level of the tree.
 const CHAIN: usize = 16;
 
-/// An operator and what stands behind it.
+/// An operator and what stands after it.
 type Link = (Spanned<BinaryOp>, Expr);
 
 impl Lower<'_> {
@@ -181,7 +181,7 @@ impl Lower<'_> {
         })
     }
 
-    /// A number with its unit, and the factors behind it that looked like a part of the unit.
+    /// A number with its unit, and the factors after it that looked like a part of the unit.
     fn quantity(&mut self, pair: P<'_>) -> Option<(Expr, Vec<Link>)> {
         let mut parts = Parts::of(pair);
         let number = parts.any()?;
@@ -262,7 +262,7 @@ impl Lower<'_> {
         Some(Path { head: parts.name()?, tail: parts.name() })
     }
 
-    /// A value with `cw` or `ccw` behind it.
+    /// A value with `cw` or `ccw` after it.
     pub(super) fn sensed(&mut self, pair: P<'_>) -> Option<Sensed> {
         let mut parts = Parts::of(pair);
         Some(Sensed { value: self.expr(parts.any()?)?, sense: parts.any().map(|p| turn(&p)) })

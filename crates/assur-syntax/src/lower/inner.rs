@@ -5,7 +5,7 @@ use crate::line::Line;
 use crate::words::is_name_char;
 use assur_text::source::Span;
 
-/// `{ S (150 mm, 0); force on crank at B = 10 N @ 0 deg }`: the braces, open at `open`, end behind one statement that
+/// `{ S (150 mm, 0); force on crank at B = 10 N @ 0 deg }`: the braces, open at `open`, end after one statement that
 /// follows `members`. The place of the closing brace comes with it.
 pub(super) fn statement_in_braces(
     text: &str,
@@ -25,7 +25,7 @@ pub(super) fn statement_in_braces(
         let behind = text.get(brace + 1..line.end)?.trim_end();
         format!("write: {before} }}; {statement}{behind}")
     } else {
-        "move it behind the brace that closes these".to_owned()
+        "move it after the brace that closes these".to_owned()
     };
     let at = Span::new(start, start + word.len());
     Some((SyntaxError::StatementInBraces { word: word.to_owned(), open, at, help }, brace))

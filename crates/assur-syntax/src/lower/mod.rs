@@ -90,7 +90,7 @@ impl Lower<'_> {
         })
     }
 
-    /// The text of the part behind a statement's word.
+    /// The text of the part after a statement's word.
     fn after_word(&self, pair: P<'_>) -> Option<Spanned<String>> {
         let mut parts = Parts::of(pair);
         parts.any()?;

@@ -1,19 +1,19 @@
-//! What the walk carries along.
+//! The state of the walk.
 
 use assur_text::diagnostic::Problems;
 use std::collections::BTreeSet;
 
-/// What the walk carries along.
+/// The state of the walk.
 pub struct Lower<'a> {
     /// The author's text.
     pub text: &'a str,
     /// The text that the grammar read, of the same length.
     pub read: &'a str,
-    /// What was found wrong.
+    /// The problems found.
     pub problems: Problems,
     /// Words of the language that were meant as names, and reported.
     pub reserved: BTreeSet<String>,
-    /// Closing braces behind a statement that stands within them, which is reported.
+    /// Closing braces after a statement that stands within them, which is reported.
     pub closing: BTreeSet<usize>,
 }
 

@@ -68,7 +68,7 @@ impl<'i> Parts<'i> {
         self.take(Rule::ident).map(|p| name(&p))
     }
 
-    /// The name behind a word, if the word stands there.
+    /// The name after a word, if the word stands there.
     pub(super) fn name_behind(&mut self, word: Rule) -> Option<Name> {
         if self.word(word) { self.name() } else { None }
     }

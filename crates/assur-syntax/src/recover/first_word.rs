@@ -224,7 +224,7 @@ fn lines_meant(case: &Case<'_>) -> Option<String> {
     Some(case.help(0, length, wanted))
 }
 
-/// `find a; b`: the list of the statement before goes on behind a semicolon.
+/// `find a; b`: the list of the statement before goes on after a semicolon.
 fn list_goes_on(case: &Case<'_>) -> Option<String> {
     let line = Line::around(case.text, case.offset);
     let before = case.text.get(line.start..case.offset)?.trim_end().strip_suffix(';')?;

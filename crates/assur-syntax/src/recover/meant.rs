@@ -189,7 +189,7 @@ fn blank_between(case: &Case<'_>) -> Option<Corrected> {
     number.then_some((open, new, wanted))
 }
 
-/// `(120, 10) mm`; `(5 %)` behind an expected value
+/// `(120, 10) mm`; `(5 %)` after an expected value
 fn unit_behind(case: &Case<'_>) -> Option<Corrected> {
     let before = case.slice.get(..case.fail)?.trim_end();
     if case.token(0) == "expect" && case.token(case.fail) == "(" {

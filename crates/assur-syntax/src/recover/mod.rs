@@ -32,7 +32,7 @@ use unicode_normalization::UnicodeNormalization;
 /// The mistakes of a file that are looked into: repairs are tried, which takes time, and nobody reads more.
 const EXPLAINED: usize = 200;
 
-/// What was meant, where a repair reads.
+/// The correction, if it reads.
 fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     first_word::explain(case)
         .or_else(|| within::equals_of_expect(case))
@@ -118,7 +118,7 @@ fn without_coordinates(name: &str, at: Span) -> SyntaxError {
     SyntaxError::PointWithoutCoordinates { at, help }
 }
 
-/// What can be said where no repair helps.
+/// The message if no repair helps.
 fn unexpected(case: &Case<'_>) -> SyntaxError {
     let alone = case.slice.chars().all(is_name_char) && !words::is_member(case.slice);
     if case.what == What::Member && alone && case.reads(&format!("{} (0, 0)", case.slice)) {
@@ -141,7 +141,7 @@ fn unexpected(case: &Case<'_>) -> SyntaxError {
     let at = case.span(case.fail, token.len());
     let help = match case.what {
         What::Header | What::Row => Some(
-            "the header and each row stand on a line of their own: names with units, then plain numbers"
+            "write the header and each row on a separate line: names with units, then plain numbers"
                 .to_owned(),
         ),
         _ if first == "link" && token.is_empty() && case.slice.contains('-') && !case.slice.contains('{') => {

@@ -41,7 +41,7 @@ fn exchanged(case: &Case<'_>, start: usize, middle: usize, end: usize) -> Option
     })
 }
 
-/// Where words begin that follow a blank, except units behind their numbers.
+/// Where words begin that follow a blank, except units after their numbers.
 fn starts(slice: &str, end: usize) -> Vec<usize> {
     let mut blank = true;
     let mut starts = Vec::new();

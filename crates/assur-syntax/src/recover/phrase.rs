@@ -148,7 +148,7 @@ fn points<'a>(case: &Case<'a>) -> Vec<&'a str> {
     points
 }
 
-/// `find reactions Mb`: something that is to be found behind something complete.
+/// `find reactions Mb`: something that is to be found after something complete.
 fn comma_in_list(case: &Case<'_>) -> Option<SyntaxError> {
     let before = case.slice.get(..case.fail)?.trim_end();
     let here = case.token(case.fail);

@@ -24,7 +24,7 @@ pub(super) fn statements(case: &Case<'_>) -> Option<SyntaxError> {
     None
 }
 
-/// `S (60 mm, 15 mm) mass 1.2 kg at S`: members one behind the other, each of which reads.
+/// `S (60 mm, 15 mm) mass 1.2 kg at S`: members one after the other, each of which reads.
 pub(super) fn members(case: &Case<'_>) -> Option<SyntaxError> {
     if matches!(case.what, What::Statement | What::Header | What::Row) {
         return None;

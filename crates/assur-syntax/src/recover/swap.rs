@@ -61,7 +61,7 @@ fn split_word(case: &Case<'_>) -> Option<SyntaxError> {
     })
 }
 
-/// What other languages write, and what this one does.
+/// Forms of other languages, and of this one.
 const OPERATORS: &[(&str, &str)] = &[
     ("**", "^"),
     ("&&", "and"),
@@ -171,7 +171,7 @@ fn digit_first(case: &Case<'_>) -> Option<SyntaxError> {
     })
 }
 
-/// What people write for words of the language.
+/// Other spellings of words of the language.
 const SYNONYMS: &[(&str, &str)] = &[
     ("clockwise", "cw"),
     ("counterclockwise", "ccw"),

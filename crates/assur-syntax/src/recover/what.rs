@@ -1,8 +1,8 @@
-//! What was being read when a mistake was found.
+//! The kind of part that was being read when a mistake was found.
 
 use crate::grammar::Rule;
 
-/// What was being read.
+/// The kind of part being read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum What {
     /// A statement.

@@ -11,7 +11,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
     reserved_name(case).or_else(|| misspelt_here(case)).or_else(|| misspelt_before(case))
 }
 
-/// What remains when nothing else mends it.
+/// The last attempts at a correction.
 pub(super) fn missing(case: &Case<'_>) -> Option<SyntaxError> {
     missing_operator(case).or_else(|| missing_word(case))
 }

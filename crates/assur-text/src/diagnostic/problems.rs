@@ -6,7 +6,7 @@ use std::sync::Arc;
 /// Any stage's diagnostic.
 pub type AnyDiagnostic = Arc<dyn Diagnostic + Send + Sync + 'static>;
 
-/// All that is wrong with, or worth saying about, one text.
+/// All errors, warnings and notes about one text.
 #[derive(Clone, Debug, Default)]
 pub struct Problems {
     items: Vec<AnyDiagnostic>,
@@ -53,7 +53,7 @@ impl Problems {
         self.more_warnings += other.more_warnings;
     }
 
-    /// Adds what a later stage says, except about places that an error of this collection is about: one mistake is told
+    /// Adds the diagnostics of a later stage, except at spans where this collection has an error: one mistake is reported
     /// once.
     pub fn append_later(&mut self, later: Self) {
         let told = self.items.iter().filter(|p| is_error(p.as_ref())).filter_map(|p| primary(p.as_ref()));
@@ -88,7 +88,7 @@ impl Problems {
         self.items.iter().map(text).eq(other.items.iter().map(text))
     }
 
-    /// Whether there is nothing to say.
+    /// Whether it is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.items.is_empty()
@@ -155,7 +155,7 @@ impl IntoIterator for Problems {
     }
 }
 
-/// Whether it is an error; what says nothing of its severity is one.
+/// Whether it is an error; a diagnostic without severity is one.
 pub(super) fn is_error(problem: &dyn Diagnostic) -> bool {
     matches!(problem.severity(), None | Some(Severity::Error))
 }

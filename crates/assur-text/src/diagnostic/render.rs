@@ -1,4 +1,4 @@
-//! What a reader sees.
+//! Rendering of diagnostics.
 
 use super::Problems;
 use super::excerpt::Excerpt;
@@ -24,7 +24,7 @@ pub enum Style {
 }
 
 impl Style {
-    /// What tests compare: no colour, 100 columns.
+    /// For tests: no colour, 100 columns.
     pub const PLAIN: Self = Self::Graphical { colour: false, width: 100 };
 }
 

@@ -14,9 +14,9 @@ pub struct DiagnosticView {
     pub code: Option<String>,
     /// `error`, `warning` or `advice`
     pub severity: &'static str,
-    /// What is wrong.
+    /// The mistake.
     pub message: String,
-    /// What to do.
+    /// The correction.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub help: Option<String>,
     /// The places it is about, the primary one first.
@@ -32,7 +32,7 @@ pub struct SpanView {
     pub start: Place,
     /// One past its last.
     pub end: Place,
-    /// What is said of it.
+    /// Its text.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub label: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! What the table of functions says of each.
+//! Rows of the table of functions.
 
 use super::{Dimension, FUNCTIONS, Function};
 use std::fmt;
@@ -10,7 +10,7 @@ pub struct FunctionRow {
     pub function: Function,
     /// Its name.
     pub name: &'static str,
-    /// What it belongs to.
+    /// Its subject.
     pub group: FunctionGroup,
     /// A call that can be read, with names that are usual.
     pub usage: &'static str,
@@ -23,9 +23,9 @@ pub struct FunctionRow {
 pub struct Form {
     /// Its arguments.
     pub takes: &'static [Argument],
-    /// What comes out.
+    /// The result.
     pub gives: Gives,
-    /// What it is, in one sentence without its full stop.
+    /// Its meaning, in one sentence without its full stop.
     pub means: &'static str,
 }
 
@@ -34,7 +34,7 @@ pub struct Form {
 pub struct Argument {
     /// What the reference calls it; the name before `=` where it is written with one.
     pub name: &'static str,
-    /// What it is.
+    /// Its kind.
     pub takes: Takes,
     /// It may be left out.
     pub optional: bool,
@@ -42,7 +42,7 @@ pub struct Argument {
     pub named: bool,
 }
 
-/// What an argument is.
+/// The kind of an argument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
     /// A value, of this dimension where only one will do.
@@ -73,7 +73,7 @@ pub enum Takes {
     RopeEnd,
     /// A named group.
     Group,
-    /// What a drive moves.
+    /// The target of a drive.
     Drive,
     /// A load, an unknown effort, or what a drive moves.
     Effort,
@@ -94,13 +94,13 @@ pub enum Gives {
     Vector(Dimension),
     /// A condition, true or false.
     Condition,
-    /// What depends on the arguments.
+    /// Depends on the arguments.
     Varies(&'static str),
     /// Several values, one of which is asked for by its name: `rim(F).width`.
     Parts(&'static str),
 }
 
-/// What a function belongs to.
+/// The subject of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FunctionGroup {
     /// Mathematics.
@@ -142,7 +142,7 @@ impl FunctionRow {
 }
 
 impl Function {
-    /// What the table says of it.
+    /// Its row in the table.
     #[must_use]
     pub const fn row(self) -> &'static FunctionRow {
         &FUNCTIONS[self as usize]

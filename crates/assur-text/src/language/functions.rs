@@ -12,7 +12,7 @@ macro_rules! functions {
             $(#[doc = $usage] $function,)*
         }
 
-        /// What there is to know of every function.
+        /// The table of functions.
         pub const FUNCTIONS: &[FunctionRow] = &[$(FunctionRow {
             function: Function::$function,
             name: $name,
@@ -102,15 +102,15 @@ functions! {
     ],
     Position "position" Motion "position(rod.C)" [
         form(&[P], Vector(Dimension::LENGTH), "position of a point; of a slider a signed number"),
-        form(&[L, KP], Vector(Dimension::LENGTH), "of the point of L that lies under K.P now"),
+        form(&[L, KP], Vector(Dimension::LENGTH), "of the point of L that coincides with K.P now"),
     ],
     Velocity "velocity" Motion "velocity(rod.C)" [
         form(&[P], Vector(Dimension::VELOCITY), "velocity of a point; of a slider a signed number"),
-        form(&[L, KP], Vector(Dimension::VELOCITY), "of the point of L that lies under K.P now"),
+        form(&[L, KP], Vector(Dimension::VELOCITY), "of the point of L that coincides with K.P now"),
     ],
     Acceleration "acceleration" Motion "acceleration(rod.C)" [
         form(&[P], Vector(Dimension::ACCELERATION), "acceleration of a point; of a slider a signed number"),
-        form(&[L, KP], Vector(Dimension::ACCELERATION), "of the point of L that lies under K.P now"),
+        form(&[L, KP], Vector(Dimension::ACCELERATION), "of the point of L that coincides with K.P now"),
     ],
     Distance "distance" Motion "distance(A, rod.C)" [form(
         &[arg("A", Takes::Point), arg("B", Takes::Point)],
@@ -143,7 +143,7 @@ functions! {
         "magnitude of the sliding velocity in a guide, slot or contact",
     )],
     Travel "travel" Motion "travel(D)" [form(&[J], COORDINATE, "coordinate above its least value")],
-    Stroke "stroke" Cycle "stroke(D)" [form(&[J], COORDINATE, "greatest less least coordinate")],
+    Stroke "stroke" Cycle "stroke(D)" [form(&[J], COORDINATE, "greatest minus least coordinate")],
     TimeRatio "time_ratio" Cycle "time_ratio(D)"
         [form(&[J], Number(Dimension::NUMBER), "ratio of the longer to the shorter drive travel")],
     Dead "dead" Cycle "dead(D, 1)" [form(
@@ -168,12 +168,12 @@ functions! {
     Normal "normal" Force "normal(D, piston)" [form(
         &[J, ON],
         Number(Dimension::FORCE),
-        "part on L along the left normal; for a contact along the common normal into L",
+        "component on L along the left normal; for a contact along the common normal into L",
     )],
     Friction "friction" Force "friction(D, piston)" [form(
         &[J, ON],
         Number(Dimension::FORCE),
-        "friction force on L along the line; for a contact across the common normal",
+        "friction force on L along the line; for a contact perpendicular to the common normal",
     )],
     ContactForce "contact_force" Force "contact_force(D, 1)" [form(
         &[J, arg("1", Takes::OneOrTwo)],
@@ -183,28 +183,28 @@ functions! {
     LineOffset "line_offset" Force "line_offset(D)" [form(
         &[J],
         Number(Dimension::LENGTH),
-        "where the resultant crosses the guide, in the pair's coordinate",
+        "point at which the resultant crosses the guide, as a coordinate of the pair",
     )],
     InertiaForce "inertia_force" Inertia "inertia_force(rod)"
         [form(&[L], Vector(Dimension::FORCE), "−m a of the mass centre")],
     InertiaTorque "inertia_torque" Inertia "inertia_torque(rod)"
         [form(&[L], Number(Dimension::TORQUE), "−J α")],
     InertiaArm "inertia_arm" Inertia "inertia_arm(rod)"
-        [form(&[L], Number(Dimension::LENGTH), "magnitude of the torque over that of the force")],
+        [form(&[L], Number(Dimension::LENGTH), "magnitude of the torque divided by that of the force")],
     StaticSubstitution "static_substitution" Inertia "static_substitution(rod, B, C).m1" [form(
         &[L, arg("B", Takes::OwnPoint), arg("C", Takes::OwnPoint)],
         Parts("see below"),
-        "masses at B and C that stand for the link's; with a part",
+        "masses at B and C equivalent to the link; with a part",
     )],
     DynamicSubstitution "dynamic_substitution" Inertia "dynamic_substitution(rod, B).m1" [form(
         &[L, arg("B", Takes::OwnPoint)],
         Parts("see below"),
-        "masses at B and a second point that stand for the link's; with a part",
+        "masses at B and a second point equivalent to the link; with a part",
     )],
     Effort "effort" Force "effort(crank)" [form(
         &[arg("D", Takes::Drive)],
         Varies("force or torque"),
-        "effort of a drive where there is no balance",
+        "effort of a drive if the file has no balance",
     )],
     Power "power" Force "power(Mb)"
         [form(&[arg("M", Takes::Effort)], Number(Dimension::POWER), "power of a load, balance or drive")],
@@ -225,7 +225,7 @@ functions! {
     Start "start" Cam "start(plate)" [form(
         &[CAM],
         COORDINATE,
-        "where the follower is at lift zero: angle of its arm (face) against the line from pivot to centre, or distance of its tip (face) along its path",
+        "position of the follower at lift zero: angle of its arm (face) against the line from pivot to centre, or distance of its tip (face) along its path",
     )],
     SmallestBaseRadius "smallest_base_radius" Cam "smallest_base_radius(plate, 30 deg)" [form(
         &[CAM, arg("30 deg", Takes::Angle)],
@@ -247,7 +247,7 @@ functions! {
     ContactRatio "contact_ratio" Gear "contact_ratio(z12)"
         [form(&[MESH], Number(Dimension::NUMBER), "contact ratio of a pair of gears")],
     Fluctuation "fluctuation" Flywheel "fluctuation(J)"
-        [form(&[F], Number(Dimension::TORQUE), "of a flywheel: greatest less least work")],
+        [form(&[F], Number(Dimension::TORQUE), "of a flywheel: greatest minus least work")],
     Rim "rim" Flywheel "rim(J).width" [form(
         &[F],
         Parts("length, length, mass"),
@@ -256,7 +256,7 @@ functions! {
     Work "work" Flywheel "work(J)" [form(
         &[F],
         Number(Dimension::TORQUE),
-        "work of the torque less its mean, from the first pose on",
+        "work of the torque minus its mean, from the first pose",
     )],
     ReducedTorque "reduced_torque" Flywheel "reduced_torque(J)"
         [form(&[F], Number(Dimension::TORQUE), "the torque, reduced to the flywheel's shaft")],

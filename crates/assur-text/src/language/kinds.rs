@@ -1,4 +1,4 @@
-//! Words that stand for one kind each: pairs, and laws of cams.
+//! Words for one kind each: pairs, and laws of cams.
 
 use super::Word;
 

@@ -18,13 +18,13 @@ const FIT: Property = row(
     "fit",
     Word(&["line", "even", "worn"], Dimension::NUMBER),
     "fit even",
-    "how the pressure is spread: the factor k, see Friction",
+    "distribution of the pressure: the factor k, see Friction",
 );
 const EFFICIENCY: Property =
-    row("efficiency", Positive(Dimension::NUMBER), "efficiency 0.98", "part of the power that gets through");
+    row("efficiency", Positive(Dimension::NUMBER), "efficiency 0.98", "part of the power that is passed on");
 const PRESSURE_ANGLE: Property =
     row("pressure_angle", Positive(Dimension::ANGLE), "pressure_angle 20 deg", "angle of the line of action");
-const INTERNAL: Property = row("internal", Flag, "internal", "one lies inside the other");
+const INTERNAL: Property = row("internal", Flag, "internal", "one is inside the other");
 
 const REVOLUTE: &[Property] = &[
     row("radius", Positive(Dimension::LENGTH), "radius 20 mm", "radius of the pin"),
@@ -40,7 +40,7 @@ const REVOLUTE: &[Property] = &[
         "equivalent_friction",
         NotNegative(Dimension::NUMBER),
         "equivalent_friction 0.18",
-        "radius of the friction circle over that of the pin",
+        "radius of the friction circle divided by that of the pin",
     ),
 ];
 
@@ -70,7 +70,7 @@ const MESH: &[Property] = &[
 ];
 
 const BELT: &[Property] =
-    &[row("crossed", Flag, "crossed", "the belt turns the sense of rotation"), EFFICIENCY];
+    &[row("crossed", Flag, "crossed", "the belt reverses the sense of rotation"), EFFICIENCY];
 const LOSSES: &[Property] = &[EFFICIENCY];
 const RACK: &[Property] = &[EFFICIENCY, PRESSURE_ANGLE];
 const WORM: &[Property] =
@@ -130,7 +130,7 @@ pub const FOLLOWER: &[Property] = &[
 
 /// The properties of the rim of a flywheel.
 pub const RIM: &[Property] = &[
-    row("diameter", Positive(Dimension::LENGTH), "diameter 0.5 m", "at which its mass counts"),
+    row("diameter", Positive(Dimension::LENGTH), "diameter 0.5 m", "at which its mass is taken"),
     row(
         "weight_density",
         Positive(Dimension::WEIGHT_DENSITY),
@@ -152,17 +152,22 @@ pub const FLYWHEEL: &[Property] = &[
         "fluctuation",
         Positive(Dimension::NUMBER),
         "fluctuation 1/30",
-        "the greatest less the least speed, over the mean speed",
+        "(greatest − least speed) / mean speed",
     ),
     row("rim", Block(RIM), "rim { diameter 0.5 m }", "the rim, to be sized"),
     row(
         "speed",
         Positive(Dimension::ANGULAR_VELOCITY),
         "speed 80 rpm",
-        "mean speed of its shaft, where no drive gives it",
+        "mean speed of its shaft, if no drive gives it",
     ),
-    row("ratio", Positive(Dimension::NUMBER), "ratio 3", "speed of its shaft over that of the link named"),
-    row("with_links", Flag, "with_links", "the moving links count too"),
+    row(
+        "ratio",
+        Positive(Dimension::NUMBER),
+        "ratio 3",
+        "speed of its shaft divided by that of the link named",
+    ),
+    row("with_links", Flag, "with_links", "the inertia of the moving links is included"),
 ];
 
 /// The properties that a pair or a transmission may have.
@@ -183,7 +188,7 @@ pub const fn properties_of_pair(kind: JointKind) -> &'static [Property] {
     }
 }
 
-/// All properties, by the word in whose braces they stand.
+/// All properties, by the word before their braces.
 pub const PROPERTIES: &[(&str, &[Property])] = &[
     ("revolute", REVOLUTE),
     ("prismatic", PRISMATIC),

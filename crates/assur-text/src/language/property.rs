@@ -1,4 +1,4 @@
-//! What the tables of properties say of each.
+//! Rows of the tables of properties.
 
 use super::Dimension;
 use std::fmt;
@@ -8,15 +8,15 @@ use std::fmt;
 pub struct Property {
     /// Its word.
     pub name: &'static str,
-    /// What stands behind it.
+    /// The values after it.
     pub takes: PropertyValue,
     /// How it looks.
     pub example: &'static str,
-    /// What it is, in one sentence without its full stop.
+    /// Its meaning, in one sentence without its full stop.
     pub means: &'static str,
 }
 
-/// What a property takes.
+/// The values of a property.
 #[derive(Clone, Copy, Debug)]
 pub enum PropertyValue {
     /// Nothing.

@@ -10,9 +10,9 @@ pub struct Symbol {
     pub text: &'static str,
     /// How many SI units it is.
     pub factor: f64,
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
-    /// What people write for it.
+    /// Other spellings.
     pub also: &'static [&'static str],
 }
 

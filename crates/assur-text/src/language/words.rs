@@ -7,18 +7,18 @@ use super::{LAWS, PAIRS};
 pub struct Word {
     /// As it is written.
     pub word: &'static str,
-    /// What it is for, in one sentence without its full stop.
+    /// Its purpose, in one sentence without its full stop.
     pub means: &'static str,
     /// A line that can be read; empty for a word that only connects others.
     pub example: &'static str,
 }
 
-/// Where a word may be written.
+/// The place of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// At the head of a statement.
     Statement,
-    /// At the head of a statement, and behind `all`: a pair or a transmission.
+    /// At the head of a statement, and after `all`: a pair or a transmission.
     Pair,
     /// At the head of a member of a link.
     Member,
@@ -57,12 +57,12 @@ const fn small(word: &'static str, means: &'static str) -> Word {
     row(word, means, "")
 }
 
-/// What a statement begins with, apart from pairs.
+/// The words that begin a statement, apart from pairs.
 pub const STATEMENTS: &[Word] = &[
     row("mech", "the edition of the language", "mech 1"),
     row("mechanism", "the title", "mechanism \"Engine crank-slider\""),
-    row("given", "a value from outside, which `--set` may replace", "given r = 100 mm"),
-    row("let", "a derived value", "let l = 3.5 * r"),
+    row("given", "a given value, which `--set` may replace", "given r = 100 mm"),
+    row("let", "a computed value", "let l = 3.5 * r"),
     row("gravity", "the acceleration of free fall, downwards", "gravity 9.81 m/s^2"),
     row("ground", "the fixed link", "ground { A (0, 0); line guide through A along 0 deg }"),
     row("link", "a rigid link", "link rod B-C 350 mm { S (100 mm, 0); mass 2.5 kg at S }"),
@@ -77,7 +77,7 @@ pub const STATEMENTS: &[Word] = &[
     row("group", "a structural group, asserted and named", "group rod_piston: rod, piston"),
     row("drive", "a motion that is given", "drive crank = 0 deg .. 360 deg in 12 steps at 80 rpm"),
     row("pose", "one more position, with a name", "pose 4' at crank = 90 deg"),
-    row("assemble", "which assembly is meant", "assemble C left of B-D"),
+    row("assemble", "the choice of an assembly", "assemble C left of B-D"),
     row("balance", "an unknown force or torque", "balance torque Mb on crank"),
     row("force", "a force that acts", "force P on ram at E = 1000 N @ 180 deg"),
     row("torque", "a torque that acts", "torque M on rocker = 60 N*m cw"),
@@ -87,7 +87,7 @@ pub const STATEMENTS: &[Word] = &[
         "cam plate { base_radius 50 mm; turning cw; rise 60 deg through 18 deg parabolic }",
     ),
     row("flywheel", "a flywheel to be sized", "flywheel J on O1 for Mb { fluctuation 1/30 }"),
-    row("find", "what is to be found", "find v_C = velocity(C) as m/s"),
+    row("find", "the answers wanted", "find v_C = velocity(C) as m/s"),
     row("expect", "an answer that is expected", "expect Mb = 26 N*m within 1 %"),
     row(
         "variants",
@@ -100,7 +100,7 @@ pub const STATEMENTS: &[Word] = &[
     row("ignore", "an effect that is left out", "ignore inertia"),
 ];
 
-/// What a member of a link begins with, unless it is a point.
+/// The words that begin a member of a link, unless it is a point.
 pub const MEMBERS: &[Word] = &[
     row("line", "a directed line of the link", "line guide through A along 0 deg"),
     row("circle", "a circular profile", "circle roller centre D radius 15 mm"),
@@ -111,7 +111,7 @@ pub const MEMBERS: &[Word] = &[
     row("wheel", "a wheel, pulley or drum", "wheel z1 teeth 18 module 16 mm"),
 ];
 
-/// What a member of a cam begins with, unless it is a property.
+/// The words that begin a member of a cam, unless it is a property.
 pub const CAM_MEMBERS: &[Word] = &[
     row("turning", "the sense in which the cam turns", "turning cw"),
     row("follower", "the follower", "follower translating roller { radius 15 mm }"),
@@ -125,7 +125,7 @@ pub const CONNECTING: &[Word] = &[
     small("accelerating", "before the acceleration of a drive"),
     small("against", "before `motion`: opposite to the velocity"),
     small("along", "before a direction"),
-    small("and", "both conditions hold"),
+    small("and", "both conditions are true"),
     small("as", "before the unit of an answer"),
     small("at", "before a point, a speed or a position"),
     small("between", "reserved"),
@@ -136,11 +136,11 @@ pub const CONNECTING: &[Word] = &[
     small("in", "before a pair, a link whose axes are meant, or a number of steps"),
     small("module", "before the module of a gear wheel"),
     small("moving", "before `forward` or `back`"),
-    small("near", "before the place that picks an assembly"),
-    small("not", "the condition does not hold"),
-    small("of", "joins a word with what it belongs to"),
+    small("near", "before the position that chooses an assembly"),
+    small("not", "the condition is false"),
+    small("of", "joins a name and its owner"),
     small("on", "before the link on which a load acts"),
-    small("or", "one of the conditions holds"),
+    small("or", "at least one of the conditions is true"),
     small("steps", "after the number of steps"),
     small("through", "before the point of a line, or the lift of a phase"),
     small("to", "before the second point of a line"),

@@ -1,4 +1,4 @@
-//! Files and spans: where in the text a thing stands.
+//! Files and spans in a text.
 
 mod shown;
 
@@ -33,7 +33,7 @@ impl From<Span> for miette::SourceSpan {
     }
 }
 
-/// A thing and where it stands.
+/// A value with its span.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spanned<T> {
     /// The thing.
@@ -43,7 +43,7 @@ pub struct Spanned<T> {
 }
 
 impl<T> Spanned<T> {
-    /// `node`, standing at `span`.
+    /// `node` at `span`.
     pub const fn new(node: T, span: Span) -> Self {
         Self { node, span }
     }
@@ -56,7 +56,7 @@ pub struct Source {
     pub name: String,
     /// The text.
     pub text: String,
-    /// How many lines stand before it, where it is a part of a file.
+    /// The number of lines before it, if it is a part of a file.
     pub lines_before: usize,
 }
 

@@ -1,4 +1,4 @@
-//! What can be wrong with a unit.
+//! Errors of a unit.
 
 use thiserror::Error;
 

@@ -5,7 +5,7 @@
 pub struct Factor<'a> {
     /// The symbol without its power.
     pub symbol: &'a str,
-    /// The power, negative behind a stroke; `None` if it is too large.
+    /// The power, negative after a stroke; `None` if it is too large.
     pub power: Option<i8>,
     /// First byte of the symbol in the word.
     pub start: usize,

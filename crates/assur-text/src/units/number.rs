@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// A number rounded to so many significant digits, without trailing zeros: `98.212`, `-0.0024`, `1.5e9`.
+/// A number rounded to a number of significant digits, without trailing zeros: `98.212`, `-0.0024`, `1.5e9`.
 ///
 /// Very large and very small numbers are written with an exponent.
 #[must_use]
@@ -12,7 +12,7 @@ pub fn significant(x: f64, digits: usize) -> String {
     out
 }
 
-/// As [`significant`], behind what stands in `out` already.
+/// As [`significant`], appended to `out`.
 pub fn write_significant(out: &mut String, x: f64, digits: usize) {
     if x == 0.0 {
         out.push('0');

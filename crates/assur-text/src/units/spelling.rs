@@ -1,4 +1,4 @@
-//! What an unknown unit may have been meant to be.
+//! Suggestions for an unknown unit.
 
 use super::factors::factors;
 use crate::diagnostic::did_you_mean;

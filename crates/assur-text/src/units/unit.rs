@@ -8,7 +8,7 @@ use std::fmt;
 pub struct Unit {
     /// How many SI units it is.
     pub factor: f64,
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
     /// Its spelling, as found in the text.
     pub text: String,

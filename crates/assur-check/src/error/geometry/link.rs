@@ -1,4 +1,4 @@
-//! What can be wrong with a link, its points, lines and masses.
+//! Errors of links, their points, lines and masses.
 
 use assur_text::source::Span;
 use miette::Diagnostic;
@@ -8,24 +8,24 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum LinkError {
     /// A size that must be greater than zero is not.
-    #[error("{what} must be greater than zero, it is {value}")]
+    #[error("{what} must be greater than zero; got {value}")]
     #[diagnostic(code("mech::geometry::not_positive"), help("{help}"))]
     NotPositive {
-        /// What is too small, with its article.
+        /// The size, with its article.
         what: String,
         /// Its value.
         value: String,
-        /// What to do.
+        /// The correction.
         help: String,
         /// The value's place.
         #[label("{value}")]
         span: Span,
     },
-    /// A size that may be zero is less.
-    #[error("{what} must not be negative, it is {value}")]
+    /// A size that may be zero is negative.
+    #[error("{what} must not be negative; got {value}")]
     #[diagnostic(code("mech::geometry::negative"), help("write it without the minus, or leave it out"))]
     Negative {
-        /// What is negative, with its article.
+        /// The size, with its article.
         what: String,
         /// Its value.
         value: String,
@@ -33,29 +33,29 @@ pub enum LinkError {
         #[label("{value}")]
         span: Span,
     },
-    /// Something that can be said once is said again.
-    #[error("{what} is stated twice")]
+    /// Something that can be given once is given again.
+    #[error("{what} is given twice")]
     #[diagnostic(code("mech::geometry::stated_twice"), help("keep one of the two"))]
     StatedTwice {
         /// What.
         what: String,
         /// The second statement.
-        #[label(primary, "stated again here")]
+        #[label(primary, "given again here")]
         again: Span,
         /// The first one.
-        #[label("first stated here")]
+        #[label("first given here")]
         first: Span,
     },
     /// The triangle of a point given by two distances does not close.
-    #[error("point `{point}` does not close: {reason}, {by} too {too}")]
+    #[error("the triangle of point `{point}` does not close: {reason}, {by} too {too}")]
     #[diagnostic(
         code("mech::geometry::point_does_not_close"),
-        help("the three sides {sides} make no triangle; {correction}")
+        help("change a side of the triangle {sides}: {correction}")
     )]
     PointDoesNotClose {
         /// The point.
         point: String,
-        /// What was compared, with numbers.
+        /// The comparison, with numbers.
         reason: String,
         /// The gap.
         by: String,
@@ -79,26 +79,26 @@ pub enum LinkError {
         /// Its value.
         second_distance: String,
     },
-    /// A direction or a triangle is asked of two points that coincide.
-    #[error("{what} needs two different points, but `{first_name}` and `{second_name}` are the same place")]
+    /// A direction or a triangle needs two points, but they coincide.
+    #[error("{what} needs two different points, but `{first_name}` and `{second_name}` coincide")]
     #[diagnostic(
         code("mech::geometry::same_place"),
-        help("both lie at {place} in the link's frame; move one of them or name another point")
+        help("move one of them, or name another point: both are at {place} in the link's frame")
     )]
     SamePlace {
-        /// What needs them.
+        /// The item that needs them.
         what: String,
         /// One point.
         first_name: String,
         /// The other.
         second_name: String,
-        /// Where they are.
+        /// Their position.
         place: String,
-        /// Where the first is named.
+        /// The span of the first.
         #[label("`{first_name}`")]
         first: Span,
-        /// Where the second is named.
-        #[label(primary, "the same place as `{first_name}`")]
+        /// The span of the second.
+        #[label(primary, "at the same position as `{first_name}`")]
         second: Span,
     },
     /// Points that are defined by each other.
@@ -113,14 +113,14 @@ pub enum LinkError {
         /// One of them.
         point: String,
         /// Their names.
-        #[label(collection, "needs the next one")]
+        #[label(collection, "depends on the next one")]
         spans: Vec<Span>,
     },
-    /// A mass without place on a link that turns.
-    #[error("the mass of `{link}` has no place, but `{link}` turns")]
+    /// A mass without mass centre on a link that turns.
+    #[error("the mass of `{link}` needs a mass centre, because `{link}` turns")]
     #[diagnostic(
         code("mech::geometry::mass_without_place"),
-        help("say where the mass centre is: `{member} at {point}`")
+        help("give the mass centre: `{member} at {point}`")
     )]
     MassWithoutPlace {
         /// The link.
@@ -130,18 +130,18 @@ pub enum LinkError {
         /// A point of the link.
         point: String,
         /// The member.
-        #[label(primary, "at which point?")]
+        #[label(primary, "the point is missing")]
         span: Span,
-        /// What lets it turn.
+        /// The pair on which it turns.
         #[label("`{link}` turns on this pair")]
         pair: Option<Span>,
     },
-    /// A weight where nothing falls.
+    /// A weight without gravity.
     #[error("the weight of `{link}` needs `gravity`, which the file does not declare")]
     #[diagnostic(
         code("mech::geometry::weight_without_gravity"),
         help(
-            "add `gravity 9.81 m/s^2`, or, where the weight itself must not act, `given g = 9.81 m/s^2` and `mass {weight} / g`"
+            "add `gravity 9.81 m/s^2`; or, if the weight itself must not act, write `given g = 9.81 m/s^2` and `mass {weight} / g`"
         )
     )]
     WeightWithoutGravity {
@@ -155,12 +155,12 @@ pub enum LinkError {
     },
     /// The parallel axis theorem gives a negative moment of inertia.
     #[error(
-        "the inertia about `{point}` is {inertia}, but the mass of {mass} alone, {distance} away, has {least}"
+        "the inertia about `{point}` is {inertia}, less than the {least} of the mass of {mass} at a distance of {distance}"
     )]
     #[diagnostic(
         code("mech::geometry::inertia_too_small"),
         help(
-            "about the mass centre it would be {left}, less than nothing; if it is already about the mass centre, leave `about {point}` out"
+            "leave out `about {point}` if the value is about the mass centre; as written, about the mass centre it would be negative ({left})"
         )
     )]
     InertiaTooSmall {
@@ -174,7 +174,7 @@ pub enum LinkError {
         distance: String,
         /// Mass times distance squared.
         least: String,
-        /// What would be left for the mass centre.
+        /// The value about the mass centre.
         left: String,
         /// The inertia's place.
         #[label(primary, "{inertia}")]
@@ -189,22 +189,22 @@ pub enum LinkError {
         code("mech::geometry::point_mass"),
         severity(Advice),
         help(
-            "if it is more than a point, add `inertia 0.01 kg*m^2` with its own value, about the mass centre"
+            "add `inertia 0.01 kg*m^2` with its own value, about the mass centre, if it is more than a point mass"
         )
     )]
     PointMass {
         /// The link.
         link: String,
         /// The mass.
-        #[label("all of it at one point")]
+        #[label("the whole mass at one point")]
         span: Span,
     },
     /// A mass on the link that does not move.
-    #[error("the {what} of `{link}` has no effect: the ground does not move, and what holds it is not asked")]
+    #[error("the ground is fixed, so its {what} has no effect")]
     #[diagnostic(
         code("mech::geometry::mass_on_ground"),
         severity(Warning),
-        help("leave it out, or state it on the link that moves")
+        help("leave it out, or give it to the moving link")
     )]
     MassOnGround {
         /// The ground's name.

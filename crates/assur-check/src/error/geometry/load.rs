@@ -1,4 +1,4 @@
-//! What can be wrong with loads and unknown loads.
+//! Errors of loads and unknown loads.
 
 use assur_text::source::Span;
 use miette::Diagnostic;
@@ -8,8 +8,11 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum LoadError {
     /// A force on a link without a point.
-    #[error("{what} on `{link}` has no place")]
-    #[diagnostic(code("mech::geometry::force_without_place"), help("a force acts at a point: `{example}`"))]
+    #[error("{what} on `{link}` has no point")]
+    #[diagnostic(
+        code("mech::geometry::force_without_place"),
+        help("give the point at which it acts: `{example}`")
+    )]
     ForceWithoutPlace {
         /// The force, with its article.
         what: String,
@@ -18,49 +21,46 @@ pub enum LoadError {
         /// As it should look.
         example: String,
         /// The link's place.
-        #[label("at which point?")]
+        #[label("the point is missing")]
         span: Span,
     },
     /// An unknown force without direction.
     #[error("the force `{name}` has no direction")]
-    #[diagnostic(
-        code("mech::geometry::force_without_direction"),
-        help("one unknown force is a magnitude along a known direction: `{example}`")
-    )]
+    #[diagnostic(code("mech::geometry::force_without_direction"), help("give its direction: `{example}`"))]
     ForceWithoutDirection {
         /// The balance.
         name: String,
         /// As it should look.
         example: String,
         /// The statement.
-        #[label("along which direction?")]
+        #[label("the direction is missing")]
         span: Span,
     },
     /// A word that does not belong to this kind of load.
     #[error("{message}")]
     #[diagnostic(code("mech::geometry::load_form"), help("{help}"))]
     Form {
-        /// What does not go together.
+        /// The words that do not fit together.
         message: String,
-        /// What to write.
+        /// The correction.
         help: String,
         /// The word or value.
-        #[label("not here")]
+        #[label("does not fit here")]
         span: Span,
     },
     /// A force in a hinge, a torque in a slide.
-    #[error("`{pair}` is {is}: between its links acts {fits}, not {given}")]
+    #[error("`{pair}` is {is}: {fits} acts between its links, not {given}")]
     #[diagnostic(code("mech::geometry::wrong_effort"), help("{help}"))]
     WrongEffort {
         /// The pair.
         pair: String,
-        /// What it is.
+        /// Its kind.
         is: String,
-        /// What acts in it.
+        /// The effort that acts in it.
         fits: String,
-        /// What was written.
+        /// The effort written.
         given: String,
-        /// What to write.
+        /// The correction.
         help: String,
         /// The pair in the load.
         #[label(primary, "{is}")]
@@ -69,13 +69,13 @@ pub enum LoadError {
         #[label("{given}")]
         kind: Span,
     },
-    /// A load depends on a force that is found only with the loads known.
-    #[error("{what} hangs on {on}")]
+    /// A load depends on a force that is found from the loads.
+    #[error("{what} must not depend on {on}")]
     #[diagnostic(
         code("mech::geometry::depends_on_forces"),
         help(
-            "loads come first and forces are found from them: a load and its condition may use given values, positions, \
-             velocities and accelerations"
+            "use only given values, positions, velocities and accelerations in a load and its condition: forces are found \
+             from the loads"
         )
     )]
     DependsOnForces {

@@ -1,4 +1,4 @@
-//! What can be wrong with a drive, a pose or a clause of `assemble`.
+//! Errors of drives, poses and clauses of `assemble`.
 
 use assur_text::source::Span;
 use miette::Diagnostic;
@@ -11,10 +11,10 @@ pub enum MotionError {
     #[error("`{name}` is driven twice")]
     #[diagnostic(
         code("mech::geometry::driven_twice"),
-        help("several positions stand in one drive: `drive {name} = 10 deg, 55 deg, 80 deg`")
+        help("write several positions in one drive: `drive {name} = 10 deg, 55 deg, 80 deg`")
     )]
     DrivenTwice {
-        /// What is driven.
+        /// The name of the drive.
         name: String,
         /// The second drive.
         #[label(primary, "driven again here")]
@@ -29,17 +29,17 @@ pub enum MotionError {
     NoCoordinate {
         /// The name.
         name: String,
-        /// What it is, with its article.
+        /// Its kind, with its article.
         is: String,
-        /// What can be named instead.
+        /// Names that can be used.
         help: String,
         /// Its place.
         #[label("no coordinate")]
         span: Span,
     },
     /// The ground is driven or loaded.
-    #[error("{what} on the ground has no effect: the ground is held")]
-    #[diagnostic(code("mech::geometry::on_ground"), help("name the moving link it is meant for"))]
+    #[error("{what} on the ground has no effect: the ground is fixed")]
+    #[diagnostic(code("mech::geometry::on_ground"), help("name a moving link"))]
     OnGround {
         /// What, with its article.
         what: String,
@@ -47,35 +47,35 @@ pub enum MotionError {
         #[label("the ground")]
         span: Span,
     },
-    /// A word of sense that does not go with what is driven.
+    /// A word of sense that does not fit the drive.
     #[error("{message}")]
     #[diagnostic(code("mech::geometry::wrong_sense"), help("{help}"))]
     WrongSense {
-        /// What does not go together.
+        /// The words that do not fit together.
         message: String,
-        /// What to write.
+        /// The correction.
         help: String,
         /// The word.
-        #[label("not here")]
+        #[label("does not fit here")]
         span: Span,
     },
     /// An acceleration without a speed.
     #[error("`{name}` accelerates, but has no speed")]
     #[diagnostic(
         code("mech::geometry::acceleration_without_speed"),
-        help("state the speed of this instant too, from rest: `at {zero} accelerating …`")
+        help("give the present speed too; from rest: `at {zero} accelerating …`")
     )]
     AccelerationWithoutSpeed {
-        /// What is driven.
+        /// The name of the drive.
         name: String,
         /// A speed of zero.
         zero: String,
         /// The acceleration.
-        #[label("which speed does it change?")]
+        #[label("acceleration without speed")]
         span: Span,
     },
     /// A drive of a linkage without a position.
-    #[error("`{name}` is driven, but nothing says where it stands")]
+    #[error("`{name}` is driven, but its position is not given")]
     #[diagnostic(
         code("mech::geometry::drive_without_position"),
         help(
@@ -83,22 +83,22 @@ pub enum MotionError {
         )
     )]
     WithoutPosition {
-        /// What is driven.
+        /// The name of the drive.
         name: String,
         /// A position.
         example: String,
         /// The drive.
-        #[label("at which position?")]
+        #[label("the position is missing")]
         span: Span,
     },
-    /// A number of steps that is none.
-    #[error("the number of steps must be a whole number from 1 to {most}, it is {value}")]
+    /// A wrong number of steps.
+    #[error("the number of steps must be a whole number from 1 to {most}; got {value}")]
     #[diagnostic(
         code("mech::geometry::steps"),
-        help("`0 deg .. 360 deg in 12 steps` is a pose every 30 deg")
+        help("write for example `0 deg .. 360 deg in 12 steps`, one pose every 30 deg")
     )]
     Steps {
-        /// What was given.
+        /// The value given.
         value: String,
         /// The most there may be.
         most: usize,
@@ -124,7 +124,9 @@ pub enum MotionError {
     #[error("the drives go through different numbers of positions: {first_count} and {count}")]
     #[diagnostic(
         code("mech::geometry::positions_differ"),
-        help("drives move together, pose by pose: give both as many positions, or one of them a single one")
+        help(
+            "give both the same number of positions, or one of them a single position: drives move together, pose by pose"
+        )
     )]
     PositionsDiffer {
         /// Of the first drive.
@@ -142,31 +144,29 @@ pub enum MotionError {
     #[error("`{name}` is not driven")]
     #[diagnostic(code("mech::geometry::not_driven"), help("{help}"))]
     NotDriven {
-        /// What the pose sets.
+        /// The name in the pose.
         name: String,
-        /// What is driven.
+        /// The name of the drive.
         help: String,
         /// Its place.
         #[label("no drive moves it")]
         span: Span,
     },
-    /// A pose leaves a drive open.
-    #[error("{what} leaves `{drive}` open")]
+    /// A pose does not give the position of a drive.
+    #[error("{what} does not give the position of `{drive}`")]
     #[diagnostic(
         code("mech::geometry::pose_incomplete"),
-        help(
-            "`{drive}` goes through several positions; say where it stands: add `{example}`, with its own value"
-        )
+        help("add `{example}`, with its own value: `{drive}` goes through several positions")
     )]
     PoseIncomplete {
         /// The pose.
         what: String,
         /// The drive.
         drive: String,
-        /// What to add.
+        /// The missing part.
         example: String,
         /// The pose.
-        #[label(primary, "where does `{drive}` stand?")]
+        #[label(primary, "the position of `{drive}` is missing")]
         span: Span,
         /// The drive.
         #[label("several positions")]
@@ -176,7 +176,7 @@ pub enum MotionError {
     #[error("the sweep already has a pose {pose}")]
     #[diagnostic(
         code("mech::geometry::pose_of_sweep"),
-        help("poses of the sweep are numbered from 1 to {count}; write `pose {pose}'`")
+        help("write `pose {pose}'`; poses of the sweep are numbered from 1 to {count}")
     )]
     PoseOfSweep {
         /// The name.
@@ -190,35 +190,35 @@ pub enum MotionError {
         #[label("{count} poses")]
         drive: Span,
     },
-    /// `ahead` or `behind` of a point that slides on nothing.
-    #[error("`{point}` slides on no guide, so nothing is ahead of or behind another point")]
+    /// `ahead` or `behind` of a point that slides on no guide.
+    #[error("`ahead` and `behind` need a guide, and `{point}` slides on none")]
     #[diagnostic(code("mech::geometry::no_guide"), help("{help}"))]
     NoGuide {
         /// The point.
         point: String,
-        /// What to write instead.
+        /// The correction.
         help: String,
         /// Its place.
         #[label("not the point of a prismatic pair")]
         span: Span,
     },
-    /// `near` where the first pose is not known yet.
-    #[error("`near` needs a first pose, but `{drive}` begins at a dead position")]
+    /// `near` if the first pose is not known.
+    #[error("`near` needs a known first pose, but `{drive}` begins at a dead position")]
     #[diagnostic(
         code("mech::geometry::near_with_dead"),
         help(
-            "dead positions are sought over the whole turn, with the assembly given: name it by `left of`, `ahead of` or a \
-             sign, as in `assemble s > 0`"
+            "choose the assembly by `left of`, `ahead of` or a sign, as in `assemble s > 0`: it must be known before the \
+             dead position is found"
         )
     )]
     NearWithDead {
         /// The drive.
         drive: String,
         /// The clause.
-        #[label(primary, "near in which pose?")]
+        #[label(primary, "refers to the first pose")]
         span: Span,
         /// The drive.
-        #[label("hangs on `dead`, `stroke` or `time_ratio`")]
+        #[label("depends on `dead`, `stroke` or `time_ratio`")]
         drive_span: Span,
     },
     /// A pair that has no single point.
@@ -227,19 +227,19 @@ pub enum MotionError {
     NoSinglePoint {
         /// The pair.
         name: String,
-        /// What it is.
+        /// Its kind.
         is: String,
         /// A point.
         example: String,
         /// Its place.
-        #[label("which point?")]
+        #[label("the point is not clear")]
         span: Span,
     },
     /// A side is seen from a point towards the same point.
-    #[error("from `{name}` towards `{name}` is no direction")]
+    #[error("from `{name}` towards `{name}` there is no direction")]
     #[diagnostic(
         code("mech::geometry::no_direction"),
-        help("`C left of B-D` looks from B towards another point D")
+        help("name two different points: `C left of B-D` looks from B towards D")
     )]
     NoDirection {
         /// The point.

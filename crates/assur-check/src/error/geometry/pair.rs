@@ -1,4 +1,4 @@
-//! What can be wrong with a pair, a spring or a group.
+//! Errors of pairs, springs and groups.
 
 use assur_text::source::Span;
 use miette::Diagnostic;
@@ -13,17 +13,17 @@ pub enum PairError {
     NothingToJoin {
         /// The link.
         link: String,
-        /// What was looked for.
+        /// The expected kind.
         what: String,
         /// Its name, that of the pair.
         name: String,
-        /// What the link has, and how to write it.
+        /// The points of the link, and how to write them.
         help: String,
         /// The link in the pair.
         #[label(primary, "the {what} `{name}` of `{link}` is joined here")]
         span: Span,
         /// The pair's name.
-        #[label("the pair's name stands for the {what}s it joins")]
+        #[label("the name of the pair is also the name of the {what}s it joins")]
         pair: Span,
     },
     /// A pair joins other things than it can.
@@ -32,11 +32,11 @@ pub enum PairError {
     WrongEnds {
         /// The pair with its article.
         what: String,
-        /// What it can join.
+        /// The things it can join.
         wants: String,
-        /// What it was given.
+        /// The things it joins here.
         got: String,
-        /// What to write.
+        /// The correction.
         help: String,
         /// The ends.
         #[label("{got}")]
@@ -46,7 +46,7 @@ pub enum PairError {
     #[error("{what} `{name}` joins `{link}` with itself")]
     #[diagnostic(code("mech::geometry::joined_with_itself"), help("{help}"))]
     JoinedWithItself {
-        /// What to write.
+        /// The correction.
         help: String,
         /// Pair, spring …
         what: String,
@@ -66,7 +66,7 @@ pub enum PairError {
     #[diagnostic(
         code("mech::geometry::joined_twice"),
         help(
-            "one of the two hinges carries nothing that could be told from the other: remove `{name}`, or name other points"
+            "remove `{name}`, or name other points: the two hinges coincide, so their reactions cannot be separated"
         )
     )]
     JoinedTwice {
@@ -83,14 +83,14 @@ pub enum PairError {
         #[label("already joined here")]
         first: Span,
     },
-    /// A second prismatic pair fixes the angle of a link by the point form.
-    #[error("`{link}` is kept from turning twice: by `{first_name}` and by `{name}`")]
+    /// A second prismatic pair, in the point form, fixes the angle of a link.
+    #[error("the rotation of `{link}` is fixed twice, by `{first_name}` and by `{name}`")]
     #[diagnostic(
         code("mech::geometry::held_twice"),
         help(
-            "a point on a line also fixes the link's angle to that line, and a link's x axis can be laid along one line only; \
-             give `{link}` a line of its own for this pair: `line {line} through {point} along 90 deg` in the link, and \
-             `prismatic {name}: {link}.{line} - …`"
+            "give `{link}` a line of its own for this pair: `line {line} through {point} along 90 deg` in the link, and \
+             `prismatic {name}: {link}.{line} - …`; a point on a line also fixes the angle of its link, and the x axis of a \
+             link can follow one line only"
         )
     )]
     HeldTwice {
@@ -111,13 +111,13 @@ pub enum PairError {
         #[label("fixes the angle of `{link}`")]
         first: Span,
     },
-    /// Two profiles that can not touch in one point.
-    #[error("{profiles} are no contact")]
+    /// Two profiles that cannot touch in one point.
+    #[error("{profiles} cannot form a contact")]
     #[diagnostic(code("mech::geometry::no_contact"), help("{help}"))]
     NoContact {
         /// The two profiles.
         profiles: String,
-        /// What to write instead.
+        /// The correction.
         help: String,
         /// The ends.
         #[label("a contact is a circle on a circle, a line or a point, or a point on a line")]
@@ -127,11 +127,11 @@ pub enum PairError {
     #[error("{what} has no property `{name}`")]
     #[diagnostic(code("mech::geometry::unknown_property"), help("{help}"))]
     UnknownProperty {
-        /// What it stands in, with its article.
+        /// The statement, with its article.
         what: String,
         /// The property.
         name: String,
-        /// What is near, or what there is.
+        /// Similar properties, or all that exist.
         help: String,
         /// Its place.
         #[label("not known here")]
@@ -143,31 +143,31 @@ pub enum PairError {
     PropertyValue {
         /// The property.
         name: String,
-        /// What it takes.
+        /// The values it takes.
         wants: String,
-        /// As it should look.
+        /// A correct example.
         example: String,
         /// Its place.
         #[label("{got}")]
         span: Span,
-        /// What stands there.
+        /// The values found.
         got: String,
     },
-    /// A property that means nothing without another, or not beside another.
+    /// A property that needs another one, or contradicts another one.
     #[error("{message}")]
     #[diagnostic(code("mech::geometry::incomplete"), help("{help}"))]
     Incomplete {
-        /// What is missing or too much.
+        /// The missing or contradicting property.
         message: String,
-        /// What to write.
+        /// The correction.
         help: String,
-        /// Where.
+        /// Its span.
         #[label("{label}")]
         span: Span,
-        /// What is said of the place.
+        /// The text of the label.
         label: String,
     },
-    /// The two contacts of a slider at one place.
+    /// The two contacts of a slider at one point.
     #[error("the two contacts are both at {at}")]
     #[diagnostic(
         code("mech::geometry::contacts_coincide"),
@@ -180,17 +180,14 @@ pub enum PairError {
         #[label("{at} and {at}")]
         span: Span,
     },
-    /// A group that can not be one.
+    /// A group that cannot be one.
     #[error("{message}")]
-    #[diagnostic(
-        code("mech::geometry::no_group"),
-        help("a structural group consists of different moving links")
-    )]
+    #[diagnostic(code("mech::geometry::no_group"), help("name different moving links"))]
     NoGroup {
-        /// What is wrong.
+        /// The mistake.
         message: String,
         /// The link.
-        #[label("not here")]
+        #[label("not a link of a group")]
         span: Span,
     },
 }

@@ -111,7 +111,7 @@ impl Context<'_> {
         if given.pending {
             Some(Typed::pending(typed.ty))
         } else {
-            self.finite(typed, "this torque does not exist", call.span)
+            self.finite(typed, "this torque is not defined", call.span)
         }
     }
 

@@ -148,8 +148,7 @@ impl Context<'_> {
         if let Some(radius) = plate.cam.smallest_base_radius(allowed) {
             return Some(Typed::constant(radius, Dimension::LENGTH));
         }
-        let why =
-            "on no base circle the pressure angle is that small, or it does not hang on the base circle";
+        let why = "no base circle gives such a small pressure angle, or the angle does not depend on the base circle";
         self.error(UnitsError::NoValue { why, span: call.span, help: None });
         None
     }

@@ -214,7 +214,7 @@ impl Context<'_> {
             }
             let usage = format!("tension({rope}, {})` or `tension({rope}, {})", outer[0], outer[1]);
             let function = call.name.node.clone();
-            let wanted = "also the end of the rope, as wheels on the way part it,".to_owned();
+            let wanted = "also an end of the rope, because wheels divide it,".to_owned();
             self.error(RequestError::Argument { function, wanted, span: call.span, usage });
             return None;
         };
@@ -234,7 +234,7 @@ impl Context<'_> {
     pub(crate) fn effort(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let Some(names) = path(args[0]) else {
-            self.wrong_argument(call, "what a drive moves", args[0].span);
+            self.wrong_argument(call, "a driven link or pair", args[0].span);
             return None;
         };
         let drive = self.drive(&names)?;
@@ -274,7 +274,7 @@ impl Context<'_> {
             return None;
         }
         let all = drives.iter().map(String::as_str).collect::<Vec<_>>();
-        let help = suggestion(&written, &all, "things driven");
+        let help = suggestion(&written, &all, "driven links and pairs");
         self.error(RequestError::NotDriven { name: written, span: first.span.to(last.span), help });
         None
     }

@@ -158,7 +158,7 @@ impl Context<'_> {
         let pair = self.mesh_argument(call, args[0]);
         let given = self.read(args[1]);
         let (from, to) = rate.dimensions();
-        let given = self.fit(given?, from, "what is given of wheel 1", args[1])?;
+        let given = self.fit(given?, from, "the value for wheel 1", args[1])?;
         let pair = pair?;
         let Some((_, of)) = rate.parts().iter().find(|(name, _)| *name == part.node) else {
             let help = Some(rate.part_list());

@@ -102,7 +102,7 @@ impl Context<'_> {
         match self.mover(call, args[0])? {
             Mover::Link(link) => Some(Typed::new(ModelExpr::Query(query(link)), ty)),
             Mover::Slider => {
-                self.wrong_argument(call, "what turns, and not a slider,", args[0].span);
+                self.wrong_argument(call, "a link that turns, not a slider,", args[0].span);
                 None
             }
         }

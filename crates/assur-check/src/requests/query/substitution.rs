@@ -57,14 +57,15 @@ impl Context<'_> {
         let path = format!("{}.{}", head.node, tail.node);
         let Some(link) = self.find_link(&head.node) else {
             if self.find_link(&path).is_some() {
-                let help = Some(format!("ask something of it: `angle({path})` or `omega({path})`"));
+                let help = Some(format!("ask for one of its quantities: `angle({path})` or `omega({path})`"));
                 self.error(RequestError::NoValue { path, span: whole.span, help });
                 return None;
             }
             return self.named(head);
         };
         if self.kind_inside(link, &tail.node) == Some("point") {
-            let help = Some(format!("ask something of it: `position({path})` or `velocity({path})`"));
+            let help =
+                Some(format!("ask for one of its quantities: `position({path})` or `velocity({path})`"));
             self.error(RequestError::NoValue { path, span: whole.span, help });
         } else if self.kind_inside(link, &tail.node).is_some() {
             self.error(RequestError::NoValue { path, span: whole.span, help: None });

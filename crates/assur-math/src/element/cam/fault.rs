@@ -1,4 +1,4 @@
-//! What can be wrong with a cam: a follower that does not stand on it, a profile that the follower cannot follow.
+//! Errors of a cam: a follower that does not stand on it, a profile that the follower cannot follow.
 
 use super::{Cam, Quantity, Shape};
 

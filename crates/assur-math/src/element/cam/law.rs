@@ -47,7 +47,7 @@ impl Law {
         }
     }
 
-    /// f, f′, f″, f‴ at x in [0, 1]; at a joint those of the formula behind it.
+    /// f, f′, f″, f‴ at x in [0, 1]; at a joint those of the formula after it.
     #[must_use]
     pub fn at(self, x: f64) -> Jet {
         self.on_part(self.part_at(x), x)

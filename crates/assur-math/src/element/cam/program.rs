@@ -114,7 +114,7 @@ impl Program {
         })
     }
 
-    /// Cam angles where the velocity jumps, with s′ before and behind.
+    /// Cam angles where the velocity jumps, with s′ before and after.
     #[must_use]
     pub fn shocks(&self) -> Vec<(f64, f64, f64)> {
         let count = self.phases.len();
