@@ -1,9 +1,9 @@
 //! The machine itself: what it is, how it moves, what acts on it.
 
-use crate::elements::{cam, cam_contact, flywheel, spring};
+use crate::elements::{cam, cam_contact, flywheel};
 use crate::expr::context::Context;
 use crate::links::link;
-use crate::loads::{balance, gravity, load, mass};
+use crate::loads::{balance, gravity, load, mass, spring};
 use crate::motion::{assemble, drive, no_motion, pose, simulation};
 use crate::pairs::pair;
 use crate::requests::definitions;

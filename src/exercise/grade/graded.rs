@@ -1,6 +1,6 @@
 //! All answers marked, chosen and added up.
 
-use super::mark::{GradedRow, Mark, Part, SetAside, Sum};
+use super::mark::{GradedRow, Mark, NotCounted, Part, Sum};
 use super::marker::Marker;
 use super::owed::{Assignment, Owed};
 use super::rows::find;
@@ -22,7 +22,7 @@ pub struct Graded {
     /// Rows that count, student by student; those that were not handed in have no line.
     pub rows: Vec<GradedRow>,
     /// Rows that do not count because the student handed in another.
-    pub set_aside: Vec<SetAside>,
+    pub not_counted: Vec<NotCounted>,
     /// Rows of the key that were to be answered and were not, in words.
     pub unanswered: Vec<String>,
     /// Columns and lines of the answers that are not marked.
@@ -118,13 +118,13 @@ pub fn grade(key: &Sheet, answers: &Sheet, rules: &Rules) -> Result<Graded, Faul
         return Err(first.clone());
     }
     left_out.append(&mut unknown);
-    let (mut rows, mut set_aside, mut unanswered) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut rows, mut not_counted, mut unanswered) = (Vec::new(), Vec::new(), Vec::new());
     for (person, submissions) in students {
         let answered: Vec<usize> = submissions.keys().copied().collect();
         for lines in submissions.into_values() {
             let (counted, others) = choose(lines, rules.submissions);
             rows.extend(counted);
-            set_aside.extend(others);
+            not_counted.extend(others);
         }
         for row in grading.not_handed_in(person.as_ref(), &answered) {
             unanswered.push(row.words());
@@ -136,7 +136,7 @@ pub fn grade(key: &Sheet, answers: &Sheet, rules: &Rules) -> Result<Graded, Faul
         unasked: grading.unasked(),
         quantities: grading.quantities,
         rows,
-        set_aside,
+        not_counted,
         unanswered,
         left_out,
         persons: answers.persons,
@@ -144,7 +144,7 @@ pub fn grade(key: &Sheet, answers: &Sheet, rules: &Rules) -> Result<Graded, Faul
 }
 
 /// The line that counts, and those that do not.
-fn choose(mut lines: Vec<GradedRow>, which: Submissions) -> (Option<GradedRow>, Vec<SetAside>) {
+fn choose(mut lines: Vec<GradedRow>, which: Submissions) -> (Option<GradedRow>, Vec<NotCounted>) {
     let points = |i: &usize| lines[*i].sum().points;
     let chosen = match which {
         Submissions::First => Some(0),
@@ -155,7 +155,7 @@ fn choose(mut lines: Vec<GradedRow>, which: Submissions) -> (Option<GradedRow>, 
         return (None, Vec::new());
     };
     let counted = chosen.line.unwrap_or(0);
-    (Some(chosen), lines.into_iter().map(|row| SetAside { row, counted }).collect())
+    (Some(chosen), lines.into_iter().map(|row| NotCounted { row, counted }).collect())
 }
 
 /// A key with answers to be marked.

@@ -74,7 +74,7 @@ impl GradedRow {
 
 /// A row that was handed in again.
 #[derive(Clone, Debug)]
-pub struct SetAside {
+pub struct NotCounted {
     /// The row that does not count.
     pub row: GradedRow,
     /// The line of the one that counts.

@@ -13,7 +13,7 @@ mod slip;
 mod warning;
 
 pub use graded::{Graded, grade};
-pub use mark::{GradedRow, Mark, Part, SetAside, Sum, Verdict};
+pub use mark::{GradedRow, Mark, NotCounted, Part, Sum, Verdict};
 pub use rules::{Credit, Points, Rules, Submissions};
 pub use sheet::{NAMES, Quantity, Sheet, SheetRow};
 pub use slip::{SLIPS, Slip};

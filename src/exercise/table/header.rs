@@ -17,7 +17,7 @@ pub(super) fn separators(header: &str, separator: Separator, first: &str) -> Opt
         return None;
     }
     let why = format!(
-        "its cells are separated by {}, those of the rows by {}",
+        "its cells are separated by {}, but those of the rows by {}",
         separator.plural(),
         of_row.plural()
     );
@@ -51,8 +51,8 @@ pub(super) fn columns(
         return wrong("a quote is not closed", "write names without quotes: `r [mm], n [rpm]`", whole);
     };
     if cells.iter().all(|cell| cell.text.replace(',', ".").parse::<f64>().is_ok()) {
-        let help = "write a line above it that names the columns, as in `r [mm], n [rpm]`";
-        return wrong("the first line names the columns, and these are numbers", help, whole);
+        let help = "add a line above it that names the columns, as in `r [mm], n [rpm]`";
+        return wrong("the first line must name the columns, but contains numbers", help, whole);
     }
     Ok(cells.iter().map(|cell| column(text, cell)).collect())
 }

@@ -166,8 +166,7 @@ fn line_text(bytes: &[u8]) -> Result<&str, (&'static str, &'static str)> {
     if is_cut(bytes.len()) {
         return Err(("it is longer than 1 MiB", "leave out what is not part of the table"));
     }
-    std::str::from_utf8(bytes)
-        .map_err(|_| ("it is not a text in UTF-8", "save the file in the encoding UTF-8"))
+    std::str::from_utf8(bytes).map_err(|_| ("it is not UTF-8 text", "save the file in the encoding UTF-8"))
 }
 
 impl Lines {

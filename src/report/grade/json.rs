@@ -24,7 +24,7 @@ struct GradedView<'a> {
     students: Vec<PartView>,
     problems: Vec<PartView>,
     quantities: Vec<QuantityView<'a>>,
-    set_aside: Vec<SetAsideView<'a>>,
+    not_counted: Vec<NotCountedView<'a>>,
     unanswered: &'a [String],
     unasked: &'a [String],
     diagnostics: Vec<DiagnosticView>,
@@ -64,7 +64,7 @@ struct RowView<'a> {
 }
 
 #[derive(Serialize)]
-struct SetAsideView<'a> {
+struct NotCountedView<'a> {
     counted_line: usize,
     #[serde(flatten)]
     row: RowView<'a>,
@@ -128,10 +128,10 @@ pub fn json(graded: &Graded) -> String {
         quantities: quantities
             .map(|(i, q)| QuantityView { name: &q.name, unit: &q.unit.text, sum: graded.total_of(i).into() })
             .collect(),
-        set_aside: graded
-            .set_aside
+        not_counted: graded
+            .not_counted
             .iter()
-            .map(|aside| SetAsideView { counted_line: aside.counted, row: row_view(graded, &aside.row) })
+            .map(|aside| NotCountedView { counted_line: aside.counted, row: row_view(graded, &aside.row) })
             .collect(),
         unanswered: &graded.unanswered,
         unasked: &graded.unasked,

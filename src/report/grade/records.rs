@@ -40,10 +40,10 @@ pub fn csv(graded: &Graded) -> String {
         row.marks.iter().for_each(|mark| table.row(answer(graded, record, row, mark)));
     };
     graded.rows.iter().for_each(|row| each("answer", row, &mut table));
-    for aside in &graded.set_aside {
-        each("set aside", &aside.row, &mut table);
+    for aside in &graded.not_counted {
+        each("not counted", &aside.row, &mut table);
         let hint = format!("line {} counts", aside.counted);
-        table.row(Line { hint, ..Line::of_row("set aside row", &aside.row, aside.row.sum()) }.cells());
+        table.row(Line { hint, ..Line::of_row("not counted row", &aside.row, aside.row.sum()) }.cells());
     }
     for row in &graded.rows {
         table.row(Line::of_row("row", row, row.sum()).cells());

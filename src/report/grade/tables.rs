@@ -22,7 +22,7 @@ pub fn report(graded: &Graded) -> Report {
         parts("Problems", "problem", &graded.problems()),
         per_quantity(graded),
         not_answered(graded),
-        set_aside(graded),
+        not_counted(graded),
         not_marked(graded),
     ];
     sections.into_iter().for_each(|s| report.section(s));
@@ -56,7 +56,7 @@ fn notes(graded: &Graded) -> Vec<String> {
         format!("{count} student{s}, {} of the points on average.", percent(mean))
     });
     let missing = rules.only_answered.then(|| "Missing answers are left out of the totals.".to_owned());
-    let submissions = (rules.submissions != Submissions::Last && !graded.set_aside.is_empty())
+    let submissions = (rules.submissions != Submissions::Last && !graded.not_counted.is_empty())
         .then(|| format!("The {} submission of a row counts.", rules.submissions.name()));
     let credit: Vec<String> = rules.credit.parts().map(|(slip, part)| format!("{slip} {part}")).collect();
     let credit = (!credit.is_empty()).then(|| format!("Credit for slips: {}.", credit.join(", ")));
@@ -153,13 +153,13 @@ fn not_answered(graded: &Graded) -> Section {
     section
 }
 
-fn set_aside(graded: &Graded) -> Section {
-    let mut section = Section::new("Set aside");
+fn not_counted(graded: &Graded) -> Section {
+    let mut section = Section::new("Not counted");
     let words = |row: &GradedRow, counted: usize| {
         let line = row.line.unwrap_or(0);
         format!("line {line}, {}: {} points; line {counted} counts", cut(&row.words()), points(row.sum()))
     };
-    section.list(graded.set_aside.iter().map(|aside| words(&aside.row, aside.counted)).collect());
+    section.list(graded.not_counted.iter().map(|aside| words(&aside.row, aside.counted)).collect());
     section
 }
 

@@ -86,7 +86,7 @@ struct Expected {
     problems: [Total; 2],
     quantities: [Total; 5],
     class: Total,
-    set_aside: BTreeSet<usize>,
+    not_counted: BTreeSet<usize>,
 }
 
 fn expected(class: &Class, teacher: Teacher) -> Expected {
@@ -101,7 +101,7 @@ fn expected(class: &Class, teacher: Teacher) -> Expected {
                 continue;
             }
             let counts = teacher.choose(&lines);
-            all.set_aside
+            all.not_counted
                 .extend(lines.iter().enumerate().filter(|(i, _)| *i != counts).map(|(_, l)| l.number));
             deeds.push((problem, lines[counts].deeds));
         }
@@ -179,14 +179,14 @@ fn every_sum_is_what_it_is_by_another_reckoning() {
     }
 }
 
-/// Every line of the table that is not blank is marked, set aside or reported.
+/// Every line of the table that is not blank is marked, not counted or reported.
 fn every_line_is_there(class: &Class, expected: &Expected, rows: &[Vec<String>]) {
     let lines = |records: &[&str]| -> BTreeSet<usize> {
         let of = rows.iter().filter(|r| records.contains(&r[0].as_str()) && !r[6].is_empty());
         of.map(|r| r[6].parse().unwrap()).collect()
     };
-    let aside = lines(&["set aside row"]);
-    assert_eq!(aside, expected.set_aside);
+    let aside = lines(&["not counted row"]);
+    assert_eq!(aside, expected.not_counted);
     let mut unmarked = class.bad.clone();
     unmarked.insert(1); // columns
     assert_eq!(lines(&["not marked"]), unmarked);
@@ -194,7 +194,7 @@ fn every_line_is_there(class: &Class, expected: &Expected, rows: &[Vec<String>])
         class.lines.iter().map(|l| l.number).filter(|n| !aside.contains(n)).collect();
     assert_eq!(lines(&["row"]), marked);
     for (line, deeds) in class.lines.iter().map(|l| (l.number, l.deeds)) {
-        let of = rows.iter().filter(|r| matches!(r[0].as_str(), "answer" | "set aside"));
+        let of = rows.iter().filter(|r| matches!(r[0].as_str(), "answer" | "not counted"));
         let nonsense = of.filter(|r| r[6] == line.to_string() && r[13] == "unreadable").count();
         assert_eq!(nonsense, deeds.iter().filter(|d| **d == Deed::Nonsense).count(), "line {line}");
     }
@@ -226,7 +226,7 @@ fn all_formats_have_the_same_sums() {
     assert!((value["mean"].as_f64().unwrap() - mean).abs() < 1e-12);
     let problems: Vec<Total> = value["problems"].as_array().unwrap().iter().map(total).collect();
     assert_eq!(problems, expected.problems);
-    assert_eq!(value["set_aside"].as_array().unwrap().len(), expected.set_aside.len());
+    assert_eq!(value["not_counted"].as_array().unwrap().len(), expected.not_counted.len());
     // a header without a name, the address, the remarks
     assert_eq!(value["diagnostics"].as_array().unwrap().len(), class.bad.len() + 3);
     crate::schema::fits_schema("grade-2.json", &value);

@@ -1,7 +1,6 @@
-//! Machine elements: cams, springs, flywheels.
+//! Machine elements: cams, flywheels.
 
 pub mod cam;
 pub mod cam_contact;
 pub mod cam_fault;
 pub mod flywheel;
-pub mod spring;
