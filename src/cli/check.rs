@@ -1,6 +1,7 @@
 //! `assur check`
 
 use super::args::Check;
+use super::clock::seconds;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
 use crate::pipeline::Compiled;
@@ -28,7 +29,7 @@ pub fn run(args: &Check, screen: &Screen) -> Status {
 }
 
 fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {
-    match assur_solve::measure::costs(&compiled.model()) {
+    match assur_solve::measure::costs(&compiled.model(), seconds) {
         Ok(costs) => costs,
         Err(errors) => {
             problems.extend(errors);

@@ -9,6 +9,8 @@ use assur::internals::solve::{PoseOrigin, Solution, State, extent};
 use assur::internals::source::Source;
 use assur::internals::{Solved, solve_source, solve_within};
 use std::path::Path;
+use std::sync::LazyLock;
+use std::time::Instant;
 
 fn example(name: &str) -> Source {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").join(name);
@@ -21,7 +23,13 @@ fn solved(source: &Source) -> Solved {
 
 fn studied(source: &Source) -> AccuracyStudy {
     let solved = solved(source);
-    study(&solved.compiled.model(), &solved.solution, 1e-9)
+    study(&solved.compiled.model(), &solved.solution, 1e-9, seconds)
+}
+
+/// The clock of this machine.
+fn seconds() -> f64 {
+    static BEGIN: LazyLock<Instant> = LazyLock::new(Instant::now);
+    BEGIN.elapsed().as_secs_f64()
 }
 
 fn knob(study: &AccuracyStudy, kind: Kind) -> &Setting {

@@ -1,11 +1,11 @@
 //! The closed forms in `f32` and in lanes of `f64`.
 
 use super::answer::{Answer, wide_body, wide_reaction};
-use super::clock::micros;
 use super::error::errors;
 use super::setting::{NotApplicable, Row};
 use super::study::Measured;
 use crate::math::{Double, Scalar};
+use crate::measure::clock::micros;
 use crate::solve::{Batch, DriveColumns, DriveInput, Place, WIDTH};
 use std::hint::black_box;
 
@@ -38,7 +38,7 @@ impl Measured<'_, '_> {
             }
         });
         let error = errors(self.model, &self.scales, got.iter().zip(exact));
-        let all = micros(|| {
+        let all = micros(self.clock, || {
             lanes.run(&inputs, |_, place| {
                 black_box(place.open());
             });
