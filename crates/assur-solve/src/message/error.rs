@@ -1,11 +1,11 @@
 //! Why a position has no solution, or one to be careful with.
 
 use super::consistent_error::ConsistentError;
+use super::flywheel_error::FlywheelError;
+use super::friction_error::FrictionError;
 use super::train_error::TrainError;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
-
-use crate::source::Span;
 
 /// A position that cannot be solved, or a warning about one.
 #[derive(Clone, Debug, Error, Diagnostic)]
@@ -319,41 +319,6 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// A flywheel that cannot be found.
-    #[error("flywheel `{name}` cannot be found: {why}")]
-    #[diagnostic(code(mech::solve::no_flywheel))]
-    NoFlywheel {
-        /// Its name.
-        name: String,
-        /// Why.
-        why: String,
-        /// What to do.
-        #[help]
-        help: String,
-        /// Places.
-        #[label(collection)]
-        labels: Vec<LabeledSpan>,
-    },
-    /// A flywheel that is not needed.
-    #[error("flywheel `{name}` is not needed: the links alone run evenly enough, {have} of {needed}")]
-    #[diagnostic(
-        code(mech::solve::needless_flywheel),
-        severity(warning),
-        help(
-            "its moment of inertia is given as 0; ask for a smaller `fluctuation`, or leave the flywheel out"
-        )
-    )]
-    NeedlessFlywheel {
-        /// Its name.
-        name: String,
-        /// Mean reduced moment of inertia of the links.
-        have: String,
-        /// Moment of inertia needed in all.
-        needed: String,
-        /// Its place.
-        #[label("asked for here")]
-        span: miette::SourceSpan,
-    },
     /// An unknown effort that holds nothing.
     #[error("the forces cannot be found{pose}: {why}")]
     #[diagnostic(code(mech::solve::effort_cannot_hold))]
@@ -369,6 +334,14 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// A flywheel.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Flywheel(#[from] FlywheelError),
+    /// Friction.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Friction(#[from] FrictionError),
     /// What only trains have.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -392,8 +365,4 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-}
-
-pub(crate) fn label(text: impl Into<String>, span: Span) -> LabeledSpan {
-    LabeledSpan::new_with_span(Some(text.into()), span)
 }

@@ -1,21 +1,24 @@
 //! What is said of results over the sweep that do not exist.
 
-use super::error::{SolveError, label};
-use super::format::{four, short, with_unit};
-use crate::answer::{NoExtreme, NoFlywheel, NoSweep, Undefined};
-use crate::model::{Flywheel, Pair};
+use super::error::SolveError;
+use super::flywheel_error::FlywheelError;
+use super::format::{four, label, short, with_unit};
+use crate::answer::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
+use crate::language::Function;
+use crate::model::{Flywheel, PairId};
 use crate::position::{Model, turns};
 use crate::units::Dimension;
 use miette::LabeledSpan;
 
-/// Why a function has no value; `value` is that of the first drive at a place of the sweep.
-pub(crate) fn undefined(model: &Model<'_>, why: Undefined, value: impl Fn(f64) -> f64) -> String {
-    let place = |s: f64| match model.mechanism.drives.as_slice() {
+/// Why a function over the sweep has no value.
+#[must_use]
+pub fn undefined(model: &Model<'_>, why: Undefined) -> String {
+    let place = |at: SweepPlace| match model.mechanism.drives.as_slice() {
         [drive] if turns(model, drive) => {
-            format!(" at {} = {} deg", drive.name, short(value(s).to_degrees()))
+            format!(" at {} = {} deg", drive.name, short(at.drive.to_degrees()))
         }
-        [drive] => format!(" at {} = {} mm", drive.name, four(value(s) * 1e3)),
-        _ => format!(" at {} % of the sweep", short(100.0 * s)),
+        [drive] => format!(" at {} = {} mm", drive.name, four(at.drive * 1e3)),
+        _ => format!(" at {} % of the sweep", short(100.0 * at.share)),
     };
     match why {
         Undefined::At(s) => format!("the quantity has no value{}", place(s)),
@@ -25,8 +28,16 @@ pub(crate) fn undefined(model: &Model<'_>, why: Undefined, value: impl Fn(f64) -
     }
 }
 
-/// The extremes of a pair do not exist; `what` asks for them.
-pub(crate) fn no_extreme(model: &Model<'_>, pair: &Pair, what: String, reason: NoExtreme) -> SolveError {
+/// The extremes of a pair do not exist; the function asks for them, or for one of them.
+pub(super) fn no_extreme(
+    model: &Model<'_>,
+    pair: PairId,
+    (function, which): (Function, Option<u8>),
+    reason: NoExtreme,
+) -> SolveError {
+    let pair = model.mechanism.pair(pair);
+    let which = which.map_or_else(String::new, |which| format!(", {which}"));
+    let what = format!("{}({}{which})", function.name(), pair.name);
     let drives = &model.mechanism.drives;
     let name = drives.first().map_or("", |d| d.name.as_str());
     let mut labels = vec![label("this pair", pair.span)];
@@ -64,7 +75,7 @@ pub(crate) fn no_extreme(model: &Model<'_>, pair: &Pair, what: String, reason: N
 }
 
 /// There is no sweep to take functions over.
-pub(crate) fn no_sweep(model: &Model<'_>, reason: NoSweep) -> SolveError {
+pub(super) fn no_sweep(model: &Model<'_>, reason: NoSweep) -> SolveError {
     let drives = &model.mechanism.drives;
     let drive = drives.first();
     let turning = |which: &[_]| matches!(which, [drive] if turns(model, drive));
@@ -105,13 +116,9 @@ fn asked(model: &Model<'_>) -> Vec<LabeledSpan> {
     cycles.chain(flywheels).collect()
 }
 
-/// A flywheel cannot be found; `value` is that of the first drive at a place of the sweep.
-pub(crate) fn no_flywheel(
-    model: &Model<'_>,
-    wheel: &Flywheel,
-    reason: NoFlywheel,
-    value: impl Fn(f64) -> f64,
-) -> SolveError {
+/// A flywheel cannot be found.
+pub(super) fn no_flywheel(model: &Model<'_>, wheel: usize, reason: NoFlywheel) -> SolveError {
+    let wheel = &model.mechanism.flywheels[wheel];
     let drives = &model.mechanism.drives;
     let name = drives.first().map_or("", |d| d.name.as_str());
     let (why, help) = match reason {
@@ -143,13 +150,13 @@ pub(crate) fn no_flywheel(
             )
         }
         NoFlywheel::Undefined(why) => (
-            undefined(model, why, value),
+            undefined(model, why),
             "look at the poses there: `assur solve` says what is wrong with each".to_owned(),
         ),
     };
     let mut labels = vec![label("this flywheel", wheel.span)];
     labels.extend(drives.iter().map(|d| label("drive", d.span)));
-    SolveError::NoFlywheel { name: wheel.name.clone(), why, help, labels }
+    FlywheelError::NoFlywheel { name: wheel.name.clone(), why, help, labels }.into()
 }
 
 fn flywheel_needs_speed(model: &Model<'_>, wheel: &Flywheel) -> SolveError {
@@ -166,11 +173,13 @@ fn flywheel_needs_speed(model: &Model<'_>, wheel: &Flywheel) -> SolveError {
 }
 
 /// The links alone, of this reduced moment of inertia, run as evenly as `needed` would make them.
-pub(crate) fn needless_flywheel(model: &Model<'_>, wheel: &Flywheel, have: f64, needed: f64) -> SolveError {
-    SolveError::NeedlessFlywheel {
+pub(super) fn needless_flywheel(model: &Model<'_>, wheel: usize, have: f64, needed: f64) -> SolveError {
+    let wheel = &model.mechanism.flywheels[wheel];
+    FlywheelError::NeedlessFlywheel {
         name: wheel.name.clone(),
         have: with_unit(model, have, Dimension::INERTIA),
         needed: with_unit(model, needed, Dimension::INERTIA),
         span: wheel.span.into(),
     }
+    .into()
 }

@@ -9,10 +9,9 @@ mod sample_positions;
 
 use crate::answer::balanced;
 use crate::measure::clock::Clock;
-use crate::message::SolveError;
 use crate::model::{LoadId, Value};
 use crate::position::{Model, State, residuals};
-use crate::solve::{PoseAnswers, Rates, Sweep, WholeCycle, can_be_solved, cycles, statics};
+use crate::solve::{Failure, PoseAnswers, Rates, Sweep, WholeCycle, cycles, refusals, statics};
 use incremental_plans::Trial;
 pub use sample_positions::Over;
 use sample_positions::Place;
@@ -52,16 +51,20 @@ pub struct Costs {
 ///
 /// # Errors
 /// As [`crate::solve::solve`]: no assembly or several at the first position, constructs not supported yet.
-pub fn costs(model: &Model<'_>, clock: Clock) -> Result<Option<Costs>, Vec<SolveError>> {
-    can_be_solved(model)?;
+pub fn costs(model: &Model<'_>, clock: Clock) -> Result<Option<Costs>, Vec<Failure>> {
+    let refused = refusals(model);
+    if !refused.is_empty() {
+        return Err(refused);
+    }
     if model.mechanism.links.len() < 2 {
         return Ok(None);
     }
-    let mut statics = statics(model).map_err(|e| vec![e])?;
+    let mut statics = statics(model).map_err(|cause| vec![cause.into()])?;
     let sweep = Sweep::of(model, &statics);
-    cycles(model, &mut statics, &sweep).map_err(|e| vec![e])?;
+    cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
     let rates = Rates::of(model, &statics);
-    let (over, places) = sample_positions::places(model, &statics, &rates).map_err(|e| vec![e])?;
+    let (over, places) =
+        sample_positions::places(model, &statics, &rates).map_err(|cause| vec![cause.into()])?;
     let steps = incremental_plans::steps(model.plan);
     let effects = incremental_plans::effects(model);
     let beside = incremental_plans::beside(model);
