@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::args::{Accuracy, AccuracyFormat};
 use super::batch::{Sink, end_at_once};
+use super::clock::seconds;
 use super::error::CliError;
 use super::files;
 use super::reply::{Reply, Status, complaint, for_each_file};
@@ -11,7 +12,8 @@ use super::screen::Screen;
 use crate::pipeline::{Solved, solve_source};
 use crate::report::{self, Precision};
 use assur_check::Overrides;
-use assur_solve::measure::accuracy::{AccuracyStudy, micros, out_of_reach, study};
+use assur_solve::measure::accuracy::{AccuracyStudy, out_of_reach, study};
+use assur_solve::measure::micros;
 use assur_text::source::Source;
 
 /// Prints what accuracy costs in time.
@@ -35,7 +37,7 @@ pub fn run(args: &Accuracy, screen: &Screen) -> Status {
                 return Reply::new(String::new(), &problems, source, screen);
             };
             let model = solved.compiled.model();
-            let measured = study(&model, &solved.solution, args.wanted);
+            let measured = study(&model, &solved.solution, args.wanted, seconds);
             if measured.recommendation.is_none() {
                 problems.push(out_of_reach(&measured, model.mechanism));
             }
@@ -60,7 +62,7 @@ fn printed(
     let Some(page) = args.format.page(screen.look()) else {
         return report::study_json(&source.name, measured) + "\n";
     };
-    let whole = micros(|| drop(std::hint::black_box(whole(source, overrides))));
+    let whole = micros(seconds, || drop(std::hint::black_box(whole(source, overrides))));
     let report = report::of_study(&source.name, &solved.compiled.model(), measured, whole);
     page.render(&report)
 }

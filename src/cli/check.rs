@@ -1,12 +1,14 @@
 //! `assur check`
 
 use super::args::Check;
+use super::clock::seconds;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
 use crate::pipeline::Compiled;
 use crate::report;
 use crate::report::document::Report;
 use assur_solve::measure::Costs;
+use assur_solve::message::failures;
 use assur_text::diagnostic::Problems;
 
 /// Prints what the mechanisms are built from and, where it is asked for, what their plans cost and how they can be
@@ -28,10 +30,11 @@ pub fn run(args: &Check, screen: &Screen) -> Status {
 }
 
 fn costs(compiled: &Compiled, problems: &mut Problems) -> Option<Costs> {
-    match assur_solve::measure::costs(&compiled.model()) {
+    let model = compiled.model();
+    match assur_solve::measure::costs(&model, seconds) {
         Ok(costs) => costs,
         Err(errors) => {
-            problems.extend(errors);
+            problems.extend(failures(&model, &errors));
             None
         }
     }
@@ -42,8 +45,8 @@ fn add_modes(report: &mut Report, compiled: &Compiled, problems: &mut Problems) 
     match assur_solve::solve::assemblies(&model) {
         Ok(modes) => {
             report::add_modes(report, &model, &modes);
-            problems.extend(modes.problem);
+            problems.extend(failures(&model, modes.problem.as_slice()));
         }
-        Err(errors) => problems.extend(errors),
+        Err(errors) => problems.extend(failures(&model, &errors)),
     }
 }

@@ -4,6 +4,7 @@ mod accuracy;
 pub mod args;
 mod batch;
 mod check;
+mod clock;
 mod error;
 mod explain;
 mod files;

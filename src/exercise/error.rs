@@ -4,7 +4,8 @@ use miette::Diagnostic;
 use thiserror::Error;
 
 use assur_model::model::Expect;
-use assur_solve::solve::{Pose, PoseOrigin, SolveError};
+use assur_solve::message::SolveError;
+use assur_solve::solve::{Pose, PoseOrigin};
 use assur_text::diagnostic::did_you_mean;
 use assur_text::source::Span;
 

@@ -4,6 +4,7 @@ use super::compare::{bound, equal, is_within};
 use super::error::ExpectError;
 use super::undefined::{truth, why_undefined, without_cycle};
 use assur_model::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
+use assur_solve::message::failure;
 use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, PoseOrigin, Solution, State, compare};
 use assur_text::source::Span;
 
@@ -70,8 +71,9 @@ impl<'a> Key<'a> {
                     let outcome = self.outcome(expect, case, Some(pose), &view)?;
                     self.outcomes.push(outcome);
                 }
-                Err(error) => {
-                    failed = failed.or_else(|| Some(ExpectError::pose_failed(expect, error)));
+                Err(why) => {
+                    let pose_failed = || ExpectError::pose_failed(expect, &failure(self.model, why));
+                    failed = failed.or_else(|| Some(pose_failed()));
                 }
             }
         }

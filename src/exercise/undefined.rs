@@ -1,6 +1,7 @@
 //! Why a value does not exist.
 
 use assur_model::model::{Expr, Query, Value};
+use assur_solve::message::undefined;
 use assur_solve::solve::{Model, PoseAnswers, Solution, compare};
 
 /// Whether a condition holds; `None` where that depends on a value that does not exist.
@@ -65,7 +66,8 @@ pub(super) fn without_cycle(model: &Model<'_>, solution: &Solution, expr: &Expr)
                 quantity.and_then(|q| without_cycle(model, solution, &q.expr))
             }
             Expr::Query(Query::Cycle(index)) => {
-                solution.statics.cycles.get(*index).and_then(|c| c.why.clone())
+                let why = solution.statics.cycles.get(*index).and_then(|c| c.why);
+                why.map(|why| undefined(model, why))
             }
             _ => None,
         };

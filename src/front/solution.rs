@@ -6,6 +6,7 @@ use crate::exercise::Outcome;
 use crate::pipeline::Solved;
 use crate::report::rows::AnswerColumns;
 use crate::report::{Answers, Precision};
+use assur_solve::message::failure;
 use assur_solve::solve;
 use std::ops::Index;
 use std::sync::Arc;
@@ -119,7 +120,7 @@ impl Pose {
                 .zip(values)
                 .map(|(display, value)| Answer::of(value, display))
                 .collect(),
-            failure: pose.failure().map(ToString::to_string),
+            failure: pose.failure().map(|why| failure(&answers.model, why).to_string()),
         }
     }
 

@@ -5,6 +5,7 @@ use super::variant_solver::VariantSolver;
 use crate::exercise::{ForRow, mismatches};
 use assur_check as check;
 use assur_check::{FileRow, Overrides, RowColumn};
+use assur_solve::message::failures;
 use assur_solve::solve::refusals;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
@@ -80,7 +81,8 @@ fn of_every_row(solver: &mut VariantSolver<'_>, rows: &[FileRow]) -> Option<Prob
     let mut refused = |row: &FileRow| {
         let (compiled, mut problems) = solver.compile(&row.row);
         if let Some(compiled) = compiled.filter(|_| !problems.has_errors()) {
-            problems.extend(refusals(&compiled.model()));
+            let model = compiled.model();
+            problems.extend(failures(&model, &refusals(&model)));
         }
         problems
     };

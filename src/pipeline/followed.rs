@@ -5,6 +5,7 @@ use super::compile::Origin;
 use super::critical::criticals;
 use super::open_sizes::open_sizes;
 use assur_model::model::{At, Mechanism, Positions, Relation};
+use assur_solve::message::{self, failure};
 use assur_solve::solve::{Following, Model, Pose, PoseOrigin, Solution};
 use assur_text::diagnostic::Problems;
 use miette::{Diagnostic, LabeledSpan};
@@ -73,7 +74,9 @@ pub fn is_long(model: &Model<'_>) -> bool {
 /// What makes all positions meaningless.
 pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_>>) -> Followed {
     let critical = origin.map(|o| criticals(model, o)).unwrap_or_default();
-    let Some(mut following) = Following::new(model, critical).map_err(Problems::of)? else {
+    let Some(mut following) =
+        Following::new(model, critical).map_err(|all| Problems::of(message::failures(model, &all)))?
+    else {
         return Ok(Some((Solution::default(), Problems::new())));
     };
     let (positions, most) = (following.positions(), most_positions(model));
@@ -90,7 +93,7 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_
     let mut each = each;
     let (mut failed, mut ambiguous) = (0, false);
     while let Some(pose) = following.next() {
-        let pose = pose.map_err(|e| Problems::of([e]))?;
+        let pose = pose.map_err(|why| Problems::of([failure(model, &why)]))?;
         if let Some(each) = &mut each
             && !matches!(pose.origin, PoseOrigin::Expected(_))
             && !each(&head, &pose)
@@ -99,10 +102,10 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_
         }
         // one line of `assemble` chooses for the whole sweep
         let again = pose.is_ambiguous() && std::mem::replace(&mut ambiguous, true);
-        if let Some(failure) = pose.failure().filter(|_| !again) {
+        if let Some(why) = pose.failure().filter(|_| !again) {
             failed += 1;
             if failed <= TOLD || keeps_all {
-                problems.push(failure.clone());
+                problems.push(failure(model, why));
             } else {
                 problems.count_errors(1);
             }
@@ -113,9 +116,8 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_
     }
     let mut solution = Solution { poses, ..following.end() };
     let mut said = Problems::new();
-    said.extend(std::mem::take(&mut solution.warnings));
+    said.extend(message::notes(model, &std::mem::take(&mut solution.notes)));
     said.count_warnings(std::mem::take(&mut solution.unlisted));
-    said.extend(std::mem::take(&mut solution.friction));
     said.append(problems);
     solution.open = head.open;
     Ok(Some((solution, said)))

@@ -3,6 +3,7 @@
 use super::solved::{Solved, solve_source};
 use crate::exercise::ExpectError;
 use assur_check::Overrides;
+use assur_solve::message::clause;
 use assur_solve::solve;
 use assur_syntax::document::{Document, Statement};
 use assur_text::source::{Source, Span};
@@ -66,16 +67,18 @@ fn replaced(text: &str, places: &[Span], line: &str) -> String {
 
 /// Statements for the other assemblies: those that differ in one group come first.
 fn others(solved: &Solved) -> Option<Vec<String>> {
-    let modes = solve::assemblies(&solved.compiled.model()).ok()?;
-    let mut all: Vec<(usize, Vec<&str>)> = vec![(0, Vec::new())];
+    let model = solved.compiled.model();
+    let modes = solve::assemblies(&model).ok()?;
+    let mut all: Vec<(usize, Vec<String>)> = vec![(0, Vec::new())];
     for group in modes.groups.iter().filter(|g| g.assemblies.len() > 1) {
-        let lines = group.assemblies.iter().filter_map(|m| Some((m.chosen, m.line.as_deref()?)));
-        let lines = lines.map(|(chosen, line)| (chosen, line.trim_start_matches("assemble ")));
-        let lines: Vec<(bool, &str)> = lines.collect();
+        let lines =
+            group.assemblies.iter().filter_map(|m| Some((m.chosen, clause(&model, m.clause.as_ref()?))));
+        let lines = lines.map(|(chosen, line)| (chosen, line.trim_start_matches("assemble ").to_owned()));
+        let lines: Vec<(bool, String)> = lines.collect();
         let with = |(changed, clauses): &(usize, Vec<_>)| {
             let (changed, clauses) = (*changed, clauses.clone());
             lines.clone().into_iter().map(move |(chosen, line)| {
-                (changed + usize::from(!chosen), clauses.iter().copied().chain([line]).collect::<Vec<_>>())
+                (changed + usize::from(!chosen), clauses.iter().cloned().chain([line]).collect::<Vec<_>>())
             })
         };
         all = all.iter().flat_map(with).collect();

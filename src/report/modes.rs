@@ -1,6 +1,7 @@
 //! All assemblies of every group at the first pose.
 
 use super::document::{Column, Section, Table};
+use assur_solve::message::{clause, place};
 use assur_solve::solve::{Assemblies, Model};
 
 /// One row per assembly.
@@ -19,11 +20,14 @@ pub(super) fn section(model: &Model<'_>, modes: &Assemblies) -> Section {
                 format!("{} of {}", i + 1, group.assemblies.len()),
                 assur_text::units::significant(mode.condition, 3),
                 if mode.chosen { "chosen" } else { "" }.to_owned(),
-                mode.line.clone().unwrap_or_default(),
+                mode.clause.as_ref().map(|c| clause(model, c)).unwrap_or_default(),
             ]);
         }
     }
-    let mut section = Section::new(format!("Assemblies{}", modes.pose));
+    let mut section = Section::new(format!(
+        "Assemblies{}",
+        modes.pose.as_ref().map(|p| place(model, p)).unwrap_or_default()
+    ));
     section.table(table);
     if modes.groups.iter().any(|g| g.searched) {
         section.text("The assemblies of general groups come from a search: there may be others.");

@@ -7,6 +7,7 @@ use super::reactions::{ReactionEntry, reactions};
 use super::scale::Scale;
 use super::symbols;
 use assur_model::model::{Display, Value};
+use assur_solve::message::failure;
 use assur_solve::solve::Pose;
 use assur_text::units::{Dimension, significant};
 
@@ -193,5 +194,6 @@ fn drives_in_words(answers: &Answers<'_>, pose: &Pose) -> String {
 
 /// Each names its pose itself.
 fn failures(answers: &Answers<'_>) -> Vec<String> {
-    answers.poses().filter_map(|pose| pose.outcome.as_ref().err()).map(ToString::to_string).collect()
+    let failed = answers.poses().filter_map(|pose| pose.outcome.as_ref().err());
+    failed.map(|why| failure(&answers.model, why).to_string()).collect()
 }

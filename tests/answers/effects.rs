@@ -106,7 +106,7 @@ fn solved(text: &str) -> Solved {
 fn states(solved: &Solved) -> impl Iterator<Item = &State> {
     let outcome = |pose| match pose {
         Ok(solved) => solved,
-        Err(error) => panic!("every position is solved: {error}"),
+        Err(error) => panic!("every position is solved: {error:?}"),
     };
     solved.solution.poses.iter().map(move |p| &outcome(p.outcome.as_ref()).state)
 }

@@ -266,7 +266,7 @@ fn said(text: &str) -> (Result<BTreeMap<String, f64>, String>, bool) {
     let model = solved.compiled.model();
     let pose = match &solved.solution.poses[0].outcome {
         Ok(pose) => pose,
-        Err(e) => return (Err(format!("{e}")), several),
+        Err(why) => return (Err(assur::internals::message::failure(&model, why).to_string()), several),
     };
     assert!(pose.residuals.equilibrium.is_some_and(|r| r < 1e-11), "{text}\n{:?}", pose.residuals);
     assert!(pose.residuals.power.is_some_and(|r| r < 1e-11), "{text}\n{:?}", pose.residuals);

@@ -17,7 +17,7 @@ fn answers(text: &str) -> BTreeMap<String, f64> {
     let solved = solved.unwrap_or_else(|| panic!("{text}\n{}", told()));
     let model = solved.compiled.model();
     let pose = &solved.solution.poses[0];
-    let state = pose.outcome.as_ref().unwrap_or_else(|e| panic!("{text}\n{e}"));
+    let state = pose.outcome.as_ref().unwrap_or_else(|e| panic!("{text}\n{e:?}"));
     assert!(state.residuals.equilibrium.unwrap_or(0.0) < 1e-12, "{text}\n{:?}", state.residuals);
     assert!(state.residuals.power.unwrap_or(0.0) < 1e-12, "{text}\n{:?}", state.residuals);
     let view = solved.solution.view(&model, state);

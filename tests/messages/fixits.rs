@@ -3,6 +3,8 @@
 use crate::paste::{pasted, read};
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::DiagnosticView;
+use assur::internals::message::clause;
+use assur::internals::solve::GroupAssembly;
 use assur::internals::source::Source;
 use std::path::{Path, PathBuf};
 
@@ -112,8 +114,10 @@ fn listed(text: &str) -> Vec<(Option<String>, bool)> {
     let source = Source::new("text.mech", text);
     let (compiled, _) = assur::internals::compile(&source, &Overrides::none());
     let compiled = compiled.expect("it is sound");
-    let modes = assur::internals::solve::assemblies(&compiled.model()).expect("it is solved");
-    modes.groups.into_iter().flat_map(|g| g.assemblies).map(|m| (m.line, m.chosen)).collect()
+    let model = compiled.model();
+    let modes = assur::internals::solve::assemblies(&model).expect("it is solved");
+    let line = |m: GroupAssembly| (m.clause.map(|c| clause(&model, &c)), m.chosen);
+    modes.groups.into_iter().flat_map(|g| g.assemblies).map(line).collect()
 }
 
 #[test]

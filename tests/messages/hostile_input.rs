@@ -2,7 +2,7 @@
 
 use crate::busy::Busy;
 use assur::internals::source::Source;
-use assur::internals::syntax::{SyntaxError, parse};
+use assur::internals::syntax::{CharacterError, SyntaxError, parse};
 use proptest::prelude::*;
 use std::time::Duration;
 
@@ -77,6 +77,7 @@ fn one_long_line() {
 #[test]
 fn a_shared_error_type() {
     fn shared<T: Send + Sync + 'static>() {}
+    shared::<CharacterError>();
     shared::<SyntaxError>();
 }
 

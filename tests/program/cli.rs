@@ -287,7 +287,7 @@ fn accuracy_is_measured() {
              - friction: none in this problem
              - general groups: none in this problem
              - triads: none in this problem
-             - samples: nothing is taken over the cycle
+             - samples: no functions over the cycle
             ");
     } else {
         insta::assert_snapshot!(plain_rows(&tables), @r"
@@ -309,7 +309,7 @@ fn accuracy_is_measured() {
              - friction: none in this problem
              - general groups: none in this problem
              - triads: none in this problem
-             - samples: nothing is taken over the cycle
+             - samples: no functions over the cycle
             ");
     }
     let svg = folder.read("a.svg");

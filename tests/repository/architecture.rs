@@ -79,6 +79,49 @@ fn every_folder_uses_only_those_before_it() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// What a text names of the modules of clocks and threads.
+fn clocks_and_threads(text: &str) -> Vec<&'static str> {
+    let code: String = text.lines().map(|l| l.split("//").next().unwrap_or_default()).collect();
+    let code = code.replace(char::is_whitespace, "");
+    let listed = |module: &str| {
+        let lists = code.split("std::{").skip(1).map(|list| list.split(';').next().unwrap_or_default());
+        lists.flat_map(|list| list.split([',', '{', '}'])).any(|name| name.split("::").next() == Some(module))
+    };
+    let of_std = [("std::time", "time"), ("std::thread", "thread")];
+    let mut named: Vec<_> = of_std
+        .into_iter()
+        .filter(|(path, module)| code.contains(path) || listed(module))
+        .map(|(path, _)| path)
+        .collect();
+    named.extend(code.contains("rayon").then_some("rayon"));
+    named
+}
+
+#[test]
+fn clocks_and_threads_are_of_the_command_line() {
+    let mut wrong = Vec::new();
+    for folder in ["src", "crates"] {
+        for path in crate::folder::files(&root().join(folder), "rs") {
+            let own = path.strip_prefix(root()).expect("below the root");
+            let is_test =
+                own.starts_with("crates") && own.iter().any(|part| part == "tests" || part == "benches");
+            if own.starts_with("src/cli") || is_test {
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).expect("a source file");
+            let named = clocks_and_threads(&text).into_iter();
+            wrong.extend(named.map(|name| format!("{} names {name}", own.display())));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    for text in
+        ["use std::time::Instant;", "use std::{fmt, time::{Duration}};", "std ::\n time ::Instant::now()"]
+    {
+        assert_eq!(clocks_and_threads(text), ["std::time"], "{text}");
+    }
+    assert!(clocks_and_threads("use std::{fmt, sync::Arc}; // std::time").is_empty());
+}
+
 /// The paths in the first column of the table of tests.
 fn tests_named() -> Vec<String> {
     let text = page();

@@ -1,4 +1,4 @@
-//! Errors of the text.
+//! Errors of the lines of a text: signs, words, statements.
 
 use assur_text::source::Span;
 use miette::Diagnostic;
@@ -14,56 +14,6 @@ pub enum SyntaxError {
         help("begin with a title: mechanism \"My first crank-slider\"")
     )]
     EmptyFile,
-
-    #[error("full-width characters cannot be read")]
-    #[diagnostic(code(mech::syntax::full_width))]
-    FullWidth {
-        #[label("written in full width")]
-        at: Span,
-        #[help]
-        help: String,
-    },
-
-    #[error("use straight quotes (`\"`)")]
-    #[diagnostic(code(mech::syntax::curly_quotes))]
-    CurlyQuotes {
-        #[label("this is another kind of quote")]
-        at: Span,
-        #[help]
-        help: String,
-    },
-
-    #[error("`{found}` is not used here")]
-    #[diagnostic(code(mech::syntax::foreign_sign))]
-    ForeignSign {
-        found: char,
-        #[label("written `{wanted}` in this language")]
-        at: Span,
-        wanted: &'static str,
-        #[help]
-        help: String,
-    },
-
-    #[error("invisible character (U+{found:04X})")]
-    #[diagnostic(code(mech::syntax::invisible_character))]
-    InvisibleCharacter {
-        found: u32,
-        #[label("invisible")]
-        at: Span,
-        #[help]
-        help: String,
-    },
-
-    #[error("this line ends with a carriage return alone")]
-    #[diagnostic(
-        code(mech::syntax::lone_carriage_return),
-        severity(Warning),
-        help("save the file with line ends LF or CR LF")
-    )]
-    LoneCarriageReturn {
-        #[label("CR without LF")]
-        at: Span,
-    },
 
     #[error("nested more than {limit} levels deep")]
     #[diagnostic(

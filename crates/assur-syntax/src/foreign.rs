@@ -1,6 +1,7 @@
 //! What is reported of characters and comments of other kinds.
 
 use super::change::{Change, Kind};
+use super::character_error::CharacterError;
 use super::error::SyntaxError;
 use super::line::Line;
 use assur_text::diagnostic::Problems;
@@ -59,7 +60,7 @@ pub(super) fn report(text: &str, changes: &[Change], problems: &mut Problems) {
     }
 }
 
-fn describe(text: &str, changes: &[Change], kind: Kind, help: &str) -> Option<SyntaxError> {
+fn describe(text: &str, changes: &[Change], kind: Kind, help: &str) -> Option<CharacterError> {
     let first = changes.iter().find(|c| c.kind == kind)?;
     let found = text[first.span.start..].chars().next()?;
     let help = help.to_owned();
@@ -71,9 +72,11 @@ fn describe(text: &str, changes: &[Change], kind: Kind, help: &str) -> Option<Sy
         }
     }
     Some(match kind {
-        Kind::FullWidth => SyntaxError::FullWidth { at, help },
-        Kind::Quote => SyntaxError::CurlyQuotes { at: first.span, help },
-        Kind::Sign => SyntaxError::ForeignSign { found, at: first.span, wanted: first.with, help },
-        Kind::Invisible => SyntaxError::InvisibleCharacter { found: u32::from(found), at: first.span, help },
+        Kind::FullWidth => CharacterError::FullWidth { at, help },
+        Kind::Quote => CharacterError::CurlyQuotes { at: first.span, help },
+        Kind::Sign => CharacterError::ForeignSign { found, at: first.span, wanted: first.with, help },
+        Kind::Invisible => {
+            CharacterError::InvisibleCharacter { found: u32::from(found), at: first.span, help }
+        }
     })
 }

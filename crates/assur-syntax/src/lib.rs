@@ -3,6 +3,7 @@
 //! Parsing cannot fail: a part that cannot be read is reported and kept as `Bad`.
 
 mod change;
+mod character_error;
 mod comma;
 mod confusables;
 mod error;
@@ -18,6 +19,7 @@ mod words;
 
 pub mod document;
 
+pub use character_error::CharacterError;
 pub use comma::{between_digits, readings};
 pub use confusables::skeleton;
 pub use error::SyntaxError;

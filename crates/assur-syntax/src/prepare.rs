@@ -10,6 +10,7 @@
 //! Brackets nested deeper than [`DEPTH`] are blanked out here, before anything descends into them.
 
 use super::change::{Change, Kind};
+use super::character_error::CharacterError;
 use super::error::SyntaxError;
 use super::foreign;
 use assur_text::diagnostic::Problems;
@@ -137,7 +138,7 @@ impl<'a> Prepare<'a> {
         }
         self.pad(&mut padding);
         if let Some(at) = lone_return {
-            problems.push(SyntaxError::LoneCarriageReturn { at });
+            problems.push(CharacterError::LoneCarriageReturn { at });
         }
         if let Some(at) = self.deep {
             problems.push(SyntaxError::TooDeep { limit: DEPTH, at });

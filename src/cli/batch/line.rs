@@ -16,6 +16,7 @@ use crate::report::json::{self, Variant};
 use crate::report::rows::{AnswerColumns, FULL, write_text};
 use crate::report::{Answers, Precision};
 use assur_solve::measure::accuracy::AchievedAccuracy;
+use assur_solve::message::failure;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use assur_text::units::write_significant;
@@ -199,7 +200,8 @@ impl Line<'_> {
             if let (Some(columns), Some(answers)) = (self.columns, answers) {
                 columns.write(answers, pose, self.digits, self.key, out);
             }
-            let own = pose.outcome.as_ref().err().map(ToString::to_string);
+            let own = answers.zip(pose.outcome.as_ref().err());
+            let own = own.map(|(answers, why)| failure(&answers.model, why).to_string());
             end(error.map(|e| own.as_deref().unwrap_or(e)), out);
         }
         if poses == 0 {

@@ -10,7 +10,8 @@ use super::train::{PartView, ShaftView, SliderView, elements, is_element, transm
 use assur_math::math::Vec2;
 use assur_model::model::{DriveTarget, Link, LinkId};
 use assur_position::plan::{Effects, Level};
-use assur_solve::solve::{BodyState, DriveValue, Pose, SolveError, Solved};
+use assur_solve::message::{SolveError, failure};
+use assur_solve::solve::{BodyState, DriveValue, Pose, Solved};
 
 #[derive(Serialize)]
 pub(super) struct PoseView<'a> {
@@ -121,7 +122,7 @@ impl<'a> PoseView<'a> {
             condition: None,
         };
         match &pose.outcome {
-            Err(error) => view.error = Some(ErrorView::of(error)),
+            Err(why) => view.error = Some(ErrorView::of(&failure(&answers.model, why))),
             Ok(solved) => view.fill(answers, pose, solved),
         }
         view

@@ -210,7 +210,7 @@ fn solve(build: &Build, cam: &Cam, phi: f64, alpha: f64) -> Found {
     let links = &solved.compiled.mechanism.links;
     let lever = links.iter().position(|l| l.name == "lever").unwrap();
     let outcomes =
-        solved.solution.poses.iter().map(|p| p.outcome.as_ref().unwrap_or_else(|e| panic!("{text}\n{e}")));
+        solved.solution.poses.iter().map(|p| p.outcome.as_ref().unwrap_or_else(|e| panic!("{text}\n{e:?}")));
     let outcomes: Vec<_> = outcomes.collect();
     let model = solved.compiled.model();
     let view = solved.solution.view(&model, outcomes[SIDE]);

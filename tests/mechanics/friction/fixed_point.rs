@@ -265,7 +265,7 @@ find efficiency(), locked()
             assert_eq!(solved.solution.poses.len(), angles.len());
             for (pose, degrees) in solved.solution.poses.iter().zip(&angles) {
                 let place = format!("l = {length}, f = {mu} at {degrees} deg");
-                let pose = pose.outcome.as_ref().unwrap_or_else(|e| panic!("{place}: {e}"));
+                let pose = pose.outcome.as_ref().unwrap_or_else(|e| panic!("{place}: {e:?}"));
                 let view = solved.solution.view(&model, pose);
                 let margin = margin(*degrees);
                 assert!(margin.abs() > 1e-11, "{place}: on the limit");

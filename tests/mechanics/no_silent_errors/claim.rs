@@ -8,7 +8,7 @@ use crate::support::reference::{Body, Rates};
 use crate::support::run::{Run, scalar, vector};
 use assur::internals::math::{V2, Vec2};
 use assur::internals::model::{BalanceId, DriveId, LinkId, Mechanism, PairKind, Query};
-use assur::internals::solve::{PoseAnswers, SolveError, Solved};
+use assur::internals::solve::{Note, PoseAnswers, Solved};
 
 /// Digits that an answer claims where no warning says how many are left.
 pub const UNWARNED: f64 = 7.0;
@@ -28,9 +28,9 @@ pub struct Judged {
 
 /// The digits of the only warning that speaks of digits.
 pub fn warned(run: &Run) -> Option<u32> {
-    let warnings = &run.solution.as_ref().ok()?.warnings;
-    warnings.iter().find_map(|w| match w {
-        SolveError::IllConditioned { digits, .. } => Some(*digits),
+    let notes = &run.solution.as_ref().ok()?.notes;
+    notes.iter().find_map(|w| match w {
+        Note::IllConditioned { digits, .. } => Some(*digits),
         _ => None,
     })
 }

@@ -3,7 +3,7 @@
 use super::claim::{KINDS, UNWARNED, judge};
 use super::models;
 use crate::support::run::Run;
-use assur::internals::solve::SolveError;
+use assur::internals::solve::{Cause, Failure};
 use std::collections::BTreeMap;
 
 /// Counts, the worst of each kind, and what was wrong.
@@ -76,19 +76,19 @@ impl Tally {
         }
     }
 
-    fn refused(&mut self, seed: u64, easy: bool, why: &SolveError) {
+    fn refused(&mut self, seed: u64, easy: bool, why: &Failure) {
         self.refused += 1;
-        let reason = match why {
-            SolveError::DoesNotClose { .. } => "does not close",
-            SolveError::NotFound { .. } => "not found",
-            SolveError::Ambiguous { .. } => "ambiguous",
-            SolveError::DeadPosition { .. } => "dead position",
-            SolveError::EffortCannotHold { .. } => "the effort cannot hold it",
-            SolveError::NotFinite { .. } => "lost in rounding",
+        let reason = match why.cause {
+            Cause::DoesNotClose { .. } => "does not close",
+            Cause::NotFound { .. } => "not found",
+            Cause::Ambiguous { .. } => "ambiguous",
+            Cause::Dead { .. } => "dead position",
+            Cause::CannotHold { .. } => "the effort cannot hold it",
+            Cause::Lost(_) => "lost in rounding",
             _ => "another",
         };
         *self.reasons.entry(reason).or_insert(0) += 1;
-        if easy && !matches!(why, SolveError::EffortCannotHold { .. }) {
+        if easy && !matches!(why.cause, Cause::CannotHold { .. }) {
             self.wrong.push(format!("seed {seed}: there is an answer, but: {why:.200?}"));
         }
     }

@@ -6,16 +6,17 @@ use crate::support::machines::{self, at, crank_slider, four_bar, list};
 use crate::support::random::Random;
 use crate::support::run::Run;
 use assur::internals::math::Vec2;
+use assur::internals::message::{self, SolveError};
 use assur::internals::model::{
     BalanceKind, Expr, LinkId, LoadKind, Mechanism, PairKind, Place, Positions, ProfileShape, Value,
 };
-use assur::internals::solve::SolveError;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// The gap in words of a mechanism that does not close, and its last length, m.
 fn gap(m: &Mechanism) -> Option<(String, f64)> {
     let run = Run::new(m).expect("the structure is sound");
-    let errors = run.solution.err()?;
+    let failures = run.solution.as_ref().err()?;
+    let errors: Vec<SolveError> = message::failures(&run.model(), failures).collect();
     let [SolveError::DoesNotClose { gap, .. }] = errors.as_slice() else { return None };
     let words: Vec<&str> = gap.split_whitespace().collect();
     // a mechanism without a text has no units of its own: lengths are in metres

@@ -4,11 +4,12 @@ use crate::support::machines::{self, at, crank_slider, four_bar, list, turn};
 use crate::support::random::Random;
 use crate::support::run::{Run, scalar, vector};
 use assur::internals::math::Vec2;
+use assur::internals::message;
 use assur::internals::model::{
     Display, Expr, Find, FindKind, HintKind, LinkId, Load, LoadKind, Mechanism, PairId, Place, PointRef,
     Positions, Query,
 };
-use assur::internals::solve::SolveError;
+use assur::internals::solve::{Cause, Note};
 use assur::internals::source::Span;
 use std::f64::consts::{PI, TAU};
 
@@ -175,8 +176,9 @@ fn a_partial_sweep_tells_its_range() {
         );
         closed += usize::from(reached);
     }
-    let warnings = solution.warnings.iter().filter(|w| matches!(w, SolveError::PartialSweep { .. }));
-    let warned: Vec<String> = warnings.map(ToString::to_string).collect();
+    let partial: Vec<Note> =
+        solution.notes.iter().filter(|n| matches!(n, Note::PartialSweep { .. })).cloned().collect();
+    let warned: Vec<String> = message::notes(&run.model(), &partial).map(|w| w.to_string()).collect();
     let (count, limit) = (format!("{closed} of {} positions", steps + 1), format!("{limit:.2}"));
     assert!(warned.len() == 1 && warned[0].contains(&count) && warned[0].contains(&limit), "{warned:?}");
 }
@@ -275,7 +277,8 @@ fn hints_choose_between_the_two_assemblies() {
     }
     let mut m = four_bar([0.1, 0.35, 0.3, 0.4], true, list(&[1.0]));
     m.hints.clear();
-    assert!(matches!(&run(&m).solution, Err(e) if matches!(e[..], [SolveError::Ambiguous { count: 2, .. }])));
+    let causes = run(&m).solution.expect_err("nothing chooses").into_iter().map(|f| f.cause);
+    assert!(matches!(causes.collect::<Vec<_>>()[..], [Cause::Ambiguous { count: 2, .. }]));
     machines::hint(&mut m, HintKind::Near { point: (ROCKER, at(0.3, 0.0)), place: at(0.3, -0.3) });
     assert!(run(&m).solved(0).is_ok());
 }

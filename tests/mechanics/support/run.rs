@@ -3,7 +3,7 @@
 use assur::internals::math::Vec2;
 use assur::internals::model::{Mechanism, Query, Value};
 use assur::internals::plan::Plan;
-use assur::internals::solve::{Model, PoseAnswers, Solution, SolveError, Solved, solve};
+use assur::internals::solve::{Failure, Model, PoseAnswers, Solution, Solved, solve};
 use assur::internals::structure::Structure;
 
 /// A mechanism with everything that comes of it.
@@ -11,7 +11,7 @@ pub struct Run {
     pub mechanism: Mechanism,
     pub structure: Structure,
     pub plan: Plan,
-    pub solution: Result<Solution, Vec<SolveError>>,
+    pub solution: Result<Solution, Vec<Failure>>,
 }
 
 impl Run {

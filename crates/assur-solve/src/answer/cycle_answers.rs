@@ -1,5 +1,6 @@
 //! What is found over the sweep.
 
+use super::undefined::Undefined;
 use crate::math::chebyshev::Series;
 
 /// A function over the sweep with what it took.
@@ -16,7 +17,7 @@ pub struct CycleAnswer {
     /// Drive values where the quantity is not smooth.
     pub splits: Vec<f64>,
     /// Why it has no value.
-    pub why: Option<String>,
+    pub why: Option<Undefined>,
 }
 
 /// A flywheel that was found.
@@ -49,7 +50,7 @@ pub struct FlywheelAnswer {
 }
 
 impl CycleAnswer {
-    pub(crate) fn undefined(why: String) -> Self {
+    pub(crate) fn undefined(why: Undefined) -> Self {
         Self { value: f64::NAN, why: Some(why), ..Self::default() }
     }
 }

@@ -28,5 +28,5 @@ pub(crate) use every_query::every_query;
 pub use friction_answers::PairFriction;
 pub(crate) use locking::Locked;
 pub use pose_answers::PoseAnswers;
-pub use undefined::{NoExtreme, NoFlywheel, NoSweep, Undefined};
+pub use undefined::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
 pub use whole_cycle::{Extremes, WholeCycle};

@@ -1,16 +1,25 @@
 //! Why something over the sweep has no value.
 
-/// Why a function over the sweep has no value; places are shares of the sweep.
+/// Why a function over the sweep has no value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Undefined {
     /// It has none at this place.
-    At(f64),
+    At(SweepPlace),
     /// Friction locks the mechanism there.
-    Locked(f64),
+    Locked(SweepPlace),
     /// The mechanism does not close there.
-    Open(f64),
+    Open(SweepPlace),
     /// It changes too often.
     Unresolved,
+}
+
+/// A place of the sweep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SweepPlace {
+    /// Its share of the sweep, from 0 to 1.
+    pub share: f64,
+    /// The value of the first drive there, rad or m.
+    pub drive: f64,
 }
 
 /// Why a coordinate has no extremes.

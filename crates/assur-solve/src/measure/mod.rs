@@ -1,6 +1,8 @@
 //! What is measured on a solved problem: the cost of its plan, and what accuracy costs.
 
 pub mod accuracy;
+mod clock;
 mod cost;
 
+pub use clock::{Clock, micros};
 pub use cost::{Costs, Over, costs};

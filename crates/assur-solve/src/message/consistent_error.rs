@@ -29,7 +29,7 @@ pub enum ConsistentError {
         labels: Vec<LabeledSpan>,
     },
     /// The search was given up.
-    #[error("the forces{pose} cannot be found: there are too many combinations of the {what} to be searched")]
+    #[error("the forces{pose} cannot be found: too many combinations of the {what}")]
     #[diagnostic(
         code(mech::solve::undecided),
         help("leave out the {what} of some of the marked pairs, or reduce them")

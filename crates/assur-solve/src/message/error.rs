@@ -1,11 +1,11 @@
 //! Why a position has no solution, or one to be careful with.
 
 use super::consistent_error::ConsistentError;
+use super::flywheel_error::FlywheelError;
+use super::friction_error::FrictionError;
 use super::train_error::TrainError;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
-
-use crate::source::Span;
 
 /// A position that cannot be solved, or a warning about one.
 #[derive(Clone, Debug, Error, Diagnostic)]
@@ -14,7 +14,7 @@ pub enum SolveError {
     #[error("{what} cannot be solved yet")]
     #[diagnostic(
         code(mech::request::not_supported_yet),
-        help("it is read and checked: `assur check` shows the rest; without it the file can be solved")
+        help("remove it to solve the rest of the file; `assur check` shows the structure of the whole file")
     )]
     NotSupportedYet {
         /// What it is.
@@ -39,7 +39,7 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// Several assemblies and no choice.
-    #[error("the mechanism can be assembled in {count} ways{pose}, and nothing says which")]
+    #[error("the mechanism has {count} assemblies{pose}, and the file chooses none")]
     #[diagnostic(code(mech::assembly::ambiguous))]
     Ambiguous {
         /// How many.
@@ -54,7 +54,7 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// Hints that contradict.
-    #[error("no assembly{pose} is as `assemble` says")]
+    #[error("no assembly{pose} satisfies `assemble`")]
     #[diagnostic(code(mech::assembly::hint_not_met))]
     HintNotMet {
         /// ` at pose 3 (crank = 60 deg)`, or empty.
@@ -82,11 +82,11 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// A position too far from the one before.
-    #[error("the way to this position is too long to be followed{pose}")]
+    #[error("the step to this position is too large{pose}")]
     #[diagnostic(
         code(mech::solve::way_too_long),
         help(
-            "a motion is followed in steps of two degrees, at most 2 million of them (11,111 turns) from one position to the next: ask for positions in between"
+            "ask for positions in between: the motion is followed in steps of two degrees, at most 2 million of them (11,111 turns) from one position to the next"
         )
     )]
     WayTooLong {
@@ -121,12 +121,12 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// A position that was iterated to, and may not be a solution.
-    #[error("the position of {links} is not certified{pose}{more}")]
+    #[error("the position of {links} could not be verified{pose}{more}")]
     #[diagnostic(
         code(mech::solve::not_certified),
         severity(warning),
         help(
-            "the theorem of Newton and Kantorovich asks for h ≤ 0.5 and finds h = {figure}: so near to a dead position rounding errors decide whether there is a solution, or two; choose a position beside it"
+            "choose a position next to it: the theorem of Newton and Kantorovich needs h ≤ 0.5, but h = {figure}; so near to a dead position rounding errors decide whether there is one solution, two or none"
         )
     )]
     NotCertified {
@@ -143,7 +143,7 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// Newton's method did not converge.
-    #[error("no way to assemble {links} was found{pose}")]
+    #[error("no assembly of {links} was found{pose}")]
     #[diagnostic(code(mech::assembly::not_found))]
     NotFound {
         /// Where.
@@ -178,7 +178,7 @@ pub enum SolveError {
         code(mech::assembly::branch_switch),
         severity(warning),
         help(
-            "they pass a change point there, where both assemblies meet, and were followed as their motion carries them on; a machine may go either way"
+            "check the motion after this change point, where both assemblies meet: the links continue by their velocity, but a real machine may continue in either assembly"
         )
     )]
     BranchSwitch {
@@ -200,7 +200,7 @@ pub enum SolveError {
         code(mech::solve::contact_pulls),
         severity(warning),
         help(
-            "the profiles part here: press them together by a spring or a load, or guide a pin in a `slot`"
+            "press the profiles together by a spring or a load, or guide a pin in a `slot`: they part here"
         )
     )]
     ContactPulls {
@@ -232,11 +232,11 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// The rotation of a roller that turns freely.
-    #[error("`{name}` turns freely: how it turns is not determined")]
+    #[error("`{name}` turns freely: its rotation is not determined")]
     #[diagnostic(
         code(mech::request::free_rotation),
         help(
-            "ask for points of its axis, or of the link that carries it; or give the circle to that link, and it slides instead of rolling"
+            "ask for points of its axis, or of the link that carries it; or give the circle to that link, so that it slides instead of rolling"
         )
     )]
     FreeRotation {
@@ -247,13 +247,13 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// Speeds in forces, with a drive that has only a sense.
-    #[error("{what} {hangs} on speeds, and no drive has one: they are those at unit speed, {unit}")]
+    #[error("{what} {depends} on speeds, but no drive has one: the result is for unit speed, {unit}")]
     #[diagnostic(code(mech::request::unit_speed), severity(Warning), help("{help}"))]
     UnitSpeed {
         /// `` `T` and `k` ``
         what: String,
-        /// `hangs` or `hang`
-        hangs: &'static str,
+        /// `depends` or `depend`
+        depends: &'static str,
         /// `1 rad/s of `crank``
         unit: String,
         /// What to write.
@@ -263,7 +263,7 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// Damping where nothing moves.
-    #[error("damping opposes motion, and no drive has a speed: it is left out")]
+    #[error("damping is left out: no drive has a speed")]
     #[diagnostic(code(mech::request::no_damping), severity(Warning), help("{help}"))]
     NoDamping {
         /// What to write.
@@ -274,12 +274,12 @@ pub enum SolveError {
     },
     /// Friction at two contacts whose share is not determined.
     #[error(
-        "the friction in {pairs} goes by the forces at two contacts, and the couple that shares them is not determined: {chain} a chain of prismatic pairs"
+        "the friction in {pairs} depends on how the load is shared between two contacts, which is statically indeterminate: {chain} a chain of prismatic pairs"
     )]
     #[diagnostic(
         code(mech::friction::open_couple),
         help(
-            "leave `contacts` out, and friction goes by the normal force; or let one of the pairs be a revolute"
+            "leave `contacts` out, so that friction depends on the normal force, or make one of the pairs a revolute pair"
         )
     )]
     OpenCouple {
@@ -292,7 +292,7 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// A dead position that does not exist.
-    #[error("`{what}` does not exist: {why}")]
+    #[error("`{what}` is not defined: {why}")]
     #[diagnostic(code(mech::solve::no_extreme))]
     NoExtreme {
         /// `dead(G, 1)`, `stroke(G)`, …
@@ -319,41 +319,6 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// A flywheel that cannot be found.
-    #[error("flywheel `{name}` cannot be found: {why}")]
-    #[diagnostic(code(mech::solve::no_flywheel))]
-    NoFlywheel {
-        /// Its name.
-        name: String,
-        /// Why.
-        why: String,
-        /// What to do.
-        #[help]
-        help: String,
-        /// Places.
-        #[label(collection)]
-        labels: Vec<LabeledSpan>,
-    },
-    /// A flywheel that is not needed.
-    #[error("flywheel `{name}` is not needed: the links alone run evenly enough, {have} of {needed}")]
-    #[diagnostic(
-        code(mech::solve::needless_flywheel),
-        severity(warning),
-        help(
-            "its moment of inertia is given as 0; ask for a smaller `fluctuation`, or leave the flywheel out"
-        )
-    )]
-    NeedlessFlywheel {
-        /// Its name.
-        name: String,
-        /// Mean reduced moment of inertia of the links.
-        have: String,
-        /// Moment of inertia needed in all.
-        needed: String,
-        /// Its place.
-        #[label("asked for here")]
-        span: miette::SourceSpan,
-    },
     /// An unknown effort that holds nothing.
     #[error("the forces cannot be found{pose}: {why}")]
     #[diagnostic(code(mech::solve::effort_cannot_hold))]
@@ -369,6 +334,14 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// A flywheel.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Flywheel(#[from] FlywheelError),
+    /// Friction.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Friction(#[from] FrictionError),
     /// What only trains have.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -378,10 +351,10 @@ pub enum SolveError {
     #[diagnostic(transparent)]
     Consistent(#[from] ConsistentError),
     /// A number that is not finite.
-    #[error("{what}{pose} cannot be computed: the numbers grow too large")]
+    #[error("{what}{pose} cannot be computed: the numbers are too large")]
     #[diagnostic(
         code(mech::solve::not_finite),
-        help("look for a slip in a unit or a power of ten of lengths, speeds, masses and loads")
+        help("check units and powers of ten of lengths, speeds, masses and loads")
     )]
     NotFinite {
         /// Where.
@@ -392,8 +365,4 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-}
-
-pub(crate) fn label(text: impl Into<String>, span: Span) -> LabeledSpan {
-    LabeledSpan::new_with_span(Some(text.into()), span)
 }

@@ -4,11 +4,13 @@ use crate::position::{DriveValue, Model, PoseOrigin, Wanted, turns};
 use miette::LabeledSpan;
 
 use crate::model::{LinkId, PairKind};
+use crate::source::Span;
 use crate::structure::{BodyId, BodyOrigin, Dyad, Group, GroupKind, Joint, JointKind};
 use crate::units::Dimension;
 
 /// ` at pose 3 (crank = 60 deg)`; empty where nothing is driven.
-pub(crate) fn place(model: &Model<'_>, pose: &Wanted) -> String {
+#[must_use]
+pub fn place(model: &Model<'_>, pose: &Wanted) -> String {
     let drives = drive_text(model, &pose.drives);
     match pose.origin {
         _ if drives.is_empty() => String::new(),
@@ -33,20 +35,33 @@ pub(super) fn drive_text(model: &Model<'_>, values: &[DriveValue]) -> String {
     texts.collect::<Vec<_>>().join(", ")
 }
 
+/// Angles rounded to a part of a degree.
+pub(super) fn rounded(model: &Model<'_>, values: &[DriveValue], per_degree: f64) -> Vec<DriveValue> {
+    let drives = model.mechanism.drives.iter().zip(values);
+    drives
+        .map(|(drive, value)| match value {
+            DriveValue::Scalar(x) if turns(model, drive) => {
+                DriveValue::Scalar(((x.to_degrees() * per_degree).round() / per_degree).to_radians())
+            }
+            other => *other,
+        })
+        .collect()
+}
+
 /// Up to six decimals, without trailing zeros.
-pub(crate) fn short(x: f64) -> String {
+pub(super) fn short(x: f64) -> String {
     let text = format!("{x:.6}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 /// A length in the author's unit, to four significant digits.
-pub(crate) fn length(model: &Model<'_>, length: f64) -> String {
+pub(super) fn length(model: &Model<'_>, length: f64) -> String {
     with_unit(model, length, Dimension::LENGTH)
 }
 
 /// A value in the author's unit, to four significant digits.
-pub(crate) fn with_unit(model: &Model<'_>, si: f64, dimension: Dimension) -> String {
+pub(super) fn with_unit(model: &Model<'_>, si: f64, dimension: Dimension) -> String {
     let display = model.mechanism.display_of(dimension);
     format!("{} {}", four(display.of_si(si)), display.unit)
 }
@@ -73,7 +88,7 @@ pub(super) fn hinge(model: &Model<'_>, joint: &Joint) -> String {
 
 /// Four significant digits, without trailing zeros behind the point; very large and very small numbers with a power of
 /// ten.
-pub(crate) fn four(x: f64) -> String {
+pub(super) fn four(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return format!("{x}");
     }
@@ -102,7 +117,7 @@ pub(super) fn body(model: &Model<'_>, body: BodyId) -> String {
 }
 
 /// The links of a group: `` `rod` and `piston` ``.
-pub(crate) fn links(model: &Model<'_>, group: &Group) -> String {
+pub(super) fn links(model: &Model<'_>, group: &Group) -> String {
     let mut names: Vec<String> = group
         .bodies
         .iter()
@@ -116,8 +131,22 @@ pub(crate) fn links(model: &Model<'_>, group: &Group) -> String {
     }
 }
 
+/// Marks a place.
+pub(super) fn label(text: impl Into<String>, span: Span) -> LabeledSpan {
+    LabeledSpan::new_with_span(Some(text.into()), span)
+}
+
+/// `, and at 3 other poses`
+pub(super) fn and_at(more: usize) -> String {
+    match more {
+        0 => String::new(),
+        1 => ", and at 1 other pose".to_owned(),
+        n => format!(", and at {n} other poses"),
+    }
+}
+
 /// Marks the pairs of a group, with the text at its inner one.
-pub(crate) fn labels(model: &Model<'_>, group: &Group, text: &str) -> Vec<LabeledSpan> {
+pub(super) fn labels(model: &Model<'_>, group: &Group, text: &str) -> Vec<LabeledSpan> {
     let pair = |j: &crate::structure::GroupJoint| model.structure.replaced.joint(j.joint).pair;
     let main = group.joints.iter().find(|j| j.inner).or(group.joints.first()).map(pair);
     let mut pairs: Vec<_> = group.joints.iter().map(pair).collect();
@@ -136,14 +165,14 @@ pub(super) fn stands(model: &Model<'_>, group: &Group, condition: f64) -> String
     let first = group.bodies.first().map(|&b| body(model, b));
     let how = match (group.kind, first) {
         (GroupKind::Dyad(Dyad::Rrr), _) => format!("{links} are in line"),
-        (GroupKind::Dyad(Dyad::Rrp), Some(leg)) => format!("{leg} stands across its guide"),
+        (GroupKind::Dyad(Dyad::Rrp), Some(leg)) => format!("{leg} is perpendicular to its guide"),
         (GroupKind::Dyad(Dyad::Prp | Dyad::Rpp) | GroupKind::Translation, _) => {
             format!("the guides of {links} are parallel")
         }
         (GroupKind::Triad, _) => {
-            format!("the legs' lines of force among {links} meet in a point or are parallel")
+            format!("the lines of force of the legs in {links} meet in one point or are parallel")
         }
-        _ => format!("{links} could move a little while all others stand still"),
+        _ => format!("{links} could move a little while all others are at rest"),
     };
     if condition > 0.0 { format!("{how} (condition figure σ = {condition:.1e})") } else { how }
 }

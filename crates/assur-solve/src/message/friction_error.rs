@@ -1,4 +1,4 @@
-//! What is said of friction: where it locks, where it does not act.
+//! Messages about friction: locking, and friction that does not act.
 
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
@@ -26,10 +26,10 @@ pub enum FrictionError {
         labels: Vec<LabeledSpan>,
     },
     /// A number is asked for that a locked mechanism does not have.
-    #[error("{asked} no value{pose}{more}: friction locks the mechanism, and no effort moves it")]
+    #[error("{asked} no value{pose}{more}: friction locks the mechanism, so no effort moves it")]
     #[diagnostic(
         code("mech::friction::no_effort"),
-        help("`efficiency()`, `locked()` and `frictionless({first})` have values there")
+        help("ask for `efficiency()`, `locked()` or `frictionless({first})`, which are defined there")
     )]
     NoEffort {
         /// What is asked, with its verb: `` `F` has ``.
@@ -45,7 +45,7 @@ pub enum FrictionError {
         labels: Vec<LabeledSpan>,
     },
     /// No relative motion in a pair with friction.
-    #[error("nothing slides in `{pair}`{pose}{more}: its friction has no direction and is none there")]
+    #[error("no sliding in `{pair}`{pose}{more}: friction is taken as zero")]
     #[diagnostic(code("mech::friction::no_sliding"), severity(Advice))]
     NoSliding {
         /// The pair.

@@ -1,30 +1,26 @@
 //! By how much a group does not close, in words.
 
 use super::format::{body, hinge, length};
-use crate::group::triad::{Miss, gap};
-use crate::group::{Gap, rpr, rrp, rrr};
-use crate::math::Vec2;
+use crate::group::Gap;
+use crate::group::triad::Miss;
 use crate::model::PairKind;
-use crate::plan::{Anchor, DrivenJoint, DrivenLeg, MotionStep};
-use crate::position::{Model, State};
-use crate::structure::GroupJoint;
+use crate::plan::{DrivenJoint, DrivenLeg, MotionStep};
+use crate::position::Model;
+use crate::solve::GroupGap;
+use crate::structure::{BodyId, GroupJoint};
 
 /// The gap with its numbers and points, and what would close it.
-pub(crate) fn gap_text(model: &Model<'_>, state: &State, index: usize) -> (String, String) {
-    let group = &model.structure.motion[index];
+pub(super) fn gap_text(model: &Model<'_>, group: usize, gap: &GroupGap) -> (String, String) {
+    let step = &model.plan.motion[group];
+    let group = &model.structure.motion[group];
     let name = |i: usize| hinge(model, model.structure.replaced.joint(group.joints[i].joint));
     let mm = &|x: f64| length(model, x);
     let link = |i: usize| body(model, group.bodies[i]);
-    let at = |a: &Anchor| state.motion.bodies[a.body].position(a.at);
-    match &model.plan.motion[index] {
-        MotionStep::Rrr { legs, .. } => {
-            let ends = [at(&legs[0].base), at(&legs[1].base)];
-            reach(mm, ends, [legs[0].length, legs[1].length], [link(0), link(1)], [name(0), name(1), name(2)])
-        }
-        MotionStep::DrivenRrr { legs, .. } => {
-            let ends = [at(&legs[0].base), at(&legs[1].base)];
-            let lengths = [0, 1].map(|i| state.leg_length(&legs[i]));
-            let (text, help) = reach(mm, ends, lengths, [link(0), link(1)], [name(0), name(1), name(2)]);
+    match gap {
+        GroupGap::Reach { distance, lengths, gap } => {
+            let (links, names) = ([link(0), link(1)], [name(0), name(1), name(2)]);
+            let (text, help) = reach(mm, *distance, *lengths, *gap, &links, &names);
+            let MotionStep::DrivenRrr { legs, .. } = step else { return (text, help) };
             let driven = [0, 1].map(|i| is_cylinder(model, &legs[i], group.joints[2 * i]));
             let other = match driven {
                 [true, false] => 1,
@@ -32,76 +28,56 @@ pub(crate) fn gap_text(model: &Model<'_>, state: &State, index: usize) -> (Strin
                 _ => return (text, help),
             };
             // the third side of a triangle
-            let apart = (ends[1] - ends[0]).norm();
-            let [least, most] = [(apart - lengths[other]).abs(), apart + lengths[other]].map(mm);
+            let [least, most] = [(distance - lengths[other]).abs(), distance + lengths[other]].map(mm);
             (text, format!("drive {} between {least} and {most}", link(1 - other)))
         }
-        MotionStep::Rrp { branch, leg, slide, from_point, .. } => {
-            let base = &state.motion.bodies[slide.base];
-            let (q, d) = (base.position(slide.origin), slide.along.turned(base.u));
-            let h = from_point.of::<f64>().y + state.branches[*branch].sides[0] * slide.radius;
-            let p_A = at(&leg.base);
-            match rrp::gap(p_A, leg.length, q, d, h) {
-                Some(Gap::TooFar(far) | Gap::TooNear(far)) => (
-                    format!(
-                        "{} is {} from the path of {}, but {} is {} long: {} short",
-                        name(0),
-                        mm(leg.length + far),
-                        name(1),
-                        link(0),
-                        mm(leg.length),
-                        mm(far)
-                    ),
-                    format!(
-                        "make {} longer by {}, or bring {} nearer to the guide of {}{}",
-                        link(0),
-                        mm(far),
-                        name(0),
-                        name(2),
-                        slip(leg.length + far, leg.length)
-                    ),
-                ),
-                None => unknown(&name(1)),
-            }
-        }
-        MotionStep::Rpr { branch, bases, slide, from_origin, from_point, .. } => {
-            let (p_A, p_B) = (at(&bases[0]), at(&bases[1]));
-            let side = state.branches[*branch].sides[0];
-            let h = from_point.of::<f64>().y + side * slide.radius - from_origin.of::<f64>().y;
-            match rpr::gap(p_A, p_B, h) {
-                Some(Gap::TooFar(gap) | Gap::TooNear(gap)) => (
-                    format!(
-                        "{} and {} are {} apart, but the guide passes {} beside one of them: {} too near",
-                        name(0),
-                        name(2),
-                        mm((p_B - p_A).norm()),
-                        mm(h.abs()),
-                        mm(gap)
-                    ),
-                    format!(
-                        "make the offset less by {}, or bring {} and {} apart",
-                        mm(gap),
-                        name(0),
-                        name(2)
-                    ),
-                ),
-                None => unknown(&name(1)),
-            }
-        }
-        MotionStep::DrivenRrp { .. } => (
+        GroupGap::Path { length, short: Some(far) } => (
+            format!(
+                "{} is {} from the path of {}, but {} is {} long: {} short",
+                name(0),
+                mm(length + far),
+                name(1),
+                link(0),
+                mm(*length),
+                mm(*far)
+            ),
+            format!(
+                "make {} longer by {}, or bring {} nearer to the guide of {}{}",
+                link(0),
+                mm(*far),
+                name(0),
+                name(2),
+                slip(length + far, *length)
+            ),
+        ),
+        GroupGap::Guide { distance, offset, near: Some(near) } => (
+            format!(
+                "{} and {} are {} apart, but the guide passes one of them at a distance of {}: {} too near",
+                name(0),
+                name(2),
+                mm(*distance),
+                mm(*offset),
+                mm(*near)
+            ),
+            format!("make the offset less by {}, or bring {} and {} apart", mm(*near), name(0), name(2)),
+        ),
+        GroupGap::Path { .. } | GroupGap::Guide { .. } => unknown(&name(1)),
+        GroupGap::Driven => (
             format!("the links about {} do not meet at these values of the drives", name(1)),
             "check the values of the drives inside the links".to_owned(),
         ),
-        MotionStep::Triad { triad, .. } => {
+        GroupGap::Legs(miss) => {
             let leg = |i: usize| body(model, group.joints[i].body);
-            let plate = body(model, crate::structure::BodyId(triad.body));
+            let plate = match step {
+                MotionStep::Triad { triad, .. } => body(model, BodyId(triad.body)),
+                _ => String::new(),
+            };
             let links = [leg(0), leg(1), leg(2), plate];
-            let names = [0, 1, 2, 3, 4, 5].map(name);
-            triad_text(mm, gap(&triad.plate, &state.triad_ends(triad)), &links, &names)
+            triad_text(mm, *miss, &links, &[0, 1, 2, 3, 4, 5].map(name))
         }
-        _ => (
+        GroupGap::Parallel => (
             "the guides are parallel".to_owned(),
-            format!("turn the guide of {} or {}: they must cross", name(0), name(group.joints.len() - 1)),
+            format!("turn the guide of {} or {}, so that they cross", name(0), name(group.joints.len() - 1)),
         ),
     }
 }
@@ -112,14 +88,14 @@ type Lengths<'a> = &'a dyn Fn(f64) -> String;
 /// Two links of these lengths from hinge to hinge that do not meet.
 fn reach(
     mm: Lengths<'_>,
-    [p_A, p_B]: [Vec2; 2],
+    distance: f64,
     [l_1, l_2]: [f64; 2],
-    links: [String; 2],
-    names: [String; 3],
+    gap: Option<Gap>,
+    links: &[String; 2],
+    names: &[String; 3],
 ) -> (String, String) {
     let (link, name) = (|i: usize| &links[i], |i: usize| &names[i]);
-    let distance = (p_B - p_A).norm();
-    match rrr::gap(p_A, p_B, l_1, l_2) {
+    match gap {
         Some(Gap::TooFar(far)) => (
             format!(
                 "{} and {} are {} apart, but {} and {} reach {} + {} = {}: {} short",
@@ -145,7 +121,7 @@ fn reach(
         ),
         Some(Gap::TooNear(near)) => (
             format!(
-                "{} and {} are {} apart, but {} and {} fold to |{} − {}| = {} at the least: {} too near",
+                "{} and {} are {} apart, but {} and {} fold to at least |{} − {}| = {}: {} too near",
                 name(0),
                 name(2),
                 mm(distance),
@@ -213,14 +189,13 @@ fn triad_text(
             let (pin, hinge) = (&names[3 + leg], &names[leg]);
             let own = (reached - gap).abs();
             if own <= 1e-9 * reached {
-                let text =
-                    format!("{on} brings {pin} no nearer to the guide of {hinge} than {}", mm(reached));
+                let text = format!("{on} moves {pin} no nearer to the guide of {hinge} than {}", mm(reached));
                 return (text, format!("move the guide of {hinge} by {}", mm(reached)));
             }
             let (how, change) = if gap > 0.0 { ("short", "longer") } else { ("too long", "shorter") };
             (
                 format!(
-                    "{on} brings {pin} {way} {hinge} than {}, but {} is {} long: {} {how}",
+                    "{on} moves {pin} {way} {hinge} than {}, but {} is {} long: {} {how}",
                     mm(reached),
                     links[leg],
                     mm(own),
@@ -246,5 +221,5 @@ fn is_cylinder(model: &Model<'_>, leg: &DrivenLeg, outer: GroupJoint) -> bool {
 
 /// Lengths of different orders are most often a slip in a unit.
 fn slip(long: f64, short: f64) -> &'static str {
-    if long > 30.0 * short { "; is there a slip in a unit?" } else { "" }
+    if long > 30.0 * short { "; check the units" } else { "" }
 }

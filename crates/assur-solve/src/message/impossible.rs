@@ -1,18 +1,21 @@
 //! Positions at which there is no motion, or no force, or no number.
 
-use super::error::{SolveError, label};
-use super::format::{body, labels, links, place, stands};
-use crate::position::{Model, State, Wanted};
-use crate::structure::{BodyId, EffortKind, EffortSource, Group};
+use super::error::SolveError;
+use super::format::{body, label, labels, links, stands};
+use crate::position::Model;
+use crate::solve::{GroupId, Lost};
+use crate::structure::{EffortKind, EffortSource};
+use miette::LabeledSpan;
 
 /// A group whose determinant vanishes.
-pub(crate) fn dead(model: &Model<'_>, group: &Group, condition: f64, pose: &Wanted) -> SolveError {
+pub(super) fn dead(model: &Model<'_>, group: GroupId, condition: f64, pose: String) -> SolveError {
+    let group = group.of(model.structure);
     SolveError::DeadPosition {
-        pose: place(model, pose),
+        pose,
         stands: stands(model, group, condition),
         help: format!(
-            "where a group is dead no velocity and no force follows from the drives: choose a position beside it, or \
-             drive {} itself",
+            "choose a position next to it, or drive {} itself: in a dead position the drives determine neither \
+             velocities nor forces",
             one_of(&links(model, group))
         ),
         labels: labels(model, group, "dead"),
@@ -23,11 +26,9 @@ fn one_of(links: &str) -> String {
     if links.contains(" and ") { format!("one of {links}") } else { links.to_owned() }
 }
 
-/// A group of forces whose determinant vanishes.
-pub(crate) fn cannot_hold(model: &Model<'_>, group: &Group, condition: f64, pose: &Wanted) -> SolveError {
-    if group.efforts.is_empty() {
-        return dead(model, group, condition, pose);
-    }
+/// A group of forces with unknown efforts whose determinant vanishes.
+pub(super) fn cannot_hold(model: &Model<'_>, group: usize, condition: f64, pose: String) -> SolveError {
+    let group = &model.structure.forces[group];
     let links = links(model, group);
     let mut marks = Vec::new();
     let mut line = false;
@@ -43,55 +44,43 @@ pub(crate) fn cannot_hold(model: &Model<'_>, group: &Group, condition: f64, pose
     let prismatic = group.joints.first().is_some_and(|j| j.prismatic);
     let (why, help) = match (group.joints.len(), line, prismatic) {
         (1, true, true) => (
-            format!("the unknown force stands across the guide of {links} and cannot hold it"),
+            format!("the unknown force is perpendicular to the guide of {links} and cannot hold it"),
             "turn the force towards the guide",
         ),
         (1, true, false) => (
             format!("the unknown force passes through the hinge of {links} and cannot hold it"),
-            "turn the force away from the hinge, or move its place",
+            "turn the force away from the hinge, or move its point",
         ),
         _ => (
-            format!("the unknown effort cannot hold {links} as they stand"),
-            "choose another place or direction for the effort, or another position",
+            format!("the unknown effort cannot hold {links} in this position"),
+            "choose another point or direction for the effort, or another position",
         ),
     };
     let sigma =
         if condition > 0.0 { format!(" (condition figure σ = {condition:.1e})") } else { String::new() };
     marks.extend(labels(model, group, "held by this"));
-    SolveError::EffortCannotHold {
-        pose: place(model, pose),
-        why: why + &sigma,
-        help: help.to_owned(),
-        labels: marks,
-    }
+    SolveError::EffortCannotHold { pose, why: why + &sigma, help: help.to_owned(), labels: marks }
 }
 
-/// The first result that is no number.
-pub(crate) fn not_finite(model: &Model<'_>, state: &State, pose: &Wanted) -> Option<SolveError> {
-    let body = |i: usize| body(model, BodyId(i));
-    let pairs = model.plan.reactions.iter().zip(&state.forces.reactions);
-    let bodies = || state.motion.bodies.iter().enumerate();
-    let what = bodies()
-        .find(|(_, b)| !(b.p.x + b.p.y + b.u.x + b.u.y).is_finite())
-        .map(|(i, _)| format!("the position of {}", body(i)))
-        .or_else(|| {
-            let found = bodies().find(|(_, b)| !(b.v.x + b.v.y + b.omega).is_finite());
-            found.map(|(i, _)| format!("the velocity of {}", body(i)))
-        })
-        .or_else(|| {
-            let found = bodies().find(|(_, b)| !(b.a.x + b.a.y + b.alpha).is_finite());
-            found.map(|(i, _)| format!("the acceleration of {}", body(i)))
-        })
-        .or_else(|| {
-            let found = pairs.clone().find(|(_, r)| !(r.force.x + r.force.y + r.couple).is_finite());
-            found.map(|(joint, _)| {
-                let pair = model.structure.replaced.joint(joint.joint).pair;
-                format!("the reaction in `{}`", model.mechanism.pair(pair).name)
-            })
-        })
-        .or_else(|| {
-            state.forces.efforts.iter().find(|e| !e.is_finite()).map(|_| "an unknown effort".to_owned())
-        })?;
-    let labels = model.mechanism.drives.iter().map(|d| label("at this position", d.span)).collect();
-    Some(SolveError::NotFinite { pose: place(model, pose), what, labels })
+/// A result of which no digit is left.
+pub(super) fn not_finite(model: &Model<'_>, lost: Lost, pose: String) -> SolveError {
+    let what = match lost {
+        Lost::Position(id) => format!("the position of {}", body(model, id)),
+        Lost::Velocity(id) => format!("the velocity of {}", body(model, id)),
+        Lost::Acceleration(id) => format!("the acceleration of {}", body(model, id)),
+        Lost::Reaction(pair) => format!("the reaction in `{}`", model.mechanism.pair(pair).name),
+        Lost::Effort => "an unknown effort".to_owned(),
+        Lost::Closure => "the position of the links".to_owned(),
+        Lost::Equilibrium => "the balance of forces".to_owned(),
+    };
+    SolveError::NotFinite { pose, what, labels: at_drives(model, "at this position") }
+}
+
+/// The way to a position is too long to be followed.
+pub(super) fn too_far(model: &Model<'_>, pose: String) -> SolveError {
+    SolveError::WayTooLong { pose, labels: at_drives(model, "driven that far") }
+}
+
+fn at_drives(model: &Model<'_>, text: &str) -> Vec<LabeledSpan> {
+    model.mechanism.drives.iter().map(|d| label(text, d.span)).collect()
 }

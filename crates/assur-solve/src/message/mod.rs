@@ -1,42 +1,32 @@
-//! Every sentence said about a solution.
+//! Every sentence said about a solution: data of `solve` in words.
 
-#![allow(non_snake_case, reason = "names carry the notation of the field: p_A, p_B")]
-
-mod assembly_lines;
-mod at_pose;
+mod clause;
+mod consistent;
 mod consistent_error;
-mod consistent_warnings;
 mod error;
+mod failure;
+mod flywheel_error;
 mod format;
-mod free_roller;
+mod friction;
 mod friction_error;
-mod friction_warnings;
 mod gap;
 mod impossible;
-mod not_closing;
+mod notes;
 mod open_places;
-mod out_of_scale;
 mod over_sweep;
-mod too_far;
+mod partial_sweep;
+mod refusal;
+mod speeds;
 mod train_error;
-mod unsupported;
-mod warnings;
+mod unassembled;
 
-pub(crate) use assembly_lines::{ambiguous, lines, near_lines, not_met};
-pub(crate) use at_pose::with_pose;
+pub use clause::clause;
 pub use consistent_error::ConsistentError;
 pub use error::SolveError;
-pub(crate) use format::place;
-pub(crate) use free_roller::free_rollers;
+pub use failure::{failure, failures};
+pub use flywheel_error::FlywheelError;
+pub use format::place;
 pub use friction_error::FrictionError;
-pub(crate) use friction_warnings::FrictionNotes;
-pub(crate) use impossible::{cannot_hold, dead, not_finite};
-pub(crate) use not_closing::does_not_close;
-pub use open_places::unplaced_reactions;
-pub(crate) use open_places::{friction_beside, friction_couples, without_place, without_position};
-pub(crate) use out_of_scale::out_of_scale;
-pub(crate) use over_sweep::{needless_flywheel, no_extreme, no_flywheel, no_sweep, undefined};
-pub(crate) use too_far::too_far;
+pub use notes::notes;
+pub use over_sweep::undefined;
 pub use train_error::TrainError;
-pub(crate) use unsupported::{cams, missing_speeds, not_supported, unit_speeds};
-pub(crate) use warnings::{Closing, Notes};

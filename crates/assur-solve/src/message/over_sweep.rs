@@ -1,32 +1,43 @@
 //! What is said of results over the sweep that do not exist.
 
-use super::error::{SolveError, label};
-use super::format::{four, short, with_unit};
-use crate::answer::{NoExtreme, NoFlywheel, NoSweep, Undefined};
-use crate::model::{Flywheel, Pair};
+use super::error::SolveError;
+use super::flywheel_error::FlywheelError;
+use super::format::{four, label, short, with_unit};
+use crate::answer::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};
+use crate::language::Function;
+use crate::model::{Flywheel, PairId};
 use crate::position::{Model, turns};
 use crate::units::Dimension;
 use miette::LabeledSpan;
 
-/// Why a function has no value; `value` is that of the first drive at a place of the sweep.
-pub(crate) fn undefined(model: &Model<'_>, why: Undefined, value: impl Fn(f64) -> f64) -> String {
-    let place = |s: f64| match model.mechanism.drives.as_slice() {
+/// Why a function over the sweep has no value.
+#[must_use]
+pub fn undefined(model: &Model<'_>, why: Undefined) -> String {
+    let place = |at: SweepPlace| match model.mechanism.drives.as_slice() {
         [drive] if turns(model, drive) => {
-            format!(" at {} = {} deg", drive.name, short(value(s).to_degrees()))
+            format!(" at {} = {} deg", drive.name, short(at.drive.to_degrees()))
         }
-        [drive] => format!(" at {} = {} mm", drive.name, four(value(s) * 1e3)),
-        _ => format!(" at {} % of the sweep", short(100.0 * s)),
+        [drive] => format!(" at {} = {} mm", drive.name, four(at.drive * 1e3)),
+        _ => format!(" at {} % of the sweep", short(100.0 * at.share)),
     };
     match why {
-        Undefined::At(s) => format!("the quantity has no value{}", place(s)),
+        Undefined::At(s) => format!("the quantity is not defined{}", place(s)),
         Undefined::Locked(s) => format!("friction locks the mechanism{}", place(s)),
         Undefined::Open(s) => format!("the mechanism does not close{}", place(s)),
         Undefined::Unresolved => "the quantity changes too often over the sweep".to_owned(),
     }
 }
 
-/// The extremes of a pair do not exist; `what` asks for them.
-pub(crate) fn no_extreme(model: &Model<'_>, pair: &Pair, what: String, reason: NoExtreme) -> SolveError {
+/// The extremes of a pair do not exist; the function asks for them, or for one of them.
+pub(super) fn no_extreme(
+    model: &Model<'_>,
+    pair: PairId,
+    (function, which): (Function, Option<u8>),
+    reason: NoExtreme,
+) -> SolveError {
+    let pair = model.mechanism.pair(pair);
+    let which = which.map_or_else(String::new, |which| format!(", {which}"));
+    let what = format!("{}({}{which})", function.name(), pair.name);
     let drives = &model.mechanism.drives;
     let name = drives.first().map_or("", |d| d.name.as_str());
     let mut labels = vec![label("this pair", pair.span)];
@@ -35,15 +46,15 @@ pub(crate) fn no_extreme(model: &Model<'_>, pair: &Pair, what: String, reason: N
         NoExtreme::Slides => {
             mark("slides");
             (
-                format!("it takes a drive that turns, and `{name}` slides"),
-                "drive the crank; the extremes of what moves to and fro are found over its turn",
+                format!("it needs a drive that turns, but `{name}` slides"),
+                "drive the crank: the extremes are found over one turn of it",
             )
         }
         NoExtreme::Drives => {
             mark("one of the drives");
             (
-                format!("it takes one drive that turns, and there are {}", drives.len()),
-                "the extremes of a coordinate over one turn are not defined where several drives move it",
+                format!("it needs exactly one drive that turns, but there are {}", drives.len()),
+                "use one drive: with several drives the extremes over one turn are not defined",
             )
         }
         NoExtreme::NoTurn(limit) => {
@@ -51,12 +62,12 @@ pub(crate) fn no_extreme(model: &Model<'_>, pair: &Pair, what: String, reason: N
             let at = limit
                 .map_or_else(|| "at 0 deg".to_owned(), |x| format!("beyond {} deg", four(x.to_degrees())));
             (
-                format!("`{name}` cannot turn fully, the mechanism does not close {at}"),
-                "give the positions as numbers, or lengths with which the shortest link turns fully",
+                format!("`{name}` cannot turn fully: the mechanism does not close {at}"),
+                "give the positions as numbers, or change the lengths so that the shortest link turns fully",
             )
         }
         NoExtreme::Monotonic => (
-            format!("the coordinate of `{}` does not go to and fro", pair.name),
+            format!("the coordinate of `{}` does not move forth and back", pair.name),
             "name the pair of a link that swings or slides between two ends",
         ),
     };
@@ -64,7 +75,7 @@ pub(crate) fn no_extreme(model: &Model<'_>, pair: &Pair, what: String, reason: N
 }
 
 /// There is no sweep to take functions over.
-pub(crate) fn no_sweep(model: &Model<'_>, reason: NoSweep) -> SolveError {
+pub(super) fn no_sweep(model: &Model<'_>, reason: NoSweep) -> SolveError {
     let drives = &model.mechanism.drives;
     let drive = drives.first();
     let turning = |which: &[_]| matches!(which, [drive] if turns(model, drive));
@@ -77,21 +88,21 @@ pub(crate) fn no_sweep(model: &Model<'_>, reason: NoSweep) -> SolveError {
                 Some(d) => (d.name.as_str(), "0 mm .. 200 mm in 10 steps"),
                 None => ("crank", "0 deg .. 360 deg in 12 steps"),
             };
-            ("the file has one position".to_owned(), format!("let the drive sweep: `drive {name} = {range}`"))
+            ("the file has one position".to_owned(), format!("write a sweep: `drive {name} = {range}`"))
         }
         NoSweep::TooLong => {
             labels.extend(drives.iter().map(|d| label("swept that far", d.span)));
             let (most, help) = if turning(drives) {
-                ("111 turns", "look at the unit, or sweep over one cycle: `0 deg .. 360 deg in 12 steps`")
+                ("111 turns", "check the unit, or sweep over one cycle: `0 deg .. 360 deg in 12 steps`")
             } else {
-                ("400 times the length of the mechanism", "look at the unit, or sweep over less")
+                ("400 times the length of the mechanism", "check the unit, or use a shorter sweep")
             };
             (format!("the sweep is longer than {most}"), help.to_owned())
         }
         NoSweep::Unordered(drive) => {
             labels.push(label("listed positions", drives[drive].span));
             let help = "list the values of one drive in their order, or write a range: `0 deg .. 360 deg in 12 steps`";
-            ("the listed positions are no way from a first value to a last".to_owned(), help.to_owned())
+            ("the listed positions do not all go in one direction".to_owned(), help.to_owned())
         }
     };
     SolveError::NoSweep { why, help, labels }
@@ -105,51 +116,53 @@ fn asked(model: &Model<'_>) -> Vec<LabeledSpan> {
     cycles.chain(flywheels).collect()
 }
 
-/// A flywheel cannot be found; `value` is that of the first drive at a place of the sweep.
-pub(crate) fn no_flywheel(
-    model: &Model<'_>,
-    wheel: &Flywheel,
-    reason: NoFlywheel,
-    value: impl Fn(f64) -> f64,
-) -> SolveError {
+/// A flywheel cannot be found.
+pub(super) fn no_flywheel(model: &Model<'_>, wheel: usize, reason: NoFlywheel) -> SolveError {
+    let wheel = &model.mechanism.flywheels[wheel];
     let drives = &model.mechanism.drives;
     let name = drives.first().map_or("", |d| d.name.as_str());
     let (why, help) = match reason {
         NoFlywheel::NeedsSpeed => return flywheel_needs_speed(model, wheel),
         NoFlywheel::Efforts => (
-            "nothing says which of several efforts it evens out".to_owned(),
-            "name it: `flywheel J on crank for Mb { … }`".to_owned(),
+            "several efforts are unknown, and `for` names none of them".to_owned(),
+            "name the effort: `flywheel J on crank for Mb { … }`".to_owned(),
         ),
         NoFlywheel::Drives => (
-            format!("it takes one drive, and there are {}", drives.len()),
+            format!("it needs exactly one drive, but there are {}", drives.len()),
             "let one crank drive the mechanism".to_owned(),
         ),
         NoFlywheel::NoCycle(turns) => {
             let why = match turns {
-                Some(turns) => format!("`{name}` sweeps over {} turns, no whole cycle", short(turns)),
+                Some(turns) => {
+                    format!("`{name}` sweeps over {} turns, which is not a whole cycle", short(turns))
+                }
                 None => format!("`{name}` does not turn"),
             };
             (why, format!("sweep over whole turns: `drive {name} = 0 deg .. 360 deg in 12 steps`"))
         }
         NoFlywheel::StandsStill => {
-            (format!("`{name}` stands still"), "give the drive its mean speed".to_owned())
+            (format!("`{name}` does not move"), "give the drive its mean speed".to_owned())
         }
         NoFlywheel::Uneven([least, greatest]) => {
             let shaft = &model.mechanism.link(wheel.on).name;
-            let range = format!("its speed over the drive's goes from {} to {}", four(least), four(greatest));
+            let range = format!(
+                "its speed divided by that of the drive varies from {} to {}",
+                four(least),
+                four(greatest)
+            );
             (
                 format!("`{shaft}` does not turn evenly with the drive: {range}"),
                 "put it on the crank, or on a shaft that turns in constant ratio".to_owned(),
             )
         }
         NoFlywheel::Undefined(why) => (
-            undefined(model, why, value),
-            "look at the poses there: `assur solve` says what is wrong with each".to_owned(),
+            undefined(model, why),
+            "check the poses there: `assur solve` reports the error of each".to_owned(),
         ),
     };
     let mut labels = vec![label("this flywheel", wheel.span)];
     labels.extend(drives.iter().map(|d| label("drive", d.span)));
-    SolveError::NoFlywheel { name: wheel.name.clone(), why, help, labels }
+    FlywheelError::NoFlywheel { name: wheel.name.clone(), why, help, labels }.into()
 }
 
 fn flywheel_needs_speed(model: &Model<'_>, wheel: &Flywheel) -> SolveError {
@@ -159,18 +172,20 @@ fn flywheel_needs_speed(model: &Model<'_>, wheel: &Flywheel) -> SolveError {
         what: "the mean speed of a flywheel",
         needs: "a speed",
         help:
-            "write `at 80 rpm` behind the drive, or `turning ccw` and `speed 80 rpm` in the flywheel's braces"
+            "write `at 80 rpm` after the drive, or `turning ccw` and `speed 80 rpm` in the flywheel's braces"
                 .to_owned(),
         labels,
     }
 }
 
 /// The links alone, of this reduced moment of inertia, run as evenly as `needed` would make them.
-pub(crate) fn needless_flywheel(model: &Model<'_>, wheel: &Flywheel, have: f64, needed: f64) -> SolveError {
-    SolveError::NeedlessFlywheel {
+pub(super) fn needless_flywheel(model: &Model<'_>, wheel: usize, have: f64, needed: f64) -> SolveError {
+    let wheel = &model.mechanism.flywheels[wheel];
+    FlywheelError::NeedlessFlywheel {
         name: wheel.name.clone(),
         have: with_unit(model, have, Dimension::INERTIA),
         needed: with_unit(model, needed, Dimension::INERTIA),
         span: wheel.span.into(),
     }
+    .into()
 }

@@ -1,4 +1,4 @@
-//! What is said of trains: places and positions left open, ropes that push, transmissions that lock.
+//! Messages about trains: positions that are not given, ropes that push, transmissions that lock.
 
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
@@ -7,7 +7,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum TrainError {
     /// A position that depends on a drive which has a rate only.
-    #[error("{what} hangs on the position of `{drive}`, which the file does not give")]
+    #[error("{what} depends on the position of `{drive}`, which is not given")]
     #[diagnostic(code(mech::train::no_position))]
     NoPosition {
         /// What is asked, or what must be known.
@@ -23,7 +23,7 @@ pub enum TrainError {
     },
     /// A reaction to forces whose places are not known.
     #[error(
-        "the reaction in `{pair}` is not known: its place, or that of a force that it holds, is left open"
+        "the reaction in `{pair}` cannot be found: its position, or that of a force on its shaft, is not given"
     )]
     #[diagnostic(code(mech::train::no_place))]
     NoPlace {
@@ -42,7 +42,7 @@ pub enum TrainError {
         code(mech::train::rope_pushes),
         severity(warning),
         help(
-            "a rope only pulls: it would be slack there, and what hangs on it would fall; look at the sense of the load, or add a counterweight"
+            "check the sense of the load, or add a counterweight: a rope only pulls, so it would be slack there"
         )
     )]
     RopePushes {

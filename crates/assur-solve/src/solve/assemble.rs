@@ -1,8 +1,9 @@
 //! Finds the assembly of the first position: all of them are tried, group by group, and `assemble` chooses.
 
+use super::failure::Cause;
+use super::unassembled::{ambiguous, does_not_close, not_met};
 use crate::answer::PoseAnswers;
 use crate::math::Vec2;
-use crate::message::{SolveError, ambiguous, does_not_close, not_met};
 use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
 use crate::position::{BodyState, Branch, Model, SAME, STARTS, State, Workspace, extent};
@@ -63,12 +64,12 @@ impl Assembly {
 }
 
 /// Assembles the mechanism for the inputs set in `start`.
-pub(crate) fn assemble(model: &Model<'_>, start: State) -> Result<State, SolveError> {
+pub(crate) fn assemble(model: &Model<'_>, start: State) -> Result<State, Cause> {
     assemble_from(model, start, STARTS)
 }
 
 /// As [`assemble`], with a given number of starts of the search for the assemblies of a general group.
-pub(super) fn assemble_from(model: &Model<'_>, start: State, starts: usize) -> Result<State, SolveError> {
+pub(super) fn assemble_from(model: &Model<'_>, start: State, starts: usize) -> Result<State, Cause> {
     let mut start = start;
     start.start(model.plan);
     let extent = extent(model);
@@ -85,7 +86,7 @@ pub(super) fn assemble_from(model: &Model<'_>, start: State, starts: usize) -> R
         }
         if ways.is_empty() {
             let state = candidates.swap_remove(0).state;
-            return Err(does_not_close(model, state, index, ""));
+            return Err(does_not_close(model, state, index));
         }
         candidates = choose(model, hints, candidates, ways, index)?;
         if candidates.len() > MOST {
@@ -177,17 +178,17 @@ fn radii(step: &MotionStep) -> [f64; 2] {
     }
 }
 
-/// The hints that are settled with each group: those that speak of links of no later one.
-fn hints_by_group<'a>(model: &Model<'a>) -> Vec<Vec<&'a Hint>> {
+/// The hints that are settled with each group, by their indices: those that speak of links of no later one.
+fn hints_by_group(model: &Model<'_>) -> Vec<Vec<usize>> {
     let mut settled = vec![None; model.structure.replaced.bodies.len()];
     for (i, group) in model.structure.motion.iter().enumerate() {
         group.bodies.iter().for_each(|b| settled[b.0] = Some(i));
     }
     let mut hints = vec![Vec::new(); model.structure.motion.len()];
-    for hint in &model.mechanism.hints {
+    for (i, hint) in model.mechanism.hints.iter().enumerate() {
         let last = links_of(model, hint).into_iter().filter_map(|l| settled[l.index()]).max();
         if let Some(last) = last {
-            hints[last].push(hint);
+            hints[last].push(i);
         }
     }
     hints
@@ -216,11 +217,11 @@ fn links_of(model: &Model<'_>, hint: &Hint) -> Vec<LinkId> {
 /// Keeps the ways that fit the hints settled by this group, and adds the distances of its `near` clauses.
 fn choose(
     model: &Model<'_>,
-    hints: &[&Hint],
+    hints: &[usize],
     mut candidates: Vec<Candidate>,
     mut ways: Vec<(usize, Assembly)>,
     index: usize,
-) -> Result<Vec<Candidate>, SolveError> {
+) -> Result<Vec<Candidate>, Cause> {
     let built = |candidates: &[Candidate], ways: &[(usize, Assembly)]| -> Vec<Candidate> {
         let each = ways.iter().map(|(i, assembly)| {
             let mut candidate = candidates[*i].clone();
@@ -229,15 +230,16 @@ fn choose(
         });
         each.collect()
     };
-    for hint in hints.iter().filter(|h| !matches!(h.kind, HintKind::Near { .. })) {
+    let kind = |hint: &usize| &model.mechanism.hints[*hint].kind;
+    for hint in hints.iter().filter(|h| !matches!(kind(h), HintKind::Near { .. })) {
         let (fit, other): (Vec<_>, Vec<_>) = ways.into_iter().partition(|(i, assembly)| {
             let state = &mut candidates[*i].state;
             assembly.put(model, state, index);
-            fits(model, state, &hint.kind)
+            fits(model, state, kind(hint))
         });
         if fit.is_empty() {
             let other = built(&candidates, &other);
-            return Err(not_met(model, hint, &states(&other), index));
+            return Err(not_met(model, *hint, &states(&other), index));
         }
         ways = fit;
     }
@@ -250,7 +252,7 @@ fn choose(
         _ => built(&candidates, &ways),
     };
     for hint in hints {
-        if let HintKind::Near { point, place } = &hint.kind {
+        if let HintKind::Near { point, place } = kind(hint) {
             for c in &mut next {
                 let away = c.state.motion.bodies[point.0.index()].position(point.1) - *place;
                 c.far += away.dot(away);
@@ -288,7 +290,7 @@ fn fits(model: &Model<'_>, state: &State, hint: &HintKind) -> bool {
 }
 
 /// The one candidate, or that with the least sum of squared distances.
-fn nearest(model: &Model<'_>, candidates: Vec<Candidate>) -> Result<State, SolveError> {
+fn nearest(model: &Model<'_>, candidates: Vec<Candidate>) -> Result<State, Cause> {
     let least = candidates.iter().map(|c| c.far).fold(f64::INFINITY, f64::min);
     let close = extent(model) * SAME;
     let mut best: Vec<Candidate> =

@@ -1,24 +1,25 @@
-//! All assemblies of every group at the first position, each with the line that chooses it.
+//! All assemblies of every group at the first position, each with the clause that chooses it.
 
 use super::assemble::{Assembly, assemble, every_way};
+use super::clause::{Clause, clauses, near_clauses};
 use super::extremes::statics;
+use super::failure::{Cause, Failure};
 use super::inputs::Rates;
 use super::positions::Sweep;
-use crate::message::{
-    SolveError, does_not_close, lines, missing_speeds, near_lines, not_supported, place, with_pose,
-};
-use crate::position::{Model, State, extent};
+use super::refusals::{missing_speeds, not_supported};
+use super::unassembled::does_not_close;
+use crate::position::{Model, State, Wanted, extent};
 use crate::structure::GroupKind;
 
 /// The assemblies at the first position.
 #[derive(Debug)]
 pub struct Assemblies {
-    /// ` at pose 1 (crank = 20 deg)`, or empty.
-    pub pose: String,
+    /// The position; absent where there is no mechanism to assemble.
+    pub pose: Option<Wanted>,
     /// The groups that can stand in several ways or are not driven links, in the order of solution.
     pub groups: Vec<GroupAssemblies>,
     /// Why the mechanism is not assembled, where it is not.
-    pub problem: Option<SolveError>,
+    pub problem: Option<Failure>,
 }
 
 /// The assemblies of one group, the groups before it standing as `assemble` chooses, or in their first way.
@@ -27,16 +28,16 @@ pub struct GroupAssemblies {
     /// Index into [`crate::structure::Structure::motion`].
     pub group: usize,
     /// Its assemblies.
-    pub assemblies: Vec<AssemblyLine>,
+    pub assemblies: Vec<GroupAssembly>,
     /// There is no proof that there are no others.
     pub searched: bool,
 }
 
 /// One assembly.
 #[derive(Debug)]
-pub struct AssemblyLine {
-    /// The line that chooses it; none where there is no other.
-    pub line: Option<String>,
+pub struct GroupAssembly {
+    /// The clause that chooses it; none where there is no other.
+    pub clause: Option<Clause>,
     /// Its condition figure, in [0, 1].
     pub condition: f64,
     /// The file chooses it.
@@ -47,26 +48,25 @@ pub struct AssemblyLine {
 ///
 /// # Errors
 /// Constructs not supported yet, requests without the speeds they need, strokes that do not exist.
-pub fn assemblies(model: &Model<'_>) -> Result<Assemblies, Vec<SolveError>> {
-    let mut errors = not_supported(model.mechanism);
-    errors.extend(missing_speeds(model));
-    if !errors.is_empty() {
-        return Err(errors);
+pub fn assemblies(model: &Model<'_>) -> Result<Assemblies, Vec<Failure>> {
+    let mut refused = not_supported(model.mechanism);
+    refused.extend(missing_speeds(model));
+    if !refused.is_empty() {
+        return Err(refused.into_iter().map(Failure::from).collect());
     }
-    let mut out = Assemblies { pose: String::new(), groups: Vec::new(), problem: None };
+    let mut out = Assemblies { pose: None, groups: Vec::new(), problem: None };
     if model.mechanism.links.len() < 2 {
         return Ok(out);
     }
-    let statics = statics(model).map_err(|e| vec![e])?;
+    let statics = statics(model).map_err(|cause| vec![cause.into()])?;
     let first = Sweep::of(model, &statics).at(0);
-    out.pose = place(model, &first);
     let mut state = State::new(model.plan);
     Rates::of(model, &statics).at(&first.drives, &mut state.motion.inputs);
     let whole = match assemble(model, state.clone()) {
         Ok(whole) => Some(whole),
-        Err(SolveError::Ambiguous { .. }) => None,
-        Err(error) => {
-            out.problem = Some(with_pose(error, &out.pose));
+        Err(Cause::Ambiguous { .. }) => None,
+        Err(cause) => {
+            out.problem = Some(Failure::at(&first, cause));
             None
         }
     };
@@ -74,27 +74,28 @@ pub fn assemblies(model: &Model<'_>) -> Result<Assemblies, Vec<SolveError>> {
     let extent = extent(model);
     for (index, group) in model.structure.motion.iter().enumerate() {
         let ways = every_way(model, &mut state, index, extent);
-        let Some(first) = ways.first() else {
-            out.problem.get_or_insert_with(|| does_not_close(model, state, index, &out.pose));
+        let Some(other) = ways.first() else {
+            out.problem.get_or_insert_with(|| Failure::at(&first, does_not_close(model, state, index)));
             break;
         };
         let stands = whole.as_ref().map(|whole| Assembly::of(model, whole, index));
         let chosen = |assembly: &Assembly| stands.as_ref().is_some_and(|s| s.is_same(assembly, extent));
-        let next = ways.iter().find(|assembly| chosen(assembly)).unwrap_or(first);
+        let next = ways.iter().find(|assembly| chosen(assembly)).unwrap_or(other);
         if ways.len() > 1 || group.kind != GroupKind::Driven {
-            let modes = ways.iter().zip(choosing(model, &state, &ways, index)).map(|(assembly, line)| {
-                AssemblyLine { line, condition: assembly.conditioning.abs(), chosen: chosen(assembly) }
+            let modes = ways.iter().zip(choosing(model, &state, &ways, index)).map(|(assembly, clause)| {
+                GroupAssembly { clause, condition: assembly.conditioning.abs(), chosen: chosen(assembly) }
             });
             let searched = matches!(model.plan.motion[index], crate::plan::MotionStep::General { .. });
             out.groups.push(GroupAssemblies { group: index, assemblies: modes.collect(), searched });
         }
         next.put(model, &mut state, index);
     }
+    out.pose = Some(first);
     Ok(out)
 }
 
-/// A line for every way; none for the only one.
-fn choosing(model: &Model<'_>, before: &State, ways: &[Assembly], index: usize) -> Vec<Option<String>> {
+/// A clause for every way; none for the only one.
+fn choosing(model: &Model<'_>, before: &State, ways: &[Assembly], index: usize) -> Vec<Option<Clause>> {
     if ways.len() < 2 {
         return vec![None; ways.len()];
     }
@@ -106,9 +107,9 @@ fn choosing(model: &Model<'_>, before: &State, ways: &[Assembly], index: usize) 
     let states: Vec<State> = each.collect();
     let states: Vec<&State> = states.iter().collect();
     let group = &model.structure.motion[index];
-    let mut found = lines(model, &states, group);
+    let mut found = clauses(model, &states, group);
     if found.len() != ways.len() {
-        found = near_lines(model, &states, group);
+        found = near_clauses(model, &states, group);
     }
     let mut found = found.into_iter();
     ways.iter().map(|_| found.next()).collect()

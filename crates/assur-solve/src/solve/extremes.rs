@@ -1,20 +1,19 @@
 //! Dead positions, strokes and time ratios: the extremes of a pair's coordinate over one turn of the drive.
 
-use super::turn::{Failure, Turn};
+use super::failure::Cause;
+use super::turn::{NoTurn, Turn};
 use crate::answer::{NoExtreme, WholeCycle, every_query};
 use crate::language::Function;
-use crate::message::{SolveError, no_extreme};
 use crate::model::{Mechanism, PairId};
 use crate::position::{Model, turns};
 
 /// Finds the extremes of every pair whose `dead`, `stroke`, `travel` or `time_ratio` the file names.
-pub(crate) fn statics(model: &Model<'_>) -> Result<WholeCycle, SolveError> {
+pub(crate) fn statics(model: &Model<'_>) -> Result<WholeCycle, Cause> {
     let wanted = wanted(model.mechanism);
     let Some(first) = wanted.first() else { return Ok(WholeCycle::EMPTY) };
     let none = |ask: &Asked, why: NoExtreme| {
-        let pair = model.mechanism.pair(ask.pair);
-        let which = ask.which.map_or_else(String::new, |which| format!(", {which}"));
-        no_extreme(model, pair, format!("{}({}{which})", ask.function.name(), pair.name), why)
+        let Asked { pair, function, which } = *ask;
+        Cause::NoExtreme { pair, function, which, why }
     };
     match model.mechanism.drives.as_slice() {
         [drive] if turns(model, drive) => {}
@@ -23,8 +22,8 @@ pub(crate) fn statics(model: &Model<'_>) -> Result<WholeCycle, SolveError> {
     }
     let pairs: Vec<PairId> = wanted.iter().map(|ask| ask.pair).collect();
     let turn = Turn::new(model, &pairs).map_err(|why| match why {
-        Failure::Error(e) => *e,
-        Failure::Open(limit) => none(first, NoExtreme::NoTurn(limit)),
+        NoTurn::NotAssembled(cause) => *cause,
+        NoTurn::Open(limit) => none(first, NoExtreme::NoTurn(limit)),
     })?;
     let mut out = Vec::new();
     for (i, ask) in wanted.iter().enumerate() {

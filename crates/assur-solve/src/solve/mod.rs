@@ -3,21 +3,31 @@
 
 mod assemble;
 mod assemblies;
+mod clause;
 mod cycle;
 mod digits;
 mod extremes;
+mod failure;
+mod friction_notes;
+mod gap;
 mod inputs;
+mod lost;
+mod note;
+mod notes;
 mod pose;
 mod positions;
+mod refusal;
+mod refusals;
 mod replay;
 mod solution;
 mod steps;
 mod sweep;
 mod track;
 mod turn;
+mod unassembled;
 
 pub use crate::answer::{CycleAnswer, FlywheelAnswer, PairFriction, PoseAnswers, WholeCycle, compare};
-pub use crate::message::{ConsistentError, FrictionError, SolveError, TrainError, unplaced_reactions};
+pub use crate::position::Wanted;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub use crate::position::block_in_avx2;
 #[cfg(feature = "lanes")]
@@ -28,16 +38,21 @@ pub use crate::position::{
 };
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
-pub use assemblies::{Assemblies, AssemblyLine, GroupAssemblies, assemblies};
+pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
+pub use clause::{Clause, NamedPoint};
 pub use cycle::over_cycle;
+pub use failure::{Cause, Failure, GroupId, Lost};
+pub use gap::GroupGap;
+pub use note::{Closing, Gap, Locking, Loss, Note, Pull, Uncertified};
+pub use refusal::{Refusal, Unpositioned};
+pub use refusals::{refusals, unplaced_reactions};
 pub use replay::Replay;
 pub use solution::{OpenSizes, Pose, Solution, Solved};
-pub use sweep::{Following, refusals, solve, solve_with};
+pub use sweep::{Following, solve, solve_with};
 
 pub(crate) use assemble::assemble;
 pub(crate) use cycle::cycles;
 pub(crate) use extremes::statics;
 pub(crate) use inputs::Rates;
 pub(crate) use positions::Sweep;
-pub(crate) use sweep::can_be_solved;
 pub(crate) use track::Tracker;

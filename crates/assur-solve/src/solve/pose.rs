@@ -1,10 +1,12 @@
-//! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a warning.
+//! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a note.
 
 use crate::answer::{PoseAnswers, balanced};
-use crate::message::{SolveError, cannot_hold, dead, not_finite, out_of_scale};
 use crate::position::{DEAD, Residuals, State, Wanted, residuals};
 use crate::reference::exact;
 
+use super::failure::{Cause, Failure, GroupId};
+use super::lost::{not_finite, out_of_scale};
+use super::note::Loss;
 use super::solution::Solved;
 use super::sweep::Run;
 use super::track::Tracker;
@@ -19,7 +21,11 @@ const NEAR_LOCKING: f64 = 1e-3;
 
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
-    pub(super) fn solved(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, SolveError> {
+    pub(super) fn solved(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, Failure> {
+        self.solution_at(tracker, pose).map_err(|cause| Failure::at(pose, cause))
+    }
+
+    fn solution_at(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, Cause> {
         let model = self.model;
         let mut state = self.memory.take().unwrap_or_else(|| State::new(model.plan));
         state.start_from(&tracker.state);
@@ -44,15 +50,15 @@ impl Run<'_, '_> {
         }
         if state.forces.locked {
             state.forget_forces();
-        } else if let Some(error) = not_finite(model, &state, pose) {
-            return Err(error);
+        } else if let Some(lost) = not_finite(model, &state) {
+            return Err(Cause::Lost(lost));
         }
         let mut residuals = residuals(model, &state);
         if state.forces.locked {
             residuals = Residuals { equilibrium: None, power: None, ..residuals };
         }
-        if let Some(error) = out_of_scale(model, &residuals, pose) {
-            return Err(error);
+        if let Some(lost) = out_of_scale(&residuals) {
+            return Err(Cause::Lost(lost));
         }
         let angles = tracker.angles.clone();
         let answer = state.answer();
@@ -92,53 +98,59 @@ impl Run<'_, '_> {
             return 1.0;
         }
         let model = self.model;
-        let mut groups = model.structure.forces.iter().zip(&model.plan.forces);
-        if let Some((group, _)) = groups.find(|(_, step)| matches!(step, ForceStep::Friction { .. })) {
-            self.notes.condition(model, group, (share, "forces near self-locking", 1), pose);
+        if let Some(group) = model.plan.forces.iter().position(|s| matches!(s, ForceStep::Friction { .. })) {
+            self.notes.condition(model, GroupId::Forces(group), (share, Loss::ForcesNearLocking), pose);
         }
         share
     }
 
-    fn motion_condition(&mut self, state: &State, pose: &Wanted) -> Result<f64, SolveError> {
+    fn motion_condition(&mut self, state: &State, pose: &Wanted) -> Result<f64, Cause> {
         let model = self.model;
         let level = model.plan.effects.level;
         let mut least = 1.0_f64;
         let mut carried = vec![1.0_f64; state.motion.bodies.len()];
         let groups = model.structure.motion.iter().zip(&state.motion.certificates);
-        for ((group, &h), conditioning) in groups.zip(&state.motion.conditions) {
+        for (i, ((group, &h), conditioning)) in groups.zip(&state.motion.conditions).enumerate() {
             let condition = conditioning.abs();
             least = least.min(condition);
             let before = group.joints.iter().map(|j| carried[j.base.0]).fold(1.0, f64::min);
             group.bodies.iter().for_each(|b| carried[b.0] = before * (condition / LOSES).min(1.0));
             if level > Level::Positions && condition <= DEAD {
-                return Err(dead(model, group, condition, pose));
+                return Err(Cause::Dead { group: GroupId::Motion(i), condition });
             }
-            let (what, power) = match level {
-                Level::Positions => ("positions", 1),
-                Level::Velocities => ("velocities", 2),
-                Level::Accelerations => ("accelerations", 3),
+            // positions near a double root keep half their digits
+            let loss = match level {
+                Level::Positions => None,
+                Level::Velocities => Some(Loss::Velocities),
+                Level::Accelerations => Some(Loss::Accelerations),
             };
-            self.notes.condition(model, group, (condition * before, what, power), pose);
-            self.notes.certificate(model, group, h, condition, pose);
+            if let Some(loss) = loss {
+                self.notes.condition(model, GroupId::Motion(i), (condition * before, loss), pose);
+            }
+            self.notes.certificate(i, h, condition, pose);
         }
         Ok(least)
     }
 
-    fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, SolveError> {
+    fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, Cause> {
         let model = self.model;
         let quantities = self.loads_name_quantities;
-        state.scratch.searched = self.notes.consistent.searched;
+        state.scratch.searched = self.consistent_searched;
         balanced(model, &self.statics, state, angles, &mut self.evaluated, quantities);
-        self.notes.consistent.searched = state.scratch.searched;
-        self.notes.consistent.look(model, state.forces.consistent, pose)?;
+        self.consistent_searched = state.scratch.searched;
+        self.notes.consistent(model, state.forces.consistent, pose)?;
         let mut least = 1.0_f64;
-        for (group, conditioning) in model.structure.forces.iter().zip(&state.forces.conditions) {
+        let groups = model.structure.forces.iter().zip(&state.forces.conditions);
+        for (i, (group, conditioning)) in groups.enumerate() {
             let condition = conditioning.abs();
             least = least.min(condition);
             if condition <= DEAD {
-                return Err(cannot_hold(model, group, condition, pose));
+                return Err(match group.efforts.as_slice() {
+                    [] => Cause::Dead { group: GroupId::Forces(i), condition },
+                    _ => Cause::CannotHold { group: i, condition },
+                });
             }
-            self.notes.condition(model, group, (condition, "forces", 2), pose);
+            self.notes.condition(model, GroupId::Forces(i), (condition, Loss::Forces), pose);
         }
         Ok(least)
     }
@@ -163,9 +175,9 @@ impl Run<'_, '_> {
         }
         let ideal = view.without_friction().power_of_efforts();
         let locking = self.model.plan.effects.losses && ideal < 0.0 && view.power_of_efforts() > 0.0;
-        ropes.into_iter().for_each(|(pair, tension)| self.notes.pushes(self.model, pair, tension, pose));
+        ropes.into_iter().for_each(|(pair, tension)| self.notes.pushes(pair, tension, pose));
         if locking {
-            self.notes.self_locking(self.model, pose);
+            self.notes.self_locking(pose);
         }
     }
 
@@ -181,7 +193,7 @@ impl Run<'_, '_> {
             };
             let force = view.reaction(PairId::at(i), first.link).norm();
             if normal < -1e-9 * force.max(f64::MIN_POSITIVE) && normal < -1e-9 {
-                self.notes.pulls(self.model, PairId::at(i), normal, pose);
+                self.notes.pulls(PairId::at(i), normal, pose);
             }
         }
     }

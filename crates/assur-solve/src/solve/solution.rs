@@ -1,7 +1,8 @@
 //! What solving gives: one state per position, with residuals and condition.
 
+use super::failure::{Cause, Failure};
+use super::note::Note;
 use crate::answer::{PoseAnswers, WholeCycle};
-use crate::message::{FrictionError, SolveError};
 use crate::model::Value;
 use crate::position::{DriveValue, Model, PoseOrigin, Residuals, State};
 
@@ -15,12 +16,10 @@ pub struct Solution {
     pub positions: usize,
     /// Dead positions and strokes of the pairs asked for.
     pub statics: WholeCycle,
-    /// What deserves a warning.
-    pub warnings: Vec<SolveError>,
-    /// How many warnings more there are than are kept.
+    /// What deserves a warning or a note.
+    pub notes: Vec<Note>,
+    /// How many more there are than are kept.
     pub unlisted: usize,
-    /// What is to be said of friction.
-    pub friction: Vec<FrictionError>,
     /// What depends on sizes that the file leaves open: nothing of it is reported.
     pub open: OpenSizes,
 }
@@ -46,7 +45,7 @@ pub struct Pose {
     /// Values of the drives, in their order.
     pub drives: Vec<DriveValue>,
     /// The state, or why there is none.
-    pub outcome: Result<Solved, SolveError>,
+    pub outcome: Result<Solved, Failure>,
 }
 
 /// A solved position.
@@ -69,21 +68,19 @@ pub struct Solved {
 impl Pose {
     /// Why it has no solution, except for one of a sweep that does not close: one warning speaks of them all.
     #[must_use]
-    pub fn failure(&self) -> Option<&SolveError> {
-        let open =
-            |e: &SolveError| matches!(e, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. });
-        let error = self.outcome.as_ref().err()?;
+    pub fn failure(&self) -> Option<&Failure> {
+        let failure = self.outcome.as_ref().err()?;
         match self.origin {
             PoseOrigin::Expected(_) => None,
-            PoseOrigin::Sweep(_) if open(error) => None,
-            _ => Some(error),
+            PoseOrigin::Sweep(_) if failure.cause.is_open() => None,
+            _ => Some(failure),
         }
     }
 
-    /// It belongs to a sweep and can be assembled in several ways.
+    /// It belongs to a sweep and has several assemblies.
     #[must_use]
     pub fn is_ambiguous(&self) -> bool {
-        let ambiguous = matches!(self.outcome, Err(SolveError::Ambiguous { .. }));
+        let ambiguous = self.outcome.as_ref().is_err_and(|f| matches!(f.cause, Cause::Ambiguous { .. }));
         ambiguous && matches!(self.origin, PoseOrigin::Sweep(_))
     }
 }

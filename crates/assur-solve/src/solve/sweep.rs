@@ -3,18 +3,19 @@
 use super::assemble::assemble_from;
 use super::cycle::loads_name_quantities;
 use super::extremes::statics;
+use super::failure::{Cause, Failure};
+use super::friction_notes::FrictionNotes;
 use super::inputs::Rates;
+use super::note::{Closing, Note};
+use super::notes::Notes;
 use super::positions::{Sweep, beside};
+use super::refusals::{refusals, unit_speeds};
 use super::solution::{Pose, Solution, Solved};
 use super::track::{Switch, Tracker};
+use super::unassembled::does_not_close;
 use crate::answer::WholeCycle;
-use crate::message::{
-    Closing, FrictionNotes, Notes, SolveError, cams, does_not_close, free_rollers, friction_beside,
-    friction_couples, missing_speeds, not_supported, place, too_far, unit_speeds, with_pose, without_place,
-    without_position,
-};
 use crate::model::{LoadId, Value};
-use crate::position::{DriveValue, Model, STARTS, State, Wanted};
+use crate::position::{DriveValue, Model, STARTS, Searched, State, Wanted};
 use std::collections::VecDeque;
 
 /// Positions in a row at which all starts of a search are tried in vain.
@@ -27,7 +28,7 @@ const FEW_STARTS: usize = 4;
 /// # Errors
 /// Constructs not supported yet, requests without the speeds they need, no assembly or several at the first position,
 /// forces that are not determined.
-pub fn solve(model: &Model<'_>) -> Result<Solution, Vec<SolveError>> {
+pub fn solve(model: &Model<'_>) -> Result<Solution, Vec<Failure>> {
     solve_with(model, Vec::new())
 }
 
@@ -35,7 +36,7 @@ pub fn solve(model: &Model<'_>) -> Result<Solution, Vec<SolveError>> {
 ///
 /// # Errors
 /// As [`solve`].
-pub fn solve_with(model: &Model<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<SolveError>> {
+pub fn solve_with(model: &Model<'_>, criticals: Vec<f64>) -> Result<Solution, Vec<Failure>> {
     let Some(mut following) = Following::new(model, criticals)? else { return Ok(Solution::default()) };
     let mut poses = Vec::with_capacity(following.positions());
     while let Some(pose) = following.next() {
@@ -53,8 +54,8 @@ pub struct Following<'a, 's> {
     /// Poses beside the sweep, each followed from the nearest position of the sweep that closed.
     near: VecDeque<Near>,
     /// Why the first position that failed did.
-    first_error: Option<SolveError>,
-    cycle_warnings: Vec<SolveError>,
+    first_failure: Option<Failure>,
+    cycle_notes: Vec<Note>,
 }
 
 impl<'a, 's> Following<'a, 's> {
@@ -62,16 +63,20 @@ impl<'a, 's> Following<'a, 's> {
     ///
     /// # Errors
     /// As [`solve`].
-    pub fn new(model: &'s Model<'a>, criticals: Vec<f64>) -> Result<Option<Self>, Vec<SolveError>> {
-        can_be_solved(model)?;
+    pub fn new(model: &'s Model<'a>, criticals: Vec<f64>) -> Result<Option<Self>, Vec<Failure>> {
+        let refused = refusals(model);
+        if !refused.is_empty() {
+            return Err(refused);
+        }
         let needs_poses = model.mechanism.links.len() > 1;
         if !needs_poses {
             return Ok(None);
         }
-        let mut statics = statics(model).map_err(|e| vec![e])?;
+        let mut statics = statics(model).map_err(|cause| vec![cause.into()])?;
         statics.criticals = criticals;
         let sweep = Sweep::of(model, &statics);
-        let cycle_warnings = super::cycle::cycles(model, &mut statics, &sweep).map_err(|e| vec![e])?;
+        let cycle_notes =
+            super::cycle::cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
         let near = beside(model, &statics, &sweep.at(0)).into_iter().map(Near::new).collect();
         let run = Run {
             model,
@@ -83,12 +88,13 @@ impl<'a, 's> Following<'a, 's> {
             before: None,
             last: None,
             searched: 0,
+            consistent_searched: Searched::default(),
             closing: Closing::default(),
             notes: Notes::default(),
             friction: FrictionNotes::default(),
         };
-        let (next, current, first_error) = (0, None, None);
-        Ok(Some(Self { run, sweep, next, current, near, first_error, cycle_warnings }))
+        let (next, current, first_failure) = (0, None, None);
+        Ok(Some(Self { run, sweep, next, current, near, first_failure, cycle_notes }))
     }
 
     /// How many positions there are, with the poses beside the sweep.
@@ -117,32 +123,31 @@ impl<'a, 's> Following<'a, 's> {
 
     /// The next position: those of the sweep in order, then those beside it. An error where no position has a meaning.
     #[allow(clippy::should_implement_trait)] // an error ends the file
-    pub fn next(&mut self) -> Option<Result<Pose, SolveError>> {
+    pub fn next(&mut self) -> Option<Result<Pose, Failure>> {
         if self.next < self.sweep.len() {
             let pose = self.sweep.at(self.next);
             self.next += 1;
             return Some(self.swept_pose(pose));
         }
-        if let (Some(error), false) = (self.first_error.take(), self.has_begun()) {
+        if let (Some(failure), false) = (self.first_failure.take(), self.has_begun()) {
             self.near.clear();
-            return Some(Err(error));
+            return Some(Err(failure));
         }
         self.near.pop_front().map(|near| Ok(self.run.beside(near)))
     }
 
-    /// What is to be said of all positions.
+    /// What was found over all positions.
     #[must_use]
-    pub fn end(mut self) -> Solution {
-        let friction = std::mem::take(&mut self.run.friction).problems(self.run.model.mechanism);
-        let (model, closing) = (self.run.model, self.run.closing);
-        let (mut warnings, unlisted) = self.run.notes.into_warnings(model, closing);
-        warnings.extend(self.cycle_warnings);
-        warnings.extend(unit_speeds(model));
+    pub fn end(self) -> Solution {
+        let (mut notes, unlisted) = self.run.notes.into_notes(self.run.closing);
+        notes.extend(self.cycle_notes);
+        notes.extend(unit_speeds(self.run.model));
+        notes.extend(self.run.friction.into_notes());
         let (statics, positions) = (self.run.statics, self.sweep.len());
-        Solution { statics, warnings, unlisted, friction, positions, ..Solution::default() }
+        Solution { statics, notes, unlisted, positions, ..Solution::default() }
     }
 
-    fn swept_pose(&mut self, pose: Wanted) -> Result<Pose, SolveError> {
+    fn swept_pose(&mut self, pose: Wanted) -> Result<Pose, Failure> {
         let run = &mut self.run;
         let came = match self.current.take() {
             None => run.assembled(&pose).map(|t| (t, Arrival::Followed(Vec::new()))),
@@ -157,27 +162,29 @@ impl<'a, 's> Following<'a, 's> {
                 outcome
             }
             Err(stuck) => {
-                let Stuck { error, back } = *stuck;
+                let Stuck { failure, back } = *stuck;
+                let is_open = failure.cause.is_open();
                 // without a choice, or with a hint that cannot be met, no position has a meaning
-                if self.next == 1 && (self.sweep.len() == 1 || !is_open(&error)) {
+                if self.next == 1 && (self.sweep.len() == 1 || !is_open) {
                     self.next = self.sweep.len();
                     self.near.clear();
-                    return Err(error);
+                    return Err(failure);
                 }
-                if self.first_error.is_none() {
-                    self.first_error = Some(error.clone());
+                if self.first_failure.is_none() {
+                    self.first_failure = Some(failure.clone());
                 }
-                if is_open(&error) && !run.notes.in_gap() {
+                if is_open && !run.notes.in_gap() {
                     let limit = back.clone().map(|t| t.limit(run.model, &run.rates, &pose.drives));
                     run.notes.gap_begins(limit);
                 }
                 self.current = back;
-                Err(error)
+                Err(failure)
             }
         };
         run.closing.swept += 1;
-        run.closing.open += usize::from(outcome.as_ref().is_err_and(is_open));
-        run.closing.ambiguous |= matches!(outcome, Err(SolveError::Ambiguous { .. }));
+        let cause = outcome.as_ref().err().map(|failure| &failure.cause);
+        run.closing.open += usize::from(cause.is_some_and(Cause::is_open));
+        run.closing.ambiguous |= matches!(cause, Some(Cause::Ambiguous { .. }));
         Ok(run.posed(pose, outcome))
     }
 }
@@ -207,28 +214,9 @@ impl Near {
     }
 }
 
-/// What cannot be answered at any position, and is refused before one is looked at.
-#[must_use]
-pub fn refusals(model: &Model<'_>) -> Vec<SolveError> {
-    can_be_solved(model).err().unwrap_or_default()
-}
-
-/// Everything that can be refused before any position is looked at.
-pub(crate) fn can_be_solved(model: &Model<'_>) -> Result<(), Vec<SolveError>> {
-    let mut errors = not_supported(model.mechanism);
-    errors.extend(cams(model));
-    errors.extend(missing_speeds(model));
-    errors.extend(free_rollers(model));
-    errors.extend(without_position(model));
-    errors.extend(without_place(model));
-    errors.extend(friction_beside(model));
-    errors.extend(friction_couples(model));
-    if errors.is_empty() { Ok(()) } else { Err(errors) }
-}
-
 /// Why a position was not reached, and the tracker where it was before.
 struct Stuck {
-    error: SolveError,
+    failure: Failure,
     back: Option<Tracker>,
 }
 
@@ -256,8 +244,10 @@ pub(super) struct Run<'a, 's> {
     searched: usize,
     /// The sweep so far.
     closing: Closing,
+    /// What the search for consistent forces has taken so far.
+    pub consistent_searched: Searched,
+    /// What deserves a note so far.
     pub notes: Notes,
-    /// What is said of friction.
     pub friction: FrictionNotes,
 }
 
@@ -272,15 +262,14 @@ impl Run<'_, '_> {
                 self.searched = 0;
                 Ok(Tracker::new(self.model, state, &pose.drives))
             }
-            Err(error) => {
-                self.searched += usize::from(matches!(error, SolveError::NotFound { .. }));
-                let error = with_pose(error, &place(self.model, pose));
-                Err(Box::new(Stuck { error, back: None }))
+            Err(cause) => {
+                self.searched += usize::from(matches!(cause, Cause::NotFound { .. }));
+                Err(Box::new(Stuck { failure: Failure::at(pose, cause), back: None }))
             }
         }
     }
 
-    /// What is to be said of the way from the position before.
+    /// Notes how a position was reached from the one before.
     fn note_arrival(&mut self, arrival: Arrival, tracker: &Tracker, pose: &Wanted) {
         let Some((name, drives)) = &self.last else { return };
         let back = || tracker.clone().limit(self.model, &self.rates, drives);
@@ -292,7 +281,7 @@ impl Run<'_, '_> {
         match arrival {
             Arrival::Followed(switched) => {
                 for switch in switched {
-                    self.notes.switched(self.model, (switch.group, &switch.at), name, &pose.name);
+                    self.notes.switched(switch, name, &pose.name);
                 }
             }
             Arrival::Blocked(limit) => {
@@ -305,8 +294,8 @@ impl Run<'_, '_> {
 
     fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Arrival, Box<Stuck>> {
         if tracker.is_too_long(self.model, &pose.drives) {
-            let error = too_far(self.model, pose);
-            return Err(Box::new(Stuck { error, back: Some(tracker.clone()) }));
+            let failure = Failure::at(pose, Cause::TooFar);
+            return Err(Box::new(Stuck { failure, back: Some(tracker.clone()) }));
         }
         let mut before = self.before.take().unwrap_or_else(|| tracker.clone());
         before.start_from(tracker);
@@ -325,8 +314,8 @@ impl Run<'_, '_> {
                 for step in &self.model.plan.motion[..group] {
                     state.step::<0>(self.model.plan, step);
                 }
-                let error = does_not_close(self.model, state, group, &place(self.model, pose));
-                Err(Box::new(Stuck { error, back: Some(before) }))
+                let failure = Failure::at(pose, does_not_close(self.model, state, group));
+                Err(Box::new(Stuck { failure, back: Some(before) }))
             }
         }
     }
@@ -337,14 +326,14 @@ impl Run<'_, '_> {
         let outcome = match tracker {
             Some(mut tracker) => match self.moved(&mut tracker, &pose) {
                 Ok(_) => self.solved(&tracker, &pose),
-                Err(stuck) => Err(stuck.error),
+                Err(stuck) => Err(stuck.failure),
             },
-            None => self.assembled(&pose).map_err(|e| e.error).and_then(|t| self.solved(&t, &pose)),
+            None => self.assembled(&pose).map_err(|stuck| stuck.failure).and_then(|t| self.solved(&t, &pose)),
         };
         self.posed(pose, outcome)
     }
 
-    fn posed(&mut self, pose: Wanted, outcome: Result<Solved, SolveError>) -> Pose {
+    fn posed(&mut self, pose: Wanted, outcome: Result<Solved, Failure>) -> Pose {
         let Wanted { name, origin, drives } = pose;
         self.last = Some((name.clone(), drives.clone()));
         Pose { name, origin, drives, outcome }
@@ -359,8 +348,4 @@ fn away(a: &[DriveValue], b: &[DriveValue]) -> f64 {
         _ => 0.0,
     });
     each.sum()
-}
-
-fn is_open(error: &SolveError) -> bool {
-    matches!(error, SolveError::DoesNotClose { .. } | SolveError::NotFound { .. })
 }

@@ -1,18 +1,18 @@
 //! One turn of the drive: where the coordinates of pairs turn back.
 
 use super::assemble::assemble;
+use super::failure::Cause;
 use super::inputs::Rates;
 use super::track::Tracker;
 use crate::answer::{Extremes, PoseAnswers, WholeCycle};
-use crate::message::SolveError;
 use crate::model::PairId;
 use crate::position::{BodyState, Branch, DriveValue, Model, State};
 use std::f64::consts::TAU;
 
 /// Why there is no turn.
-pub(super) enum Failure {
-    /// The first position has no assembly, or several.
-    Error(Box<SolveError>),
+pub(super) enum NoTurn {
+    /// The first position has several assemblies, or none that is as the hints say.
+    NotAssembled(Box<Cause>),
     /// Over the turn; the last drive value that closes, where one does.
     Open(Option<f64>),
 }
@@ -39,14 +39,13 @@ const SAMPLES: usize = 180;
 
 impl Turn {
     /// Follows the drive over a turn and looks at the coordinates of these pairs.
-    pub(crate) fn new(model: &Model<'_>, pairs: &[PairId]) -> Result<Self, Failure> {
+    pub(crate) fn new(model: &Model<'_>, pairs: &[PairId]) -> Result<Self, NoTurn> {
         let rates = Rates::unit(model);
         let mut start = State::new(model.plan);
         let values = [DriveValue::Scalar(0.0)];
         rates.at(&values, &mut start.motion.inputs);
-        let mut state = assemble(model, start).map_err(|e| match e {
-            SolveError::DoesNotClose { .. } | SolveError::NotFound { .. } => Failure::Open(None),
-            e => Failure::Error(Box::new(e)),
+        let mut state = assemble(model, start).map_err(|cause| {
+            if cause.is_open() { NoTurn::Open(None) } else { NoTurn::NotAssembled(Box::new(cause)) }
         })?;
         let mut tracker = Tracker::new(model, state.clone(), &values);
         let mut samples = Vec::with_capacity(SAMPLES + 1);
@@ -56,7 +55,7 @@ impl Turn {
             let target = [DriveValue::Scalar(at)];
             if i > 0 && tracker.go(model, &rates, &target).is_err() {
                 let limit = tracker.limit(model, &rates, &target);
-                return Err(Failure::Open(limit.first().and_then(|v| match v {
+                return Err(NoTurn::Open(limit.first().and_then(|v| match v {
                     DriveValue::Scalar(x) => Some(*x),
                     _ => None,
                 })));

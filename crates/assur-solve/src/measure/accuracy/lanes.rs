@@ -1,11 +1,11 @@
 //! The closed forms in `f32` and in lanes of `f64`.
 
 use super::answer::{Answer, wide_body, wide_reaction};
-use super::clock::micros;
 use super::error::errors;
 use super::setting::{NotApplicable, Row};
 use super::study::Measured;
 use crate::math::{Double, Scalar};
+use crate::measure::clock::micros;
 use crate::solve::{Batch, DriveColumns, DriveInput, Place, WIDTH};
 use std::hint::black_box;
 
@@ -20,7 +20,7 @@ impl Measured<'_, '_> {
             let (micros, error) = self.lanes();
             rows.push(Row::scalar("f64 in lanes", micros, error, false));
         } else {
-            absent.push(NotApplicable { what: "lanes", why: "an assembly changes on the way" });
+            absent.push(NotApplicable { what: "lanes", why: "an assembly changes during the motion" });
         }
     }
 
@@ -38,7 +38,7 @@ impl Measured<'_, '_> {
             }
         });
         let error = errors(self.model, &self.scales, got.iter().zip(exact));
-        let all = micros(|| {
+        let all = micros(self.clock, || {
             lanes.run(&inputs, |_, place| {
                 black_box(place.open());
             });

@@ -4,7 +4,6 @@
 //! An error is always the difference from a reference, never an estimate; [`Error`] says what it is relative to.
 
 mod answer;
-mod clock;
 mod error;
 #[cfg(feature = "lanes")]
 mod lanes;
@@ -13,7 +12,6 @@ mod study;
 mod within;
 
 pub use answer::Source;
-pub use clock::micros;
 pub use error::{Error, Scales};
 pub use setting::{Kind, NotApplicable, Row, Setting};
 pub use study::{AccuracyStudy, Recommendation, study};

@@ -140,7 +140,7 @@ impl Kind {
             Self::Friction if !plan.effects.friction => (false, "none in this problem"),
             Self::Friction => {
                 let rubs = plan.forces.iter().any(|s| matches!(s, ForceStep::Friction { .. }));
-                (rubs, "a closed form, or that of trains")
+                (rubs, "all groups have closed forms or are trains")
             }
             Self::Newton => (motion(|s| matches!(s, MotionStep::General { .. })), "none in this problem"),
             Self::Triad => (motion(|s| matches!(s, MotionStep::Triad { .. })), "none in this problem"),
@@ -159,7 +159,7 @@ pub(super) fn not_closed(plan: &Plan) -> &'static str {
     } else if plan.loads.iter().any(|l| matches!(l, LoadStep::Evaluated(_))) {
         "a load is evaluated at every position"
     } else if !plan.cams.is_empty() {
-        "the law of a cam has its cases"
+        "the law of a cam has several cases"
     } else if !plan.laws.is_empty() {
         "a transmission is solved as a system"
     } else {

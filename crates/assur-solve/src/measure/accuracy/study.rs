@@ -1,11 +1,11 @@
 //! Every kind of setting of one problem, measured.
 
 use super::answer::{Answer, Source};
-use super::clock::micros;
 use super::error::{errors, scales};
 use super::setting::{Kind, NotApplicable, Row, Setting, not_closed};
 use super::{Error, Scales};
 use crate::math::Double;
+use crate::measure::clock::{Clock, micros};
 use crate::plan::{Plan, Settings};
 use crate::solve::{DriveInput, Edge, Model, Replay, Solution, State, WholeCycle, over_cycle};
 use std::hint::black_box;
@@ -60,11 +60,12 @@ pub(super) struct Measured<'a, 's> {
     pub(super) inputs: Vec<DriveInput>,
     pub(super) exact: Vec<Answer>,
     pub(super) scales: Scales,
+    pub(super) clock: Clock,
 }
 
 /// Measures a solved file.
 #[must_use]
-pub fn study<'a>(model: &Model<'a>, solution: &'a Solution, wanted: f64) -> AccuracyStudy {
+pub fn study<'a>(model: &Model<'a>, solution: &'a Solution, wanted: f64, clock: Clock) -> AccuracyStudy {
     let mut again = Replay::new(model, solution, MOST);
     let mut source = Source::DoubleDouble;
     let (mut exact, mut off) = (Vec::new(), 0.0_f64);
@@ -83,7 +84,7 @@ pub fn study<'a>(model: &Model<'a>, solution: &'a Solution, wanted: f64) -> Accu
     }
     let inputs = again.inputs();
     let scales = scales(model, &exact);
-    let mut all = Measured { model, again, inputs, exact, scales };
+    let mut all = Measured { model, again, inputs, exact, scales, clock };
     let full = all.error(model.plan);
     let condition = solution
         .poses
@@ -116,7 +117,7 @@ pub fn study<'a>(model: &Model<'a>, solution: &'a Solution, wanted: f64) -> Accu
             }
         }
     }
-    over_the_cycle(model, &solution.statics, &mut study);
+    over_the_cycle(model, &solution.statics, &mut study, clock);
     study.recommendation = recommend(&mut all, &solution.statics, &study);
     study
 }
@@ -130,7 +131,7 @@ impl Measured<'_, '_> {
     /// Microseconds per position of the solver with a plan's settings.
     fn micros(&mut self, plan: &Plan) -> f64 {
         let count = self.again.len();
-        let all = micros(|| {
+        let all = micros(self.clock, || {
             for i in 0..count {
                 black_box(self.again.run(plan, i).motion.open);
             }
@@ -184,7 +185,7 @@ impl Measured<'_, '_> {
 
     fn reference_micros(&mut self) -> f64 {
         let (plan, count) = (self.model.plan, self.again.len());
-        let all = micros(|| {
+        let all = micros(self.clock, || {
             for i in 0..count {
                 self.again.run(plan, i);
                 drop(black_box(self.again.reference()));
@@ -207,7 +208,7 @@ impl Measured<'_, '_> {
             got.push(Answer::of(&state));
         }
         let error = errors(self.model, &self.scales, got.iter().zip(&self.exact));
-        let all = micros(|| {
+        let all = micros(self.clock, || {
             for (i, inputs) in inputs.chunks(drives).enumerate() {
                 state.branches.copy_from_slice(self.again.branches(i));
                 state.motion.inputs.copy_from_slice(inputs);
@@ -224,28 +225,28 @@ fn power(tolerance: f64) -> String {
     format!("{tolerance:.0e}")
 }
 
-fn over_the_cycle(model: &Model<'_>, found: &WholeCycle, study: &mut AccuracyStudy) {
+fn over_the_cycle(model: &Model<'_>, found: &WholeCycle, study: &mut AccuracyStudy, clock: Clock) {
     if found.cycles.is_empty() && found.flywheels.is_empty() {
-        study
-            .absent
-            .push(NotApplicable { what: Kind::Samples.name(), why: "nothing is taken over the cycle" });
+        study.absent.push(NotApplicable { what: Kind::Samples.name(), why: "no functions over the cycle" });
         return;
     }
-    study.knobs.push(cycle_knob(model, found, Kind::Samples));
+    study.knobs.push(cycle_knob(model, found, Kind::Samples, clock));
     let mut splits = found.cycles.iter().map(|c| &c.splits).chain(found.flywheels.iter().map(|f| &f.splits));
     if splits.any(|s| !s.is_empty()) {
-        study.knobs.push(cycle_knob(model, found, Kind::Root));
+        study.knobs.push(cycle_knob(model, found, Kind::Root, clock));
     } else {
-        study.absent.push(NotApplicable { what: Kind::Root.name(), why: "all is smooth over the cycle" });
+        study
+            .absent
+            .push(NotApplicable { what: Kind::Root.name(), why: "all functions are smooth over the cycle" });
     }
 }
 
-fn cycle_knob(model: &Model<'_>, full: &WholeCycle, kind: Kind) -> Setting {
+fn cycle_knob(model: &Model<'_>, full: &WholeCycle, kind: Kind, clock: Clock) -> Setting {
     // the reference is the finest setting: its own error is estimated
     let floor = estimated(full);
     let row = |&tolerance: &f64| {
         let settings = kind.setting(tolerance);
-        let (micros, error, samples) = cycle(model, full, settings);
+        let (micros, error, samples) = cycle(model, full, settings, clock);
         let is_floor = error.is_some_and(|e| e < floor) || settings == Settings::FULL;
         let error = error.map(|e| e.max(floor));
         Row { setting: power(tolerance), samples, micros, error, is_floor, settings: Some(settings) }
@@ -254,10 +255,15 @@ fn cycle_knob(model: &Model<'_>, full: &WholeCycle, kind: Kind) -> Setting {
 }
 
 /// Time, error and samples of all functions over the sweep.
-fn cycle(model: &Model<'_>, full: &WholeCycle, settings: Settings) -> (f64, Option<f64>, Option<usize>) {
+fn cycle(
+    model: &Model<'_>,
+    full: &WholeCycle,
+    settings: Settings,
+    clock: Clock,
+) -> (f64, Option<f64>, Option<usize>) {
     let plan = Plan { settings, ..model.plan.clone() };
     let model = Model { plan: &plan, ..*model };
-    let micros = micros(|| drop(black_box(over_cycle(&model, full))));
+    let micros = micros(clock, || drop(black_box(over_cycle(&model, full))));
     let Ok(found) = over_cycle(&model, full) else { return (micros, None, None) };
     let samples = found.cycles.iter().map(|c| c.samples).chain(found.flywheels.iter().map(|f| f.samples));
     let error = if settings == Settings::FULL { estimated(full) } else { cycle_error(&found, full) };
@@ -322,7 +328,7 @@ fn recommend(
         }
     };
     let cycle = study.knobs.iter().find(|k| k.kind == Kind::Samples).map(|knob| {
-        let (micros, error, _) = cycle(all.model, statics, settings);
+        let (micros, error, _) = cycle(all.model, statics, settings, all.clock);
         (
             micros,
             error.map_or(f64::INFINITY, |e| e.max(estimated(statics))),

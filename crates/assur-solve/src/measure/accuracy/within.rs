@@ -42,7 +42,7 @@ pub struct AchievedAccuracy {
 #[derive(Clone, Debug, ThisError, Diagnostic)]
 pub enum AccuracyError {
     /// No settings keep what is wanted.
-    #[error("an accuracy of {wanted} is out of reach: the answers are known to {reached}")]
+    #[error("an accuracy of {wanted} cannot be reached: the error of the answers is {reached}")]
     #[diagnostic(code(mech::accuracy::out_of_reach))]
     OutOfReach {
         /// What is wanted.
@@ -165,7 +165,7 @@ fn missed(mechanism: &Mechanism, option: &str, wanted: f64, reached: f64) -> Acc
         wanted: significant(wanted, 2),
         reached: format!("{reached:.0e}"),
         help: format!(
-            "{instead}keep away from the position of the least condition: `assur solve` prints it for every pose"
+            "{instead}avoid the position of the least condition, which `assur solve` prints for every pose"
         ),
         labels: mechanism.drives.iter().map(|d| label(d.span)).collect(),
     }

@@ -8,17 +8,16 @@ mod incremental_plans;
 mod sample_positions;
 
 use crate::answer::balanced;
-use crate::message::SolveError;
+use crate::measure::clock::Clock;
 use crate::model::{LoadId, Value};
 use crate::position::{Model, State, residuals};
-use crate::solve::{PoseAnswers, Rates, Sweep, WholeCycle, can_be_solved, cycles, statics};
+use crate::solve::{Failure, PoseAnswers, Rates, Sweep, WholeCycle, cycles, refusals, statics};
 use incremental_plans::Trial;
 pub use sample_positions::Over;
 use sample_positions::Place;
-use std::time::{Duration, Instant};
 
-/// Measuring ends after so long, but not before [`FEWEST`] rounds.
-const LONGEST: Duration = Duration::from_millis(250);
+/// Measuring ends after so long, s, but not before [`FEWEST`] rounds.
+const LONGEST: f64 = 0.25;
 /// Every plan is run at least so often.
 const FEWEST: usize = 5;
 /// And at most so often.
@@ -52,22 +51,26 @@ pub struct Costs {
 ///
 /// # Errors
 /// As [`crate::solve::solve`]: no assembly or several at the first position, constructs not supported yet.
-pub fn costs(model: &Model<'_>) -> Result<Option<Costs>, Vec<SolveError>> {
-    can_be_solved(model)?;
+pub fn costs(model: &Model<'_>, clock: Clock) -> Result<Option<Costs>, Vec<Failure>> {
+    let refused = refusals(model);
+    if !refused.is_empty() {
+        return Err(refused);
+    }
     if model.mechanism.links.len() < 2 {
         return Ok(None);
     }
-    let mut statics = statics(model).map_err(|e| vec![e])?;
+    let mut statics = statics(model).map_err(|cause| vec![cause.into()])?;
     let sweep = Sweep::of(model, &statics);
-    cycles(model, &mut statics, &sweep).map_err(|e| vec![e])?;
+    cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
     let rates = Rates::of(model, &statics);
-    let (over, places) = sample_positions::places(model, &statics, &rates).map_err(|e| vec![e])?;
+    let (over, places) =
+        sample_positions::places(model, &statics, &rates).map_err(|cause| vec![cause.into()])?;
     let steps = incremental_plans::steps(model.plan);
     let effects = incremental_plans::effects(model);
     let beside = incremental_plans::beside(model);
     let all: Vec<&Trial> = steps.iter().chain(effects.iter().map(|(_, t)| t)).collect();
     let all: Vec<&Trial> = all.into_iter().chain(beside.iter().map(|(_, t)| t)).collect();
-    let mut least = Bench::new(model, &statics, &places).least(&all);
+    let mut least = Bench::new(model, &statics, &places).least(&all, clock);
 
     let beside_times = least.split_off(steps.len() + effects.len());
     let mut effect_times = least.split_off(steps.len());
@@ -119,22 +122,22 @@ impl<'a> Bench<'a> {
     }
 
     /// The least time of every plan per position, s.
-    fn least(&mut self, trials: &[&Trial]) -> Vec<f64> {
+    fn least(&mut self, trials: &[&Trial], clock: Clock) -> Vec<f64> {
         let mut least = vec![f64::INFINITY; trials.len()];
         let repeats = POSITIONS.div_ceil(self.places.len().max(1));
         #[allow(clippy::cast_precision_loss)] // a few hundred
         let positions = (repeats * self.places.len()) as f64;
-        let begin = Instant::now();
+        let begin = clock();
         for round in 0..MOST {
-            if round >= FEWEST && begin.elapsed() > LONGEST {
+            if round >= FEWEST && clock() - begin > LONGEST {
                 break;
             }
             for (trial, least) in trials.iter().zip(&mut least) {
-                let start = Instant::now();
+                let start = clock();
                 for _ in 0..repeats {
                     self.run(trial);
                 }
-                *least = least.min(start.elapsed().as_secs_f64() / positions);
+                *least = least.min((clock() - start) / positions);
             }
         }
         least

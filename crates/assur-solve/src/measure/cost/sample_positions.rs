@@ -1,8 +1,7 @@
 //! Places to run a plan at: assembled and followed once, before anything is measured.
 
-use crate::message::SolveError;
 use crate::position::{DriveValue, Model, State, turns};
-use crate::solve::{Rates, Sweep, Tracker, WholeCycle, assemble};
+use crate::solve::{Cause, Rates, Sweep, Tracker, WholeCycle, assemble};
 
 /// So many places are enough; more would leave the nearest memory.
 const ENOUGH: usize = 64;
@@ -29,7 +28,7 @@ pub(super) fn places(
     model: &Model<'_>,
     statics: &WholeCycle,
     rates: &Rates,
-) -> Result<(Over, Vec<Place>), SolveError> {
+) -> Result<(Over, Vec<Place>), Cause> {
     let sweep = Sweep::of(model, statics);
     let apart = sweep.len().div_ceil(ENOUGH).max(1);
     let values: Vec<Vec<DriveValue>> = (0..sweep.len()).step_by(apart).map(|i| sweep.values(i)).collect();
@@ -77,8 +76,8 @@ fn reached(
     false
 }
 
-/// The first position that can be assembled; the error of the first where none can.
-fn first(model: &Model<'_>, rates: &Rates, way: &[Vec<DriveValue>]) -> Result<Tracker, SolveError> {
+/// The first position that can be assembled; the cause of the first where none can.
+fn first(model: &Model<'_>, rates: &Rates, way: &[Vec<DriveValue>]) -> Result<Tracker, Cause> {
     let assembled = |values: &[DriveValue]| {
         let mut state = State::new(model.plan);
         rates.at(values, &mut state.motion.inputs);
@@ -86,8 +85,8 @@ fn first(model: &Model<'_>, rates: &Rates, way: &[Vec<DriveValue>]) -> Result<Tr
     };
     let found = assembled(way.first().map_or(&[], Vec::as_slice));
     match found {
-        Err(SolveError::DoesNotClose { .. } | SolveError::NotFound { .. }) => {
-            way.iter().skip(1).find_map(|values| assembled(values).ok()).map_or(found, Ok)
+        Err(cause) if cause.is_open() => {
+            way.iter().skip(1).find_map(|values| assembled(values).ok()).ok_or(cause)
         }
         found => found,
     }

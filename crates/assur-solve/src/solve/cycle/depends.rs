@@ -5,7 +5,7 @@ use crate::model::{About, Expr, Mechanism, PairKind, Query};
 
 /// Whether an expression can be computed before any function over the sweep and any flywheel is known. Quantities may
 /// depend on them.
-pub(super) fn hangs_on_nothing_else(expr: &Expr) -> bool {
+pub(super) fn depends_on_nothing_else(expr: &Expr) -> bool {
     let mut found = false;
     expr.parts(&mut |part| {
         found |= matches!(part, Expr::Query(Query::Cycle(_) | Query::Flywheel(..)) | Expr::Quantity(_));
@@ -14,15 +14,15 @@ pub(super) fn hangs_on_nothing_else(expr: &Expr) -> bool {
 }
 
 /// Whether an expression depends on forces, through quantities and other functions over the sweep too.
-pub(super) fn hangs_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
+pub(super) fn depends_on_forces(mechanism: &Mechanism, expr: &Expr) -> bool {
     let mut found = false;
     expr.parts(&mut |part| {
         found |= match part {
             Expr::Quantity(id) => {
-                mechanism.quantities.get(id.index()).is_some_and(|q| hangs_on_forces(mechanism, &q.expr))
+                mechanism.quantities.get(id.index()).is_some_and(|q| depends_on_forces(mechanism, &q.expr))
             }
             Expr::Query(Query::Cycle(index)) => {
-                mechanism.cycles.get(*index).is_some_and(|c| hangs_on_forces(mechanism, &c.expr))
+                mechanism.cycles.get(*index).is_some_and(|c| depends_on_forces(mechanism, &c.expr))
             }
             Expr::Query(query) => query.facts().forces,
             _ => false,

@@ -2,7 +2,7 @@
 
 use super::super::positions::Sweep;
 use super::super::steps::{between, ways};
-use crate::answer::{NoSweep, WholeCycle, constant};
+use crate::answer::{NoSweep, SweepPlace, WholeCycle, constant};
 use crate::model::Positions;
 use crate::position::{DriveValue, Model, extent, turns};
 use std::f64::consts::TAU;
@@ -69,6 +69,11 @@ impl Interval {
             (Some(DriveValue::Scalar(a)), Some(DriveValue::Scalar(b))) => a + (b - a) * s,
             _ => f64::NAN,
         }
+    }
+
+    /// A place of the sweep with its drive value.
+    pub(super) fn place(&self, s: f64) -> SweepPlace {
+        SweepPlace { share: s, drive: self.value(s) }
     }
 
     /// Last less first value of the first drive.

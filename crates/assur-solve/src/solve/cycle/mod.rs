@@ -14,12 +14,13 @@ mod switches;
 
 pub(super) use depends::loads_name_quantities;
 
+use super::failure::{Cause, Failure};
+use super::note::Note;
 use super::positions::Sweep;
 use crate::answer::{CycleAnswer, Undefined, WholeCycle};
-use crate::message::{SolveError, needless_flywheel, no_flywheel, no_sweep, undefined};
 use crate::model::{CycleFunction, Expr, FlywheelPart, Query};
 use crate::position::Model;
-use depends::{counts_turns, hangs_on_forces, hangs_on_nothing_else};
+use depends::{counts_turns, depends_on_forces, depends_on_nothing_else};
 use interval::Interval;
 use panels::{COARSE, Piecewise};
 use sampler::Sampler;
@@ -30,49 +31,44 @@ const MOST_SAMPLES: usize = 128;
 const FEWEST_SAMPLES: usize = 16;
 
 /// Finds the functions over the sweep and the flywheels of a file.
-pub(crate) fn cycles(
-    model: &Model<'_>,
-    statics: &mut WholeCycle,
-    sweep: &Sweep,
-) -> Result<Vec<SolveError>, SolveError> {
+pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep) -> Result<Vec<Note>, Cause> {
     let mechanism = model.mechanism;
     if mechanism.cycles.is_empty() && mechanism.flywheels.is_empty() {
         return Ok(Vec::new());
     }
-    let interval = Interval::of(model, statics, sweep).map_err(|why| no_sweep(model, why))?;
+    let interval = Interval::of(model, statics, sweep).map_err(Cause::NoSweep)?;
     let mut sampler = Sampler::new(model, statics, &interval)?;
     statics.cycles = vec![CycleAnswer::default(); mechanism.cycles.len()];
     // those of motion alone first: loads may depend on them
-    let after = |index: &usize| hangs_on_forces(mechanism, &mechanism.cycles[*index].expr);
+    let after = |index: &usize| depends_on_forces(mechanism, &mechanism.cycles[*index].expr);
     let (late, early): (Vec<usize>, Vec<usize>) = (0..mechanism.cycles.len()).partition(after);
     let of =
         |indices: &[usize]| indices.iter().map(|i| mechanism.cycles[*i].expr.clone()).collect::<Vec<_>>();
-    sampler.share(of(&early).into_iter().filter(hangs_on_nothing_else));
+    sampler.share(of(&early).into_iter().filter(depends_on_nothing_else));
     for index in early {
         statics.cycles[index] = cycle(model, statics, &mut sampler, index);
     }
-    let mut warnings = Vec::new();
+    let mut notes = Vec::new();
     let wheels = (0..mechanism.flywheels.len()).filter_map(|i| flywheel::numbers(model, statics, i));
-    sampler.share(of(&late).into_iter().filter(hangs_on_nothing_else).chain(wheels.flatten()));
+    sampler.share(of(&late).into_iter().filter(depends_on_nothing_else).chain(wheels.flatten()));
     for index in 0..mechanism.flywheels.len() {
-        let wheel = &mechanism.flywheels[index];
         let found = flywheel::flywheel(model, statics, &mut sampler, index);
-        let found = found.map_err(|why| no_flywheel(model, wheel, why, |s| interval.value(s)))?;
-        let needless = found.needless.map(|[have, needed]| needless_flywheel(model, wheel, have, needed));
-        warnings.extend(needless);
+        let found = found.map_err(|why| Cause::NoFlywheel { flywheel: index, why })?;
+        let needless = |[have, needed]: [f64; 2]| Note::NeedlessFlywheel { flywheel: index, have, needed };
+        notes.extend(found.needless.map(needless));
         statics.flywheels.push(found.answer);
     }
     for index in late {
         statics.cycles[index] = cycle(model, statics, &mut sampler, index);
     }
-    Ok(warnings)
+    Ok(notes)
 }
 
 /// The functions over the sweep and the flywheels of a solved file once more: with the settings of the model's plan.
 ///
 /// # Errors
 /// As [`super::solve`]: a flywheel that cannot be found.
-pub fn over_cycle(model: &Model<'_>, found: &WholeCycle) -> Result<WholeCycle, SolveError> {
+pub fn over_cycle(model: &Model<'_>, found: &WholeCycle) -> Result<WholeCycle, Failure> {
     let mut statics = found.clone();
     statics.flywheels.clear();
     let sweep = Sweep::of(model, &statics);
@@ -85,7 +81,7 @@ fn cycle(model: &Model<'_>, statics: &WholeCycle, sampler: &mut Sampler<'_>, ind
     sampler.begin();
     match found(model, statics, sampler, asked.how, &asked.expr) {
         Ok(answer) => CycleAnswer { samples: sampler.samples, ..answer },
-        Err(why) => CycleAnswer::undefined(undefined(model, why, |s| sampler.interval.value(s))),
+        Err(why) => CycleAnswer::undefined(why),
     }
 }
 

@@ -1,15 +1,15 @@
 //! Solves the mechanism anywhere on the sweep.
 
 use super::super::assemble::assemble;
+use super::super::failure::Cause;
 use super::super::inputs::Rates;
 use super::super::steps::steps;
 use super::super::track::{Tracker, continued};
 use super::depends::{
-    asks_for_angles, asks_for_ideal, hangs_on_forces, loads_name_quantities, names_quantity,
+    asks_for_angles, asks_for_ideal, depends_on_forces, loads_name_quantities, names_quantity,
 };
 use super::interval::Interval;
 use crate::answer::{PoseAnswers, Undefined, WholeCycle, balanced};
-use crate::message::SolveError;
 use crate::model::{Expr, LoadId, Value};
 use crate::plan::{Level, Settings};
 use crate::position::{BodyState, Branch, DEAD, DriveValue, Model, State, extent};
@@ -35,7 +35,7 @@ struct Need {
 
 impl Need {
     fn of(model: &Model<'_>, expr: &Expr) -> Self {
-        let forces = hangs_on_forces(model.mechanism, expr);
+        let forces = depends_on_forces(model.mechanism, expr);
         Self {
             forces,
             ideal: forces && model.plan.effects.loses() && asks_for_ideal(model.mechanism),
@@ -88,7 +88,7 @@ impl<'a> Sampler<'a> {
         model: &Model<'a>,
         statics: &WholeCycle,
         interval: &'a Interval,
-    ) -> Result<Self, SolveError> {
+    ) -> Result<Self, Cause> {
         let rates = Rates::of(model, statics);
         let mut state = State::new(model.plan);
         rates.at(&interval.from, &mut state.motion.inputs);
@@ -196,7 +196,7 @@ impl<'a> Sampler<'a> {
                 _ => f64::NAN,
             },
         };
-        if x.is_finite() { Ok(x) } else { Err(Undefined::At(s)) }
+        if x.is_finite() { Ok(x) } else { Err(Undefined::At(self.interval.place(s))) }
     }
 
     /// One of the shared numbers: all are computed at a place that is new.
@@ -239,18 +239,18 @@ impl<'a> Sampler<'a> {
         }
         self.last = None;
         if self.open.is_some_and(|open| s >= open) {
-            return Err(Undefined::Open(s));
+            return Err(Undefined::Open(self.interval.place(s)));
         }
         self.samples += 1;
         let model = self.model;
         self.start(s);
         self.state.run_planned_motion(model.plan);
         if self.state.motion.open.is_some() {
-            return Err(Undefined::Open(s));
+            return Err(Undefined::Open(self.interval.place(s)));
         }
         let singular = |conditions: &[f64]| conditions.iter().any(|c| c.abs() <= DEAD);
         if model.plan.effects.level > Level::Positions && singular(&self.state.motion.conditions) {
-            return Err(Undefined::At(s));
+            return Err(Undefined::At(self.interval.place(s)));
         }
         if self.with_angles {
             self.follow_angles(s);
@@ -259,10 +259,10 @@ impl<'a> Sampler<'a> {
             let quantities = self.loads_name_quantities;
             balanced(&model, statics, &mut self.state, &self.angles, &mut self.evaluated, quantities);
             if self.state.forces.locked {
-                return Err(Undefined::Locked(s));
+                return Err(Undefined::Locked(self.interval.place(s)));
             }
             if singular(&self.state.forces.conditions) {
-                return Err(Undefined::At(s));
+                return Err(Undefined::At(self.interval.place(s)));
             }
         }
         self.ideal = need.ideal.then(|| self.without_friction(statics));

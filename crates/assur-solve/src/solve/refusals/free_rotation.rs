@@ -1,26 +1,27 @@
 //! What is asked of the rotation of a roller that turns freely: nothing says how it turns.
 
-use super::error::{SolveError, label};
 use crate::answer::every_query;
 use crate::model::{About, LinkId, PairId, PairKind, PointRef, Query};
 use crate::position::Model;
+use crate::solve::refusal::Refusal;
 
 /// Angles, rates and points of rollers that depend on a rotation which is set aside.
-pub(crate) fn free_rollers(model: &Model<'_>) -> Option<SolveError> {
+pub(super) fn free_rollers(model: &Model<'_>) -> Option<Refusal> {
     let mut asked = Vec::new();
     every_query(model.mechanism, &mut |query, span| {
-        if let Some(roller) = model.structure.passive.iter().find(|&&roller| hangs_on(model, query, roller)) {
+        if let Some(roller) = model.structure.passive.iter().find(|&&roller| depends_on(model, query, roller))
+        {
             asked.push((*roller, span));
         }
     });
     let (first, _) = *asked.first()?;
     asked.retain(|(roller, _)| *roller == first);
     asked.dedup();
-    let labels = asked.into_iter().map(|(_, span)| label("hangs on how it turns", span)).collect();
-    Some(SolveError::FreeRotation { name: model.mechanism.link(first).name.clone(), labels })
+    let places = asked.into_iter().map(|(_, span)| span).collect();
+    Some(Refusal::FreeRotation { roller: first, places })
 }
 
-fn hangs_on(model: &Model<'_>, query: &Query, roller: LinkId) -> bool {
+fn depends_on(model: &Model<'_>, query: &Query, roller: LinkId) -> bool {
     match query.facts().turned {
         None => false,
         Some(About::Link(link)) => link == roller,

@@ -1,0 +1,34 @@
+//! The clauses of `assemble` that choose an assembly, as lines to paste.
+
+use super::format::length;
+use crate::position::Model;
+use crate::solve::{Clause, NamedPoint};
+
+/// `assemble C left of B-D`
+#[must_use]
+pub fn clause(model: &Model<'_>, clause: &Clause) -> String {
+    let name = |pair| &model.mechanism.pair(pair).name;
+    match *clause {
+        Clause::Side { hinge, from, to, left } => {
+            let side = if left { "left" } else { "right" };
+            format!("assemble {} {side} of {}-{}", name(hinge), name(from), name(to))
+        }
+        Clause::Along { hinge, other, ahead } => {
+            let word = if ahead { "ahead of" } else { "behind" };
+            format!("assemble {} {word} {}", name(hinge), name(other))
+        }
+        Clause::Sign { pair, positive } => {
+            format!("assemble {} {} 0", name(pair), if positive { ">" } else { "<" })
+        }
+        Clause::Near { point, place } => {
+            let (x, y) = (length(model, place.x), length(model, place.y));
+            format!("assemble {} near ({x}, {y})", point_name(model, point))
+        }
+    }
+}
+
+/// `rod.S`
+pub(super) fn point_name(model: &Model<'_>, point: NamedPoint) -> String {
+    let link = model.mechanism.link(point.link);
+    format!("{}.{}", link.name, link.points[point.index].name)
+}

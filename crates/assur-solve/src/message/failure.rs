@@ -1,0 +1,42 @@
+//! The sentence about a failure.
+
+use super::consistent::{blocked, undecided};
+use super::error::SolveError;
+use super::format::place;
+use super::impossible::{cannot_hold, dead, not_finite, too_far};
+use super::over_sweep::{no_extreme, no_flywheel, no_sweep};
+use super::refusal::refused;
+use super::unassembled::{ambiguous, does_not_close, not_found, not_met};
+use crate::position::Model;
+use crate::solve::{Cause, Failure};
+
+/// Why a file, or one of its positions, has no solution.
+#[must_use]
+pub fn failure(model: &Model<'_>, failure: &Failure) -> SolveError {
+    let pose = failure.pose.as_ref().map_or_else(String::new, |pose| place(model, pose));
+    match &failure.cause {
+        Cause::Refused(refusal) => refused(model, refusal),
+        Cause::DoesNotClose { group, gap } => does_not_close(model, *group, gap, pose),
+        Cause::NotFound { group, point, never_regular } => {
+            not_found(model, *group, (*point, *never_regular), pose)
+        }
+        Cause::Ambiguous { count, groups } => ambiguous(model, *count, groups, pose),
+        Cause::HintNotMet { hint, group, assemblies } => not_met(model, (*hint, *group), assemblies, pose),
+        Cause::TooFar => too_far(model, pose),
+        Cause::Dead { group, condition } => dead(model, *group, *condition, pose),
+        Cause::CannotHold { group, condition } => cannot_hold(model, *group, *condition, pose),
+        Cause::Lost(lost) => not_finite(model, *lost, pose),
+        Cause::Undecided => undecided(model, pose),
+        Cause::Blocked => blocked(model, pose),
+        Cause::NoExtreme { pair, function, which, why } => {
+            no_extreme(model, *pair, (*function, *which), *why)
+        }
+        Cause::NoSweep(why) => no_sweep(model, *why),
+        Cause::NoFlywheel { flywheel, why } => no_flywheel(model, *flywheel, *why),
+    }
+}
+
+/// Why a file has no solution.
+pub fn failures(model: &Model<'_>, all: &[Failure]) -> impl Iterator<Item = SolveError> {
+    all.iter().map(|one| failure(model, one))
+}

@@ -1,0 +1,44 @@
+//! Flywheels that cannot be found, or are not needed.
+
+use miette::{Diagnostic, LabeledSpan};
+use thiserror::Error;
+
+/// An error or a warning about a flywheel.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum FlywheelError {
+    /// A flywheel that cannot be found.
+    #[error("flywheel `{name}` cannot be found: {why}")]
+    #[diagnostic(code(mech::solve::no_flywheel))]
+    NoFlywheel {
+        /// Its name.
+        name: String,
+        /// Why.
+        why: String,
+        /// What to do.
+        #[help]
+        help: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A flywheel that is not needed.
+    #[error("flywheel `{name}` is not needed: the links alone have {have} of {needed}")]
+    #[diagnostic(
+        code(mech::solve::needless_flywheel),
+        severity(warning),
+        help(
+            "ask for a smaller `fluctuation`, or leave the flywheel out; its moment of inertia is given as 0"
+        )
+    )]
+    NeedlessFlywheel {
+        /// Its name.
+        name: String,
+        /// Mean reduced moment of inertia of the links.
+        have: String,
+        /// Moment of inertia needed in all.
+        needed: String,
+        /// Its place.
+        #[label("asked for here")]
+        span: miette::SourceSpan,
+    },
+}

@@ -1,0 +1,111 @@
+//! Rates, dampers and loads that depend on speeds, where no drive has one.
+
+use super::error::SolveError;
+use super::format::{four, label, short};
+use crate::model::{
+    Drive, DriveId, DriveTarget, Expr, LoadId, Mechanism, PairKind, Positions, SpringId, Value,
+};
+use crate::plan::Level;
+use crate::source::Span;
+use miette::LabeledSpan;
+
+/// Velocities and accelerations of a mechanism whose drives have no speed.
+pub(super) fn needs_speed(
+    mechanism: &Mechanism,
+    drive: DriveId,
+    (level, places): (Level, &[Span]),
+) -> SolveError {
+    let drive = &mechanism.drives[drive.index()];
+    let (written, speed) = written(mechanism, drive);
+    let name = &drive.name;
+    let (what, needs, help) = if level == Level::Velocities {
+        let sense = match drive.target {
+            _ if speed.ends_with(')') => String::new(),
+            _ if speed.ends_with("rpm") => {
+                format!("; for velocities as ratios a sense is enough: `drive {name}{written} turning ccw`")
+            }
+            _ => format!(
+                "; for velocities as ratios a sense is enough: `drive {name}{written} moving forward`"
+            ),
+        };
+        ("a velocity", "a speed or a sense", format!("write `drive {name}{written} at {speed}`{sense}"))
+    } else {
+        ("an acceleration", "a speed", format!("write `drive {name}{written} at {speed}`"))
+    };
+    let mut labels: Vec<LabeledSpan> =
+        places.iter().filter(|s| **s != Span::default()).map(|s| label("needed here", *s)).collect();
+    labels.push(label(format!("without {needs}"), drive.span));
+    SolveError::NeedsSpeed { what, needs, help, labels }
+}
+
+/// Damping where nothing moves.
+pub(super) fn no_damping(mechanism: &Mechanism, drive: DriveId, springs: &[SpringId]) -> SolveError {
+    let (_, help) = speed_for(mechanism, &mechanism.drives[drive.index()]);
+    let place = |id: &SpringId| mechanism.springs[id.index()].span;
+    let labels = springs.iter().map(|id| label("against a motion without direction", place(id))).collect();
+    SolveError::NoDamping { help, labels }
+}
+
+/// Dampers and loads that depend on speeds, where the drive has a sense alone.
+pub(super) fn unit_speed(
+    mechanism: &Mechanism,
+    drive: DriveId,
+    (springs, loads): (&[SpringId], &[LoadId]),
+) -> SolveError {
+    let drive = &mechanism.drives[drive.index()];
+    let (speed, help) = speed_for(mechanism, drive);
+    let springs = springs.iter().map(|id| &mechanism.springs[id.index()]);
+    let loads = loads.iter().map(|id| &mechanism.loads[id.index()]);
+    let named = |name: &Option<String>| name.as_ref().map_or("a load".to_owned(), |n| format!("`{n}`"));
+    let springs = springs.map(|s| (format!("`{}`", s.name), s.span));
+    let all: Vec<(String, Span)> = springs.chain(loads.map(|l| (named(&l.name), l.span))).collect();
+    let names: Vec<&str> = all.iter().map(|(name, _)| name.as_str()).collect();
+    let text = |i: usize| if i == 0 { "needs a speed" } else { "and this" };
+    let mut labels: Vec<LabeledSpan> =
+        all.iter().enumerate().map(|(i, (_, span))| label(text(i), *span)).collect();
+    labels.push(label("a sense alone", drive.span));
+    let unit = if speed.ends_with("rpm") { "1 rad/s" } else { "1 m/s" };
+    SolveError::UnitSpeed {
+        what: names.join(" and "),
+        depends: if names.len() == 1 { "depends" } else { "depend" },
+        unit: format!("{unit} of `{}`", drive.name),
+        help,
+        labels,
+    }
+}
+
+/// A speed for a drive, and what to write.
+fn speed_for(mechanism: &Mechanism, drive: &Drive) -> (&'static str, String) {
+    let (written, speed) = written(mechanism, drive);
+    (speed, format!("give it a speed: `drive {}{written} at {speed}`", drive.name))
+}
+
+/// The positions of a drive as they may have been written, and a speed for it.
+fn written(mechanism: &Mechanism, drive: &Drive) -> (String, &'static str) {
+    let (turns, speed) = match drive.target {
+        DriveTarget::Link(_) => (true, "60 rpm"),
+        DriveTarget::Pair(pair) if matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)) => {
+            (true, "60 rpm")
+        }
+        DriveTarget::Pair(_) => (false, "0.1 m/s"),
+        DriveTarget::Point(..) => (false, "(0.1 m/s, 0)"),
+    };
+    if let Some(text) = &drive.written {
+        return (format!(" = {text}"), speed);
+    }
+    let value = |e: &Expr| match e {
+        Expr::Constant(Value::Scalar(x)) if turns => Some(format!("{} deg", short(x.to_degrees()))),
+        Expr::Constant(Value::Scalar(x)) => Some(format!("{} mm", four(x * 1e3))),
+        _ => None,
+    };
+    let text = match &drive.positions {
+        Positions::List(list) => {
+            list.iter().map(value).collect::<Option<Vec<_>>>().map(|values| values.join(", "))
+        }
+        Positions::Range { from, to, steps } => {
+            value(from).zip(value(to)).map(|(from, to)| format!("{from} .. {to} in {steps} steps"))
+        }
+        Positions::None => None,
+    };
+    (format!(" = {}", text.unwrap_or_else(|| "…".to_owned())), speed)
+}

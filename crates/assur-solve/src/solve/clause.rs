@@ -1,0 +1,176 @@
+//! The clauses of `assemble` that choose between the assemblies of a group.
+
+use crate::answer::PoseAnswers;
+use crate::math::Vec2;
+use crate::model::{LinkId, PairId, PairKind};
+use crate::position::{Model, SAME, State, extent};
+use crate::structure::{BodyOrigin, Dyad, Group, GroupKind, JointKind};
+
+/// A clause of `assemble` that chooses an assembly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Clause {
+    /// A hinge lies on one side of the line through two others.
+    Side {
+        /// The hinge.
+        hinge: PairId,
+        /// Seen from here
+        from: PairId,
+        /// towards here.
+        to: PairId,
+        /// Left, or right.
+        left: bool,
+    },
+    /// A hinge lies ahead of another along a guide, or behind it.
+    Along {
+        /// The hinge.
+        hinge: PairId,
+        /// The other hinge.
+        other: PairId,
+        /// Ahead, or behind.
+        ahead: bool,
+    },
+    /// The coordinate of a pair has this sign.
+    Sign {
+        /// The pair.
+        pair: PairId,
+        /// Greater than zero, or less.
+        positive: bool,
+    },
+    /// A point lies near a place.
+    Near {
+        /// The point.
+        point: NamedPoint,
+        /// The place, m.
+        place: Vec2,
+    },
+}
+
+/// A point of a link by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NamedPoint {
+    /// The link.
+    pub link: LinkId,
+    /// Index into [`crate::model::Link::points`].
+    pub index: usize,
+}
+
+/// One state for every assembly of a group.
+pub(super) fn distinct<'s>(model: &Model<'_>, states: &[&'s State], group: &Group) -> Vec<&'s State> {
+    let extent = extent(model);
+    let same = |a: &State, b: &State| {
+        group.bodies.iter().all(|i| {
+            let (x, y) = (&a.motion.bodies[i.0], &b.motion.bodies[i.0]);
+            (x.p - y.p).norm() <= SAME * extent && (x.u - y.u).norm() <= SAME
+        })
+    };
+    let mut assemblies: Vec<&State> = Vec::new();
+    for &state in states {
+        if !assemblies.iter().any(|a| same(a, state)) {
+            assemblies.push(state);
+        }
+    }
+    assemblies
+}
+
+/// A clause for every assembly: by side, order or sign where these tell them apart, else by the place of a point.
+pub(super) fn clauses(model: &Model<'_>, assemblies: &[&State], group: &Group) -> Vec<Clause> {
+    let mut clauses: Vec<Clause> = Vec::new();
+    for state in assemblies {
+        match by_kind(model, state, group) {
+            Some(clause) if !clauses.contains(&clause) => clauses.push(clause),
+            // two groups before this one may stand differently: the clause is the same
+            Some(_)
+                if assemblies.len() > 2 && matches!(group.kind, GroupKind::Dyad(Dyad::Rrr | Dyad::Rrp)) => {}
+            _ => return near_clauses(model, assemblies, group),
+        }
+    }
+    clauses
+}
+
+fn by_kind(model: &Model<'_>, state: &State, group: &Group) -> Option<Clause> {
+    let GroupKind::Dyad(dyad) = group.kind else { return None };
+    let replaced = &model.structure.replaced;
+    let pair = |i: usize| replaced.joint(group.joints[i].joint).pair;
+    let kind = |i: usize| &model.mechanism.pair(pair(i)).kind;
+    let real = |i: usize| matches!(kind(i), PairKind::Revolute(_) | PairKind::Prismatic(_)).then(|| pair(i));
+    let pin = |i: usize| {
+        let joint = group.joints[i];
+        match &replaced.joint(joint.joint).kind {
+            JointKind::Revolute(members) => members
+                .iter()
+                .find(|m| m.0 == joint.body)
+                .map(|m| state.motion.bodies[joint.body.0].position(m.1)),
+            JointKind::Prismatic { .. } | JointKind::Law(_) => None,
+        }
+    };
+    match dyad {
+        Dyad::Rrr => {
+            let (a, c, b) = (pin(0)?, pin(1)?, pin(2)?);
+            let left = (b - a).cross(c - a) >= 0.0;
+            Some(Clause::Side { hinge: real(1)?, from: real(0)?, to: real(2)?, left })
+        }
+        Dyad::Rrp => {
+            let (a, c) = (pin(0)?, pin(1)?);
+            let JointKind::Prismatic { guide: base, along, .. } = replaced.joint(group.joints[2].joint).kind
+            else {
+                return None;
+            };
+            if !matches!(kind(2), PairKind::Prismatic(_)) {
+                return None;
+            }
+            let ahead = (c - a).dot(along.turned(state.motion.bodies[base.0].u)) >= 0.0;
+            Some(Clause::Along { hinge: real(1)?, other: real(0)?, ahead })
+        }
+        Dyad::Rpr => {
+            let round = matches!(
+                replaced.joint(group.joints[1].joint).kind,
+                JointKind::Prismatic { offset, .. } if offset > 0.0
+            );
+            let value = coordinate(model, state, pair(1));
+            if round || !value.is_finite() || value == 0.0 {
+                return None;
+            }
+            Some(Clause::Sign { pair: pair(1), positive: value > 0.0 })
+        }
+        Dyad::Prp | Dyad::Rpp => None,
+    }
+}
+
+/// The coordinate of a pair in a state that was not followed.
+pub(super) fn coordinate(model: &Model<'_>, state: &State, pair: PairId) -> f64 {
+    let angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
+    PoseAnswers { angles: &angles, ..PoseAnswers::bare(model, state) }.displacement(pair)
+}
+
+/// The points of a group that a clause can name, with their bodies.
+pub(super) fn points(model: &Model<'_>, group: &Group) -> Vec<(NamedPoint, usize, Vec2)> {
+    let mut out = Vec::new();
+    for body in &group.bodies {
+        let BodyOrigin::Link(id) = model.structure.replaced.bodies[body.0].origin else { continue };
+        let link = model.mechanism.link(id);
+        // the two links of a cylinder have no names of their own
+        if link.name.contains('.') {
+            continue;
+        }
+        let named = |index| NamedPoint { link: id, index };
+        out.extend(link.points.iter().enumerate().map(|(index, p)| (named(index), body.0, p.at)));
+    }
+    out
+}
+
+/// A clause for every assembly, with the place of the point that differs most between them.
+pub(super) fn near_clauses(model: &Model<'_>, assemblies: &[&State], group: &Group) -> Vec<Clause> {
+    let mut best: Option<(f64, (NamedPoint, usize, Vec2))> = None;
+    for point in points(model, group) {
+        let places: Vec<Vec2> =
+            assemblies.iter().map(|s| s.motion.bodies[point.1].position(point.2)).collect();
+        let apart = places.iter().enumerate().flat_map(|(i, p)| places[..i].iter().map(|q| (*p - *q).norm()));
+        let apart = apart.fold(f64::INFINITY, f64::min);
+        if best.as_ref().is_none_or(|b| apart > b.0) {
+            best = Some((apart, point));
+        }
+    }
+    let Some((_, (point, body, at))) = best else { return Vec::new() };
+    let places = assemblies.iter().map(|s| s.motion.bodies[body].position(at));
+    places.map(|place| Clause::Near { point, place }).collect()
+}

@@ -1,0 +1,166 @@
+//! Why a file, or one of its positions, has no solution: data alone, of which `message` makes the sentences.
+
+use super::clause::{Clause, NamedPoint};
+use super::gap::GroupGap;
+use super::refusal::Refusal;
+use crate::answer::{NoExtreme, NoFlywheel, NoSweep};
+use crate::language::Function;
+use crate::model::PairId;
+use crate::position::Wanted;
+use crate::structure::{BodyId, Group, Structure};
+
+/// Why a file, or one of its positions, has no solution.
+#[derive(Clone, Debug)]
+pub struct Failure {
+    /// The position; absent where the cause concerns none, or a position that the file does not name.
+    pub pose: Option<Box<Wanted>>,
+    /// The cause.
+    pub cause: Cause,
+}
+
+/// The cause of a failure.
+#[derive(Clone, Debug)]
+pub enum Cause {
+    /// It cannot be answered at any position.
+    Refused(Refusal),
+    /// A group has no assembly.
+    DoesNotClose {
+        /// Index into [`Structure::motion`].
+        group: usize,
+        /// By how much it does not close.
+        gap: GroupGap,
+    },
+    /// The search for an assembly of a general group found none.
+    NotFound {
+        /// Index into [`Structure::motion`].
+        group: usize,
+        /// A point of the group that a clause of `assemble` can name.
+        point: Option<NamedPoint>,
+        /// The pairs of the group let it move, or are too many, wherever its links are.
+        never_regular: bool,
+    },
+    /// Several assemblies are left.
+    Ambiguous {
+        /// The number of assemblies.
+        count: usize,
+        /// The groups in which they differ, each with the clauses that choose.
+        groups: Vec<(usize, Vec<Clause>)>,
+    },
+    /// No assembly is as a clause of `assemble` says.
+    HintNotMet {
+        /// Index into [`crate::model::Mechanism::hints`].
+        hint: usize,
+        /// Index into [`Structure::motion`].
+        group: usize,
+        /// The assemblies of the group: the clause that chooses each, and the coordinate on which the hint sets a bound.
+        assemblies: Vec<(Clause, Option<f64>)>,
+    },
+    /// The position is too far from the one before.
+    TooFar,
+    /// Velocities and forces do not exist: the determinant of a group vanishes.
+    Dead {
+        /// The group.
+        group: GroupId,
+        /// Its condition figure.
+        condition: f64,
+    },
+    /// An unknown effort cannot hold the links of its group.
+    CannotHold {
+        /// Index into [`Structure::forces`].
+        group: usize,
+        /// Its condition figure.
+        condition: f64,
+    },
+    /// A result has no digit left.
+    Lost(Lost),
+    /// The search for consistent forces was given up.
+    Undecided,
+    /// No direction of the power is consistent with the losses of transmissions.
+    Blocked,
+    /// The coordinate of a pair has no extremes.
+    NoExtreme {
+        /// The pair.
+        pair: PairId,
+        /// The function that needs them.
+        function: Function,
+        /// Which of the two extremes it names.
+        which: Option<u8>,
+        /// Why there are none.
+        why: NoExtreme,
+    },
+    /// There is no sweep to take a function over.
+    NoSweep(NoSweep),
+    /// A flywheel cannot be found.
+    NoFlywheel {
+        /// Index into [`crate::model::Mechanism::flywheels`].
+        flywheel: usize,
+        /// Why not.
+        why: NoFlywheel,
+    },
+}
+
+/// A group of one of the two lists of a structure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GroupId {
+    /// Index into [`Structure::motion`].
+    Motion(usize),
+    /// Index into [`Structure::forces`].
+    Forces(usize),
+}
+
+/// A result that is not finite, or that rounding has made meaningless.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lost {
+    /// The position of a body.
+    Position(BodyId),
+    /// Its velocity.
+    Velocity(BodyId),
+    /// Its acceleration.
+    Acceleration(BodyId),
+    /// The reaction in a pair.
+    Reaction(PairId),
+    /// An unknown effort.
+    Effort,
+    /// The pairs do not meet.
+    Closure,
+    /// A residual of the forces is not a number.
+    Equilibrium,
+}
+
+impl Failure {
+    /// A cause at a position.
+    pub(super) fn at(pose: &Wanted, cause: Cause) -> Self {
+        Self { pose: Some(Box::new(pose.clone())), cause }
+    }
+}
+
+impl From<Cause> for Failure {
+    fn from(cause: Cause) -> Self {
+        Self { pose: None, cause }
+    }
+}
+
+impl From<Refusal> for Failure {
+    fn from(refusal: Refusal) -> Self {
+        Cause::Refused(refusal).into()
+    }
+}
+
+impl Cause {
+    /// Whether the mechanism does not close, or no assembly was found.
+    #[must_use]
+    pub const fn is_open(&self) -> bool {
+        matches!(self, Self::DoesNotClose { .. } | Self::NotFound { .. })
+    }
+}
+
+impl GroupId {
+    /// The group itself.
+    #[must_use]
+    pub fn of(self, structure: &Structure) -> &Group {
+        match self {
+            Self::Motion(index) => &structure.motion[index],
+            Self::Forces(index) => &structure.forces[index],
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Collects what deserves a note about the friction of all positions: of each kind the first position, and how many more
+//! there are.
+
+use super::note::{Locking, Note};
+use crate::answer::{Locked, PoseAnswers};
+use crate::model::{FindKind, PairId};
+use crate::position::{Model, PoseOrigin, Wanted};
+
+/// A pair that loses less than this part of the greatest loss is not what locks.
+const SLIGHT: f64 = 0.05;
+
+/// What was found so far.
+#[derive(Debug, Default)]
+pub(super) struct FrictionNotes {
+    locked: Option<Locking>,
+    /// Results without a value at the first position that has such results, and how many more there are.
+    without_effort: Option<(Vec<usize>, Wanted, usize)>,
+    still: Vec<(PairId, Wanted, usize)>,
+}
+
+impl FrictionNotes {
+    /// Looks at the friction of a position.
+    pub(super) fn look(&mut self, model: &Model<'_>, view: &PoseAnswers<'_>, pose: &Wanted) {
+        if !model.plan.effects.friction || matches!(pose.origin, PoseOrigin::Expected(_)) {
+            return;
+        }
+        for (i, pair) in model.mechanism.pairs.iter().enumerate() {
+            let (id, mut elements) =
+                (PairId::at(i), model.plan.friction.iter().zip(&view.state.forces.senses));
+            let rubs = pair.friction.is_some_and(|f| f.is_some());
+            if rubs && elements.all(|(e, sense)| e.pair != id || *sense == 0.0) {
+                match self.still.iter_mut().find(|s| s.0 == id) {
+                    Some((_, _, more)) => *more += 1,
+                    None => self.still.push((id, pose.clone(), 0)),
+                }
+            }
+        }
+        if view.efficiency() > 0.0 || view.efficiency().is_nan() || view.overcomes_friction_alone() {
+            return;
+        }
+        match &mut self.locked {
+            Some(locking) => locking.more += 1,
+            None => self.locked = Some(locked(model, view, pose)),
+        }
+        if !view.state.forces.locked {
+            return;
+        }
+        match &mut self.without_effort {
+            Some((_, _, more)) => *more += 1,
+            None => {
+                let finds = without_effort(view);
+                self.without_effort = (!finds.is_empty()).then(|| (finds, pose.clone(), 0));
+            }
+        }
+    }
+
+    /// All that was found.
+    pub(super) fn into_notes(self) -> impl Iterator<Item = Note> {
+        let still = self.still.into_iter().map(|(pair, pose, more)| Note::NoSliding { pair, pose, more });
+        let without = self.without_effort.map(|(finds, pose, more)| Note::NoEffort { finds, pose, more });
+        still.chain(self.locked.map(Note::Locked)).chain(without)
+    }
+}
+
+fn locked(model: &Model<'_>, view: &PoseAnswers<'_>, pose: &Wanted) -> Locking {
+    let ideal = view.without_friction().power_of_efforts();
+    let position = Locked { model, state: view.state, ideal };
+    let part = position.limit(None).unwrap_or(0.0);
+    let mut losses = position.losses(part);
+    let least = losses.first().map_or(0.0, |l| SLIGHT * l.1);
+    losses.retain(|l| l.1 >= least && l.1 > 0.0);
+    let limit = |pair| model.mechanism.pair(pair).friction.and_then(|_| position.limit(Some(pair)));
+    Locking {
+        pose: pose.clone(),
+        more: 0,
+        pairs: losses.into_iter().map(|(pair, _)| (pair, limit(pair))).collect(),
+        part,
+        efficiency: (!view.state.forces.locked).then(|| view.efficiency()),
+        criticals: view.statics.criticals.clone(),
+    }
+}
+
+/// What the file asks for that does not exist at a locked position.
+fn without_effort(view: &PoseAnswers<'_>) -> Vec<usize> {
+    let missing = |kind: &FindKind| match kind {
+        FindKind::Reactions => true,
+        FindKind::Table(_) => false,
+        FindKind::Value { expr, poseless, .. } => !poseless && !view.value(expr).is_defined(),
+    };
+    let finds = view.mechanism.finds.iter().enumerate();
+    finds.filter(|(_, f)| missing(&f.kind)).map(|(i, _)| i).collect()
+}

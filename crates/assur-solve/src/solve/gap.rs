@@ -1,0 +1,83 @@
+//! By how much a group does not close.
+
+use crate::group::triad::{Miss, gap};
+use crate::group::{Gap, rpr, rrp, rrr};
+use crate::plan::{Anchor, MotionStep};
+use crate::position::{Model, State};
+
+/// By how much a group does not close, with the lengths that make it so. A gap is absent where the closed form sees none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GroupGap {
+    /// Two links between two hinges do not meet.
+    Reach {
+        /// Distance of the outer hinges, m.
+        distance: f64,
+        /// Lengths of the links, m.
+        lengths: [f64; 2],
+        /// What is missing.
+        gap: Option<Gap>,
+    },
+    /// A link does not reach the path of the hinge at its end.
+    Path {
+        /// Its length, m.
+        length: f64,
+        /// The length that is missing, m.
+        short: Option<f64>,
+    },
+    /// Two hinges are nearer than a guide passes one of them.
+    Guide {
+        /// Distance of the hinges, m.
+        distance: f64,
+        /// Offset of the guide, m.
+        offset: f64,
+        /// The distance that is missing, m.
+        near: Option<f64>,
+    },
+    /// Driven links do not meet.
+    Driven,
+    /// A link does not close on its three legs.
+    Legs(Option<Miss>),
+    /// Guides are parallel.
+    Parallel,
+}
+
+/// By how much a group does not close in a state in which its step was run.
+pub(super) fn group_gap(model: &Model<'_>, state: &State, index: usize) -> GroupGap {
+    let at = |a: &Anchor| state.motion.bodies[a.body].position(a.at);
+    match &model.plan.motion[index] {
+        MotionStep::Rrr { legs, .. } => {
+            reach([at(&legs[0].base), at(&legs[1].base)], [legs[0].length, legs[1].length])
+        }
+        MotionStep::DrivenRrr { legs, .. } => {
+            reach([at(&legs[0].base), at(&legs[1].base)], [0, 1].map(|i| state.leg_length(&legs[i])))
+        }
+        MotionStep::Rrp { branch, leg, slide, from_point, .. } => {
+            let base = &state.motion.bodies[slide.base];
+            let (q, d) = (base.position(slide.origin), slide.along.turned(base.u));
+            let h = from_point.of::<f64>().y + state.branches[*branch].sides[0] * slide.radius;
+            let short = rrp::gap(at(&leg.base), leg.length, q, d, h).map(missing);
+            GroupGap::Path { length: leg.length, short }
+        }
+        MotionStep::Rpr { branch, bases, slide, from_origin, from_point, .. } => {
+            let (p_A, p_B) = (at(&bases[0]), at(&bases[1]));
+            let side = state.branches[*branch].sides[0];
+            let h = from_point.of::<f64>().y + side * slide.radius - from_origin.of::<f64>().y;
+            let near = rpr::gap(p_A, p_B, h).map(missing);
+            GroupGap::Guide { distance: (p_B - p_A).norm(), offset: h.abs(), near }
+        }
+        MotionStep::DrivenRrp { .. } => GroupGap::Driven,
+        MotionStep::Triad { triad, .. } => GroupGap::Legs(gap(&triad.plate, &state.triad_ends(triad))),
+        _ => GroupGap::Parallel,
+    }
+}
+
+fn reach([p_A, p_B]: [crate::math::Vec2; 2], lengths: [f64; 2]) -> GroupGap {
+    let gap = rrr::gap(p_A, p_B, lengths[0], lengths[1]);
+    GroupGap::Reach { distance: (p_B - p_A).norm(), lengths, gap }
+}
+
+const fn missing(gap: Gap) -> f64 {
+    match gap {
+        Gap::TooFar(gap) | Gap::TooNear(gap) => gap,
+    }
+}

@@ -1,0 +1,190 @@
+//! What deserves a warning or a note in a solution: data alone, of which `message` makes the sentences.
+
+use super::failure::GroupId;
+use crate::model::{DriveId, LoadId, PairId, SpringId};
+use crate::position::{DriveValue, Wanted};
+
+/// Something that deserves a warning, or a note.
+#[derive(Clone, Debug)]
+pub enum Note {
+    /// A group changes to its other assembly between two positions of the sweep.
+    Switched {
+        /// Index into [`crate::structure::Structure::motion`].
+        group: usize,
+        /// Drive values of the change.
+        at: Vec<DriveValue>,
+        /// Name of the position before.
+        from: String,
+        /// Name of the position after.
+        to: String,
+    },
+    /// The load cannot drive the mechanism.
+    SelfLocking {
+        /// The first position.
+        pose: Wanted,
+        /// The number of others.
+        more: usize,
+    },
+    /// Several states of the forces are consistent with friction or losses.
+    SeveralBalances {
+        /// The number of states.
+        count: usize,
+        /// The one reported is reached continuously from that without friction and losses.
+        followed: bool,
+        /// The first position.
+        pose: Wanted,
+        /// The number of others.
+        more: usize,
+    },
+    /// A rope pushes.
+    RopePushes(Pull),
+    /// A contact pulls.
+    ContactPulls(Pull),
+    /// The sweep closes over a part only.
+    PartialSweep {
+        /// The numbers of positions.
+        closing: Closing,
+        /// Where it does not close.
+        gaps: Vec<Gap>,
+        /// The number of gaps that are not kept.
+        more: usize,
+    },
+    /// The group with the fewest digits left.
+    IllConditioned {
+        /// The position.
+        pose: Wanted,
+        /// The group.
+        group: GroupId,
+        /// Its condition figure σ.
+        condition: f64,
+        /// The digits left.
+        digits: u32,
+        /// What loses the others.
+        loss: Loss,
+    },
+    /// A group was solved by iteration, and no theorem says that this is a solution.
+    NotCertified(Uncertified),
+    /// A flywheel is not needed.
+    NeedlessFlywheel {
+        /// Index into [`crate::model::Mechanism::flywheels`].
+        flywheel: usize,
+        /// Mean reduced moment of inertia of the links, kg m².
+        have: f64,
+        /// Moment of inertia needed in all, kg m².
+        needed: f64,
+    },
+    /// Dampers where no drive has a speed or a sense.
+    NoDamping {
+        /// The first drive.
+        drive: DriveId,
+        /// The springs with damping.
+        springs: Vec<SpringId>,
+    },
+    /// Forces depend on speeds, and the drive has a sense alone.
+    UnitSpeed {
+        /// The first drive.
+        drive: DriveId,
+        /// The springs with damping.
+        springs: Vec<SpringId>,
+        /// Loads that depend on speeds.
+        loads: Vec<LoadId>,
+    },
+    /// Nothing slides in a pair with friction.
+    NoSliding {
+        /// The pair.
+        pair: PairId,
+        /// The first position.
+        pose: Wanted,
+        /// The number of others.
+        more: usize,
+    },
+    /// Friction locks the mechanism.
+    Locked(Locking),
+    /// A locked mechanism has no value for results that are asked for.
+    NoEffort {
+        /// Indices into [`crate::model::Mechanism::finds`].
+        finds: Vec<usize>,
+        /// The first position.
+        pose: Wanted,
+        /// The number of others.
+        more: usize,
+    },
+}
+
+/// A force that a contact or a rope cannot take.
+#[derive(Clone, Debug)]
+pub struct Pull {
+    /// The pair.
+    pub pair: PairId,
+    /// Normal force of the contact, or tension of the rope, where it is least, N.
+    pub least: f64,
+    /// The position where it is least.
+    pub pose: Wanted,
+    /// The number of positions with such a force.
+    pub poses: usize,
+}
+
+/// The worst position of those whose certificate fails.
+#[derive(Clone, Debug)]
+pub struct Uncertified {
+    /// The position.
+    pub pose: Wanted,
+    /// Index into [`crate::structure::Structure::motion`].
+    pub group: usize,
+    /// The figure h of Newton and Kantorovich.
+    pub h: f64,
+    /// The condition figure σ of the group.
+    pub sigma: f64,
+    /// The number of such positions.
+    pub poses: usize,
+}
+
+/// Drive values between which a sweep does not close; absent at its ends.
+#[derive(Clone, Debug, Default)]
+pub struct Gap {
+    /// The last values that close.
+    pub from: Option<Vec<DriveValue>>,
+    /// The first values that close again.
+    pub to: Option<Vec<DriveValue>>,
+}
+
+/// How many positions of the sweep there are, and how many of them do not close.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Closing {
+    /// The number of positions.
+    pub swept: usize,
+    /// How many of them do not close.
+    pub open: usize,
+    /// One of them has several assemblies.
+    pub ambiguous: bool,
+}
+
+/// What loses digits near a dead position.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loss {
+    /// Velocities.
+    Velocities,
+    /// Accelerations.
+    Accelerations,
+    /// Forces.
+    Forces,
+    /// Forces that friction multiplies.
+    ForcesNearLocking,
+}
+
+/// The first position at which friction locks the mechanism.
+#[derive(Clone, Debug)]
+pub struct Locking {
+    /// The position.
+    pub pose: Wanted,
+    /// The number of others.
+    pub more: usize,
+    /// The pairs that lock, that with the greatest loss first; with the part of its friction below which the mechanism moves.
+    pub pairs: Vec<(PairId, Option<f64>)>,
+    /// The part of all friction below which it moves.
+    pub part: f64,
+    /// The efficiency; absent where no effort moves the mechanism.
+    pub efficiency: Option<f64>,
+    /// Values at which locking begins, by index into [`crate::model::Mechanism::criticals`].
+    pub criticals: Vec<f64>,
+}

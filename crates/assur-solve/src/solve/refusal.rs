@@ -1,0 +1,73 @@
+//! What is refused before any position is looked at: data alone, of which `message` makes the sentences.
+
+use crate::model::{DriveId, LinkId, LoadId, PairId};
+use crate::plan::Level;
+use crate::source::Span;
+
+/// A request, or a construct, that is refused.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// A construct that is understood and cannot be solved yet, as the checker calls it.
+    Unsupported {
+        /// What it is.
+        what: String,
+        /// Its places.
+        places: Vec<Span>,
+    },
+    /// A designed cam that does not move its follower by itself.
+    CamFollower(PairId),
+    /// Forces through the contact of a designed cam that no step knows.
+    CamForces(PairId),
+    /// Rates are asked for, and no drive has a speed, or not even a sense.
+    NeedsSpeed {
+        /// The first drive.
+        drive: DriveId,
+        /// The highest derivative that is needed.
+        level: Level,
+        /// What needs it.
+        places: Vec<Span>,
+    },
+    /// The rotation of a roller that turns freely is asked for.
+    FreeRotation {
+        /// The roller.
+        roller: LinkId,
+        /// Where it is asked for.
+        places: Vec<Span>,
+    },
+    /// A position depends on a drive that has none.
+    NoPosition {
+        /// Index into [`crate::model::Mechanism::drives`].
+        drive: usize,
+        /// What depends on it.
+        what: Unpositioned,
+    },
+    /// A reaction that is asked for has no place.
+    NoPlace {
+        /// The pair.
+        pair: PairId,
+        /// Where it is asked for.
+        place: Span,
+    },
+    /// Friction in these pairs, in a mechanism with transmissions.
+    FrictionBesideLaws(Vec<PairId>),
+    /// Friction in these pairs goes by the forces at two contacts, and the couple that shares them is not determined.
+    OpenCouple(Vec<PairId>),
+}
+
+/// What depends on the position of a drive that has none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unpositioned {
+    /// How the links of a group are placed: index into [`crate::structure::Structure::motion`].
+    Group(usize),
+    /// A result that is asked for.
+    Asked {
+        /// What it is.
+        what: &'static str,
+        /// Where it is asked for.
+        place: Span,
+    },
+    /// The place of a force.
+    Force(LoadId),
+    /// The links, of which all is asked for here.
+    Links(Span),
+}

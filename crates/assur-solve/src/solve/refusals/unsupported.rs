@@ -1,0 +1,43 @@
+//! Constructs that cannot be solved yet.
+
+use crate::model::Mechanism;
+use crate::plan::{contact_in, is_follower};
+use crate::position::Model;
+use crate::solve::refusal::Refusal;
+use crate::source::Span;
+use crate::structure::GroupKind;
+
+/// Constructs that are understood and cannot be solved yet, each kind once.
+pub(in crate::solve) fn not_supported(mechanism: &Mechanism) -> Vec<Refusal> {
+    let mut kinds: Vec<(&str, Vec<Span>)> = Vec::new();
+    for unsupported in &mechanism.unsupported {
+        match kinds.iter_mut().find(|k| k.0 == unsupported.what) {
+            Some((_, places)) => places.push(unsupported.span),
+            None => kinds.push((&unsupported.what, vec![unsupported.span])),
+        }
+    }
+    let refused = |(what, places): (&str, _)| Refusal::Unsupported { what: what.to_owned(), places };
+    kinds.into_iter().map(refused).collect()
+}
+
+/// Contacts of designed cams that do not move their follower, or carry forces in a way that no step knows.
+pub(super) fn cams(model: &Model<'_>) -> Vec<Refusal> {
+    let (mechanism, structure) = (model.mechanism, model.structure);
+    for group in &structure.motion {
+        if let Some((block, _, contact)) = contact_in(mechanism, structure, group)
+            && !is_follower(group, block, contact)
+        {
+            return vec![Refusal::CamFollower(contact.pair)];
+        }
+    }
+    let mut found = Vec::new();
+    for group in structure.forces.iter().filter(|_| model.plan.effects.forces) {
+        let Some((_, _, contact)) = contact_in(mechanism, structure, group) else { continue };
+        let with_disk = group.bodies.iter().any(|b| b.0 == contact.disk.index());
+        let general = !matches!(group.kind, GroupKind::Dyad(_));
+        if general || with_disk && contact.face.is_some() {
+            found.push(Refusal::CamForces(contact.pair));
+        }
+    }
+    found
+}

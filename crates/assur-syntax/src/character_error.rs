@@ -1,0 +1,60 @@
+//! Errors of the characters of a text, before it is read.
+
+use assur_text::source::Span;
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// Characters that the language does not have. `help` is the corrected line.
+#[derive(Clone, Debug, Diagnostic, Error)]
+#[allow(missing_docs)] // the message is the documentation of each
+pub enum CharacterError {
+    #[error("full-width characters cannot be read")]
+    #[diagnostic(code(mech::syntax::full_width))]
+    FullWidth {
+        #[label("written in full width")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("use straight quotes (`\"`)")]
+    #[diagnostic(code(mech::syntax::curly_quotes))]
+    CurlyQuotes {
+        #[label("this is another kind of quote")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("`{found}` is not used here")]
+    #[diagnostic(code(mech::syntax::foreign_sign))]
+    ForeignSign {
+        found: char,
+        #[label("written `{wanted}` in this language")]
+        at: Span,
+        wanted: &'static str,
+        #[help]
+        help: String,
+    },
+
+    #[error("invisible character (U+{found:04X})")]
+    #[diagnostic(code(mech::syntax::invisible_character))]
+    InvisibleCharacter {
+        found: u32,
+        #[label("invisible")]
+        at: Span,
+        #[help]
+        help: String,
+    },
+
+    #[error("this line ends with a carriage return alone")]
+    #[diagnostic(
+        code(mech::syntax::lone_carriage_return),
+        severity(Warning),
+        help("save the file with line ends LF or CR LF")
+    )]
+    LoneCarriageReturn {
+        #[label("CR without LF")]
+        at: Span,
+    },
+}
