@@ -23,6 +23,7 @@ pub use requests::variants::{FileRow, file_rows, table};
 pub use template::Template;
 pub use values::overrides::Overrides;
 pub use values::row::{ColumnUse, Row, RowCell, RowColumn};
+use values::texts;
 
 /// Parts that the tests look at alone.
 #[doc(hidden)]
@@ -130,9 +131,21 @@ fn definitions(cx: &mut Context<'_>) {
     order(names, &mut values.definitions, problems);
 }
 
+/// Puts values into the title and the problem's text.
+fn fill_texts(cx: &mut Context<'_>) {
+    let Context { names, values, builder, .. } = cx;
+    let mech = &mut builder.mech;
+    for text in std::iter::once(&mut mech.title).chain(&mut mech.notes) {
+        if text.contains('{') {
+            *text = texts::filled(text, names, &values.definitions);
+        }
+    }
+}
+
 /// All else.
 fn meaning(cx: &mut Context<'_>) {
     constants(cx);
+    fill_texts(cx);
     machine(cx);
     find::finds(cx);
     expect::expects(cx);

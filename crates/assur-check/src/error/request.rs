@@ -296,6 +296,28 @@ pub enum RequestError {
         #[label("{columns}")]
         header: Option<Span>,
     },
+    /// The name of a row in a column of numbers.
+    #[error("`{name}` is not a number")]
+    #[diagnostic(
+        code("mech::request::variant_row"),
+        help("{}", if *has_column {
+            "write a number here; the name of a row belongs in the column `variant`"
+        } else {
+            "write a number; to name the rows, add a column: `variant, …` in the header"
+        })
+    )]
+    RowName {
+        /// What is written.
+        name: String,
+        /// The table has a column `variant`.
+        has_column: bool,
+        /// Its place.
+        #[label(primary, "not a number")]
+        span: Span,
+        /// The header.
+        #[label("the columns")]
+        header: Option<Span>,
+    },
     /// A separate table without a column that the file's answer key needs.
     #[error("the table has no column `{name}`, which an `expect` of the file needs")]
     #[diagnostic(

@@ -9,8 +9,8 @@ use crate::values::definition::Settled;
 use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
 use crate::values::typed::{Dim, Type, correction, phrase};
 use assur_model::model::{Expr, Value};
-use assur_syntax::document::{Column, Document, ExprKind, Number, Statement, Variants};
-use assur_text::source::Span;
+use assur_syntax::document::{Cell, Column, Document, ExprKind, Statement, Variants};
+use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Unit};
 use indexmap::IndexSet;
 use std::sync::Arc;
@@ -44,14 +44,17 @@ pub fn file_rows(table: &Variants, columns: &Arc<[RowColumn]>) -> Vec<FileRow> {
     let fits = table.rows.iter().filter(|row| row.cells.len() == columns.len());
     let rows = fits.map(|row| {
         let label = columns.iter().position(|c| c.what == ColumnUse::Label);
-        let cell = |(number, column): (&Number, &RowColumn)| RowCell {
-            value: column.unit.to_si(number.value),
-            digit: tolerance::digit_of(number).map_or(0.0, |digit| column.unit.to_si(digit)),
+        let cell = |(cell, column): (&Cell, &RowColumn)| match cell {
+            Cell::Number(number) => RowCell {
+                value: column.unit.to_si(number.value),
+                digit: tolerance::digit_of(number).map_or(0.0, |digit| column.unit.to_si(digit)),
+            },
+            Cell::Name(_) => RowCell::default(),
         };
-        let numbers = row.cells.iter().map(|c| &c.node);
+        let cells = row.cells.iter().map(|c| &c.node);
         FileRow {
-            row: Row::new(columns.clone(), numbers.zip(columns.iter()).map(cell).collect()),
-            label: label.map(|i| row.cells[i].node.text.clone()),
+            row: Row::new(columns.clone(), cells.zip(columns.iter()).map(cell).collect()),
+            label: label.map(|i| row.cells[i].node.text().to_owned()),
             span: row.span,
         }
     });
@@ -234,5 +237,15 @@ pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
         let count = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
         let (found, columns) = (count(row.cells.len(), "number"), count(columns, "column"));
         cx.error(RequestError::VariantRow { found, columns, span: row.span, header });
+    }
+    let label = table.columns.iter().position(|c| c.name.node == LABEL);
+    for row in &table.rows {
+        let named =
+            |(i, cell): &(usize, &Spanned<Cell>)| matches!(cell.node, Cell::Name(_)) && Some(*i) != label;
+        if let Some((_, cell)) = row.cells.iter().enumerate().find(named) {
+            let (name, place) = (cell.node.text().to_owned(), cell.span);
+            let has_column = label.is_some();
+            cx.error(RequestError::RowName { name, has_column, span: place, header });
+        }
     }
 }

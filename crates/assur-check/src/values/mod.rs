@@ -12,6 +12,7 @@ pub mod roots;
 pub mod row;
 pub mod sizes;
 pub mod store;
+pub mod texts;
 pub mod typed;
 pub mod unit_choice;
 pub mod unit_use;

@@ -22,7 +22,7 @@ pub use motion::{
     Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind, Steps,
 };
 pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Start, Turn, Way};
-pub use question::{Column, Expect, ExpectAt, Find, FindItem, Row, Simulate, Until, Variants};
+pub use question::{Cell, Column, Expect, ExpectAt, Find, FindItem, Row, Simulate, Until, Variants};
 
 use assur_text::source::{Span, Spanned};
 

@@ -72,10 +72,30 @@ pub struct Column {
 /// A row of plain numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Its numbers; none has a unit.
-    pub cells: Vec<Spanned<Number>>,
+    /// Its cells.
+    pub cells: Vec<Spanned<Cell>>,
     /// The whole row.
     pub span: Span,
+}
+
+/// A cell of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// A number without a unit.
+    Number(Number),
+    /// The name of the row.
+    Name(String),
+}
+
+impl Cell {
+    /// The cell as written, a name without its quotes.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Number(number) => &number.text,
+            Self::Name(name) => name,
+        }
+    }
 }
 
 /// `simulate 0 s .. 0.03 s within 1e-9`

@@ -2,10 +2,8 @@
 
 use super::expr::pose_name;
 use super::state::Lower;
-use super::walk::{P, Parts, single_blanks, span, text};
-use crate::document::{
-    Column, Expect, ExpectAt, Expr, Find, FindItem, Number, Row, Simulate, Until, Variants,
-};
+use super::walk::{P, Parts, nfc, single_blanks, span, text};
+use crate::document::{Cell, Column, Expect, ExpectAt, Expr, Find, FindItem, Row, Simulate, Until, Variants};
 use crate::error::SyntaxError;
 use crate::grammar::Rule;
 use crate::line::corrected;
@@ -125,9 +123,12 @@ impl Lower<'_> {
         variants
     }
 
-    fn cell(&mut self, pair: P<'_>) -> Option<Spanned<Number>> {
+    fn cell(&mut self, pair: P<'_>) -> Option<Spanned<Cell>> {
         let at = span(&pair);
         let mut parts = Parts::of(pair);
+        if let Some(name) = parts.take(Rule::row_name) {
+            return Some(Spanned::new(Cell::Name(nfc(name.as_str().trim_matches('"'))), at));
+        }
         let negative = parts.take(Rule::sign).is_some_and(|s| s.as_str() != "+");
         let mut quantity = Parts::of(parts.any()?);
         let mut number = self.number(&quantity.any()?);
@@ -141,7 +142,7 @@ impl Lower<'_> {
             number.value = -number.value;
             number.text.insert(0, '-');
         }
-        Some(Spanned::new(number, at))
+        Some(Spanned::new(Cell::Number(number), at))
     }
 }
 

@@ -1,0 +1,39 @@
+//! Values in the title and the problem's text: `A crank of {r}`.
+
+use crate::names::declared::{Names, QuantityKind};
+use crate::values::definition::{Definitions, Settled};
+use crate::values::fold;
+use crate::values::format_value::format_value_like;
+
+/// The text with the value in place of every `{name}` of a `given` or a constant `let`, in the unit it is written in. Other
+/// braces stay as they are.
+pub fn filled(text: &str, names: &Names<'_>, definitions: &Definitions) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once('{') {
+        out.push_str(before);
+        let value = after
+            .split_once('}')
+            .and_then(|(name, behind)| value(name.trim(), names, definitions).map(|value| (value, behind)));
+        match value {
+            Some((value, behind)) => {
+                out.push_str(&value);
+                rest = behind;
+            }
+            None => {
+                out.push('{');
+                rest = after;
+            }
+        }
+    }
+    out + rest
+}
+
+fn value(name: &str, names: &Names<'_>, definitions: &Definitions) -> Option<String> {
+    let (QuantityKind::Given(like) | QuantityKind::Let(like)) = names.quantities.get(name)?.what else {
+        return None;
+    };
+    let Settled::Constant(t) = definitions.settled(name)? else { return None };
+    let value = fold::scalar(&t.expr)?;
+    Some(format_value_like(names, value, t.ty.dimension(), like))
+}
