@@ -65,6 +65,11 @@ const COEFFICIENT: Argument = named("friction", Takes::Value(Some(Dimension::NUM
 const FIT: Argument = optional(named("fit", Takes::Fit));
 const RADIUS: Argument = named("radius", Takes::Value(Some(Dimension::LENGTH)));
 const OUTER: Argument = named("outer", Takes::Value(Some(Dimension::LENGTH)));
+const WRAP: Argument = named("wrap", Takes::Value(Some(Dimension::ANGLE)));
+const GROOVE: Argument = optional(named("groove", Takes::Value(Some(Dimension::ANGLE))));
+const DIAMETER: Argument = named("diameter", Takes::Value(Some(Dimension::LENGTH)));
+const LEAD: Argument = named("lead", Takes::Value(Some(Dimension::LENGTH)));
+const FLANK: Argument = optional(named("flank", Takes::Value(Some(Dimension::ANGLE))));
 const INNER: Argument = optional(named("inner", Takes::Value(Some(Dimension::LENGTH))));
 
 const COORDINATE: Gives = Varies("length or angle");
@@ -294,5 +299,20 @@ functions! {
         &[LOAD, OUTER, INNER, COEFFICIENT, FIT],
         Number(Dimension::TORQUE),
         "friction torque of a thrust bearing",
+    )],
+    BeltRatio "belt_ratio" Bearing "belt_ratio(friction = 0.3, wrap = 170 deg)" [form(
+        &[COEFFICIENT, WRAP, GROOVE],
+        Number(Dimension::NUMBER),
+        "ratio of the pulls of a belt or rope about to slip, e^(f θ / sin γ) with the half-angle γ of a V-groove",
+    )],
+    RaisingTorque "raising_torque" Bearing "raising_torque(load = 5 kN, diameter = 22 mm, lead = 5 mm, friction = 0.1)" [form(
+        &[LOAD, DIAMETER, LEAD, COEFFICIENT, FLANK],
+        Number(Dimension::TORQUE),
+        "torque on a screw that raises a load, F d/2 tan(λ + ρ), tan ρ = f / cos flank",
+    )],
+    LoweringTorque "lowering_torque" Bearing "lowering_torque(load = 5 kN, diameter = 22 mm, lead = 5 mm, friction = 0.1)" [form(
+        &[LOAD, DIAMETER, LEAD, COEFFICIENT, FLANK],
+        Number(Dimension::TORQUE),
+        "torque that lowers it, F d/2 tan(ρ − λ); below zero the screw is not self-locking",
     )],
 }

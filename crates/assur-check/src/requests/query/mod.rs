@@ -7,6 +7,7 @@ mod cycle;
 mod element;
 mod flywheel;
 mod force;
+mod formula;
 mod friction;
 mod gear;
 mod meant;
@@ -138,6 +139,8 @@ impl Context<'_> {
             F::Tension => self.tension(call),
             F::JournalTorque => self.bearing(call, Bearing::Journal),
             F::ThrustTorque => self.bearing(call, Bearing::Thrust),
+            F::BeltRatio => self.belt_ratio(call),
+            F::RaisingTorque | F::LoweringTorque => self.screw_torque(call, function),
             F::Fluctuation => self.of_flywheel(call, FlywheelPart::Fluctuation, Dimension::TORQUE),
             F::Work => self.of_flywheel(call, FlywheelPart::Work, Dimension::TORQUE),
             F::ReducedTorque => self.of_flywheel(call, FlywheelPart::Torque, Dimension::TORQUE),
