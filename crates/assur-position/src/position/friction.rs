@@ -136,6 +136,8 @@ impl State {
     }
 
     /// A group with friction. Returns the condition figure of its plain step times that of the friction.
+    // what it takes from the settings is not computed for plans without friction
+    #[inline(never)]
     pub(super) fn force_friction(
         &mut self,
         plan: &Plan,
