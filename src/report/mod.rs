@@ -18,6 +18,7 @@ pub mod grade;
 pub mod json;
 mod latex;
 pub mod lines;
+pub mod manual;
 pub mod markdown;
 mod mobility;
 mod modes;
@@ -35,6 +36,7 @@ pub mod text;
 mod tradeoff;
 mod train;
 
+pub use accuracy::AccuracyShown;
 pub use answers::{Answers, Precision};
 pub use element::full as full_table;
 pub use page::Page;
@@ -68,7 +70,7 @@ pub fn add_modes(report: &mut Report, model: &Model<'_>, modes: &Assemblies) {
 
 /// The output of `solve`: structure in short, answers, reactions, expectations, accuracy.
 #[must_use]
-pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
+pub fn of_answers(file: &str, answers: &Answers<'_>, accuracy: AccuracyShown) -> Report {
     let mut report = headed(file, &answers.model);
     if has_mechanism(&answers.model) {
         mobility::summary(&answers.model, &mut report);
@@ -81,7 +83,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     friction::section(answers, &mut report);
     cycle::flywheels(answers, &mut report);
     expectations::section(answers, &mut report);
-    accuracy::section(answers, &mut report);
+    accuracy::section(answers, accuracy, &mut report);
     report
 }
 
