@@ -91,6 +91,12 @@ impl<'s> Printer<'s> {
         Self { screen, apart, before: false, begun: false, whole: true }
     }
 
+    /// Whether there are results of any file.
+    #[must_use]
+    pub const fn has_results(&self) -> bool {
+        self.before
+    }
+
     /// Writes results of the present file; `false` where that cannot be done.
     pub fn print(&mut self, text: &str) -> bool {
         if text.is_empty() || !self.whole {

@@ -7,7 +7,7 @@ use super::screen::Screen;
 use super::stream;
 use crate::pipeline::{Compiled, Solved};
 use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words, is_long};
-use crate::report::document::{Column, Table};
+use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::json::Variant;
 use crate::report::{self, AccuracyShown, Answers, Precision};
 use assur_check::{Overrides, RowColumn};
@@ -24,7 +24,11 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
     let several = inputs.len() > 1;
     let answers = Printing { args, screen, several };
     let mut printer = Printer::new(screen, answers.apart());
-    for_each_input(inputs, &mut printer, |source, printer| answers.of_file(source, &overrides, printer))
+    let work = |source: &Source, printer: &mut Printer<'_>| answers.of_file(source, &overrides, printer);
+    let status = for_each_input(inputs, &mut printer, work);
+    let hint = answers.is_brief() && printer.has_results();
+    let whole = !hint || printer.print("`assur solve FILE` prints one file in full.\n");
+    status.max(Status::printed(whole))
 }
 
 /// How answers are printed.
@@ -96,12 +100,26 @@ impl Printing<'_> {
         match self.args.format {
             Format::Csv => self.csv(report::table_of_poses(answers), source),
             Format::Jsonl => positions(source, None, answers),
+            _ if self.is_brief() => self.section(&self.brief(source, answers)),
             _ => self.page(&report::of_answers(&source.name, answers, self.accuracy())),
         }
     }
 
+    /// Several files are printed in a few lines each, unless all is asked for.
+    fn is_brief(&self) -> bool {
+        self.several && self.args.format == Format::Table && !self.args.accuracy
+    }
+
+    fn brief(&self, source: &Source, answers: &Answers<'_>) -> Section {
+        report::brief(&source.name, answers, self.screen.look().width)
+    }
+
+    fn section(&self, section: &Section) -> String {
+        report::text::section(section, self.screen.look())
+    }
+
     /// A report in the form that is asked for.
-    fn page(&self, report: &report::document::Report) -> String {
+    fn page(&self, report: &Report) -> String {
         let page = self.args.format.page(self.screen.look());
         page.map_or_else(String::new, |page| page.render(report))
     }
@@ -124,7 +142,10 @@ impl Printing<'_> {
         let columns = rows.columns().to_vec();
         let mut results = Vec::new();
         let mut table = Table::default();
+        let mut first = None;
+        let mut count = 0;
         for row in rows.solve(false) {
+            count += 1;
             let solved = row.solved.as_ref().map(|s| s.answers(Precision::READABLE));
             match (self.args.format, &solved) {
                 (Format::Csv, solved) => csv_row(&mut table, &columns, &row, solved.as_ref()),
@@ -145,6 +166,9 @@ impl Printing<'_> {
                     let variant = Variant::of(row.number, row.row.label.clone(), &row.row.row);
                     results.extend(solved.as_ref().map(|s| positions(source, Some(&variant), s)));
                 }
+                (_, Some(solved)) if self.is_brief() => {
+                    first.get_or_insert_with(|| (row.number, self.brief(source, solved)));
+                }
                 (_, Some(solved)) => {
                     let mut report = report::of_answers(&source.name, solved, self.accuracy());
                     report.title = format!("{}: {}", report.title, file_row_words(&row.row, row.number));
@@ -156,6 +180,10 @@ impl Printing<'_> {
         }
         if self.args.format == Format::Csv {
             results.push(self.csv(table, source));
+        }
+        if let Some((row, mut section)) = first {
+            section.blocks.insert(0, Block::Text(format!("row {row} of {count}")));
+            results.push(self.section(&section));
         }
         Reply::new(results.join(self.apart()), &problems, source, self.screen)
     }

@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod answers;
+mod brief;
 mod columns;
 mod cost;
 pub mod csv;
@@ -38,6 +39,7 @@ mod train;
 
 pub use accuracy::AccuracyShown;
 pub use answers::{Answers, Precision};
+pub use brief::brief;
 pub use element::full as full_table;
 pub use page::Page;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
@@ -94,9 +96,13 @@ pub fn table_of_poses(answers: &Answers<'_>) -> document::Table {
 }
 
 fn headed(file: &str, model: &Model<'_>) -> Report {
+    Report { title: title(file, model), notes: model.mechanism.notes.clone(), sections: Vec::new() }
+}
+
+/// The mechanism's title with the file's name; the name alone where there is none.
+fn title(file: &str, model: &Model<'_>) -> String {
     let title = &model.mechanism.title;
-    let title = if title.is_empty() { file.to_owned() } else { format!("{title} ({file})") };
-    Report { title, notes: model.mechanism.notes.clone(), sections: Vec::new() }
+    if title.is_empty() { file.to_owned() } else { format!("{title} ({file})") }
 }
 
 /// There are links in addition to the ground.

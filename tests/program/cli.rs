@@ -151,6 +151,43 @@ fn table_is_for_reading() {
 }
 
 #[test]
+fn several_files_have_a_few_lines_each() {
+    let rows = "given r = 1 mm\nlet y = 2*r\nfind y\nvariants {\n  r [mm]\n  1\n  2\n}\n";
+    let folder = Folder::new("brief").with("a.mech", GOOD).with("b.mech", rows);
+    folder.write_bytes("c.mech", GOOD.replace("0 deg, 90 deg", "90 deg").replace("at pose 1", "").as_bytes());
+    let out = assur(&folder, &["solve", "."]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    insta::assert_snapshot!(out.stdout, @r"
+    Crank-slider (a.mech)
+      F = 1, 2 poses, 1 of 1 expectation met
+      x_C = 335.41 … 450 mm, |v_C| = 0 … 10 m/s
+
+    b.mech
+      row 1 of 2
+      y = 2 mm
+
+    Crank-slider (c.mech)
+      F = 1, 0 of 1 expectation met
+      x_C = 335.41 mm, v_C = (-10, 0) m/s
+
+    `assur solve FILE` prints one file in full.
+    ");
+    let full = assur(&folder, &["solve", ".", "--accuracy"]).stdout;
+    assert!(full.matches("\nStructure\n").count() == 2 && !full.contains("in full"), "{full}");
+}
+
+#[test]
+fn the_page_of_the_readme_is_what_the_program_prints() {
+    let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
+    let (_, rest) = readme.split_once("```mech\n").unwrap();
+    let (file, rest) = rest.split_once("```\n\n```text\n").unwrap();
+    let (page, _) = rest.split_once("```\n").unwrap();
+    let out = assur(&Folder::new("readme").with("engine.mech", file), &["solve", "engine.mech"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert_eq!(out.stdout, page);
+}
+
+#[test]
 fn markdown_is_for_pasting() {
     let folder = Folder::new("markdown").with("a.mech", GOOD);
     let out = assur(&folder, &["solve", "a.mech", "--format", "markdown"]);
