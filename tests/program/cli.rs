@@ -151,6 +151,26 @@ fn table_is_for_reading() {
 }
 
 #[test]
+fn reactions_of_many_poses_have_a_table_per_pair() {
+    let text = |poses: &str| {
+        let text = GOOD.replace("find x_C", "balance torque M on crank\nfind reactions, x_C");
+        text.replace("0 deg, 90 deg", poses).replace("C (0, 0) }", "C (0, 0); mass 2 kg at C }")
+    };
+    let folder = Folder::new("reactions").with("a.mech", &text("0 deg, 90 deg, 180 deg"));
+    let few = assur(&folder, &["solve", "a.mech"]).stdout;
+    assert!(few.contains("\nReactions\n  pose  pair  from → on") && !few.contains("Reaction in"), "{few}");
+    folder.write_bytes("a.mech", text("0 deg, 90 deg, 180 deg, 270 deg").as_bytes());
+    let many = assur(&folder, &["solve", "a.mech"]).stdout;
+    let (_, slide) =
+        many.split_once("\nReaction in D: piston → ground\n").unwrap_or_else(|| panic!("{many}"));
+    let rows: Vec<&str> = slide.lines().take_while(|line| !line.is_empty()).collect();
+    assert!(rows.len() == 6 && rows[2].starts_with("  1     ") && rows[5].starts_with("  4     "), "{slide}");
+    assert_eq!(many.matches("\nReaction in ").count(), 4, "{many}");
+    // along the guide there is nothing but rounding errors
+    assert!(rows[2..].iter().all(|row| row.split_whitespace().nth(1) == Some("0")), "{slide}");
+}
+
+#[test]
 fn several_files_have_a_few_lines_each() {
     let rows = "given r = 1 mm\nlet y = 2*r\nfind y\nvariants {\n  r [mm]\n  1\n  2\n}\n";
     let folder = Folder::new("brief").with("a.mech", GOOD).with("b.mech", rows);
