@@ -6,9 +6,9 @@ mod folder;
 
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::Problems;
-use assur::internals::report::document::Report;
+use assur::internals::report::document::{Block, Report};
 use assur::internals::report::text::Look;
-use assur::internals::report::{self, Precision};
+use assur::internals::report::{self, AccuracyShown, Precision};
 use assur::internals::source::Source;
 use assur::internals::{Compiled, Solved};
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -31,6 +31,9 @@ fn holds(path: &Path, name: &str) -> Result<(), Failed> {
     let source = Source::new(name.replace('\\', "/"), std::fs::read_to_string(path)?);
     let (compiled, mut problems) = assur::internals::compile(&source, &Overrides::none());
     let mut stages = compiled.as_ref().map(|c| structure(&source, c)).unwrap_or_default();
+    if let Some(compiled) = &compiled {
+        effects_agree(&source, compiled, &stages)?;
+    }
     let (solved, found) = match compiled.filter(|_| !problems.has_errors()) {
         Some(compiled) => assur::internals::pipeline::solve(compiled),
         None => return stands(path, &shown(FAILED, &stages, &problems, &source)),
@@ -40,7 +43,8 @@ fn holds(path: &Path, name: &str) -> Result<(), Failed> {
         Ok(solved) if !problems.has_errors() => {
             answer_key(&solved, &source)?;
             rows_hold(&source)?;
-            let answers = report::of_answers(&source.name, &solved.answers(Precision::STABLE));
+            let answers = solved.answers(Precision::STABLE);
+            let answers = report::of_answers(&source.name, &answers, AccuracyShown::Worst);
             // the structure stands in full already
             stages.sections.extend(answers.sections.into_iter().filter(|s| s.heading != "Structure"));
             stands(path, &shown(SOLVED, &stages, &problems, &source))
@@ -55,6 +59,21 @@ const FAILED: &str = "outcome: failed";
 fn structure(source: &Source, compiled: &Compiled) -> Report {
     let report = report::of_structure(source, &compiled.model(), None);
     Report { notes: Vec::new(), ..report }
+}
+
+/// JSON has the effects of the table, by the same names in the same order.
+fn effects_agree(source: &Source, compiled: &Compiled, stages: &Report) -> Result<(), Failed> {
+    let json = report::json::render(&source.name, Some(&compiled.model()), None, &[]);
+    let json: serde_json::Value = serde_json::from_str(&json)?;
+    let names: Vec<&str> =
+        json["effects"].as_array().into_iter().flatten().filter_map(serde_json::Value::as_str).collect();
+    let facts = stages.sections.iter().flat_map(|s| &s.blocks).filter_map(|block| match block {
+        Block::Facts(facts) => facts.iter().find(|f| f.0 == "effects"),
+        _ => None,
+    });
+    let table = facts.map(|f| f.1.as_str()).next().unwrap_or("positions only");
+    let listed = if names.is_empty() { "positions only".to_owned() } else { names.join(", ") };
+    if listed == table { Ok(()) } else { Err(format!("effects: {table}, in JSON {listed}").into()) }
 }
 
 fn shown(outcome: &str, stages: &Report, problems: &Problems, source: &Source) -> String {

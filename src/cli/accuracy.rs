@@ -10,7 +10,7 @@ use super::files;
 use super::reply::{Reply, Status, complaint, for_each_file};
 use super::screen::Screen;
 use crate::pipeline::{Solved, solve_source};
-use crate::report::{self, Precision};
+use crate::report::{self, AccuracyShown, Precision};
 use assur_check::Overrides;
 use assur_solve::measure::accuracy::{AccuracyStudy, out_of_reach, study};
 use assur_solve::measure::micros;
@@ -70,7 +70,9 @@ fn printed(
 /// All that `assur solve` does, but for reading the file and writing to the screen.
 fn whole(source: &Source, overrides: &Overrides) -> String {
     let (solved, _) = solve_source(source, overrides);
-    let report = solved.map(|s| report::of_answers(&source.name, &s.answers(Precision::READABLE)));
+    let of =
+        |s: &Solved| report::of_answers(&source.name, &s.answers(Precision::READABLE), AccuracyShown::Worst);
+    let report = solved.as_ref().map(of);
     report.map(|r| report::text::render(&r, report::text::Look::PLAIN)).unwrap_or_default()
 }
 

@@ -1,5 +1,9 @@
 //! The manual of the command line.
 
+mod pages;
+
+pub use pages::{Explain, Help, New, StartKind};
+
 use crate::report::Page;
 use crate::report::text::Look;
 use clap::{Parser, Subcommand, ValueEnum};
@@ -12,7 +16,7 @@ use assur_check::Overrides;
 /// A file contains the given values, the mechanism, its loads and the questions. Results go to standard output,
 /// diagnostics to standard error.
 #[derive(Debug, Parser)]
-#[command(name = "assur", version, after_help = EXAMPLES, after_long_help = LONG)]
+#[command(name = "assur", version, disable_help_subcommand = true, after_help = EXAMPLES, after_long_help = LONG)]
 pub struct Args {
     /// The command
     #[command(subcommand)]
@@ -28,6 +32,7 @@ pub struct Args {
 const EXAMPLES: &str = "Example: assur solve engine.mech";
 const LONG: &str = "\
 Examples:
+  assur new engine --kind crank-slider      a file to start from
   assur check engine.mech                   the structure of the mechanism
   assur check --modes engine.mech           its possible assemblies
   assur check --plan engine.mech            cost of every step and effect per position
@@ -44,6 +49,7 @@ Examples:
   assur grade key.csv answers.csv           grade answers
   assur grade key.csv answers.csv --points 'Mb=2,F_A=1' --credit sign=0.5
   assur explain mech::assembly::ambiguous   meaning of a diagnostic
+  assur help functions                      the functions of the language
 
 Exit status:
   0  success
@@ -72,6 +78,10 @@ pub enum Command {
     Profile(Profile),
     /// Explain a diagnostic by its code
     Explain(Explain),
+    /// Write a file to start from
+    New(New),
+    /// Show the manual of a command, or the functions, units or statements of the language
+    Help(Help),
 }
 
 /// Files, and values from outside.
@@ -111,6 +121,9 @@ pub struct Solve {
     /// Maximum relative error, e.g. 1e-6; the fastest sufficient settings are used and the error reached is reported
     #[arg(long, value_name = "ERROR", value_parser = accuracy)]
     pub within: Option<f64>,
+    /// Show residuals and condition of every pose; without it the worst of all poses in one line
+    #[arg(long)]
+    pub accuracy: bool,
 }
 
 /// Arguments of `accuracy`.
@@ -321,17 +334,6 @@ pub enum ProfileFormat {
     Csv,
     /// A drawing: DXF R12 in millimetres, layers PROFILE, PITCH, BASE, CENTRE
     Dxf,
-}
-
-/// Arguments of `explain`.
-#[derive(Clone, Debug, clap::Args)]
-pub struct Explain {
-    /// Code of a diagnostic, e.g. `mech::assembly::ambiguous`; `mech::` may be left out
-    #[arg(required_unless_present = "all", value_name = "CODE")]
-    pub code: Option<String>,
-    /// List all codes
-    #[arg(long, conflicts_with = "code")]
-    pub all: bool,
 }
 
 /// How answers are printed.

@@ -115,6 +115,30 @@ pub enum CliError {
         #[help]
         help: String,
     },
+    /// No such topic of the manual.
+    #[error("there is no command and no topic `{name}`")]
+    UnknownTopic {
+        /// As given.
+        name: String,
+        /// What may be meant.
+        #[help]
+        help: String,
+    },
+    /// A new file would replace another.
+    #[error("`{name}` exists already")]
+    #[diagnostic(help("choose another name; the existing file was not changed"))]
+    Exists {
+        /// Its name.
+        name: String,
+    },
+    /// A new file that cannot be written.
+    #[error("`{name}` cannot be written: {why}")]
+    NotCreated {
+        /// Its name.
+        name: String,
+        /// The message of the system.
+        why: String,
+    },
     /// Points for what is not in the key.
     #[error("`--points`: the key has no `{name}`")]
     NoQuantity {

@@ -9,6 +9,8 @@ mod error;
 mod explain;
 mod files;
 mod grade;
+mod help;
+mod new;
 mod profile;
 #[doc(hidden)]
 pub mod reply;
@@ -47,6 +49,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Accuracy(args) => accuracy::run(&args, &screen),
         Command::Profile(args) => profile::run(&args, &screen),
         Command::Explain(args) => explain::run(&args, &screen),
+        Command::New(args) => new::run(&args, &screen),
+        Command::Help(args) => help::run(&args, &screen),
     };
     let status = if screen.is_heard() { status } else { Status::Unusable };
     ExitCode::from(batch::signal().map_or(status as u8, |signal| 128 + signal))

@@ -73,6 +73,7 @@ pub fn complaint(error: CliError, screen: &Screen) -> String {
 }
 
 /// Writes the results of files, with separators.
+#[derive(Debug)]
 pub struct Printer<'s> {
     screen: &'s Screen,
     apart: &'s str,
@@ -83,7 +84,19 @@ pub struct Printer<'s> {
     whole: bool,
 }
 
-impl Printer<'_> {
+impl<'s> Printer<'s> {
+    /// Nothing is written yet; `apart` separates the results of two files.
+    #[must_use]
+    pub const fn new(screen: &'s Screen, apart: &'s str) -> Self {
+        Self { screen, apart, before: false, begun: false, whole: true }
+    }
+
+    /// Whether there are results of any file.
+    #[must_use]
+    pub const fn has_results(&self) -> bool {
+        self.before
+    }
+
     /// Writes results of the present file; `false` where that cannot be done.
     pub fn print(&mut self, text: &str) -> bool {
         if text.is_empty() || !self.whole {
@@ -106,12 +119,21 @@ pub fn for_each_file(
     apart: &str,
     work: impl Fn(&Source, &mut Printer<'_>) -> Reply,
 ) -> Status {
+    for_each_input(files::expand(names), &mut Printer::new(screen, apart), work)
+}
+
+/// As [`for_each_file`], of inputs that are known.
+pub fn for_each_input(
+    inputs: Vec<Result<Input, CliError>>,
+    printer: &mut Printer<'_>,
+    work: impl Fn(&Source, &mut Printer<'_>) -> Reply,
+) -> Status {
     let mut status = Status::Fine;
-    let mut printer = Printer { screen, apart, before: false, begun: false, whole: true };
+    let screen = printer.screen;
     quiet_panics();
-    for input in files::expand(names) {
+    for input in inputs {
         let reply = match input.and_then(Input::read) {
-            Ok(source) => guarded(&source, screen, |source| work(source, &mut printer)),
+            Ok(source) => guarded(&source, screen, |source| work(source, printer)),
             Err(error) => Reply::unusable(error, screen),
         };
         screen.complain(&reply.diagnostics);

@@ -1,15 +1,16 @@
 //! `assur solve`
 
 use super::args::{Format, Solve};
-use super::reply::{Reply, Status, for_each_file};
+use super::files;
+use super::reply::{Printer, Reply, Status, for_each_input};
 use super::screen::Screen;
 use super::stream;
 use crate::pipeline::{Compiled, Solved};
 use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words, is_long};
-use crate::report::document::{Column, Table};
+use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::json::Variant;
-use crate::report::{self, Answers, Precision};
-use assur_check::RowColumn;
+use crate::report::{self, AccuracyShown, Answers, Precision};
+use assur_check::{Overrides, RowColumn};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -19,97 +20,173 @@ use std::sync::Arc;
 /// Prints the answers.
 pub fn run(args: &Solve, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
-    let apart = match args.format {
-        Format::Json | Format::Jsonl => "",
-        Format::Csv => "\r\n",
-        Format::Table | Format::Markdown | Format::Latex => "\n",
-    };
-    for_each_file(&args.problem.files, screen, apart, |source, printer| {
+    let inputs = files::expand(&args.problem.files);
+    let several = inputs.len() > 1;
+    let answers = Printing { args, screen, several };
+    let mut printer = Printer::new(screen, answers.apart());
+    let work = |source: &Source, printer: &mut Printer<'_>| answers.of_file(source, &overrides, printer);
+    let status = for_each_input(inputs, &mut printer, work);
+    let hint = answers.is_brief() && printer.has_results();
+    let whole = !hint || printer.print("`assur solve FILE` prints one file in full.\n");
+    status.max(Status::printed(whole))
+}
+
+/// How answers are printed.
+struct Printing<'a> {
+    args: &'a Solve,
+    screen: &'a Screen,
+    /// The command line names several files.
+    several: bool,
+}
+
+impl Printing<'_> {
+    /// What separates two files.
+    const fn apart(&self) -> &'static str {
+        match self.args.format {
+            Format::Json | Format::Jsonl => "",
+            Format::Csv => "\r\n",
+            Format::Table | Format::Markdown | Format::Latex => "\n",
+        }
+    }
+
+    fn of_file(&self, source: &Source, overrides: &Overrides, printer: &mut Printer<'_>) -> Reply {
         let (document, found) = syntax::parse(source);
         let document = Arc::new(document);
-        match FileVariants::of(&document, &overrides) {
+        match FileVariants::of(&document, overrides) {
             Some(Ok(rows)) if !found.has_errors() => {
-                return of_rows(args.format, apart, source, rows.within(args.within), found, screen);
+                return self.of_rows(source, rows.within(self.args.within), found);
             }
             Some(Err(problems)) if !found.has_errors() => {
                 let line = || json(source, Err(None), &problems);
-                let results = if args.format == Format::Json { line() } else { String::new() };
-                return Reply::new(results, &problems, source, screen);
+                let results = if self.args.format == Format::Json { line() } else { String::new() };
+                return Reply::new(results, &problems, source, self.screen);
             }
             _ => {}
         }
-        let (compiled, mut problems) = compile_document(source, &document, found, &overrides);
+        let (compiled, mut problems) = compile_document(source, &document, found, overrides);
         let compiled = match compiled {
-            Some(compiled) if !problems.has_errors() && by_position(args, &compiled) => {
-                return stream::positions(args.format, source, compiled, problems, screen, printer);
+            Some(compiled) if !problems.has_errors() && self.by_position(&compiled) => {
+                let file = self.several.then_some(source.name.as_str());
+                let format = self.args.format;
+                return stream::positions((format, file), source, compiled, problems, self.screen, printer);
             }
             compiled => compiled,
         };
         let solved = match compiled {
             Some(compiled) if !problems.has_errors() => {
-                let (solved, found) = crate::pipeline::solve_within(compiled, args.within);
+                let (solved, found) = crate::pipeline::solve_within(compiled, self.args.within);
                 problems.append(found);
                 solved.map_err(Some)
             }
             compiled => Err(compiled),
         };
-        let results = match (args.format, &solved) {
+        let results = match (self.args.format, &solved) {
             (Format::Json, Ok(solved)) => json(source, Ok(solved), &problems),
             (Format::Json, Err(compiled)) => json(source, Err(compiled.as_ref()), &problems),
-            (format, Ok(solved)) => answers(format, source, solved, screen),
+            (_, Ok(solved)) => self.answers(source, &solved.answers(Precision::READABLE)),
             (_, Err(_)) => String::new(),
         };
-        Reply::new(results, &problems, source, screen)
-    })
-}
+        Reply::new(results, &problems, source, self.screen)
+    }
 
-/// Whether positions are written one after another.
-fn by_position(args: &Solve, compiled: &Compiled) -> bool {
-    let forgets = args.format == Format::Jsonl || args.format == Format::Csv && is_long(&compiled.model());
-    forgets && args.within.is_none()
-}
+    /// Whether positions are written one after another.
+    fn by_position(&self, compiled: &Compiled) -> bool {
+        let format = self.args.format;
+        let forgets = format == Format::Jsonl || format == Format::Csv && is_long(&compiled.model());
+        forgets && self.args.within.is_none()
+    }
 
-/// All rows of a table of variants, one below the other.
-fn of_rows(
-    format: Format,
-    apart: &str,
-    source: &Source,
-    rows: FileVariants<'_>,
-    mut problems: Problems,
-    screen: &Screen,
-) -> Reply {
-    let columns = rows.columns().to_vec();
-    let mut results = Vec::new();
-    let mut table = Table::default();
-    for row in rows.solve(false) {
-        let solved = row.solved.as_ref().map(|s| s.answers(Precision::READABLE));
-        match (format, &solved) {
-            (Format::Csv, solved) => csv_row(&mut table, &columns, &row, solved.as_ref()),
-            (Format::Json, solved) => {
-                let variant = Some(Variant::of(row.number, row.row.label.clone(), &row.row.row));
-                let views = row.problems.views(source);
-                let model = solved.as_ref().map(|s| s.model);
-                let line =
-                    report::json::render_row(&source.name, variant, model.as_ref(), solved.as_ref(), &views);
-                results.push(line + "\n");
-            }
-            (Format::Jsonl, solved) => {
-                let variant = Variant::of(row.number, row.row.label.clone(), &row.row.row);
-                results.extend(solved.as_ref().map(|s| positions(source, Some(&variant), s)));
-            }
-            (format, Some(solved)) => {
-                let mut report = report::of_answers(&source.name, solved);
-                report.title = format!("{}: {}", report.title, file_row_words(&row.row, row.number));
-                results.extend(format.page(screen.look()).map(|page| page.render(&report)));
-            }
-            (_, None) => {}
+    fn answers(&self, source: &Source, answers: &Answers<'_>) -> String {
+        match self.args.format {
+            Format::Csv => self.csv(report::table_of_poses(answers), source),
+            Format::Jsonl => positions(source, None, answers),
+            _ if self.is_brief() => self.section(&self.brief(source, answers)),
+            _ => self.page(&report::of_answers(&source.name, answers, self.accuracy())),
         }
-        problems.append(row.problems);
     }
-    if format == Format::Csv {
-        results.push(report::csv::render(&table));
+
+    /// Several files are printed in a few lines each, unless all is asked for.
+    fn is_brief(&self) -> bool {
+        self.several && self.args.format == Format::Table && !self.args.accuracy
     }
-    Reply::new(results.join(apart), &problems, source, screen)
+
+    fn brief(&self, source: &Source, answers: &Answers<'_>) -> Section {
+        report::brief(&source.name, answers, self.screen.look().width)
+    }
+
+    fn section(&self, section: &Section) -> String {
+        report::text::section(section, self.screen.look())
+    }
+
+    /// A report in the form that is asked for.
+    fn page(&self, report: &Report) -> String {
+        let page = self.args.format.page(self.screen.look());
+        page.map_or_else(String::new, |page| page.render(report))
+    }
+
+    const fn accuracy(&self) -> AccuracyShown {
+        if self.args.accuracy { AccuracyShown::EveryPose } else { AccuracyShown::Worst }
+    }
+
+    /// A table as CSV; of several files every row begins with the file's name.
+    fn csv(&self, mut table: Table, source: &Source) -> String {
+        if self.several {
+            table.columns.insert(0, Column::words("file"));
+            table.rows.iter_mut().for_each(|row| row.insert(0, source.name.clone()));
+        }
+        report::csv::render(&table)
+    }
+
+    /// All rows of a table of variants, one below the other.
+    fn of_rows(&self, source: &Source, rows: FileVariants<'_>, mut problems: Problems) -> Reply {
+        let columns = rows.columns().to_vec();
+        let mut results = Vec::new();
+        let mut table = Table::default();
+        let mut first = None;
+        let mut count = 0;
+        for row in rows.solve(false) {
+            count += 1;
+            let solved = row.solved.as_ref().map(|s| s.answers(Precision::READABLE));
+            match (self.args.format, &solved) {
+                (Format::Csv, solved) => csv_row(&mut table, &columns, &row, solved.as_ref()),
+                (Format::Json, solved) => {
+                    let variant = Some(Variant::of(row.number, row.row.label.clone(), &row.row.row));
+                    let views = row.problems.views(source);
+                    let model = solved.as_ref().map(|s| s.model);
+                    let line = report::json::render_row(
+                        &source.name,
+                        variant,
+                        model.as_ref(),
+                        solved.as_ref(),
+                        &views,
+                    );
+                    results.push(line + "\n");
+                }
+                (Format::Jsonl, solved) => {
+                    let variant = Variant::of(row.number, row.row.label.clone(), &row.row.row);
+                    results.extend(solved.as_ref().map(|s| positions(source, Some(&variant), s)));
+                }
+                (_, Some(solved)) if self.is_brief() => {
+                    first.get_or_insert_with(|| (row.number, self.brief(source, solved)));
+                }
+                (_, Some(solved)) => {
+                    let mut report = report::of_answers(&source.name, solved, self.accuracy());
+                    report.title = format!("{}: {}", report.title, file_row_words(&row.row, row.number));
+                    results.push(self.page(&report));
+                }
+                (_, None) => {}
+            }
+            problems.append(row.problems);
+        }
+        if self.args.format == Format::Csv {
+            results.push(self.csv(table, source));
+        }
+        if let Some((row, mut section)) = first {
+            section.blocks.insert(0, Block::Text(format!("row {row} of {count}")));
+            results.push(self.section(&section));
+        }
+        Reply::new(results.join(self.apart()), &problems, source, self.screen)
+    }
 }
 
 /// The poses of a row after its number and its givens; a row without solution has no answers.
@@ -141,18 +218,6 @@ fn positions(source: &Source, variant: Option<&Variant>, answers: &Answers<'_>) 
     let poses = if poses.is_empty() { vec![None] } else { poses };
     let line = |pose| report::json::render_position(&source.name, variant, answers, pose) + "\n";
     poses.into_iter().map(line).collect()
-}
-
-fn answers(format: Format, source: &Source, solved: &Solved, screen: &Screen) -> String {
-    let answers = solved.answers(Precision::READABLE);
-    match format {
-        Format::Csv => report::csv::render(&report::table_of_poses(&answers)),
-        Format::Jsonl => positions(source, None, &answers),
-        format => {
-            let page = format.page(screen.look());
-            page.map_or_else(String::new, |page| page.render(&report::of_answers(&source.name, &answers)))
-        }
-    }
 }
 
 /// One line, whatever was reached.

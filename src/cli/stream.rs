@@ -15,16 +15,16 @@ const PIECE: usize = 1 << 16;
 /// What is held back at the most while no position has closed yet: where none does, the file has no answers.
 const HELD: usize = 1 << 25;
 
-/// Writes all positions of a file.
+/// Writes all positions of a file; in CSV after its name, if one is given.
 pub fn positions(
-    format: Format,
+    (format, file): (Format, Option<&str>),
     source: &Source,
     compiled: Compiled,
     mut problems: Problems,
     screen: &Screen,
     printer: &mut Printer<'_>,
 ) -> Reply {
-    let mut out = Out::new(format, source, &compiled, printer);
+    let mut out = Out::new(format, source, CsvLines::of(&compiled.model(), file), printer);
     let (solved, found) = crate::pipeline::solve_each(compiled, &mut |answers, pose| out.add(answers, pose));
     problems.append(found);
     if let Ok(solved) = &solved {
@@ -49,8 +49,7 @@ struct Out<'p, 's, 'o> {
 }
 
 impl<'p, 's, 'o> Out<'p, 's, 'o> {
-    fn new(format: Format, source: &'s Source, compiled: &Compiled, printer: &'p mut Printer<'o>) -> Self {
-        let csv = CsvLines::of(&compiled.model());
+    fn new(format: Format, source: &'s Source, csv: CsvLines, printer: &'p mut Printer<'o>) -> Self {
         let text = if format == Format::Csv { csv.header() } else { String::new() };
         Self { format, file: &source.name, csv, text, begun: false, any: false, failed: false, printer }
     }

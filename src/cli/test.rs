@@ -1,85 +1,152 @@
 //! `assur test`
 
 use super::args::Problem;
-use super::reply::{Reply, Status, for_each_file};
+use super::files;
+use super::reply::{Printer, Reply, Status, for_each_input};
 use super::screen::Screen;
 use crate::exercise::Outcome;
 use crate::pipeline::{FileVariants, test_document};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::{Source, shown_in_line};
+use std::cell::Cell;
+use std::ops::AddAssign;
 use std::sync::Arc;
 
 /// The code of expectations that are not met; they are counted apart.
 const MISMATCH: &str = "mech::expect::mismatch";
 
-/// Holds solutions against their answer keys: one line per file, and a diagnostic per `expect` that fails.
+/// What is counted over all files.
+#[derive(Clone, Copy, Debug, Default)]
+struct Tally {
+    /// Files that were tested.
+    files: usize,
+    /// Rows of tables of variants.
+    rows: usize,
+    /// Expectations that are met.
+    met: usize,
+    /// Expectations that are not met.
+    failed: usize,
+    /// Files without a table, and rows, that have no solution.
+    unsolved: usize,
+    /// Errors other than expectations that are not met.
+    errors: usize,
+}
+
+/// Holds solutions against their answer keys: one line per file, a diagnostic per `expect` that fails, and the totals of
+/// several files.
 pub fn run(args: &Problem, screen: &Screen) -> Status {
     let overrides = args.overrides();
-    for_each_file(&args.files, screen, "", |source, _| {
+    let inputs = files::expand(&args.files);
+    let count = inputs.len();
+    let total = Cell::new(Tally::default());
+    let mut printer = Printer::new(screen, "");
+    let status = for_each_input(inputs, &mut printer, |source, _| {
         let (document, found) = syntax::parse(source);
         let document = Arc::new(document);
-        if let (false, Some(Ok(rows))) = (found.has_errors(), FileVariants::of(&document, &overrides)) {
-            return of_rows(rows, source, found, screen);
-        }
-        let (solved, problems) = test_document(source, &document, found, &overrides);
-        let outcomes = solved.as_ref().map_or(&[][..], |s| &s.outcomes);
-        let errors = problems.errors() - problems.errors_of(MISMATCH);
-        let line =
-            format!("{}: {}\n", shown_in_line(&source.name), summary(solved.is_some(), errors, outcomes));
-        Reply::new(line, &problems, source, screen)
-    })
+        let (tally, reply) = match FileVariants::of(&document, &overrides) {
+            Some(Ok(rows)) if !found.has_errors() => of_rows(rows, source, found, screen),
+            _ => {
+                let (solved, problems) = test_document(source, &document, found, &overrides);
+                let outcomes = solved.as_ref().map(|s| s.outcomes.as_slice());
+                let tally = Tally { files: 1, ..Tally::of(outcomes, &problems) };
+                let words = tally.of_file(solved.is_some());
+                let line = format!("{}: {words}\n", shown_in_line(&source.name));
+                (tally, Reply::new(line, &problems, source, screen))
+            }
+        };
+        let mut sum = total.get();
+        sum += tally;
+        total.set(sum);
+        reply
+    });
+    let whole = count < 2 || printer.print(&total.get().of_all(count));
+    status.max(Status::printed(whole))
 }
 
 /// One line for all rows of a table of variants.
-fn of_rows(rows: FileVariants<'_>, source: &Source, mut problems: Problems, screen: &Screen) -> Reply {
-    let (mut met, mut failed, mut unsolved, mut errors, mut count) = (0, 0, 0, 0, 0);
+fn of_rows(
+    rows: FileVariants<'_>,
+    source: &Source,
+    mut problems: Problems,
+    screen: &Screen,
+) -> (Tally, Reply) {
+    let mut tally = Tally { files: 1, ..Tally::default() };
     for row in rows.solve(true) {
-        count += 1;
-        unsolved += usize::from(row.solved.is_none());
-        let outcomes = row.solved.as_ref().map_or(&[][..], |s| &s.outcomes);
-        let passed = outcomes.iter().filter(|o| o.passed).count();
-        met += passed;
-        failed += outcomes.len() - passed;
-        errors += row.problems.errors() - row.problems.errors_of(MISMATCH);
+        let outcomes = row.solved.as_ref().map(|s| s.outcomes.as_slice());
+        tally += Tally { rows: 1, ..Tally::of(outcomes, &row.problems) };
         problems.append(row.problems);
     }
-    let none = met + failed + unsolved + errors == 0;
-    let mut parts =
-        vec![if none { "no expectations".to_owned() } else { format!("{} met", plural(met, "expectation")) }];
-    let more = [
-        (failed, format!("{failed} failed")),
-        (unsolved, format!("{} not solved", plural(unsolved, "row"))),
-        (errors, plural(errors, "error")),
-    ];
-    parts.extend(more.into_iter().filter(|(n, _)| *n > 0).map(|(_, words)| words));
-    let line = format!("{}: {} in {}\n", shown_in_line(&source.name), parts.join(", "), plural(count, "row"));
+    let line = format!("{}: {}\n", shown_in_line(&source.name), tally.of_rows());
     let mut reply = Reply::new(line, &problems, source, screen);
-    if count == 0 {
+    if tally.rows == 0 {
         reply.status = Status::Wrong;
     }
-    reply
+    (tally, reply)
 }
 
 fn plural(n: usize, what: &str) -> String {
     format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }
 
-fn summary(solved: bool, errors: usize, outcomes: &[Outcome]) -> String {
-    let failed = outcomes.iter().filter(|o| !o.passed).count();
-    let mut parts = Vec::new();
-    if !solved {
-        parts.push("not solved".to_owned());
-    } else if outcomes.is_empty() && errors == 0 {
-        parts.push("solved, no expectations".to_owned());
-    } else {
-        parts.push(format!("{} met", plural(outcomes.len() - failed, "expectation")));
+impl Tally {
+    /// The outcomes of one solution, if there is one.
+    fn of(outcomes: Option<&[Outcome]>, problems: &Problems) -> Self {
+        let all = outcomes.unwrap_or_default();
+        let met = all.iter().filter(|o| o.passed).count();
+        let errors = problems.errors() - problems.errors_of(MISMATCH);
+        let unsolved = usize::from(outcomes.is_none());
+        Self { met, failed: all.len() - met, unsolved, errors, ..Self::default() }
     }
-    if failed > 0 {
-        parts.push(format!("{failed} failed"));
+
+    /// A file without a table of variants.
+    fn of_file(self, solved: bool) -> String {
+        let mut parts = vec![match (solved, self.met + self.failed + self.errors) {
+            (false, _) => "not solved".to_owned(),
+            (true, 0) => "solved, no expectations".to_owned(),
+            (true, _) => self.expectations(),
+        }];
+        parts.extend((self.failed > 0).then(|| format!("{} failed", self.failed)));
+        parts.extend((self.errors > 0).then(|| plural(self.errors, "error")));
+        parts.join(", ")
     }
-    if errors > 0 {
-        parts.push(plural(errors, "error"));
+
+    /// A table of variants.
+    fn of_rows(self) -> String {
+        let none = self.met + self.failed + self.unsolved + self.errors == 0;
+        let first = if none { "no expectations".to_owned() } else { self.expectations() };
+        let mut parts = vec![first];
+        parts.extend((self.failed > 0).then(|| format!("{} failed", self.failed)));
+        parts.extend((self.unsolved > 0).then(|| format!("{} not solved", plural(self.unsolved, "row"))));
+        parts.extend((self.errors > 0).then(|| plural(self.errors, "error")));
+        format!("{} in {}", parts.join(", "), plural(self.rows, "row"))
     }
-    parts.join(", ")
+
+    fn expectations(self) -> String {
+        format!("{} met", plural(self.met, "expectation"))
+    }
+
+    /// All files that the command line names.
+    fn of_all(self, count: usize) -> String {
+        let mut parts = vec![plural(count, "file")];
+        parts.extend((self.rows > 0).then(|| plural(self.rows, "row")));
+        parts.push(self.expectations());
+        parts.push(format!("{} failed", self.failed));
+        parts.extend((self.unsolved > 0).then(|| format!("{} not solved", self.unsolved)));
+        parts.extend((self.errors > 0).then(|| plural(self.errors, "error")));
+        let untested = count.saturating_sub(self.files);
+        parts.extend((untested > 0).then(|| format!("{} not tested", plural(untested, "file"))));
+        format!("total: {}\n", parts.join(", "))
+    }
+}
+
+impl AddAssign for Tally {
+    fn add_assign(&mut self, other: Self) {
+        self.files += other.files;
+        self.rows += other.rows;
+        self.met += other.met;
+        self.failed += other.failed;
+        self.unsolved += other.unsolved;
+        self.errors += other.errors;
+    }
 }

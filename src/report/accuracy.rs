@@ -1,14 +1,79 @@
 //! How well the answers satisfy equations that were not used to find them.
 
 use super::answers::{Answers, NONE, Precision};
+use super::cycle;
 use super::document::{Column, Report, Section, Table};
-use assur_solve::solve::{Pose, Solved};
+use assur_solve::solve::{Pose, Residuals, Solved};
+use assur_text::units::significant;
 
-/// Residuals and condition per pose; the worst of all where there are many.
-pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
+/// How much is shown of the accuracy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AccuracyShown {
+    /// The worst of all poses, in one line.
+    Worst,
+    /// A row for every pose.
+    EveryPose,
+}
+
+/// Digits of conditions.
+const DIGITS: usize = 3;
+/// Conditions that differ by a smaller part are equal but for rounding.
+const EQUAL: f64 = 1e-9;
+
+/// Residuals and condition: the worst of all poses, or those of each.
+pub(super) fn section(answers: &Answers<'_>, shown: AccuracyShown, report: &mut Report) {
     let poses: Vec<(&Pose, &Solved)> =
         answers.poses().filter_map(|p| Some((p, p.outcome.as_ref().ok()?))).collect();
     let precision = answers.precision;
+    let mut section = Section::new("Accuracy: residuals of independent equations, condition (1 is best)");
+    if let Some(reached) = answers.reached {
+        section.text(super::tradeoff::reached(reached));
+    }
+    match shown {
+        AccuracyShown::Worst => {
+            worst(&poses, precision).into_iter().for_each(|line| section.text(line));
+            let cycles = cycle::worst_error(answers);
+            let line = cycles.map(|e| format!("relative error over the sweep: {}", order_of(e, precision)));
+            line.into_iter().for_each(|line| section.text(line));
+        }
+        AccuracyShown::EveryPose => {
+            section.table(table(&poses, precision));
+            section.table(cycle::accuracy(answers, |r| order_of(r, precision)));
+        }
+    }
+    report.section(section);
+}
+
+/// The three residuals of a pose by their names; those of forces where there are forces.
+fn named(residuals: Residuals) -> [(&'static str, Option<f64>); 3] {
+    let Residuals { closure, equilibrium, power } = residuals;
+    [("closure", Some(closure)), ("equilibrium", equilibrium), ("power", power)]
+}
+
+/// One line: the greatest of each residual, and the least condition with its pose.
+fn worst(poses: &[(&Pose, &Solved)], precision: Precision) -> Option<String> {
+    let ((mut pose, first), others) = poses.split_first().map(|(first, others)| (*first, others))?;
+    let (mut greatest, mut condition) = (named(first.residuals), first.condition);
+    for (other, solved) in others {
+        for (most, (_, residual)) in greatest.iter_mut().zip(named(solved.residuals)) {
+            most.1 = [most.1, residual].into_iter().flatten().reduce(f64::max);
+        }
+        if solved.condition < condition * (1.0 - EQUAL) {
+            (pose, condition) = (other, solved.condition);
+        }
+    }
+    let residuals =
+        greatest.iter().filter_map(|(name, r)| Some(format!("{name} {}", order_of((*r)?, precision))));
+    let figures = residuals.chain([format!("condition {}", significant(condition, DIGITS))]);
+    let figures = figures.collect::<Vec<_>>().join(", ");
+    Some(match others {
+        [] => figures,
+        _ => format!("worst of {} poses: {figures} at pose {}", poses.len(), pose.name),
+    })
+}
+
+/// A row per pose.
+fn table(poses: &[(&Pose, &Solved)], precision: Precision) -> Table {
     let with_pose = poses.len() > 1;
     let mut columns = Vec::new();
     if with_pose {
@@ -16,22 +81,15 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     }
     columns.extend(["closure", "equilibrium", "power", "condition"].map(Column::right));
     let mut table = Table::new(columns, usize::from(with_pose));
-    for (pose, solved) in &poses {
-        let residuals = solved.residuals;
+    for (pose, solved) in poses {
         let mut cells: Vec<String> = with_pose.then(|| pose.name.clone()).into_iter().collect();
-        for residual in [Some(residuals.closure), residuals.equilibrium, residuals.power] {
+        for (_, residual) in named(solved.residuals) {
             cells.push(residual.map_or_else(|| NONE.to_owned(), |r| order_of(r, precision)));
         }
-        cells.push(assur_text::units::significant(solved.condition, 3));
+        cells.push(significant(solved.condition, DIGITS));
         table.row(cells);
     }
-    let mut section = Section::new("Accuracy: residuals of independent equations, condition (1 is best)");
-    if let Some(reached) = answers.reached {
-        section.text(super::tradeoff::reached(reached));
-    }
-    section.table(table);
-    section.table(super::cycle::accuracy(answers, |r| order_of(r, precision)));
-    report.section(section);
+    table
 }
 
 /// A residual in one figure, or the power of ten it stays below.

@@ -74,31 +74,47 @@ pub(super) fn named<'a>(answers: &Answers<'a>) -> Vec<(&'a str, &'a CycleAnswer)
     found.into_iter().filter_map(answer).collect()
 }
 
+/// The estimate of a function over the sweep, or of a flywheel.
+struct Estimate<'a> {
+    name: &'a str,
+    /// The error relative to the value.
+    relative: f64,
+    samples: usize,
+    splits: &'a [f64],
+}
+
+fn estimates<'a>(answers: &Answers<'a>) -> impl Iterator<Item = Estimate<'a>> {
+    let cycles = named(answers).into_iter().map(|(name, c)| (name, c.value, c.error, c.samples, &*c.splits));
+    let wheels =
+        all_flywheels(answers).map(|(w, f)| (w.name.as_str(), f.fluctuation, f.error, f.samples, &*f.splits));
+    let known = cycles.chain(wheels).filter(|c| c.1.is_finite());
+    known.map(|(name, value, error, samples, splits)| {
+        let relative = if value == 0.0 { error } else { error / value.abs() };
+        Estimate { name, relative, samples, splits }
+    })
+}
+
+/// The greatest estimated error, relative to the value.
+pub(super) fn worst_error(answers: &Answers<'_>) -> Option<f64> {
+    estimates(answers).map(|e| e.relative).reduce(f64::max)
+}
+
 /// Estimated errors, and switching points.
 pub(super) fn accuracy(answers: &Answers<'_>, order_of: impl Fn(f64) -> String) -> Table {
     let mechanism = answers.model.mechanism;
-    let with_samples = !answers.precision.coarse_residuals;
-    let mut columns = vec![Column::words("over the sweep"), Column::right("relative error")];
-    if with_samples {
-        columns.push(Column::right("positions solved"));
-    }
-    columns.push(Column::words("switching points"));
+    let columns = vec![
+        Column::words("over the sweep"),
+        Column::right("relative error"),
+        Column::right("positions solved"),
+        Column::words("switching points"),
+    ];
     let mut table = Table::new(columns, 1);
-    let cycles = named(answers).into_iter().map(|(name, c)| (name, c.value, c.error, c.samples, &c.splits));
-    let wheels =
-        all_flywheels(answers).map(|(w, f)| (w.name.as_str(), f.fluctuation, f.error, f.samples, &f.splits));
-    for (name, value, error, samples, splits) in cycles.chain(wheels) {
-        if !value.is_finite() {
-            continue;
-        }
-        let relative = if value == 0.0 { error } else { error / value.abs() };
-        let mut cells = vec![name.to_owned(), order_of(relative)];
-        if with_samples {
-            cells.push(samples.to_string());
-        }
+    for estimate in estimates(answers) {
+        let mut cells =
+            vec![estimate.name.to_owned(), order_of(estimate.relative), estimate.samples.to_string()];
         let places = mechanism.drives.first().map(|d| mechanism.drive_display(d.target));
         let text = |x: &f64| places.as_ref().map(|d| d.text(Value::Scalar(*x), answers.precision.digits));
-        let all = splits.iter().filter_map(text).collect::<Vec<_>>();
+        let all = estimate.splits.iter().filter_map(text).collect::<Vec<_>>();
         cells.push(if all.is_empty() { NONE.to_owned() } else { all.join(", ") });
         table.row(cells);
     }

@@ -46,23 +46,31 @@ fn of_one_pose(answers: &Answers<'_>, all: &[PairFriction]) -> Table {
         Column::right("power lost"),
     ];
     let mut table = Table::new(columns, 2);
+    let greatest =
+        |number: fn(&PairFriction) -> f64| all.iter().map(number).fold(0.0, |m, x| f64::max(m, x.abs()));
+    let (normals, powers) = (greatest(|r| r.normal), greatest(|r| r.power));
+    // rounding errors are 0
+    let precision = answers.precision;
+    let clean = |x: f64, scale: f64| if x.abs() <= precision.noise * scale { 0.0 } else { x };
     for r in all {
         let (speed, effort) = if r.turns {
             (Dimension::ANGULAR_VELOCITY, Dimension::TORQUE)
         } else {
             (Dimension::VELOCITY, Dimension::FORCE)
         };
-        let digits = answers.precision.digits;
-        let text = |display: &Display, x: f64| display.text(Value::Scalar(x), digits);
+        let text = |display: &Display, x: f64| display.text(Value::Scalar(x), precision.digits);
+        let normal = clean(r.normal, normals);
+        // friction is proportional to what presses
+        let friction = if normal == 0.0 { 0.0 } else { r.effort };
         let moves = r.speed != 0.0;
         table.row(vec![
             mechanism.pair(r.pair).name.clone(),
             format!("{} → {}", mechanism.link(r.from).name, mechanism.link(r.on).name),
             law(answers, r),
             if moves { text(&mechanism.display_of(speed), r.speed) } else { "none".to_owned() },
-            text(&force, r.normal),
-            if moves { text(&mechanism.display_of(effort), r.effort) } else { NONE.to_owned() },
-            if moves { text(&power, r.power) } else { NONE.to_owned() },
+            text(&force, normal),
+            if moves { text(&mechanism.display_of(effort), friction) } else { NONE.to_owned() },
+            if moves { text(&power, clean(r.power, powers)) } else { NONE.to_owned() },
         ]);
     }
     table

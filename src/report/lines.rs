@@ -1,7 +1,7 @@
 //! The answers of a file as comma-separated values, one position after another: none is kept.
 
 use super::answers::Answers;
-use super::csv::LINE_END;
+use super::csv::{LINE_END, field};
 use super::rows::{AnswerColumns, FULL, write_text};
 use assur_model::model::Value;
 use assur_solve::solve::{Model, Pose};
@@ -10,21 +10,24 @@ use assur_solve::solve::{Model, Pose};
 #[derive(Clone, Debug)]
 pub struct CsvLines {
     columns: AnswerColumns,
+    /// The file's name as a cell with its comma, where every line begins with it.
+    file: Option<String>,
     /// The answers that need no pose, once known.
     whole: Option<Vec<Option<Value>>>,
 }
 
 impl CsvLines {
-    /// For the answers of a file.
+    /// For the answers of a file, whose name every line begins with if it is given.
     #[must_use]
-    pub fn of(model: &Model<'_>) -> Self {
-        Self { columns: AnswerColumns::of_file(model), whole: None }
+    pub fn of(model: &Model<'_>, file: Option<&str>) -> Self {
+        let cell = |file: &str| field(file).into_owned() + ",";
+        Self { columns: AnswerColumns::of_file(model), file: file.map(cell), whole: None }
     }
 
     /// The first line.
     #[must_use]
     pub fn header(&self) -> String {
-        let mut line = "pose".to_owned();
+        let mut line = if self.file.is_some() { "file,pose" } else { "pose" }.to_owned();
         for header in self.columns.headers(false) {
             line.push(',');
             write_text(&header, &mut line);
@@ -35,6 +38,7 @@ impl CsvLines {
     /// Adds the line of a position.
     pub fn add(&mut self, answers: &Answers<'_>, pose: &Pose, out: &mut String) {
         let whole = self.whole.get_or_insert_with(|| self.columns.whole(answers));
+        out.push_str(self.file.as_deref().unwrap_or_default());
         write_text(&pose.name, out);
         self.columns.write_beside(answers, pose, whole, (FULL, false), out);
         out.push_str(LINE_END);
@@ -42,6 +46,7 @@ impl CsvLines {
 
     /// Adds the one line of a file without positions.
     pub fn add_without_pose(&self, answers: &Answers<'_>, out: &mut String) {
+        out.push_str(self.file.as_deref().unwrap_or_default());
         self.columns.write_without_pose(answers, FULL, false, out);
         out.push_str(LINE_END);
     }

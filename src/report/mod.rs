@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod answers;
+mod brief;
 mod columns;
 mod cost;
 pub mod csv;
@@ -18,6 +19,7 @@ pub mod grade;
 pub mod json;
 mod latex;
 pub mod lines;
+pub mod manual;
 pub mod markdown;
 mod mobility;
 mod modes;
@@ -35,7 +37,9 @@ pub mod text;
 mod tradeoff;
 mod train;
 
+pub use accuracy::AccuracyShown;
 pub use answers::{Answers, Precision};
+pub use brief::brief;
 pub use element::full as full_table;
 pub use page::Page;
 pub use reactions::{ContactEntry, ReactionEntry, reactions};
@@ -68,7 +72,7 @@ pub fn add_modes(report: &mut Report, model: &Model<'_>, modes: &Assemblies) {
 
 /// The output of `solve`: structure in short, answers, reactions, expectations, accuracy.
 #[must_use]
-pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
+pub fn of_answers(file: &str, answers: &Answers<'_>, accuracy: AccuracyShown) -> Report {
     let mut report = headed(file, &answers.model);
     if has_mechanism(&answers.model) {
         mobility::summary(&answers.model, &mut report);
@@ -81,7 +85,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>) -> Report {
     friction::section(answers, &mut report);
     cycle::flywheels(answers, &mut report);
     expectations::section(answers, &mut report);
-    accuracy::section(answers, &mut report);
+    accuracy::section(answers, accuracy, &mut report);
     report
 }
 
@@ -92,9 +96,13 @@ pub fn table_of_poses(answers: &Answers<'_>) -> document::Table {
 }
 
 fn headed(file: &str, model: &Model<'_>) -> Report {
+    Report { title: title(file, model), notes: model.mechanism.notes.clone(), sections: Vec::new() }
+}
+
+/// The mechanism's title with the file's name; the name alone where there is none.
+fn title(file: &str, model: &Model<'_>) -> String {
     let title = &model.mechanism.title;
-    let title = if title.is_empty() { file.to_owned() } else { format!("{title} ({file})") };
-    Report { title, notes: model.mechanism.notes.clone(), sections: Vec::new() }
+    if title.is_empty() { file.to_owned() } else { format!("{title} ({file})") }
 }
 
 /// There are links in addition to the ground.

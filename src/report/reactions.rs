@@ -4,7 +4,7 @@ use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
 use super::symbols;
 use assur_math::math::Vec2;
-use assur_model::model::{Guide, LinkId, Mechanism, PairId, PairKind, Query, Value};
+use assur_model::model::{Display, Guide, LinkId, Mechanism, PairId, PairKind, Query, Value};
 use assur_solve::solve::{PoseAnswers, Solved, unplaced_reactions};
 use assur_text::units::Dimension;
 
@@ -109,7 +109,10 @@ fn contacts(view: &PoseAnswers<'_>, pair: PairId, guide: &Guide) -> Vec<ContactE
     both.map(|(s, normal)| ContactEntry { at: point + view.along(guide) * *s, normal }).collect()
 }
 
-/// The table of all reactions, and that of forces at the contact points of guides.
+/// Reactions of more poses have a table per pair.
+const FEW: usize = 3;
+
+/// The reactions, and the table of forces at the contact points of guides.
 pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     if !answers.wants_reactions() {
         return;
@@ -118,8 +121,13 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
         .poses()
         .filter_map(|p| Some((p.name.as_str(), reactions(answers, p.outcome.as_ref().ok()?))))
         .collect();
+    let forces = Forces::of(answers, &poses);
     let mut section = Section::new("Reactions");
-    section.table(forces(answers, &poses));
+    if poses.len() > FEW {
+        forces.of_pairs(&poses).into_iter().for_each(|pair| report.section(pair));
+    } else {
+        section.table(forces.of_all(&poses));
+    }
     section.table(normals(answers, &poses));
     if !answers.model.plan.reactions.is_empty() {
         section.list(remarks(answers.model.mechanism, answers));
@@ -141,40 +149,87 @@ fn names(mechanism: &Mechanism, poses: &Poses<'_>, pose: &str, entry: &ReactionE
     pose.into_iter().chain([mechanism.pair(entry.pair).name.clone(), links]).collect()
 }
 
-fn forces(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
-    let (mechanism, precision) = (answers.model.mechanism, answers.precision);
-    let force = mechanism.display_of(Dimension::FORCE);
-    let moment = mechanism.display_of(Dimension::TORQUE);
-    let symbol = |entry: &ReactionEntry| symbols::reaction(mechanism, entry.from, entry.on);
-    let with_symbols = poses.iter().flat_map(|p| &p.1).any(|entry| symbol(entry).is_some());
-    let mut columns = heads(poses);
-    columns.extend(with_symbols.then(|| Column::words("symbol")));
-    let keys = columns.len();
-    for name in ["Fx", "Fy", "|F|"] {
-        columns.push(Column::numbers(with_unit(name, &force.unit)));
+/// Forces and moments in figures.
+struct Forces<'a> {
+    answers: &'a Answers<'a>,
+    force: Display,
+    moment: Display,
+    /// The greatest of all, in the units of the displays.
+    greatest: [f64; 2],
+}
+
+impl<'a> Forces<'a> {
+    fn of(answers: &'a Answers<'a>, poses: &Poses<'_>) -> Self {
+        let mechanism = answers.model.mechanism;
+        let [force, moment] = [Dimension::FORCE, Dimension::TORQUE].map(|d| mechanism.display_of(d));
+        let all = || poses.iter().flat_map(|p| &p.1);
+        let forces = all().map(|e| e.force.norm()).fold(0.0, f64::max);
+        let moments = all().filter_map(|e| e.moment).map(f64::abs).fold(0.0, f64::max);
+        let greatest = [force.of_si(forces), moment.of_si(moments)];
+        Self { answers, force, moment, greatest }
     }
-    columns.push(Column::numbers(with_unit("moment", &moment.unit)));
-    let mut table = Table::new(columns, keys);
-    let all = || poses.iter().flat_map(|p| &p.1);
-    let scale = force.of_si(all().map(|e| e.force.norm()).fold(0.0, f64::max));
-    let moments = moment.of_si(all().filter_map(|e| e.moment).map(f64::abs).fold(0.0, f64::max));
-    for (pose, entries) in poses {
-        for entry in entries {
-            let mut cells = names(mechanism, poses, pose, entry);
-            cells.extend(with_symbols.then(|| symbol(entry).unwrap_or_default()));
-            let in_unit = force.of_si_vector(entry.force);
-            for x in [in_unit.x, in_unit.y, libm::hypot(in_unit.x, in_unit.y)] {
-                cells.push(precision.figures(x, scale));
+
+    fn columns(&self) -> impl Iterator<Item = Column> {
+        let forces = ["Fx", "Fy", "|F|"].map(|name| with_unit(name, &self.force.unit));
+        forces.into_iter().chain([with_unit("moment", &self.moment.unit)]).map(Column::numbers)
+    }
+
+    fn cells(&self, entry: &ReactionEntry) -> Vec<String> {
+        let (mechanism, precision) = (self.answers.model.mechanism, self.answers.precision);
+        let in_unit = self.force.of_si_vector(entry.force);
+        let numbers = [in_unit.x, in_unit.y, libm::hypot(in_unit.x, in_unit.y)];
+        let mut cells = numbers.map(|x| precision.figures(x, self.greatest[0])).to_vec();
+        cells.push(match (&mechanism.pair(entry.pair).kind, entry.moment) {
+            (_, Some(m)) => precision.figures(self.moment.of_si(m), self.greatest[1]),
+            (PairKind::Prismatic(_), None) => "not determined".to_owned(),
+            _ => NONE.to_owned(),
+        });
+        cells
+    }
+
+    /// One table: a row per pose and pair.
+    fn of_all(&self, poses: &Poses<'_>) -> Table {
+        let mechanism = self.answers.model.mechanism;
+        let symbol = |entry: &ReactionEntry| symbols::reaction(mechanism, entry.from, entry.on);
+        let with_symbols = poses.iter().flat_map(|p| &p.1).any(|entry| symbol(entry).is_some());
+        let mut columns = heads(poses);
+        columns.extend(with_symbols.then(|| Column::words("symbol")));
+        let keys = columns.len();
+        columns.extend(self.columns());
+        let mut table = Table::new(columns, keys);
+        for (pose, entries) in poses {
+            for entry in entries {
+                let mut cells = names(mechanism, poses, pose, entry);
+                cells.extend(with_symbols.then(|| symbol(entry).unwrap_or_default()));
+                cells.extend(self.cells(entry));
+                table.row(cells);
             }
-            cells.push(match (&mechanism.pair(entry.pair).kind, entry.moment) {
-                (_, Some(m)) => precision.figures(moment.of_si(m), moments),
-                (PairKind::Prismatic(_), None) => "not determined".to_owned(),
-                _ => NONE.to_owned(),
-            });
-            table.row(cells);
         }
+        table
     }
-    table
+
+    /// A section per pair: a row per pose.
+    fn of_pairs(&self, poses: &Poses<'_>) -> Vec<Section> {
+        let mechanism = self.answers.model.mechanism;
+        // a locked pose has no reactions, all others have the same
+        let pattern = poses.iter().map(|p| &p.1).find(|entries| !entries.is_empty());
+        let of_pair = |(i, entry): (usize, &ReactionEntry)| {
+            let mut table =
+                Table::new(std::iter::once(Column::words("pose")).chain(self.columns()).collect(), 1);
+            for (pose, entries) in poses {
+                let cells = entries.get(i).map(|entry| self.cells(entry));
+                cells.into_iter().for_each(|c| table.row([vec![(*pose).to_owned()], c].concat()));
+            }
+            let symbol = symbols::reaction(mechanism, entry.from, entry.on);
+            let symbol = symbol.map_or_else(String::new, |symbol| format!(", {symbol}"));
+            let [from, on] = [entry.from, entry.on].map(|link| &mechanism.link(link).name);
+            let name = &mechanism.pair(entry.pair).name;
+            let mut section = Section::new(format!("Reaction in {name}: {from} → {on}{symbol}"));
+            section.table(table);
+            section
+        };
+        pattern.into_iter().flatten().enumerate().map(of_pair).collect()
+    }
 }
 
 fn normals(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {

@@ -71,7 +71,12 @@ fn of_one_pose(answers: &Answers<'_>, scale: Scale, header: String, quantities: 
 }
 
 /// A value in figures, rounding errors as 0.
-fn figures(answers: &Answers<'_>, scale: Scale, display: &Display, value: Option<Value>) -> String {
+pub(super) fn figures(
+    answers: &Answers<'_>,
+    scale: Scale,
+    display: &Display,
+    value: Option<Value>,
+) -> String {
     let unit = scale.in_unit(display);
     let number = |x: f64| answers.precision.figures(display.of_si(x), unit);
     match value {

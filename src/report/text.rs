@@ -43,13 +43,21 @@ pub fn render(report: &Report, look: Look) -> String {
     out
 }
 
+/// A section alone.
+#[must_use]
+pub fn section(section: &Section, look: Look) -> String {
+    let mut out = String::new();
+    render_section(&mut out, section, look);
+    out
+}
+
 fn line(out: &mut String, text: &str) {
     out.push_str(text.trim_end());
     out.push('\n');
 }
 
 fn render_section(out: &mut String, section: &Section, look: Look) {
-    line(out, &look.strong(&section.heading));
+    line(out, &look.strong(&shown_in_line(&section.heading)));
     for block in &section.blocks {
         match block {
             Block::Text(text) => line(out, &format!("{GAP}{}", shown(text))),

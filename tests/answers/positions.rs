@@ -22,7 +22,7 @@ fn every_example_comes_out_the_same() {
         let (Some(first), Some(second)) = (compiled(&source), compiled(&source)) else { continue };
         let (Ok(all), _) = assur::internals::pipeline::solve(first) else { continue };
         let answers = all.answers(Precision::READABLE);
-        let mut rows = CsvLines::of(&second.model());
+        let mut rows = CsvLines::of(&second.model(), None);
         let (mut text, mut objects) = (rows.header(), Vec::new());
         let (solved, _) = assur::internals::solve_each(second, &mut |answers, pose| {
             rows.add(answers, pose, &mut text);
@@ -56,7 +56,7 @@ fn peak(name: &str, steps: usize) -> u64 {
     let mut lines = 0;
     let info = allocation_counter::measure(|| {
         let compiled = compiled(&source).unwrap();
-        let mut rows = CsvLines::of(&compiled.model());
+        let mut rows = CsvLines::of(&compiled.model(), None);
         let mut text = String::new();
         let (solved, _) = assur::internals::solve_each(compiled, &mut |answers, pose| {
             text.clear();

@@ -304,8 +304,8 @@ fn the_key_of_the_exercise_set_is_what_it_was() {
     assert_eq!(said.status, 0, "{}{}", said.stdout, said.stderr);
     let said = exercise_set(&["test", "examples/exercise-set"]);
     assert_eq!(said.status, 0);
-    let met: usize = said.stdout.lines().filter_map(|l| l.split(' ').nth(1)?.parse::<usize>().ok()).sum();
-    assert_eq!(met, 213);
+    let total = "total: 25 files, 75 rows, 213 expectations met, 0 failed";
+    assert_eq!(said.stdout.lines().last(), Some(total));
 }
 
 #[test]

@@ -9,3 +9,4 @@ mod output;
 mod reply;
 mod run;
 mod schema;
+mod start;

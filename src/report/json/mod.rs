@@ -139,7 +139,7 @@ pub fn render_row(
         mechanism: title.filter(|t| !t.is_empty()),
         variant,
         structure: model.map(StructureView::of),
-        effects: model.map(|s| s.plan.effects.names()),
+        effects: model.map(|s| s.plan.effects.computed()),
         accuracy: answers.and_then(|a| a.reached).map(ReachedView::of),
         poses: answers.map(|a| a.poses().map(|p| PoseView::of(a, p)).collect()),
         cycle: Entries(answers.map(of_cycle).unwrap_or_default()),

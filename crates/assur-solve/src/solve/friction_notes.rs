@@ -3,7 +3,7 @@
 
 use super::note::{Locking, Note};
 use crate::answer::{Locked, PoseAnswers};
-use crate::model::{FindKind, PairId};
+use crate::model::{At, Expr, FindKind, Mechanism, PairId, Query, Relation};
 use crate::position::{Model, PoseOrigin, Wanted};
 
 /// A pair that loses less than this part of the greatest loss is not what locks.
@@ -39,6 +39,7 @@ impl FrictionNotes {
             return;
         }
         match &mut self.locked {
+            _ if expects_lock(model.mechanism, pose) => {}
             Some(locking) => locking.more += 1,
             None => self.locked = Some(locked(model, view, pose)),
         }
@@ -77,6 +78,28 @@ fn locked(model: &Model<'_>, view: &PoseAnswers<'_>, pose: &Wanted) -> Locking {
         part,
         efficiency: (!view.state.forces.locked).then(|| view.efficiency()),
         criticals: view.statics.criticals.clone(),
+    }
+}
+
+/// Whether the file expects `locked()` at this position: then it is no news.
+fn expects_lock(mechanism: &Mechanism, pose: &Wanted) -> bool {
+    mechanism.expects.iter().any(|expect| {
+        let here = match &expect.at {
+            None => matches!(pose.origin, PoseOrigin::Sweep(_)),
+            Some(At::Pose(name, _)) => pose.name == *name,
+            Some(At::Drives(_)) => false,
+        };
+        here && matches!(expect.relation, Relation::Condition) && asserts_lock(mechanism, &expect.expr)
+    })
+}
+
+/// Whether a condition is true only where friction locks.
+fn asserts_lock(mechanism: &Mechanism, condition: &Expr) -> bool {
+    match condition {
+        Expr::Query(Query::Locked) => true,
+        Expr::And(a, b) => asserts_lock(mechanism, a) || asserts_lock(mechanism, b),
+        Expr::Quantity(id) => asserts_lock(mechanism, &mechanism.quantities[id.index()].expr),
+        _ => false,
     }
 }
 

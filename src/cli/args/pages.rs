@@ -1,0 +1,49 @@
+//! The manual of commands that work on no file.
+
+use clap::ValueEnum;
+use clap::builder::NonEmptyStringValueParser;
+
+/// Arguments of `explain`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Explain {
+    /// Code of a diagnostic, e.g. `mech::assembly::ambiguous`; `mech::` may be left out
+    #[arg(required_unless_present = "all", value_name = "CODE")]
+    pub code: Option<String>,
+    /// List all codes
+    #[arg(long, conflicts_with = "code")]
+    pub all: bool,
+}
+
+/// Arguments of `new`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct New {
+    /// Name of the file; the ending `.mech` may be left out
+    #[arg(value_name = "NAME", value_parser = NonEmptyStringValueParser::new())]
+    pub name: String,
+    /// The mechanism in it
+    #[arg(long, value_enum, default_value_t = StartKind::FourBar)]
+    pub kind: StartKind,
+}
+
+/// The mechanisms to start from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum StartKind {
+    /// A four-bar linkage with masses and a load
+    FourBar,
+    /// A crank-slider with masses and a gas force
+    CrankSlider,
+    /// A four-bar that moves a ram
+    SixBar,
+    /// Gears, a drum and a rope
+    Train,
+    /// A cam, its follower and a spring
+    Cam,
+}
+
+/// Arguments of `help`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Help {
+    /// `functions`, `units`, `statements`, or a command
+    #[arg(value_name = "TOPIC")]
+    pub topic: Option<String>,
+}
