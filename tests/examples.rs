@@ -44,7 +44,7 @@ fn holds(path: &Path, name: &str) -> Result<(), Failed> {
             answer_key(&solved, &source)?;
             rows_hold(&source)?;
             let answers = solved.answers(Precision::STABLE);
-            let answers = report::of_answers(&source.name, &answers, AccuracyShown::Worst);
+            let answers = report::of_answers(&source.name, &answers, AccuracyShown::EveryPose);
             // the structure stands in full already
             stages.sections.extend(answers.sections.into_iter().filter(|s| s.heading != "Structure"));
             stands(path, &shown(SOLVED, &stages, &problems, &source))
