@@ -70,7 +70,8 @@ fuzz/run.sh 10000000 86400
 runs the libFuzzer targets on the stable toolchain, `parse` (text to document) and `solve` (text to answers), with assertions and checks of
 overflow. They start from the statements and files of the examples and the tests. The first number is the number of mutated texts,
 of up to 100 bytes for `parse`, 2,000 for `solve`. A panic, more than two seconds or more than 1 GB ends the run, and the text is
-kept. `parse` has tried 10,000,000 texts (2,400 per second while builds ran, 44 MB) without any of these.
+kept. `parse` has tried 10,000,000 texts (2,400 per second while builds ran, 44 MB) and `solve` 371,410 (690 per second, 63 MB)
+without any of these.
 ";
 
 /// Rounded up to a power of ten, or of four.
