@@ -23,6 +23,10 @@ impl Context<'_> {
                 let ty = if vector { Type::vector(dimension) } else { Type::number(dimension) };
                 Some(Typed::new(model::Expr::Query(model::Query::Load(id)), ty))
             }
+            QuantityKind::Brake(id) => {
+                let torque = model::Expr::Query(model::Query::Load(id));
+                Some(Typed::new(torque, Type::number(Dimension::TORQUE)))
+            }
             QuantityKind::Balance(id, balance) => {
                 if self.is_wrong_effort(balance) {
                     return None;

@@ -24,6 +24,10 @@ pub fn declare(cx: &mut Scope<'_, '_>) {
                 }
                 loads += 1;
             }
+            Statement::Brake(b) => {
+                quantity(cx, &b.name, QuantityKind::Brake(LoadId::at(loads)));
+                loads += 1;
+            }
             Statement::Balance(b) => {
                 quantity(cx, &b.name, QuantityKind::Balance(BalanceId::at(balances), b));
                 balances += 1;

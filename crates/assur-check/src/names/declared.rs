@@ -25,6 +25,8 @@ pub enum QuantityKind<'a> {
     Find(&'a FindItem),
     /// A force or torque, and its place among the loads of the file.
     Load(LoadId, &'a Load),
+    /// The torque of a brake, and its place among the loads of the file.
+    Brake(LoadId),
     /// An unknown effort, and its place among the balances of the file.
     Balance(BalanceId, &'a Balance),
     /// A flywheel, the moment of inertia found: its place among the flywheels of the file.
@@ -41,6 +43,7 @@ impl QuantityKind<'_> {
             Self::Let(_) => "a `let`",
             Self::Find(_) => "an item of `find`",
             Self::Load(..) => "a load",
+            Self::Brake(_) => "a brake",
             Self::Balance(..) => "an unknown effort",
             Self::Flywheel(_) => "a flywheel",
             Self::Column(_) => "a column of variants",

@@ -36,7 +36,9 @@ impl Scope<'_, '_> {
     /// Reports a second quantity of one name, with the one that is asked for and declared nowhere.
     pub(crate) fn quantity_taken(&mut self, name: &Name, what: QuantityKind<'_>, first: Span) {
         let missing = match what {
-            QuantityKind::Load(..) | QuantityKind::Balance(..) => self.asked_and_open(),
+            QuantityKind::Load(..) | QuantityKind::Brake(_) | QuantityKind::Balance(..) => {
+                self.asked_and_open()
+            }
             _ => None,
         };
         let help = missing.as_ref().map(|open| {
@@ -57,6 +59,7 @@ impl Scope<'_, '_> {
             Statement::Given(d) | Statement::Let(d) => d.name.node == name,
             Statement::Load(l) => l.name.as_ref().is_some_and(|n| n.node == name),
             Statement::Balance(b) => b.name.node == name,
+            Statement::Brake(b) => b.name.node == name,
             Statement::Flywheel(f) => f.name.node == name,
             Statement::Find(f) => f.items.iter().any(|i| i.name.as_ref().is_some_and(|n| n.node == name)),
             Statement::Variants(v) => v.columns.iter().any(|c| c.name.node == name),

@@ -238,6 +238,14 @@ pub enum Query {
     ToothForce(PairId),
     /// Pull in a rope, N; that of this part of it, counted from 0.
     Tension(PairId, usize),
+    /// Pull in the tight side of a belt, N.
+    TightSide(PairId),
+    /// Pull in its slack side, N.
+    SlackSide(PairId),
+    /// The greatest torque of a clutch, N m, or tangential force of a belt, N.
+    Capacity(PairId),
+    /// Whether a clutch or a belt slips.
+    Slips(PairId),
     /// Drive value where the coordinate is least (1) or greatest (2), in [0, one turn). Needs no pose.
     Dead(PairId, u8),
     /// A function over the sweep: index into [`super::Mechanism::cycles`]. Needs no pose.

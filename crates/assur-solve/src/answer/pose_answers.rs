@@ -127,6 +127,10 @@ impl PoseAnswers<'_> {
             Query::TangentialForce(pair) => Value::Scalar(self.tangential_force(*pair)),
             Query::ToothForce(pair) => Value::Scalar(self.tooth_force(*pair)),
             Query::Tension(pair, part) => Value::Scalar(self.tension(*pair, *part)),
+            Query::TightSide(pair) => Value::Scalar(self.belt_pulls(*pair)[0]),
+            Query::SlackSide(pair) => Value::Scalar(self.belt_pulls(*pair)[1]),
+            Query::Capacity(pair) => Value::Scalar(self.capacity(*pair)),
+            Query::Slips(pair) => Value::Bool(self.slips(*pair)),
             Query::Cycle(which) => Value::Scalar(self.statics.cycle(*which)),
             Query::Flywheel(which, part) => Value::Scalar(self.flywheel(*which, *part)),
         }

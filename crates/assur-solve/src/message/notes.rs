@@ -6,6 +6,7 @@ use super::format::{and_at, drive_text, four, label, labels, links, place, round
 use super::friction::{locked, no_effort, no_sliding};
 use super::over_sweep::needless_flywheel;
 use super::partial_sweep::partial_sweep;
+use super::slip::slips;
 use super::speeds::{no_damping, unit_speed};
 use super::train_error::TrainError;
 use crate::position::{DriveValue, Model, Wanted};
@@ -29,6 +30,7 @@ fn note(model: &Model<'_>, note: &Note) -> Option<SolveError> {
             let (name, span, tension, pose, more) = parts(model, pull);
             TrainError::RopePushes { name, pose, more, tension, span }.into()
         }
+        Note::Slips(pull) => return slips(model, pull),
         Note::ContactPulls(pull) => {
             let (name, span, normal, pose, more) = parts(model, pull);
             SolveError::ContactPulls { name, pose, normal, more, span }

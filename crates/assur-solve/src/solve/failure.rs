@@ -75,6 +75,8 @@ pub enum Cause {
     Lost(Lost),
     /// The search for consistent forces was given up.
     Undecided,
+    /// Power runs backwards through a belt whose slip is given.
+    SlipBackwards(PairId),
     /// No direction of the power is consistent with the losses of transmissions.
     Blocked,
     /// The coordinate of a pair has no extremes.

@@ -38,6 +38,8 @@ pub enum Note {
     },
     /// A rope pushes.
     RopePushes(Pull),
+    /// A belt or a clutch must transmit more than its friction can.
+    Slips(Pull),
     /// A contact pulls.
     ContactPulls(Pull),
     /// The sweep closes over a part only.
@@ -116,7 +118,8 @@ pub enum Note {
 pub struct Pull {
     /// The pair.
     pub pair: PairId,
-    /// Normal force of the contact, or tension of the rope, where it is least, N.
+    /// Normal force of the contact, or tension of the rope, where it is least, N; of what slips the force (N) or torque
+    /// (N m) wanted, with a minus.
     pub least: f64,
     /// The position where it is least.
     pub pose: Wanted,

@@ -1,7 +1,7 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a note.
 
 use crate::answer::{PoseAnswers, balanced};
-use crate::position::{DEAD, Residuals, State, Wanted, residuals};
+use crate::position::{DEAD, Model, Residuals, State, Wanted, residuals};
 use crate::reference::exact;
 
 use super::failure::{Cause, Failure, GroupId};
@@ -18,6 +18,17 @@ use crate::plan::{ForceStep, Level, Numbers};
 const LOSES: f64 = 0.05;
 /// Forces without friction over those with it, below which the mechanism is near self-locking.
 const NEAR_LOCKING: f64 = 1e-3;
+
+/// Refuses power that runs backwards through a belt whose slip is given: its speeds are those of the other direction.
+fn slip_backwards(model: &Model<'_>, state: &State) -> Result<(), Cause> {
+    for (law, force) in model.plan.laws.iter().zip(&state.forces.law_forces) {
+        let PairKind::Transmission(t) = &model.mechanism.pair(law.pair).kind else { continue };
+        if t.slip > 0.0 && force.multiplier != 0.0 && force.sides[0].abs() < force.sides[1].abs() {
+            return Err(Cause::SlipBackwards(law.pair));
+        }
+    }
+    Ok(())
+}
 
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
@@ -139,6 +150,7 @@ impl Run<'_, '_> {
         balanced(model, &self.statics, state, angles, &mut self.evaluated, quantities);
         self.consistent_searched = state.scratch.searched;
         self.notes.consistent(model, state.forces.consistent, pose)?;
+        slip_backwards(model, state)?;
         let mut least = 1.0_f64;
         let groups = model.structure.forces.iter().zip(&state.forces.conditions);
         for (i, (group, conditioning)) in groups.enumerate() {
@@ -175,6 +187,11 @@ impl Run<'_, '_> {
         }
         let ideal = view.without_friction().power_of_efforts();
         let locking = self.model.plan.effects.losses && ideal < 0.0 && view.power_of_efforts() > 0.0;
+        for law in &self.model.plan.laws {
+            if view.slips(law.pair) {
+                self.notes.slips(law.pair, view.tangential_force(law.pair), pose);
+            }
+        }
         ropes.into_iter().for_each(|(pair, tension)| self.notes.pushes(pair, tension, pose));
         if locking {
             self.notes.self_locking(pose);

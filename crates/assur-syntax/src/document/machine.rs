@@ -193,6 +193,17 @@ pub enum PhaseKind {
     Fall,
 }
 
+/// `brake M on drum { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Brake {
+    /// The name of its torque.
+    pub name: Name,
+    /// The link or shaft that it brakes.
+    pub on: Name,
+    /// The contents of its braces.
+    pub properties: Vec<Property>,
+}
+
 /// `flywheel J on O1 for Mb { … }`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flywheel {

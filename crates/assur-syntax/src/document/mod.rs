@@ -16,7 +16,7 @@ pub use body::{
     Body, CircleMember, LineDirection, LineMember, Member, PointMember, ProfileMember, WheelMember,
 };
 pub use expr::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
-pub use machine::{Bar, Cam, CamMember, End, Flywheel, Follower, Ground, Group, Joint, Link};
+pub use machine::{Bar, Brake, Cam, CamMember, End, Flywheel, Follower, Ground, Group, Joint, Link};
 pub use machine::{Phase, PhaseKind, Property, Shaft, Slider, Spring, SpringSite};
 pub use motion::{
     Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind, Steps,
@@ -103,6 +103,8 @@ pub enum Statement {
     Balance(Balance),
     /// `force P on ram at E = 1000 N @ 180 deg`
     Load(Box<Load>),
+    /// `brake M on drum { … }`
+    Brake(Brake),
     /// `cam plate { … }`
     Cam(Cam),
     /// `flywheel J on O1 for Mb { … }`

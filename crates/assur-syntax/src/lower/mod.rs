@@ -70,6 +70,7 @@ impl Lower<'_> {
             Rule::all => Statement::All(self.all(pair)?),
             Rule::cam => Statement::Cam(self.cam(pair)?),
             Rule::flywheel => Statement::Flywheel(self.flywheel(pair)?),
+            Rule::brake => Statement::Brake(self.brake(pair)?),
             Rule::drive => Statement::Drive(self.drive(pair)?),
             Rule::pose => Statement::Pose(self.pose(pair)?),
             Rule::assemble => Statement::Assemble(self.assemble(pair)?),

@@ -229,6 +229,8 @@ pub const CODES: &[Code] = codes! {
     "train" / "no_position",
     "train" / "no_place",
     "train" / "rope_pushes",
+    "train" / "slips",
+    "train" / "slip_backwards",
     "train" / "self_locking",
     "train" / "blocked",
 

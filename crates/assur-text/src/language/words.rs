@@ -81,6 +81,7 @@ pub const STATEMENTS: &[Word] = &[
     row("balance", "an unknown force or torque", "balance torque Mb on crank"),
     row("force", "a force that acts", "force P on ram at E = 1000 N @ 180 deg"),
     row("torque", "a torque that acts", "torque M on rocker = 60 N*m cw"),
+    row("brake", "a friction torque against the motion", "brake M on drum { capacity 40 N*m }"),
     row(
         "cam",
         "the design of a plate cam",

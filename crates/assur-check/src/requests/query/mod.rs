@@ -10,6 +10,7 @@ mod force;
 mod formula;
 mod friction;
 mod gear;
+mod grip;
 mod meant;
 mod motion;
 mod own_usage;
@@ -137,6 +138,7 @@ impl Context<'_> {
             F::TangentialForce => self.tangential_force(call),
             F::NormalForce => self.normal_force(call),
             F::Tension => self.tension(call),
+            F::TightSide | F::SlackSide | F::Capacity | F::Slips => self.by_grip(call, function),
             F::JournalTorque => self.bearing(call, Bearing::Journal),
             F::ThrustTorque => self.bearing(call, Bearing::Thrust),
             F::BeltRatio => self.belt_ratio(call),
