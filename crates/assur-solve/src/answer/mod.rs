@@ -24,7 +24,7 @@ pub(crate) use constant::constant;
 pub use cycle_answers::{CycleAnswer, FlywheelAnswer};
 pub use evaluate::compare;
 pub(crate) use evaluated_loads::balanced;
-pub(crate) use every_query::every_query;
+pub(crate) use every_query::{every_expr, every_query};
 pub use friction_answers::PairFriction;
 pub(crate) use locking::Locked;
 pub use pose_answers::PoseAnswers;

@@ -26,6 +26,8 @@ pub struct PoseAnswers<'a> {
     pub quantities: &'a [Value],
     /// The same position without friction and its quantities, where the file declares any.
     pub frictionless: Option<(&'a State, &'a [Value])>,
+    /// Asked without friction.
+    pub ideal: bool,
 }
 
 pub(super) const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
@@ -43,6 +45,7 @@ impl<'a> PoseAnswers<'a> {
             statics,
             quantities: &[],
             frictionless: None,
+            ideal: false,
         }
     }
 
