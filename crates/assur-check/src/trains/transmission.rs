@@ -238,8 +238,12 @@ fn wheels(
             meeting = Some(Meeting { links, centres, radii: [a.radius, b.radius], internal, tangent });
         }
     }
-    let law =
-        Law { terms: about(a.link, c_1, b.link, c_2, carrier), force: c_1 / a.radius, efficiency: None };
+    let law = Law {
+        terms: about(a.link, c_1, b.link, c_2, carrier),
+        constant: find(properties, "phase").map_or(0.0, |phase| c_2 * phase.number()),
+        force: c_1 / a.radius,
+        efficiency: None,
+    };
     Some(Runs { laws: vec![law], links: vec![a.link, b.link], meeting })
 }
 
@@ -349,7 +353,7 @@ fn rack(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {
     let (wheel, (pair, link, sense)) = (wheel?, bar?);
     on_ground(cx, &wheel, wheel_path)?;
     let terms = vec![(Rate::Turn(wheel.link), wheel.radius), (Rate::Slide(pair), -sense)];
-    let law = Law { terms, force: 1.0, efficiency: None };
+    let law = Law { terms, constant: 0.0, force: 1.0, efficiency: None };
     Some(Runs { laws: vec![law], links: vec![wheel.link, link], meeting: None })
 }
 
@@ -382,7 +386,7 @@ fn worm(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Runs
     }
     let starts = find(properties, "starts").map_or(1.0, Read::number);
     let terms = vec![(Rate::Turn(worm), starts), (Rate::Turn(wheel.link), -teeth)];
-    let law = Law { terms, force: teeth / wheel.radius, efficiency: None };
+    let law = Law { terms, constant: 0.0, force: teeth / wheel.radius, efficiency: None };
     Some(Runs { laws: vec![law], links: vec![worm, wheel.link], meeting: None })
 }
 
@@ -403,6 +407,6 @@ fn screw(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Run
         return incomplete(cx, "a screw without lead moves nothing", "write `lead 5 mm`", lead.span);
     }
     let terms = vec![(Rate::Turn(spindle), lead_per_angle), (Rate::Slide(pair), -sense)];
-    let law = Law { terms: merged(terms), force: 1.0, efficiency: None };
+    let law = Law { terms: merged(terms), constant: 0.0, force: 1.0, efficiency: None };
     Some(Runs { laws: vec![law], links: vec![spindle, link], meeting: None })
 }
