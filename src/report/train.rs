@@ -77,6 +77,7 @@ pub(super) fn motion_in_words(model: &Model<'_>, train: &TrainMotion) -> String 
         TrainSource::Turn { body: slot, .. } => format!("ω({})", body(*slot)),
         TrainSource::Slide(slide) => format!("v({})", body(slide.body)),
         TrainSource::Drive(drive) => format!("rate of {}", model.mechanism.drives[*drive].name),
+        TrainSource::Constant => String::new(),
     };
     let width = train.sources.len();
     let each = train.members.iter().enumerate().map(|(i, member)| {
@@ -84,8 +85,9 @@ pub(super) fn motion_in_words(model: &Model<'_>, train: &TrainMotion) -> String 
             TrainMember::Turn { body: slot, .. } => (format!("ω({})", body(*slot)), 1.0),
             TrainMember::Shift(slide) => (format!("v({})", body(slide.body)), slide.sense),
         };
-        let row = train.coefficients[i * width..][..width].iter().map(|c| c * sign);
-        let terms = row.zip(train.sources.iter().map(source)).filter(|(c, _)| *c != 0.0);
+        let row = train.coefficients[i * width..][..width].iter().map(|c| c * sign).zip(&train.sources);
+        let moving = row.filter(|(c, from)| *c != 0.0 && **from != TrainSource::Constant);
+        let terms = moving.map(|(c, from)| (c, source(from)));
         format!("{name} = {}", sum(terms))
     });
     each.collect::<Vec<_>>().join(", ")

@@ -4,6 +4,7 @@
 
 mod cams;
 mod friction;
+mod geared_chains;
 mod gears;
 mod grip;
 mod hard;

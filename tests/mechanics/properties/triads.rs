@@ -55,7 +55,7 @@ fn a_turn_of_the_triad_agrees_with_the_general_solver() {
             omega: state.motion.bodies[*slot].omega,
         };
         let mut velocities: Vec<Velocity> = slots.iter().map(velocity).collect();
-        group.velocity(&mut velocities);
+        group.velocity(&poses, &mut velocities);
         let acceleration = |slot: &usize| Acceleration {
             a: state.motion.bodies[*slot].a,
             alpha: state.motion.bodies[*slot].alpha,

@@ -78,8 +78,10 @@ pub(crate) fn rope(cx: &mut Context<'_>, joint: &Joint) -> Option<(Vec<Law>, Vec
     if !matches!(stations.last(), Some(Station::Wheel(_))) {
         laws.push(terms);
     }
-    let laws: Vec<Law> =
-        laws.into_iter().map(|terms| Law { terms: merged(terms), force: 1.0, efficiency: None }).collect();
+    let laws: Vec<Law> = laws
+        .into_iter()
+        .map(|terms| Law { terms: merged(terms), constant: 0.0, force: 1.0, efficiency: None })
+        .collect();
     if laws.iter().any(|l| l.terms.iter().all(|(r, _)| *r == Rate::Turn(LinkId::GROUND))) {
         cx.error(TrainError::RopeEnd {
             message: format!("rope `{}` moves nothing", joint.name.node),

@@ -234,7 +234,9 @@ fn wheels(
     let force = c_1 / a.radius;
     // the first wheel drives: the second gets the speed that is left
     let c_1 = c_1 * (1.0 - slip(properties));
-    let law = Law { terms: about(a.link, c_1, b.link, c_2, carrier), force, efficiency: None };
+    let constant = find(properties, "phase").map_or(0.0, |phase| c_2 * phase.number());
+    let terms = about(a.link, c_1, b.link, c_2, carrier);
+    let law = Law { terms, constant, force, efficiency: None };
     Some(Runs { laws: vec![law], links: vec![a.link, b.link], meeting })
 }
 
@@ -344,7 +346,7 @@ fn rack(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {
     let (wheel, (pair, link, sense)) = (wheel?, bar?);
     on_ground(cx, &wheel, wheel_path)?;
     let terms = vec![(Rate::Turn(wheel.link), wheel.radius), (Rate::Slide(pair), -sense)];
-    let law = Law { terms, force: 1.0, efficiency: None };
+    let law = Law { terms, constant: 0.0, force: 1.0, efficiency: None };
     Some(Runs { laws: vec![law], links: vec![wheel.link, link], meeting: None })
 }
 
@@ -366,7 +368,12 @@ fn clutch(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {
         let message = "both sides of the clutch are on the same shaft";
         return incomplete(cx, message, "name two shafts", joint.name.span);
     }
-    let law = Law { terms: vec![(Rate::Turn(a), 1.0), (Rate::Turn(b), -1.0)], force: 1.0, efficiency: None };
+    let law = Law {
+        terms: vec![(Rate::Turn(a), 1.0), (Rate::Turn(b), -1.0)],
+        constant: 0.0,
+        force: 1.0,
+        efficiency: None,
+    };
     Some(Runs { laws: vec![law], links: vec![a, b], meeting: None })
 }
 
@@ -390,7 +397,7 @@ fn worm(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Runs
     }
     let starts = find(properties, "starts").map_or(1.0, Read::number);
     let terms = vec![(Rate::Turn(worm), starts), (Rate::Turn(wheel.link), -teeth)];
-    let law = Law { terms, force: teeth / wheel.radius, efficiency: None };
+    let law = Law { terms, constant: 0.0, force: teeth / wheel.radius, efficiency: None };
     Some(Runs { laws: vec![law], links: vec![worm, wheel.link], meeting: None })
 }
 
@@ -411,6 +418,6 @@ fn screw(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Run
         return incomplete(cx, "a screw without lead moves nothing", "write `lead 5 mm`", lead.span);
     }
     let terms = vec![(Rate::Turn(spindle), lead_per_angle), (Rate::Slide(pair), -sense)];
-    let law = Law { terms: merged(terms), force: 1.0, efficiency: None };
+    let law = Law { terms: merged(terms), constant: 0.0, force: 1.0, efficiency: None };
     Some(Runs { laws: vec![law], links: vec![spindle, link], meeting: None })
 }

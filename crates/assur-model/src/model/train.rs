@@ -42,12 +42,14 @@ pub enum Rate {
     Slide(PairId),
 }
 
-/// Σ coefficient × rate = 0. The generalized force on each rate is the multiplier times its coefficient.
+/// Σ coefficient × rate = 0, and Σ coefficient × coordinate = `constant`. The generalized force on each rate is the multiplier times its coefficient.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Law {
     /// The rates with their coefficients, m for rad/s and 1 for m/s (or both over a common length). Of a law with an
     /// efficiency the two sides come first, the carrier that they are counted from third.
     pub terms: Vec<(Rate, f64)>,
+    /// What the coordinates add up to: nothing where all are zero together.
+    pub constant: f64,
     /// The tangential force, or the pull of the rope, is the multiplier times this.
     pub force: f64,
     /// Part of the power that gets through, from the first side to the second and back.

@@ -154,20 +154,6 @@ pub enum StructureError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
-    /// Laws of wheels within closed chains of links.
-    #[error(
-        "wheels that move a closed chain of links together with the links ({links}) cannot be solved yet"
-    )]
-    #[diagnostic(code(mech::request::not_supported_yet), help("{help}"))]
-    MixedTrain {
-        /// The links of the group.
-        links: String,
-        /// The correction.
-        help: &'static str,
-        /// Spans.
-        #[label(collection)]
-        labels: Vec<LabeledSpan>,
-    },
     /// The number or the place of unknown efforts does not fit.
     #[error("the forces are not determined: {why}")]
     #[diagnostic(code(mech::determinacy::efforts))]

@@ -48,12 +48,10 @@ pub enum GroupKind {
     /// Bodies each on one revolute or prismatic pair, moved by laws between their rates. Bodies in an order in which each
     /// stands on one before it or outside; joints in the same order.
     Train,
-    /// Laws between rates together with closed chains of links: not solved yet.
-    MixedTrain,
     /// A link with three revolutes to bodies each of which depends on one outer pair, at least one of these a revolute.
     /// Joints: outer, outer, outer, inner, inner, inner, leg by leg, those with an outer revolute first.
     Triad,
-    /// Anything else.
+    /// Anything else, laws of wheels together with closed chains of links among it.
     General,
 }
 
@@ -100,8 +98,9 @@ impl Group {
         let mut group =
             Self { name: None, bodies, joints, efforts, laws, kind: GroupKind::General, class, order };
         if !group.laws.is_empty() {
-            let train = group.arrange_train(all_efforts, replaced);
-            group.kind = if train.is_some() { GroupKind::Train } else { GroupKind::MixedTrain };
+            if group.arrange_train(all_efforts, replaced).is_some() {
+                group.kind = GroupKind::Train;
+            }
             group.order += group.outer_laws(replaced);
             group.class = group.class.max(2);
         } else if group.is_driven(all_efforts, replaced) {
@@ -322,7 +321,7 @@ impl Group {
             GroupKind::Dyad(dyad) => dyad.name(),
             GroupKind::DrivenLegs(dyad) => dyad.name(),
             GroupKind::Translation => "PP",
-            GroupKind::Train | GroupKind::MixedTrain => "train",
+            GroupKind::Train => "train",
             GroupKind::Triad => "triad",
             GroupKind::General => "general",
         }

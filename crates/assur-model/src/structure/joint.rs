@@ -115,6 +115,15 @@ impl Joint {
 }
 
 impl JointKind {
+    /// The terms of a law.
+    #[must_use]
+    pub fn law(&self) -> Option<&[(BodyRate, f64)]> {
+        match self {
+            Self::Law(terms) => Some(terms),
+            Self::Revolute(_) | Self::Prismatic { .. } => None,
+        }
+    }
+
     /// Whether both join the same bodies in the same way, wherever on them.
     fn is_alike(&self, other: &Self) -> bool {
         match (self, other) {

@@ -64,22 +64,9 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
             return Err(vec![diagnose::of_motion(trial, &count, &defect)]);
         }
     };
-    if let Some(error) =
-        mixed_train(mechanism, &replaced, &motion, "drive the crank or the wheel that moves the chain")
-    {
-        return Err(vec![error]);
-    }
     let efforts = effort::of_balances(mechanism, &replaced);
     let (forces, force_defect) = match decompose::decompose(&replaced, &efforts, decompose::Side::Forces) {
-        Ok(groups) => match mixed_train(
-            mechanism,
-            &replaced,
-            &groups,
-            "put the unknown effort on the link that is driven",
-        ) {
-            Some(error) => (Vec::new(), Some(error)),
-            None => (groups, None),
-        },
+        Ok(groups) => (groups, None),
         Err(defect) => {
             let trial = Trial { mechanism, replaced: &replaced, efforts: &efforts };
             (Vec::new(), Some(diagnose::of_forces(trial, &count, &defect)))
@@ -100,21 +87,6 @@ pub fn structure(mechanism: &Mechanism) -> Result<(Structure, Vec<StructureError
     let (assertion_errors, mut warnings) = assertion::check(mechanism, &mut structure);
     warnings.extend(immobile);
     if assertion_errors.is_empty() { Ok((structure, warnings)) } else { Err(assertion_errors) }
-}
-
-/// Laws between rates within closed chains of links.
-fn mixed_train(
-    mechanism: &Mechanism,
-    replaced: &Replaced,
-    groups: &[Group],
-    help: &'static str,
-) -> Option<StructureError> {
-    let group = groups.iter().find(|g| g.kind == GroupKind::MixedTrain)?;
-    let names: Vec<String> =
-        group.bodies.iter().map(|b| format!("`{}`", replaced.body_name(mechanism, *b))).collect();
-    let pairs = group.laws.iter().map(|l| mechanism.pair(replaced.joint(*l).pair));
-    let labels = pairs.map(|p| error::label("within a closed chain of links", p.span)).collect();
-    Some(StructureError::MixedTrain { links: error::listed(&names, "and"), help, labels })
 }
 
 impl Structure {

@@ -19,15 +19,17 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
                 ways: [0, 1].map(|i| guide(structure, group.joints[i], first + i)),
             }),
             GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
-            GroupKind::Triad | GroupKind::General => super::triad::forces(structure, group, first),
+            GroupKind::Triad | GroupKind::General if group.laws.is_empty() => {
+                super::triad::forces(structure, group, first)
+            }
+            GroupKind::Triad | GroupKind::General => None,
             GroupKind::Train => {
                 plan.train_forces.push(super::train::forces(structure, group, first, plan));
                 Some(ForceStep::Train { train: plan.train_forces.len() - 1 })
             }
-            GroupKind::MixedTrain => None,
         };
         let step = step.unwrap_or_else(|| {
-            plan.balance_systems.push(super::general::balance_system(structure, group, first));
+            plan.balance_systems.push(super::general::balance_system(structure, group, first, plan));
             ForceStep::General { system: plan.balance_systems.len() - 1 }
         });
         plan.forces.push(step);

@@ -3,9 +3,14 @@
 use super::general_step::{BalanceSystem, GeneralMotion, UnknownForce};
 use super::geometry::{guide, pin_arm};
 use super::joint::Hinge;
-use crate::group::general::{Constraint, General, Law, Line, Point};
+use super::planned::Plan;
+use super::train::{counted_turns, slot_of};
+use crate::group::general::{Constraint, GearTerm, Geared, Gearing, General, Law, Line, Point};
 use crate::math::Vec2;
-use crate::structure::{BodyId, EffortKind, EffortSource, Group, GroupJoint, JointKind, Structure};
+use crate::structure::{BodyId, BodyRate, EffortKind, EffortSource, Group, GroupJoint, JointKind, Structure};
+
+/// Steps of the motion are not made shorter than by this.
+const MOST_FASTER: f64 = 100.0;
 
 /// Places of bodies in the slices of a system.
 struct Places {
@@ -64,7 +69,60 @@ fn torque(a: usize, b: usize) -> Constraint {
     Constraint::Angle { a, b, angle: Vec2::new(1.0, 0.0), rate: 0.0, second: 0.0 }
 }
 
-pub(super) fn problem(structure: &Structure, group: &Group) -> GeneralMotion {
+/// The laws of wheels of a group, with their slots.
+fn laws(structure: &Structure, group: &Group, plan: &Plan, places: &mut Places) -> Vec<(usize, Gearing)> {
+    let replaced = &structure.replaced;
+    let mut coordinate = |rate: BodyRate| match rate {
+        BodyRate::Turn(body) => Some(Geared::turn(places.of(body))),
+        BodyRate::Slide(id) => match replaced.joint(id).kind {
+            JointKind::Prismatic { slider, point, guide, through, along, .. } => Some(Geared::Slide {
+                point: Point { body: places.of(slider), r: point },
+                line: Line { body: places.of(guide), r: through, d: along },
+            }),
+            JointKind::Revolute(_) | JointKind::Law(_) => None,
+        },
+    };
+    let laws = group.laws.iter().filter_map(|&id| {
+        let JointKind::Law(terms) = &replaced.joint(id).kind else { return None };
+        let slot = slot_of(structure, id);
+        let terms = terms
+            .iter()
+            .filter_map(|&(rate, coefficient)| Some(GearTerm { of: coordinate(rate)?, coefficient }));
+        Some((slot, Gearing::new(terms.collect(), plan.laws[slot].constant)))
+    });
+    laws.collect()
+}
+
+/// Bodies whose angles the laws speak of.
+fn turning(
+    structure: &Structure,
+    laws: &[(usize, Gearing)],
+    places: &Places,
+    plan: &Plan,
+) -> Vec<(usize, bool, bool)> {
+    let counted = counted_turns(structure, plan);
+    let mut found: Vec<(usize, bool, bool)> = Vec::new();
+    for term in laws.iter().flat_map(|l| &l.1.terms) {
+        if let Geared::Turn { body, .. } = term.of {
+            let (slot, member) = (places.slots[body], body < places.moving);
+            if !found.iter().any(|f| f.0 == slot) {
+                found.push((slot, member, !member && !counted[slot]));
+            }
+        }
+    }
+    found
+}
+
+/// How many times as fast as another body a law may turn one.
+fn faster(law: &Gearing) -> f64 {
+    let turns = || {
+        let turning = law.terms.iter().filter(|t| matches!(t.of, Geared::Turn { .. }));
+        turning.map(|t| t.coefficient.abs()).filter(|c| *c > 0.0)
+    };
+    (turns().fold(0.0, f64::max) / turns().fold(f64::INFINITY, f64::min)).clamp(1.0, MOST_FASTER)
+}
+
+pub(super) fn problem(structure: &Structure, group: &Group, plan: &Plan) -> GeneralMotion {
     let mut places = Places::new(group);
     let (mut constraints, mut driven, mut round) = (Vec::new(), Vec::new(), Vec::new());
     for &joint in &group.joints {
@@ -100,11 +158,29 @@ pub(super) fn problem(structure: &Structure, group: &Group) -> GeneralMotion {
         driven.push((constraints.len(), drive.index()));
         constraints.push(constraint);
     }
-    let equations = General::new(places.moving, places.slots.len(), constraints).ok();
-    GeneralMotion { bodies: places.slots, moving: places.moving, equations, driven, round }
+    let laws = laws(structure, group, plan, &mut places);
+    let turning = turning(structure, &laws, &places, plan);
+    let (slots, laws): (Vec<usize>, Vec<Gearing>) = laws.into_iter().unzip();
+    let faster = laws.iter().map(faster).fold(1.0, f64::max);
+    let equations = General::with_laws(places.moving, places.slots.len(), constraints, laws).ok();
+    GeneralMotion {
+        bodies: places.slots,
+        moving: places.moving,
+        equations,
+        driven,
+        round,
+        turning,
+        laws: slots,
+        faster,
+    }
 }
 
-pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: usize) -> BalanceSystem {
+pub(super) fn balance_system(
+    structure: &Structure,
+    group: &Group,
+    first_slot: usize,
+    plan: &Plan,
+) -> BalanceSystem {
     let mut places = Places::new(group);
     let (mut constraints, mut unknowns, mut lines) = (Vec::new(), Vec::new(), Vec::new());
     let mut torques = Vec::new();
@@ -163,6 +239,15 @@ pub(super) fn balance_system(structure: &Structure, group: &Group, first_slot: u
         constraints.push(constraint);
         unknowns.push(unknown);
     }
-    let equations = General::new(places.moving, places.slots.len(), constraints).ok();
-    BalanceSystem { bodies: places.slots, moving: places.moving, equations, unknowns, lines, torques }
+    let (slots, laws) = laws(structure, group, plan, &mut places).into_iter().unzip();
+    let equations = General::with_laws(places.moving, places.slots.len(), constraints, laws).ok();
+    BalanceSystem {
+        bodies: places.slots,
+        moving: places.moving,
+        equations,
+        unknowns,
+        lines,
+        torques,
+        laws: slots,
+    }
 }

@@ -16,6 +16,13 @@ pub struct GeneralMotion {
     pub driven: Vec<(usize, usize)>,
     /// Constraints of round profiles: index and radius, m.
     pub round: Vec<(usize, f64)>,
+    /// Bodies whose angles laws of wheels speak of: slot, whether it is of the group, whether its angle is followed by its
+    /// direction.
+    pub turning: Vec<(usize, bool, bool)>,
+    /// Slots of its laws.
+    pub laws: Vec<usize>,
+    /// Its laws may turn one body so many times as fast as another: steps of the motion are as much shorter.
+    pub faster: f64,
 }
 
 /// A group of forces.
@@ -33,6 +40,8 @@ pub struct BalanceSystem {
     pub lines: Vec<(usize, usize)>,
     /// Angles in which unknown torques act: any position satisfies them.
     pub torques: Vec<usize>,
+    /// Slots of the laws of wheels whose multipliers are found here, in the order of the equations.
+    pub laws: Vec<usize>,
 }
 
 /// What the force in a constraint is.

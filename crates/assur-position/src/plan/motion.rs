@@ -34,11 +34,12 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
                 plan.trains.push(train);
                 Some(MotionStep::Train { branch, train: plan.trains.len() - 1 })
             }
-            // the structure refuses a mixed train
-            GroupKind::General | GroupKind::MixedTrain => None,
+            GroupKind::General => None,
         };
         let step = step.unwrap_or_else(|| {
-            plan.general.push(super::general::problem(structure, group));
+            let general = super::general::problem(structure, group, plan);
+            plan.turning.extend(general.turning.iter().filter(|&&(_, member, _)| member).map(|t| t.0));
+            plan.general.push(general);
             MotionStep::General { branch, problem: plan.general.len() - 1 }
         });
         plan.motion.push(step);

@@ -44,6 +44,7 @@ pub(super) fn laws(mechanism: &Mechanism, structure: &Structure) -> Vec<PlannedL
             pair: joint.pair,
             index,
             terms: terms.iter().filter_map(|(rate, c)| Some((site(rate)?, *c))).collect(),
+            constant: t.laws[index].constant,
             efficiency: t.laws[index].efficiency,
             force: t.laws[index].force,
             meeting: t.meeting,
@@ -53,13 +54,13 @@ pub(super) fn laws(mechanism: &Mechanism, structure: &Structure) -> Vec<PlannedL
 }
 
 /// The place of a law's joint among all laws.
-fn slot_of(structure: &Structure, law: JointId) -> usize {
+pub(super) fn slot_of(structure: &Structure, law: JointId) -> usize {
     let before = &structure.replaced.joints[..law.0];
     before.iter().filter(|j| matches!(j.kind, JointKind::Law(_))).count()
 }
 
 /// Bodies whose angle is known as a number, whole turns included.
-fn counted_turns(structure: &Structure, plan: &Plan) -> Vec<bool> {
+pub(super) fn counted_turns(structure: &Structure, plan: &Plan) -> Vec<bool> {
     let mut counted = vec![false; plan.bodies];
     counted[0] = true;
     for group in &structure.motion {
@@ -99,7 +100,7 @@ impl Rows<'_> {
         })
     }
 
-    fn add(&mut self, terms: &[(BodyRate, f64)], drive: Option<usize>) {
+    fn add(&mut self, terms: &[(BodyRate, f64)], drive: Option<usize>, constant: f64) {
         let mut row = vec![0.0; self.group.bodies.len()];
         let mut known = Vec::new();
         for &(rate, coefficient) in terms {
@@ -123,6 +124,9 @@ impl Rows<'_> {
         }
         if let Some(drive) = drive {
             known.push((self.source(TrainSource::Drive(drive)), -1.0));
+        }
+        if constant != 0.0 {
+            known.push((self.source(TrainSource::Constant), -constant));
         }
         self.members.push(row);
         self.known.push(known);
@@ -158,14 +162,14 @@ pub(super) fn motion(structure: &Structure, group: &Group, plan: &Plan) -> Train
     };
     for law in &group.laws {
         if let JointKind::Law(terms) = &structure.replaced.joint(*law).kind {
-            rows.add(terms, None);
+            rows.add(terms, None, plan.laws[slot_of(structure, *law)].constant);
         }
     }
     for &index in &group.efforts {
         let effort = &structure.drives[index];
         let EffortSource::Drive(drive) = effort.source else { continue };
         let terms = driven_terms(effort);
-        rows.add(&terms, Some(drive.index()));
+        rows.add(&terms, Some(drive.index()), 0.0);
     }
     let replaced = &structure.replaced;
     let member = |joint: &GroupJoint| {

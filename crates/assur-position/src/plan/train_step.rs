@@ -47,6 +47,8 @@ pub enum TrainSource {
     Slide(Slide),
     /// A drive.
     Drive(usize),
+    /// A coordinate that does not change: the constants of the laws.
+    Constant,
 }
 
 /// A law as the forces see it.
@@ -58,6 +60,8 @@ pub struct PlannedLaw {
     pub index: usize,
     /// What it acts on, with the coefficients.
     pub terms: Vec<(LawSite, f64)>,
+    /// What the coordinates add up to.
+    pub constant: f64,
     /// Part of the power that gets through, from the first side to the second and back.
     pub efficiency: Option<[f64; 2]>,
     /// Tangential force per unit of the multiplier.

@@ -37,6 +37,7 @@ impl State {
             self.forces.conditions[index] = match step {
                 ForceStep::Friction { plain, .. } => self.force_step(plan, plain),
                 ForceStep::Train { train } => self.force_train(plan, *train, false),
+                ForceStep::General { system } => self.force_general(plan, *system, false),
                 plain => self.force_step(plan, plain),
             };
         }
@@ -48,7 +49,7 @@ impl State {
         match step {
             ForceStep::Train { train } => self.force_train(plan, *train, true),
             ForceStep::Triad(triad) => self.force_triad(triad),
-            ForceStep::General { system } => self.force_general(*system, &plan.balance_systems[*system]),
+            ForceStep::General { system } => self.force_general(plan, *system, true),
             ForceStep::Sequence(steps) => self.force_sequence(plan, steps),
             closed => self.closed_force(closed),
         }

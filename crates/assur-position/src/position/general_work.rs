@@ -12,6 +12,8 @@ pub struct Workspace {
     pub(super) accelerations: Vec<Acceleration>,
     pub(super) loads: Vec<Load>,
     pub(super) lambda: Vec<f64>,
+    /// Multipliers of the laws of wheels of the best state so far.
+    pub(super) kept: Vec<f64>,
 }
 
 impl Workspace {
@@ -26,6 +28,7 @@ impl Workspace {
             accelerations: vec![Acceleration::default(); bodies],
             loads: vec![Load::default(); moving],
             lambda: vec![0.0; 3 * moving],
+            kept: vec![0.0; equations.laws.len()],
         }
     }
 }

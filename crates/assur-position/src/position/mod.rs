@@ -17,6 +17,8 @@ mod friction_closed;
 mod friction_search;
 mod friction_work;
 mod general;
+mod general_forces;
+mod general_losses;
 mod general_work;
 mod kinematics;
 #[cfg(feature = "lanes")]

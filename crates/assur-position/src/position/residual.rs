@@ -5,7 +5,7 @@ use super::model::Model;
 use super::state::State;
 use super::wrench::Wrench;
 use crate::math::Vec2;
-use crate::structure::{BodyId, EffortKind, JointKind};
+use crate::structure::{BodyId, BodyRate, EffortKind, JointId, JointKind};
 
 /// How well independent equations hold, relative to the quantities in play.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,7 +63,38 @@ fn closure(model: &Model<'_>, state: &State) -> f64 {
             JointKind::Law(_) => {}
         }
     }
-    worst / size
+    (worst / size).max(turns(model, state))
+}
+
+/// By how much the laws of wheels that are solved together with links do not hold, over the greatest of their terms.
+fn turns(model: &Model<'_>, state: &State) -> f64 {
+    let laws = || model.structure.replaced.joints.iter().filter_map(|j| j.kind.law());
+    let mut worst = 0.0_f64;
+    for slot in model.plan.general.iter().flat_map(|g| &g.laws) {
+        let Some(terms) = laws().nth(*slot) else { continue };
+        let constant = model.plan.laws[*slot].constant;
+        let (mut sum, mut most) = (-constant, constant.abs());
+        for (rate, coefficient) in terms {
+            let value = match rate {
+                BodyRate::Turn(body) => state.motion.bodies[body.0].turned,
+                BodyRate::Slide(joint) => slider_place(model, state, *joint),
+            };
+            sum += coefficient * value;
+            most = most.max((coefficient * value).abs());
+        }
+        worst = worst.max(sum.abs() / most.max(f64::MIN_POSITIVE));
+    }
+    worst
+}
+
+fn slider_place(model: &Model<'_>, state: &State, joint: JointId) -> f64 {
+    match model.structure.replaced.joint(joint).kind {
+        JointKind::Prismatic { slider, point, guide, through, along, .. } => {
+            let (s, g) = (&state.motion.bodies[slider.0], &state.motion.bodies[guide.0]);
+            (s.position(point) - g.position(through)).dot(along.turned(g.u))
+        }
+        JointKind::Revolute(_) | JointKind::Law(_) => 0.0,
+    }
 }
 
 /// Sums of all forces on every body, from the reactions as they are reported.
@@ -214,7 +245,7 @@ fn most_power(model: &Model<'_>, state: &State) -> f64 {
     (force * speed + moment * turn).max(f64::MIN_POSITIVE)
 }
 
-fn slider_speed(model: &Model<'_>, state: &State, joint: crate::structure::JointId) -> f64 {
+fn slider_speed(model: &Model<'_>, state: &State, joint: JointId) -> f64 {
     let JointKind::Prismatic { slider, point, guide, along, .. } = model.structure.replaced.joint(joint).kind
     else {
         return 0.0;

@@ -20,9 +20,7 @@ impl State {
         self.motion.conditions[branch] = if train.regular { 1.0 } else { 0.0 };
         for source in &train.sources {
             if let TrainSource::Turn { body, followed: true } = source {
-                let body = &mut self.motion.bodies[*body];
-                let turns = ((body.turned - body.u.angle()) / std::f64::consts::TAU).round();
-                body.turned = body.u.angle() + std::f64::consts::TAU * turns;
+                self.follow_turns(*body);
             }
         }
         for (i, member) in train.members.iter().enumerate() {
@@ -51,6 +49,14 @@ impl State {
         }
     }
 
+    /// Brings the angle of a body up to its direction: less than half a turn since it was known.
+    pub(super) fn follow_turns(&mut self, body: usize) {
+        let body = &mut self.motion.bodies[body];
+        let principal = body.u.angle();
+        let turns = ((body.turned - principal) / std::f64::consts::TAU).round();
+        body.turned = principal + std::f64::consts::TAU * turns;
+    }
+
     fn coordinate(&self, source: &TrainSource) -> Coordinate {
         match source {
             TrainSource::Turn { body, .. } => {
@@ -62,6 +68,7 @@ impl State {
                 Coordinate { value: input.value, rate: input.rate, second: input.acceleration }
             }
             TrainSource::Slide(slide) => self.slide_coordinate(slide),
+            TrainSource::Constant => Coordinate { value: 1.0, ..Coordinate::default() },
         }
     }
 

@@ -14,14 +14,14 @@ use crate::plan::{Plan, PlannedLaw, TrainForces, loss_system};
 /// Rounds in which directions are turned before all are searched.
 const ROUNDS: usize = 12;
 /// Powers below this part of the greatest are rounding.
-const NOTHING: f64 = 1e-11;
+pub(super) const NOTHING: f64 = 1e-11;
 /// Most multiplications, roughly, of a search for other solutions than the one followed: some hundredths of a second.
 const WORK_FOR_OTHERS: f64 = 1e8;
 /// With a middle that is singular, at most this number of transmissions is tried in all directions.
 const MOST_TRIED: usize = 12;
 
 /// What is left of the forces on the two sides of a law, by the direction of the power and the part of the losses.
-fn sides(law: &PlannedLaw, backwards: bool, part: f64) -> [f64; 2] {
+pub(super) fn sides(law: &PlannedLaw, backwards: bool, part: f64) -> [f64; 2] {
     let [there, back] = law.efficiency.unwrap_or([1.0, 1.0]).map(|e| 1.0 + part * (e - 1.0));
     if backwards { [back, 1.0] } else { [1.0, there] }
 }
@@ -145,12 +145,12 @@ impl State {
     }
 
     /// Whether a law has losses, and its sides move.
-    fn loses(&self, law: &PlannedLaw) -> bool {
+    pub(super) fn loses(&self, law: &PlannedLaw) -> bool {
         law.efficiency.is_some() && self.side_rates(law).iter().any(|r| *r != 0.0)
     }
 
     /// Power that enters on the first side, per unit of the multiplier.
-    fn power_sense(&self, law: &PlannedLaw) -> f64 {
+    pub(super) fn power_sense(&self, law: &PlannedLaw) -> f64 {
         -law.terms[0].1 * self.side_rates(law)[0]
     }
 

@@ -16,8 +16,8 @@ pub(super) enum Constraint<'a> {
     Turned { a: (usize, V2<Double>), b: (usize, V2<Double>), by: Moving },
     /// A point is where a known distance says, along a direction of another body.
     Along(GuideRow, Jet),
-    /// The sum of coordinates times coefficients is nothing.
-    Law(Vec<(Coordinate, Double)>),
+    /// The sum of coordinates times coefficients is a constant.
+    Law(Vec<(Coordinate, Double)>, Double),
     /// The follower of a designed cam has the lift of its law.
     Cam(CamLaw<'a>),
 }
@@ -81,9 +81,11 @@ impl Constraint<'_> {
                 target.cross(Moving::axis(&bodies[b.0], b.1))
             }
             Self::Along(guide, law) => guide.jet(bodies).less(*law),
-            Self::Law(terms) => terms.iter().fold(Jet::constant(Double::zero()), |sum, (coordinate, c)| {
-                sum.plus(coordinate.jet(bodies).times(*c))
-            }),
+            Self::Law(terms, constant) => {
+                terms.iter().fold(Jet::constant(-*constant), |sum, (coordinate, c)| {
+                    sum.plus(coordinate.jet(bodies).times(*c))
+                })
+            }
             Self::Cam(law) => law.jet(bodies),
         }
     }
@@ -95,7 +97,7 @@ impl Constraint<'_> {
                 vec![*a, *b]
             }
             Self::Along(guide, _) => vec![guide.slider, guide.guide],
-            Self::Law(terms) => {
+            Self::Law(terms, _) => {
                 let of = |c: &Coordinate| match c {
                     Coordinate::Turn { body, .. } => vec![*body],
                     Coordinate::Slide(guide) => vec![guide.slider, guide.guide],
@@ -113,6 +115,7 @@ impl Constraint<'_> {
 /// All equations of a mechanism, assembled as a state is.
 pub(super) fn constraints<'a>(model: &Model<'a>, state: &State) -> Option<Vec<Constraint<'a>>> {
     let mut all = Vec::new();
+    let mut laws = model.plan.laws.iter();
     let replaced = &model.structure.replaced;
     let of_cam = |pair| model.mechanism.cam_contacts.iter().any(|c| c.pair == pair);
     for joint in replaced.joints.iter().filter(|j| !of_cam(j.pair)) {
@@ -130,7 +133,8 @@ pub(super) fn constraints<'a>(model: &Model<'a>, state: &State) -> Option<Vec<Co
                 let terms = terms.iter().filter(|t| !matches!(t.0, BodyRate::Turn(b) if b.0 == 0));
                 let of =
                     |(rate, c): &(BodyRate, f64)| Some((coordinate(model, state, *rate)?, Double::of(*c)));
-                all.push(Constraint::Law(terms.map(of).collect::<Option<_>>()?));
+                let constant = Double::of(laws.next()?.constant);
+                all.push(Constraint::Law(terms.map(of).collect::<Option<_>>()?, constant));
             }
         }
     }

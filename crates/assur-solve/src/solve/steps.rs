@@ -61,9 +61,10 @@ pub(super) fn length(way: impl Iterator<Item = f64>) -> f64 {
 /// How many steps it takes.
 pub(super) fn steps(model: &Model<'_>, extent: f64, from: &[DriveValue], to: &[DriveValue]) -> f64 {
     let mut steps = 1.0_f64;
+    let finer = model.plan.general.iter().map(|g| g.faster).fold(1.0, f64::max);
     for way in ways(model, extent, from, to) {
         // a step that is a whole number of largest steps but for rounding takes no step more
-        steps = steps.max((way.abs() - 1e-9).ceil());
+        steps = steps.max((way.abs() * finer - 1e-9).ceil());
     }
     if steps.is_finite() { steps.min(MOST_STEPS) } else { 1.0 }
 }

@@ -24,6 +24,12 @@ const EFFICIENCY: Property =
     row("efficiency", Positive(Dimension::NUMBER), "efficiency 0.98", "part of the power that is passed on");
 const PRESSURE_ANGLE: Property =
     row("pressure_angle", Positive(Dimension::ANGLE), "pressure_angle 20 deg", "angle of the line of action");
+const PHASE: Property = row(
+    "phase",
+    Any(Dimension::ANGLE),
+    "phase 40 deg",
+    "angle of the second wheel's link when that of the first is 0, both from the carrier",
+);
 const INTERNAL: Property = row("internal", Flag, "internal", "one is inside the other");
 
 const REVOLUTE: &[Property] = &[
@@ -64,6 +70,7 @@ const MESH: &[Property] = &[
     INTERNAL,
     EFFICIENCY,
     PRESSURE_ANGLE,
+    PHASE,
     row("addendum", Positive(Dimension::NUMBER), "addendum 1", "of the basic rack, in modules"),
     row("clearance", NotNegative(Dimension::NUMBER), "clearance 0.25", "of the basic rack, in modules"),
     row("shift", Two(Dimension::NUMBER), "shift 0.3, -0.3", "profile shift of each wheel, in modules"),
@@ -72,6 +79,7 @@ const MESH: &[Property] = &[
 const BELT: &[Property] = &[
     row("crossed", Flag, "crossed", "the belt reverses the sense of rotation"),
     EFFICIENCY,
+    PHASE,
     FRICTION,
     row("wrap", Positive(Dimension::ANGLE), "wrap 165 deg", "angle of contact on the smaller pulley"),
     row("centre_distance", Positive(Dimension::LENGTH), "centre_distance 600 mm", "between the two axes"),
@@ -84,6 +92,7 @@ const BELT: &[Property] = &[
         "part of the speed that is lost, with the first wheel driving",
     ),
 ];
+const CHAIN: &[Property] = &[EFFICIENCY, PHASE];
 const LOSSES: &[Property] = &[EFFICIENCY];
 const RACK: &[Property] = &[EFFICIENCY, PRESSURE_ANGLE];
 const WORM: &[Property] =
@@ -240,7 +249,8 @@ pub const fn properties_of_pair(kind: JointKind) -> &'static [Property] {
         JointKind::Cylinder => &[],
         JointKind::Mesh => MESH,
         JointKind::Belt => BELT,
-        JointKind::Rope | JointKind::Chain => LOSSES,
+        JointKind::Chain => CHAIN,
+        JointKind::Rope => LOSSES,
         JointKind::Rack => RACK,
         JointKind::Worm => WORM,
         JointKind::Screw => SCREW,
@@ -257,7 +267,7 @@ pub const PROPERTIES: &[(&str, &[Property])] = &[
     ("mesh", MESH),
     ("rope", LOSSES),
     ("belt", BELT),
-    ("chain", LOSSES),
+    ("chain", CHAIN),
     ("rack", RACK),
     ("worm", WORM),
     ("screw", SCREW),

@@ -21,7 +21,8 @@ const VANISHES: f64 = 4.0 * f64::EPSILON;
 /// starts; three bodies ask for some hundreds.
 /// # Returns
 /// Poses of the group's own bodies, distinct, in the order found; the same for the same input. Closed and
-/// regular each; there is no proof that there are no others.
+/// regular each; there is no proof that there are no others. Angles of the group's bodies that laws of wheels speak of lie
+/// between −π and π.
 #[must_use]
 pub fn assemblies(group: &mut General, poses: &[Pose], starts: usize) -> Vec<Vec<Pose>> {
     let mut found: Vec<Vec<Pose>> = Vec::new();
@@ -36,7 +37,9 @@ pub fn assemblies(group: &mut General, poses: &[Pose], starts: usize) -> Vec<Vec
                 *pose = scattered(start, body, centre, reach);
             }
         }
-        if group.position(&mut trial, SMALL).is_ok() {
+        group.laws.iter_mut().for_each(|law| law.count_from(group.moving, &trial));
+        let closes = group.position(&mut trial, SMALL).is_ok();
+        if closes && group.laws.iter().all(|law| law.is_principal(group.moving, &trial)) {
             trial.truncate(group.moving);
             let known = found.iter().any(|other| distance(other, &trial, group.length) < DISTINCT);
             if !known {

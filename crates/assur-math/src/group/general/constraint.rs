@@ -197,19 +197,16 @@ impl Constraint {
 
     /// φ̈ of the drive plus what the velocities contribute: the row times the accelerations must equal it.
     pub(super) fn second_rate(&self, row: &Row, poses: &[Pose], velocities: &[Velocity]) -> f64 {
-        let (a, b) = (velocities[row.a], velocities[row.b]);
-        let centripetal = row.g.dot(row.r_a * (a.omega * a.omega) - row.r_b * (b.omega * b.omega));
-        let relative = velocity_at(a.v, a.omega, row.r_a) - velocity_at(b.v, b.omega, row.r_b);
-        let bias = match *self {
-            Self::Revolute { .. } | Self::Angle { .. } => 0.0,
-            Self::Offset { .. } | Self::Coordinate { .. } => 2.0 * b.omega * row.g.dot(relative.perp()),
+        let contributed = match *self {
+            Self::Revolute { .. } | Self::Angle { .. } => row.centripetal(velocities),
+            Self::Offset { .. } | Self::Coordinate { .. } => row.along_line(velocities),
             Self::Distance { a, b, .. } => {
                 let apart = (poses[a.body].point(a.r) - poses[b.body].point(b.r)).norm();
-                let across = row.g.cross(relative);
-                -(across * across) / apart.max(f64::MIN_POSITIVE)
+                let across = row.g.cross(row.relative(velocities));
+                row.centripetal(velocities) - (across * across) / apart.max(f64::MIN_POSITIVE)
             }
         };
-        self.law().1 + centripetal + bias
+        self.law().1 + contributed
     }
 }
 
@@ -217,6 +214,24 @@ impl Row {
     /// What makes a length of the row's residual or rate: 1, and `length` for an angle.
     pub(super) fn weight(&self, length: f64) -> f64 {
         if self.couple { length } else { 1.0 }
+    }
+
+    /// g·(ω_a² r_a − ω_b² r_b).
+    fn centripetal(&self, velocities: &[Velocity]) -> f64 {
+        let (a, b) = (velocities[self.a].omega, velocities[self.b].omega);
+        self.g.dot(self.r_a * (a * a) - self.r_b * (b * b))
+    }
+
+    /// The velocity of the point of body a from that of body b beneath it.
+    fn relative(&self, velocities: &[Velocity]) -> Vec2 {
+        let (a, b) = (velocities[self.a], velocities[self.b]);
+        velocity_at(a.v, a.omega, self.r_a) - velocity_at(b.v, b.omega, self.r_b)
+    }
+
+    /// What the velocities contribute to the second rate of a coordinate of a line of body b.
+    pub(super) fn along_line(&self, velocities: &[Velocity]) -> f64 {
+        let turning = velocities[self.b].omega;
+        self.centripetal(velocities) + 2.0 * turning * self.g.dot(self.relative(velocities).perp())
     }
 
     /// The row times the velocity of body a, then of body b.
@@ -244,7 +259,7 @@ fn between(a: Point, b: Point, g: Vec2, value: f64, poses: &[Pose]) -> Row {
 }
 
 /// g·(P − Q) = value with g fixed in the line's body, which moves its point under P.
-fn on_line(point: Point, line: Line, g: Vec2, value: f64, poses: &[Pose]) -> Row {
+pub(super) fn on_line(point: Point, line: Line, g: Vec2, value: f64, poses: &[Pose]) -> Row {
     let (a, b) = (&poses[point.body], &poses[line.body]);
     let r_a = point.r.turned(a.u);
     let r_b = a.p + r_a - b.p;

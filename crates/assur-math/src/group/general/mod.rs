@@ -18,6 +18,8 @@
 //! | coordinate  | d·(P_a − Q_b)          | direction d of b's line   | 0 |
 //! | distance    | \|P_a − P_b\|          | unit vector B→A    | 0 |
 //!
+//! Laws of wheels, Σ c_i q_i = const, join more bodies than two: see `gearing`.
+//!
 //! Position: J δ = −φ, δ the translations and rotations, repeated. A body is turned by the rational rotation with
 //! tan(half angle) = δ_θ / 2 and its direction renormalised. Lengths are measured in a length of the group, so that
 //! rows and columns weigh alike. A step turns no body by more than half a radian and must lessen the residual; where
@@ -37,11 +39,13 @@
 mod assemblies;
 mod certificate;
 mod constraint;
+mod gearing;
 mod newton;
 mod rates;
 
 pub use assemblies::{assemblies, is_never_regular};
 pub use constraint::{Constraint, Law, Line, Point};
+pub use gearing::{GearTerm, Geared, Gearing};
 pub use newton::{Failure, General};
 
 use crate::math::Vec2;

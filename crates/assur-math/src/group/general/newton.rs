@@ -1,7 +1,7 @@
 //! Positions of a general group.
 
 use super::constraint::Row;
-use super::{Constraint, Pose};
+use super::{Constraint, Gearing, Pose};
 use crate::math::{Dense, Vec2};
 
 /// Greatest number of steps.
@@ -40,6 +40,8 @@ pub struct General {
     pub moving: usize,
     /// The constraints; drives change their values from position to position.
     pub constraints: Vec<Constraint>,
+    /// Laws of wheels: their rows follow those of the constraints.
+    pub laws: Vec<Gearing>,
     /// Length that weighs rotations against translations, m.
     pub(super) length: f64,
     /// See [`General::certificate`].
@@ -60,17 +62,34 @@ impl General {
     /// # Errors
     /// [`Failure::Shape`].
     pub fn new(moving: usize, bodies: usize, constraints: Vec<Constraint>) -> Result<Self, Failure> {
-        let rows = constraints.iter().map(Constraint::rows).sum();
+        Self::with_laws(moving, bodies, constraints, Vec::new())
+    }
+
+    /// The same with laws of wheels, one scalar constraint each.
+    /// # Errors
+    /// [`Failure::Shape`].
+    pub fn with_laws(
+        moving: usize,
+        bodies: usize,
+        constraints: Vec<Constraint>,
+        mut laws: Vec<Gearing>,
+    ) -> Result<Self, Failure> {
+        let rows = constraints.iter().map(Constraint::rows).sum::<usize>() + laws.len();
         let unknowns = 3 * moving;
-        let known = constraints.iter().all(|c| c.bodies().iter().all(|&body| body < bodies));
+        let known = constraints.iter().all(|c| c.bodies().iter().all(|&body| body < bodies))
+            && laws.iter().all(|law| law.is_within(bodies));
         if rows != unknowns || moving > bodies || !known {
             return Err(Failure::Shape { rows, unknowns });
         }
-        let extent = constraints.iter().map(Constraint::extent).fold(0.0, f64::max);
+        let extents = constraints.iter().map(Constraint::extent).chain(laws.iter().map(Gearing::extent));
+        let extent = extents.fold(0.0, f64::max);
+        let length = if extent > 0.0 { extent } else { 1.0 };
+        laws.iter_mut().for_each(|law| law.weigh(length));
         Ok(Self {
             moving,
             constraints,
-            length: if extent > 0.0 { extent } else { 1.0 },
+            laws,
+            length,
             certificate: f64::INFINITY,
             jacobian: Dense::new(unknowns),
             rows: Vec::with_capacity(rows),
@@ -147,7 +166,7 @@ impl General {
             return Err(self.open(now));
         }
         let condition = self.factor(now)?;
-        self.certificate = self.certify(condition, self.size(now));
+        self.certificate = self.certify(condition, self.size(now), now);
         Ok(condition)
     }
 
@@ -159,6 +178,7 @@ impl General {
             gap += self.residuals[i..i + c.rows()].iter().map(|x| x * x).sum::<f64>().sqrt();
             i += c.rows();
         }
+        gap += self.residuals[i..].iter().map(|x| x.abs()).sum::<f64>();
         Failure::NotClosed { gap }
     }
 
@@ -206,6 +226,9 @@ impl General {
             enter(row.a, row.g, row.r_a.cross(row.g) / length - row.turn);
             enter(row.b, -row.g, row.turn - row.r_b.cross(row.g) / length);
         }
+        for (i, law) in self.laws.iter().enumerate() {
+            law.enter(poses, moving, length, self.jacobian.row_mut(self.rows.len() + i));
+        }
         self.jacobian.factor()
     }
 
@@ -217,6 +240,9 @@ impl General {
         for (residual, row) in self.residuals.iter_mut().zip(&self.rows) {
             *residual = row.residual * row.weight(self.length);
         }
+        for (residual, law) in self.residuals[self.rows.len()..].iter_mut().zip(&self.laws) {
+            *residual = law.residual(poses);
+        }
     }
 
     /// Root of the sum of squares of the residuals, m.
@@ -227,7 +253,8 @@ impl General {
 
     /// The greatest coordinate in play: what rounding is relative to.
     fn size(&self, poses: &[Pose]) -> f64 {
-        poses.iter().fold(self.length, |most, pose| most.max(pose.p.norm()))
+        let most = self.laws.iter().fold(self.length, |most, law| most.max(law.size()));
+        poses.iter().fold(most, |most, pose| most.max(pose.p.norm()))
     }
 
     /// `next` is `now` less `share` of the step.

@@ -7,8 +7,8 @@ impl General {
     /// Velocities of the group's bodies.
     /// # Given
     /// `velocities` of all bodies; those of the known ones are read, those of the group written. The Jacobian
-    /// stands factored, by [`General::position`] or [`General::factor`].
-    pub fn velocity(&mut self, velocities: &mut [Velocity]) {
+    /// stands factored, by [`General::position`] or [`General::factor`], at `poses`.
+    pub fn velocity(&mut self, poses: &[Pose], velocities: &mut [Velocity]) {
         let mut right = std::mem::take(&mut self.step);
         let mut i = 0;
         for c in &self.constraints {
@@ -18,6 +18,9 @@ impl General {
                 right[i] = (c.rate() - known) * row.weight(self.length);
                 i += 1;
             }
+        }
+        for (right, law) in right[i..].iter_mut().zip(&self.laws) {
+            *right = law.rate(self.moving, poses, velocities);
         }
         self.jacobian.solve(&mut right);
         for (velocity, x) in velocities.iter_mut().zip(right.chunks_exact(3)) {
@@ -47,6 +50,9 @@ impl General {
                 i += 1;
             }
         }
+        for (right, law) in right[i..].iter_mut().zip(&self.laws) {
+            *right = law.second(self.moving, poses, velocities, accelerations);
+        }
         self.jacobian.solve(&mut right);
         for (acceleration, x) in accelerations.iter_mut().zip(right.chunks_exact(3)) {
             *acceleration = Acceleration { a: Vec2::new(x[0], x[1]), alpha: x[2] / self.length };
@@ -65,7 +71,7 @@ impl General {
     /// number per scalar constraint.
     /// # Returns
     /// In `lambda`, in the order of the constraints: what each exerts, N or N m, as [`super::Constraint`]
-    /// says.
+    /// says; then the multipliers of the laws.
     pub fn reactions(&mut self, loads: &[Load], lambda: &mut [f64]) {
         for (load, x) in loads.iter().zip(lambda.chunks_exact_mut(3)) {
             x.copy_from_slice(&[-load.F.x, -load.F.y, -load.M / self.length]);
@@ -74,6 +80,9 @@ impl General {
         for (x, row) in lambda.iter_mut().zip(&self.rows) {
             *x *= row.weight(self.length);
         }
+        for (x, law) in lambda[self.rows.len()..].iter_mut().zip(&self.laws) {
+            *x *= law.weight();
+        }
     }
 
     /// What the constraints exert on body `body`, about its origin: for a known body the force on the rest of the
@@ -81,7 +90,7 @@ impl General {
     /// # Given
     /// `lambda` from [`General::reactions`].
     #[must_use]
-    pub fn exerted_on(&self, body: usize, lambda: &[f64]) -> Load {
+    pub fn exerted_on(&self, poses: &[Pose], body: usize, lambda: &[f64]) -> Load {
         let mut sum = Load::default();
         for (row, &x) in self.rows.iter().zip(lambda) {
             if row.a == body {
@@ -92,6 +101,11 @@ impl General {
                 sum.F -= row.g * x;
                 sum.M += row.turn * x - row.r_b.cross(row.g) * x;
             }
+        }
+        for (law, &x) in self.laws.iter().zip(lambda.iter().skip(self.rows.len())) {
+            let load = law.exerted_on(body, x, poses);
+            sum.F += load.F;
+            sum.M += load.M;
         }
         sum
     }

@@ -48,7 +48,7 @@ impl Scene {
         self.group.factor(&self.poses).expect("a regular position");
         let mut velocities = vec![Velocity::default(); self.group.moving];
         velocities.extend(self.known.iter().map(velocity_of));
-        self.group.velocity(&mut velocities);
+        self.group.velocity(&self.poses, &mut velocities);
         let mut accelerations = vec![Acceleration::default(); self.group.moving];
         accelerations.extend(self.known.iter().map(acceleration_of));
         self.group.acceleration(&self.poses, &velocities, &mut accelerations);
@@ -79,7 +79,7 @@ impl Scene {
         let scale = lambda.iter().fold(100.0, |most: f64, x| most.max(x.abs()));
         let mut total = (Vec2::zero(), 0.0);
         for i in 0..self.poses.len() {
-            let got = self.group.exerted_on(i, &lambda);
+            let got = self.group.exerted_on(&self.poses, i, &lambda);
             if let Some(load) = loads.get(i) {
                 close((got.F + load.F).norm(), 0.0, 1e-11, scale);
                 close(got.M + load.M, 0.0, 1e-11, scale);
