@@ -12,6 +12,7 @@ mod friction;
 mod gear;
 mod meant;
 mod motion;
+mod named;
 mod own_usage;
 mod pair_kinds;
 mod relative;
