@@ -1,22 +1,28 @@
-//! `find positions`, `find velocities`, `find accelerations`: one answer for every named point and every link that moves.
+//! `find positions`, `find velocities`, `find accelerations`: one answer for every named point,
+//! every slider on a rope and every link that turns.
 
 use crate::expr::context::Context;
-use assur_model::model::{Expr, Find, FindKind, LinkId, PairKind, PointRef, Query};
+use crate::names::declared::ThingKind;
+use assur_model::model::{Expr, Find, FindKind, LinkId, PairId, PairKind, PointRef, Query};
 use assur_syntax::document::FindItem;
 use assur_text::language::Function;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
 /// What a function of a point asks, and in which dimension.
-type OfPoint = (fn(PointRef) -> Query, Dimension);
+type OfPoint = (fn(PointRef) -> Query, OfSlider, Dimension);
+/// The same of a slider on a rope.
+type OfSlider = fn(PairId) -> Query;
 /// What a function of a link asks, and in which dimension.
 type OfLink = (fn(LinkId) -> Query, Dimension);
 
 const fn of_point(function: Function) -> Option<OfPoint> {
     match function {
-        Function::Position => Some((Query::Position, Dimension::LENGTH)),
-        Function::Velocity => Some((Query::Velocity, Dimension::VELOCITY)),
-        Function::Acceleration => Some((Query::Acceleration, Dimension::ACCELERATION)),
+        Function::Position => Some((Query::Position, Query::Displacement, Dimension::LENGTH)),
+        Function::Velocity => Some((Query::Velocity, Query::RelativeVelocity, Dimension::VELOCITY)),
+        Function::Acceleration => {
+            Some((Query::Acceleration, Query::RelativeAcceleration, Dimension::ACCELERATION))
+        }
         _ => None,
     }
 }
@@ -34,9 +40,14 @@ const fn of_link(function: Function) -> Option<OfLink> {
 pub(crate) fn asked(cx: &Context<'_>, item: &FindItem) -> Option<Vec<Find>> {
     let (function, turning) = super::find::collection(cx, item)?.of?;
     let mut all = Vec::new();
-    let (query, dimension) = of_point(function)?;
+    let (query, of_slider, dimension) = of_point(function)?;
     for (name, point) in points(cx) {
         all.push(find(cx, (function, &name), query(point), dimension, item.span));
+    }
+    for (i, pair) in cx.builder.mech.pairs.iter().enumerate() {
+        if cx.names.things.get(&pair.name).is_some_and(|d| d.what == ThingKind::Slider) {
+            all.push(find(cx, (function, &pair.name), of_slider(PairId::at(i)), dimension, item.span));
+        }
     }
     let (query, dimension) = of_link(turning)?;
     for (i, link) in cx.builder.mech.links.iter().enumerate().skip(1) {

@@ -17,6 +17,7 @@ mod pose_answers;
 mod pressure_angle;
 mod substitution;
 mod train_answers;
+mod turning;
 mod undefined;
 mod whole_cycle;
 

@@ -81,6 +81,9 @@ impl PoseAnswers<'_> {
             Query::Acceleration(p) => Value::Vector(self.acceleration(p)),
             Query::Angle(link) => Value::Scalar(self.angles.get(link.index()).copied().unwrap_or(f64::NAN)),
             Query::Omega(link) => Value::Scalar(self.body(*link).omega),
+            Query::Turning(link, seen_from) => {
+                Value::Scalar(super::turning::turning(self, *link, *seen_from))
+            }
             Query::Alpha(link) => Value::Scalar(self.body(*link).alpha),
             Query::LinkDirection(link) => Value::Vector(self.body(*link).u),
             Query::Displacement(pair) => Value::Scalar(self.displacement(*pair)),
