@@ -14,5 +14,6 @@ mod geometry;
 mod large;
 mod number_cases;
 mod positions;
+mod torsion_springs;
 mod unit;
 mod variants;

@@ -2,6 +2,7 @@
 
 #![allow(non_snake_case, reason = "names carry the notation of the field: dJ")]
 
+mod angles;
 mod constant;
 mod contact_normal;
 mod coordinate;
@@ -21,6 +22,7 @@ mod turning;
 mod undefined;
 mod whole_cycle;
 
+pub(crate) use angles::first_angles;
 pub(crate) use constant::constant;
 pub use cycle_answers::{CycleAnswer, FlywheelAnswer};
 pub use evaluate::compare;

@@ -7,7 +7,7 @@ use crate::plan::Plan;
 use crate::position::{Model, State};
 use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
 
-/// One position, seen from the language. Angles of bodies are those followed over the sweep, by body slot.
+/// One position, seen from the language. Angles are those followed over the sweep.
 #[derive(Clone, Copy)]
 pub struct PoseAnswers<'a> {
     /// The mechanism.
@@ -18,7 +18,7 @@ pub struct PoseAnswers<'a> {
     pub plan: &'a Plan,
     /// The position.
     pub state: &'a State,
-    /// Angles of the bodies, continuous, rad.
+    /// Angles of the bodies by slot, continuous, rad; after them the whole turns of each pair, as `first_angles` gives them.
     pub angles: &'a [f64],
     /// What needs no position: dead positions, strokes.
     pub statics: &'a WholeCycle,
