@@ -10,7 +10,7 @@ use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words,
 use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::json::Variant;
 use crate::report::{self, AccuracyShown, Answers, Precision};
-use assur_check::{Overrides, RowColumn};
+use assur_check::{ColumnUse, Overrides, RowColumn};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -191,13 +191,15 @@ impl Printing<'_> {
 
 /// The poses of a row after its number and its givens; a row without solution has no answers.
 fn csv_row(table: &mut Table, columns: &[RowColumn], row: &SolvedRow, solved: Option<&Answers<'_>>) {
-    let cells =
-        row.row.row.entries().map(|(c, cell)| significant(c.unit.from_si(cell.value), report::rows::FULL));
+    let cells = row.row.row.entries().map(|(c, cell)| match c.what {
+        ColumnUse::Label => row.row.label.clone().unwrap_or_default(),
+        _ => significant(c.unit.from_si(cell.value), report::rows::FULL),
+    });
     let head: Vec<String> = std::iter::once(row.number.to_string()).chain(cells).collect();
     let poses = solved.map(report::table_of_poses).unwrap_or_default();
     if table.columns.len() <= head.len() {
         table.columns = std::iter::once(Column::words("row"))
-            .chain(columns.iter().map(|c| Column::numbers(c.header())))
+            .chain(columns.iter().map(row_column))
             .chain(poses.columns)
             .collect();
         // rows without solution came before
@@ -209,6 +211,14 @@ fn csv_row(table: &mut Table, columns: &[RowColumn], row: &SolvedRow, solved: Op
     }
     for pose in poses.rows {
         table.row(head.iter().cloned().chain(pose).collect());
+    }
+}
+
+/// The column of a table of variants.
+fn row_column(column: &RowColumn) -> Column {
+    match column.what {
+        ColumnUse::Label => Column::words(column.header()),
+        _ => Column::numbers(column.header()),
     }
 }
 

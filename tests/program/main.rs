@@ -7,6 +7,7 @@ mod folder;
 mod grade;
 mod output;
 mod reply;
+mod row_names;
 mod run;
 mod schema;
 mod start;

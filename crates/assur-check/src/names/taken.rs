@@ -8,6 +8,7 @@ use crate::statements::written::written;
 use assur_syntax::document::{
     Balance, End, ExpectAt, ExprKind, Joint, LoadKind, Name, Place, Pose, Site, Statement, Turn,
 };
+use assur_text::language::Collection;
 use assur_text::source::Span;
 use indexmap::IndexSet;
 
@@ -75,10 +76,7 @@ impl Scope<'_, '_> {
             ExprKind::Name(name) => Some(name.as_str()),
             _ => None,
         });
-        let open = names.filter(|n| {
-            !["reactions", "positions", "velocities", "accelerations"].contains(n)
-                && !statements().any(|s| declares(s, n))
-        });
+        let open = names.filter(|n| Collection::named(n).is_none() && !statements().any(|s| declares(s, n)));
         only(&open.collect::<IndexSet<_>>())
     }
 

@@ -238,7 +238,8 @@ pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
         let (found, columns) = (count(row.cells.len(), "number"), count(columns, "column"));
         cx.error(RequestError::VariantRow { found, columns, span: row.span, header });
     }
-    let label = table.columns.iter().position(|c| c.name.node == LABEL);
+    // a column of which an `expect` takes its values has numbers
+    let label = table.columns.iter().position(|c| c.name.node == LABEL && !cx.used_by_expect(LABEL));
     for row in &table.rows {
         let named =
             |(i, cell): &(usize, &Spanned<Cell>)| matches!(cell.node, Cell::Name(_)) && Some(*i) != label;

@@ -166,6 +166,8 @@ pub enum Query {
     Angle(LinkId),
     /// Angular velocity of a link.
     Omega(LinkId),
+    /// Angular velocity of a link against another; not a number where they do not turn against each other.
+    Turning(LinkId, LinkId),
     /// Angular acceleration of a link.
     Alpha(LinkId),
     /// Direction (cos, sin) of a link's x axis.

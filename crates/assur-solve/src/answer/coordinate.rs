@@ -45,7 +45,9 @@ impl PoseAnswers<'_> {
     #[must_use]
     pub fn displacement(&self, pair: PairId) -> f64 {
         if let Some((first, second)) = self.hinge(pair) {
-            return self.angles[second.index()] - self.angles[first.index()];
+            let turns =
+                self.angles.get(self.state.motion.bodies.len() + pair.index()).copied().unwrap_or(0.0);
+            return self.angles[second.index()] - self.angles[first.index()] + turns;
         }
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let from = self.body(g.guide).position(g.through);

@@ -2,6 +2,7 @@
 
 #![allow(non_snake_case, reason = "names carry the notation of the field: dJ")]
 
+mod angles;
 mod constant;
 mod contact_normal;
 mod coordinate;
@@ -17,9 +18,11 @@ mod pose_answers;
 mod pressure_angle;
 mod substitution;
 mod train_answers;
+mod turning;
 mod undefined;
 mod whole_cycle;
 
+pub(crate) use angles::first_angles;
 pub(crate) use constant::constant;
 pub use cycle_answers::{CycleAnswer, FlywheelAnswer};
 pub use evaluate::compare;

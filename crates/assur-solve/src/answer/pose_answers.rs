@@ -7,7 +7,7 @@ use crate::plan::Plan;
 use crate::position::{Model, State};
 use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
 
-/// One position, seen from the language. Angles of bodies are those followed over the sweep, by body slot.
+/// One position, seen from the language. Angles are those followed over the sweep.
 #[derive(Clone, Copy)]
 pub struct PoseAnswers<'a> {
     /// The mechanism.
@@ -18,7 +18,7 @@ pub struct PoseAnswers<'a> {
     pub plan: &'a Plan,
     /// The position.
     pub state: &'a State,
-    /// Angles of the bodies, continuous, rad.
+    /// Angles of the bodies by slot, continuous, rad; after them the whole turns of each pair, as `first_angles` gives them.
     pub angles: &'a [f64],
     /// What needs no position: dead positions, strokes.
     pub statics: &'a WholeCycle,
@@ -84,6 +84,9 @@ impl PoseAnswers<'_> {
             Query::Acceleration(p) => Value::Vector(self.acceleration(p)),
             Query::Angle(link) => Value::Scalar(self.angles.get(link.index()).copied().unwrap_or(f64::NAN)),
             Query::Omega(link) => Value::Scalar(self.body(*link).omega),
+            Query::Turning(link, seen_from) => {
+                Value::Scalar(super::turning::turning(self, *link, *seen_from))
+            }
             Query::Alpha(link) => Value::Scalar(self.body(*link).alpha),
             Query::LinkDirection(link) => Value::Vector(self.body(*link).u),
             Query::Displacement(pair) => Value::Scalar(self.displacement(*pair)),

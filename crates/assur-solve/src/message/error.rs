@@ -334,6 +334,24 @@ pub enum SolveError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// An instant centre where nothing turns.
+    #[error("`{link}` does not turn against {seen_from}{pose}{more}: its instant centre is at infinity")]
+    #[diagnostic(code(mech::solve::no_centre), severity(warning), help("{help}"))]
+    NoCentre {
+        /// The link.
+        link: String,
+        /// `the ground`, or the other link.
+        seen_from: String,
+        /// ` at pose 3 (crank = 60 deg)`, or empty.
+        pose: String,
+        /// `, and at 2 other poses`, or empty.
+        more: String,
+        /// What to ask for instead.
+        help: String,
+        /// Its place.
+        #[label("no value")]
+        span: miette::SourceSpan,
+    },
     /// A flywheel.
     #[error(transparent)]
     #[diagnostic(transparent)]

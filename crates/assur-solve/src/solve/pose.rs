@@ -83,6 +83,7 @@ impl Run<'_, '_> {
         self.note_trains(&solved, pose);
         let view = solved.view(model, &self.statics);
         self.friction.look(model, &view, pose);
+        self.centres.look(&view, pose);
         Ok(solved)
     }
 

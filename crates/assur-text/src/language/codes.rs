@@ -223,6 +223,7 @@ pub const CODES: &[Code] = codes! {
     "solve" / "not_finite",
     "solve" / "several_balances",
     "solve" / "undecided",
+    "solve" / "no_centre",
     "accuracy" / "out_of_reach",
     "request" / "not_supported_yet",
     "request" / "needs_speed",

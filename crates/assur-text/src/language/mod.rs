@@ -1,6 +1,7 @@
 //! The language as data: what the checker, suggestions, completions and the reference read.
 
 mod codes;
+mod collection;
 mod dimension;
 mod function;
 mod functions;
@@ -11,6 +12,7 @@ mod units;
 mod words;
 
 pub use codes::{CODES, Code, explain};
+pub use collection::{COLLECTIONS, Collection};
 pub use dimension::{Dimension, Kind};
 pub use function::{Argument, Form, FunctionGroup, FunctionRow, Gives, Takes};
 pub use functions::{FUNCTIONS, Function};

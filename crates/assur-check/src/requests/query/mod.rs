@@ -13,6 +13,7 @@ mod gear;
 mod grip;
 mod meant;
 mod motion;
+mod named;
 mod own_usage;
 mod pair_kinds;
 mod relative;
