@@ -57,7 +57,8 @@ fn definition(kind: QuantityKind<'_>) -> Option<&Expr> {
         QuantityKind::Load(..)
         | QuantityKind::Balance(..)
         | QuantityKind::Flywheel(_)
-        | QuantityKind::Column(_) => None,
+        | QuantityKind::Column(_)
+        | QuantityKind::Curve(_) => None,
     }
 }
 

@@ -47,12 +47,14 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     sampler.share(of(&early).into_iter().filter(depends_on_nothing_else));
     for index in early {
         statics.cycles[index] = cycle(model, statics, &mut sampler, index);
+        within_curves(&sampler)?;
     }
     let mut notes = Vec::new();
     let wheels = (0..mechanism.flywheels.len()).filter_map(|i| flywheel::numbers(model, statics, i));
     sampler.share(of(&late).into_iter().filter(depends_on_nothing_else).chain(wheels.flatten()));
     for index in 0..mechanism.flywheels.len() {
         let found = flywheel::flywheel(model, statics, &mut sampler, index);
+        within_curves(&sampler)?;
         let found = found.map_err(|why| Cause::NoFlywheel { flywheel: index, why })?;
         let needless = |[have, needed]: [f64; 2]| Note::NeedlessFlywheel { flywheel: index, have, needed };
         notes.extend(found.needless.map(needless));
@@ -60,8 +62,14 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     }
     for index in late {
         statics.cycles[index] = cycle(model, statics, &mut sampler, index);
+        within_curves(&sampler)?;
     }
     Ok(notes)
+}
+
+/// A curve that is left between the positions is no less an error than at one of them.
+fn within_curves(sampler: &Sampler<'_>) -> Result<(), Cause> {
+    sampler.left.clone().map_or(Ok(()), |left| Err(Cause::CurveLeft(left)))
 }
 
 /// The functions over the sweep and the flywheels of a solved file once more: with the settings of the model's plan.
