@@ -168,7 +168,7 @@ fn reads(text: &str) {
 #[test]
 fn every_example_reads() {
     for (place, list) in WORDS {
-        for row in list.iter().filter(|row| row.word != "variants") {
+        for row in list.iter().filter(|row| !["variants", "curve"].contains(&row.word)) {
             match place {
                 Place::Statement | Place::Pair => reads(row.example),
                 Place::Member => reads(&format!("link a A-B 1 m {{ {} }}", row.example)),

@@ -35,6 +35,10 @@ impl Context<'_> {
                 Some(Typed::new(model::Expr::Query(model::Query::Balance(id)), ty))
             }
             QuantityKind::Column(column) => self.column(column, name),
+            QuantityKind::Curve(curve) => {
+                self.uncalled(&name.node, curve, name.span);
+                None
+            }
             QuantityKind::Flywheel(index) => {
                 let query = model::Query::Flywheel(index, model::FlywheelPart::Inertia);
                 Some(Typed::new(model::Expr::Query(query), Type::number(Dimension::INERTIA)))

@@ -36,6 +36,7 @@ pub fn declare(cx: &mut Scope<'_, '_>) {
                 quantity(cx, &f.name, QuantityKind::Flywheel(flywheels));
                 flywheels += 1;
             }
+            Statement::Curve(curve) => quantity(cx, &curve.name, QuantityKind::Curve(curve)),
             Statement::Find(find) => {
                 for item in &find.items {
                     if let Some(name) = &item.name {

@@ -1,7 +1,7 @@
 //! Declared names: what they are and where.
 
 use assur_model::model::{BalanceId, Link, LinkId, LoadId, Mechanism, PairId};
-use assur_syntax::document::{Balance, Column, Expr, FindItem, JointKind, Load};
+use assur_syntax::document::{Balance, Column, Curve, Expr, FindItem, JointKind, Load};
 use assur_text::source::Span;
 use indexmap::{IndexMap, IndexSet};
 
@@ -33,6 +33,8 @@ pub enum QuantityKind<'a> {
     Flywheel(usize),
     /// A column of variants that no `given` declares: for an `expect`.
     Column(&'a Column),
+    /// A curve.
+    Curve(&'a Curve),
 }
 
 impl QuantityKind<'_> {
@@ -47,6 +49,7 @@ impl QuantityKind<'_> {
             Self::Balance(..) => "an unknown effort",
             Self::Flywheel(_) => "a flywheel",
             Self::Column(_) => "a column of variants",
+            Self::Curve(_) => "a curve",
         }
     }
 }

@@ -62,6 +62,7 @@ impl Scope<'_, '_> {
             Statement::Balance(b) => b.name.node == name,
             Statement::Brake(b) => b.name.node == name,
             Statement::Flywheel(f) => f.name.node == name,
+            Statement::Curve(c) => c.name.node == name,
             Statement::Find(f) => f.items.iter().any(|i| i.name.as_ref().is_some_and(|n| n.node == name)),
             Statement::Variants(v) => v.columns.iter().any(|c| c.name.node == name),
             Statement::Bad(bad) => bad.names.iter().any(|n| n == name),

@@ -123,6 +123,7 @@ pub fn expressions<'a>(statement: &'a Statement, visit: &mut dyn FnMut(&'a Expr)
         | Statement::Title(_)
         | Statement::Group(_)
         | Statement::Variants(_)
+        | Statement::Curve(_)
         | Statement::Ignore(_)
         | Statement::Bad(_) => {}
     }

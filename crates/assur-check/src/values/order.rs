@@ -58,7 +58,8 @@ fn definition(kind: QuantityKind<'_>) -> Option<&Expr> {
         | QuantityKind::Brake(_)
         | QuantityKind::Balance(..)
         | QuantityKind::Flywheel(_)
-        | QuantityKind::Column(_) => None,
+        | QuantityKind::Column(_)
+        | QuantityKind::Curve(_) => None,
     }
 }
 

@@ -1,8 +1,11 @@
 //! Typed expressions over results: what a `find`, an `expect`, a load or a condition computes at a pose.
 
-use super::{BalanceId, Display, DriveId, FlywheelPart, LinkId, LoadId, PairId, QuantityId};
+use super::{
+    BalanceId, Curve, CurvePart, Display, DriveId, FlywheelPart, LinkId, LoadId, PairId, QuantityId,
+};
 use crate::math::Vec2;
 use crate::source::Span;
+use std::sync::Arc;
 
 /// A value in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +73,8 @@ pub enum Expr {
     Query(Query),
     /// The same without friction.
     Frictionless(Box<Expr>),
+    /// Something of a curve at an argument.
+    Curve(Arc<Curve>, CurvePart, Box<Expr>),
 }
 
 /// Operations on two operands.
@@ -311,7 +316,11 @@ impl Expr {
         visit(self);
         match self {
             Self::Constant(_) | Self::Quantity(_) | Self::Query(_) => {}
-            Self::Component(a, _) | Self::Negate(a) | Self::Not(a) | Self::Frictionless(a) => a.parts(visit),
+            Self::Component(a, _)
+            | Self::Negate(a)
+            | Self::Not(a)
+            | Self::Frictionless(a)
+            | Self::Curve(_, _, a) => a.parts(visit),
             Self::Vector(a, b)
             | Self::Polar(a, b)
             | Self::Binary(_, a, b)
@@ -336,6 +345,7 @@ impl Expr {
             Self::Negate(a) => Self::Negate(boxed(a)),
             Self::Not(a) => Self::Not(boxed(a)),
             Self::Frictionless(a) => Self::Frictionless(boxed(a)),
+            Self::Curve(curve, part, a) => Self::Curve(curve.clone(), *part, boxed(a)),
             Self::Vector(a, b) => Self::Vector(boxed(a), boxed(b)),
             Self::Polar(a, b) => Self::Polar(boxed(a), boxed(b)),
             Self::Binary(op, a, b) => Self::Binary(*op, boxed(a), boxed(b)),

@@ -2,6 +2,7 @@
 //! structure is found.
 
 mod cam_part;
+mod curve;
 mod cycle;
 mod display;
 mod element;
@@ -19,6 +20,7 @@ mod shape;
 mod train;
 
 pub use cam_part::{CAM_PARTS, CamPart};
+pub use curve::{Curve, CurvePart};
 pub use cycle::{Cycle, CycleFunction};
 pub use display::Display;
 pub use element::{CamContact, PlateCam, Table, TableEntry};
@@ -80,6 +82,8 @@ pub struct Mechanism {
     pub finds: Vec<Find>,
     /// The expectations of the answer key.
     pub expects: Vec<Expect>,
+    /// Whether any value comes from a curve: then every position is looked at for one that is left.
+    pub has_curves: bool,
     /// Functions over the sweep, each after those it depends on.
     pub cycles: Vec<Cycle>,
     /// Flywheels that are to be found.

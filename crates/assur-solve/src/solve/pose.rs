@@ -1,6 +1,6 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a note.
 
-use crate::answer::{PoseAnswers, balanced};
+use crate::answer::{LeftCurve, PoseAnswers, balanced};
 use crate::position::{DEAD, Model, Residuals, State, Wanted, residuals};
 use crate::reference::exact;
 
@@ -82,9 +82,17 @@ impl Run<'_, '_> {
         self.note_contacts(&solved, pose);
         self.note_trains(&solved, pose);
         let view = solved.view(model, &self.statics);
+        if let Some(left) = self.left(&view) {
+            return Err(Cause::CurveLeft(left));
+        }
         self.friction.look(model, &view, pose);
         self.centres.look(&view, pose);
         Ok(solved)
+    }
+
+    /// A curve that an answer needs beyond its table.
+    fn left(&self, view: &PoseAnswers<'_>) -> Option<LeftCurve> {
+        if self.model.mechanism.has_curves { view.left_by_answers() } else { None }
     }
 
     /// The position once more with twice the digits, rounded; the loads follow from its motion.
@@ -146,6 +154,13 @@ impl Run<'_, '_> {
 
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, Cause> {
         let model = self.model;
+        if model.mechanism.has_curves {
+            let view = PoseAnswers::new(model, state, angles, &self.statics);
+            let motion = view.all_quantities();
+            if let Some(left) = (PoseAnswers { quantities: &motion, ..view }).left_by_loads() {
+                return Err(Cause::CurveLeft(left));
+            }
+        }
         let quantities = self.loads_name_quantities;
         state.scratch.searched = self.consistent_searched;
         balanced(model, &self.statics, state, angles, &mut self.evaluated, quantities);

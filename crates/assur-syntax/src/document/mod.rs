@@ -22,7 +22,10 @@ pub use motion::{
     Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind, Steps,
 };
 pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Start, Turn, Way};
-pub use question::{Cell, Column, Expect, ExpectAt, Find, FindItem, Row, Simulate, Until, Variants};
+pub use question::{
+    Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Find, FindItem, Row, Simulate, Until,
+    Variants,
+};
 
 use assur_text::source::{Span, Spanned};
 
@@ -117,6 +120,8 @@ pub enum Statement {
     Expect(Box<Expect>),
     /// `variants { … }`
     Variants(Variants),
+    /// `curve p periodic { … }`
+    Curve(Curve),
     /// `start OF = -0.0617 rad at 0 rad/s`
     Start(Start),
     /// `simulate 0 s .. 0.03 s within 1e-9`

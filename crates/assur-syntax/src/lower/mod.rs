@@ -80,6 +80,7 @@ impl Lower<'_> {
             Rule::find => Statement::Find(self.find(pair)?),
             Rule::expect => Statement::Expect(Box::new(self.expect(pair)?)),
             Rule::variants => Statement::Variants(self.rows(pair.into_inner())),
+            Rule::curve => Statement::Curve(self.curve(pair)?),
             Rule::simulate => Statement::Simulate(self.simulate(pair)?),
             Rule::until => Statement::Until(self.until(pair)?),
             Rule::ignore => {

@@ -105,6 +105,11 @@ functions! {
         form(&[value("a"), value("b")], Varies("that of the values"), "least of two or more values"),
         form(&[X], OF_X, "least value over the sweep, see Cycles"),
     ],
+    Slope "slope" Math "slope(p(x))" [form(
+        &[value("p(x)")],
+        Varies("that of p over that of x"),
+        "derivative of a curve by its argument",
+    )],
     Position "position" Motion "position(rod.C)" [
         form(&[P], Vector(Dimension::LENGTH), "position of a point; of a slider a signed number"),
         form(&[L, KP], Vector(Dimension::LENGTH), "of the point of L that coincides with K.P now"),

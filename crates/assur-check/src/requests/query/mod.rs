@@ -23,7 +23,7 @@ use crate::expr::context::Context;
 use crate::expr::results::{Call, Results};
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{self, CamPart, CycleFunction, FlywheelPart, Query};
+use assur_model::model::{self, CamPart, CurvePart, CycleFunction, FlywheelPart, Query};
 use assur_text::language::Function;
 use assur_text::units::Dimension;
 use bearing::Bearing;
@@ -42,6 +42,9 @@ impl Context<'_> {
     /// A call of any function, or an error if there is no such function.
     pub(crate) fn function(&mut self, call: Call<'_>) -> Option<Typed> {
         let Some(function) = Function::named(&call.name.node) else {
+            if self.is_curve(&call.name.node) {
+                return self.curve(call, CurvePart::Value);
+            }
             self.no_function(call);
             return None;
         };
@@ -67,6 +70,7 @@ impl Context<'_> {
                 self.link_motion(call, Query::LinkDirection, Type::vector(Dimension::NUMBER))
             }
             F::Dir => self.direction(call),
+            F::Slope => self.slope(call),
             F::Dot => self.product(call, model::Function::Dot),
             F::Cross => self.product(call, model::Function::Cross),
             F::Max if call.args.len() != 1 => self.extreme(call, model::Function::Max),

@@ -48,6 +48,7 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     sampler.share(of(&early).into_iter().filter(depends_on_nothing_else));
     for index in early {
         statics.cycles[index] = cycle(model, statics, &mut sampler, index);
+        within_curves(&sampler)?;
     }
     let mut notes = Vec::new();
     let ideal = model.plan.effects.loses() && asks_for_ideal_flywheels(mechanism);
@@ -60,6 +61,7 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     for asked in asked {
         let index = asked.index;
         let found = flywheel::flywheel(model, statics, &mut sampler, asked);
+        within_curves(&sampler)?;
         let found = found.map_err(|why| Cause::NoFlywheel { flywheel: index, why })?;
         if asked.ideal {
             statics.ideal_flywheels.push(found.answer);
@@ -71,8 +73,14 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     }
     for index in late {
         statics.cycles[index] = cycle(model, statics, &mut sampler, index);
+        within_curves(&sampler)?;
     }
     Ok(notes)
+}
+
+/// A curve that is left between the positions is no less an error than at one of them.
+fn within_curves(sampler: &Sampler<'_>) -> Result<(), Cause> {
+    sampler.left.clone().map_or(Ok(()), |left| Err(Cause::CurveLeft(left)))
 }
 
 /// The functions over the sweep and the flywheels of a solved file once more: with the settings of the model's plan.
