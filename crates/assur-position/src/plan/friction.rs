@@ -66,7 +66,7 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
         let rubbing = FrictionGroup {
             reduced: reduced(&plain, &plan.friction[from..], from),
             bodies: group.bodies.iter().map(|b| b.0).collect(),
-            bases: bases(group),
+            bases: bases(structure, group),
             elements: (from..plan.friction.len()).collect(),
             slots,
         };
@@ -140,11 +140,13 @@ fn together(plan: &mut Plan) {
     }
 }
 
-fn bases(group: &Group) -> Vec<usize> {
+/// The bodies outside a group on which its joints and efforts act.
+fn bases(structure: &Structure, group: &Group) -> Vec<usize> {
     let mut bases: Vec<usize> = Vec::new();
-    for joint in &group.joints {
-        if !group.bodies.contains(&joint.base) && !bases.contains(&joint.base.0) {
-            bases.push(joint.base.0);
+    let efforts = group.efforts.iter().flat_map(|&e| structure.efforts[e].bodies(&structure.replaced));
+    for base in group.joints.iter().map(|joint| joint.base).chain(efforts) {
+        if !group.bodies.contains(&base) && !bases.contains(&base.0) {
+            bases.push(base.0);
         }
     }
     if !bases.contains(&0) {

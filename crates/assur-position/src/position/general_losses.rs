@@ -20,7 +20,7 @@ impl State {
         work: &mut Workspace,
         losses: bool,
     ) {
-        for (&slot, gearing) in system.laws.iter().zip(&mut work.equations.laws) {
+        for (&slot, gearing) in system.laws.iter().zip(&mut work.equations.laws[system.shared.len()..]) {
             let law = &plan.laws[slot];
             if law.efficiency.is_none() {
                 continue;
