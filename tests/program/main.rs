@@ -4,6 +4,7 @@ mod batch;
 mod cli;
 #[path = "../folder/mod.rs"]
 mod folder;
+mod formats;
 mod grade;
 mod output;
 mod reply;
