@@ -23,7 +23,7 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
     let inputs = files::expand(&args.problem.files);
     let several = inputs.len() > 1;
     let answers = Printing { args, screen, several };
-    let mut printer = Printer::new(screen, answers.apart());
+    let mut printer = Printer::new(screen, args.format.apart());
     let work = |source: &Source, printer: &mut Printer<'_>| answers.of_file(source, &overrides, printer);
     let status = for_each_input(inputs, &mut printer, work);
     let hint = answers.is_brief() && printer.has_results();
@@ -40,15 +40,6 @@ struct Printing<'a> {
 }
 
 impl Printing<'_> {
-    /// What separates two files.
-    const fn apart(&self) -> &'static str {
-        match self.args.format {
-            Format::Json | Format::Jsonl => "",
-            Format::Csv => "\r\n",
-            Format::Table | Format::Markdown | Format::Latex => "\n",
-        }
-    }
-
     fn of_file(&self, source: &Source, overrides: &Overrides, printer: &mut Printer<'_>) -> Reply {
         let (document, found) = syntax::parse(source);
         let document = Arc::new(document);
@@ -120,8 +111,7 @@ impl Printing<'_> {
 
     /// A report in the form that is asked for.
     fn page(&self, report: &Report) -> String {
-        let page = self.args.format.page(self.screen.look());
-        page.map_or_else(String::new, |page| page.render(report))
+        self.args.format.page(self.screen.look()).render(report)
     }
 
     const fn accuracy(&self) -> AccuracyShown {
@@ -185,7 +175,7 @@ impl Printing<'_> {
             section.blocks.insert(0, Block::Text(format!("row {row} of {count}")));
             results.push(self.section(&section));
         }
-        Reply::new(results.join(self.apart()), &problems, source, self.screen)
+        Reply::new(results.join(self.args.format.apart()), &problems, source, self.screen)
     }
 }
 

@@ -47,6 +47,12 @@ const LINES: &[(&str, &str, &str)] = &[
     ("gravity 9.81 m/s^2", "/* w */ gravity 9.81 m/s^2", "write: gravity 9.81 m/s^2  // w"),
     (
         "find Mb, w = omega(rocker)",
+        "find Mb, velocity C, w = omega(rocker)",
+        "write: find Mb, velocity(C), w = omega(rocker)",
+    ),
+    ("find Mb, w = omega(rocker)", "find Mb, w = omega rocker", "write: find Mb, w = omega(rocker)"),
+    (
+        "find Mb, w = omega(rocker)",
         "find reactions Mb, w = omega(rocker)",
         "write: find reactions, Mb, w = omega(rocker)",
     ),

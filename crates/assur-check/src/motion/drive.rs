@@ -127,7 +127,7 @@ pub(crate) fn target(cx: &mut Context<'_>, path: &Path, what: &str) -> Option<(O
 }
 
 /// Whether the file has wheels, shafts or ropes, whose rates are found without positions.
-fn has_wheels(cx: &Context<'_>) -> bool {
+pub(super) fn has_wheels(cx: &Context<'_>) -> bool {
     let kinds = cx.names.things.values().map(|d| d.what);
     kinds.into_iter().any(|kind| match kind {
         ThingKind::Joint(kind) => !is_linkage_pair(kind),

@@ -126,7 +126,7 @@ impl PoseAnswers<'_> {
             Query::BalancePower(id) => Value::Scalar(self.effort_power(EffortSource::Balance(*id))),
             Query::EffortPower(id) => Value::Scalar(self.effort_power(EffortSource::Drive(*id))),
             Query::LoadPower(id) => Value::Scalar(self.load_power(id.index())),
-            Query::Travel(pair) => Value::Scalar(self.displacement(*pair) - self.statics.least(*pair)),
+            Query::Travel(pair) => Value::Scalar(self.travel(*pair)),
             Query::Stroke(pair) => Value::Scalar(self.statics.stroke(*pair)),
             Query::TimeRatio(pair) => Value::Scalar(self.statics.time_ratio(*pair)),
             Query::Dead(pair, which) => Value::Scalar(self.statics.dead(*pair, *which)),
