@@ -5,6 +5,7 @@ pub mod carrier;
 pub mod gear;
 pub mod meant;
 pub mod planet;
+pub mod rack;
 pub mod rope;
 pub mod shaft;
 pub mod size;
