@@ -10,10 +10,10 @@ use assur::internals::source::Source;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-type Answers = BTreeMap<String, Vec<f64>>;
+pub(crate) type Answers = BTreeMap<String, Vec<f64>>;
 
 /// What a text asks at every pose, by name; `None` where it has no position there. Positions are compared with those of 30 digits.
-fn answers(text: &str) -> Vec<Option<Answers>> {
+pub(crate) fn answers(text: &str) -> Vec<Option<Answers>> {
     let source = Source::new("geared.mech", text);
     let (solved, problems) = assur::internals::test_source(&source, &Overrides::none());
     let told = || {
@@ -54,7 +54,7 @@ fn answers(text: &str) -> Vec<Option<Answers>> {
     poses.collect()
 }
 
-fn close(got: f64, expected: f64, within: f64, what: &str) {
+pub(crate) fn close(got: f64, expected: f64, within: f64, what: &str) {
     assert!((got - expected).abs() <= within * (1.0 + expected.abs()), "{what}: {got:e}, not {expected:e}");
 }
 

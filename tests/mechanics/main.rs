@@ -16,6 +16,7 @@ mod power_residual;
 mod precise;
 mod properties;
 mod reference_position;
+mod rolling;
 mod structure;
 mod support;
 mod train_losses;

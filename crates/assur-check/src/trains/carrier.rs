@@ -27,7 +27,7 @@ pub(crate) fn carrier(cx: &mut Context<'_>, first: &Wheel, second: &Wheel, span:
 }
 
 /// The links on which a wheel turns about its axis; the ground of a wheel of the ground.
-fn mates(cx: &Context<'_>, wheel: &Wheel) -> Vec<LinkId> {
+pub(crate) fn mates(cx: &Context<'_>, wheel: &Wheel) -> Vec<LinkId> {
     if wheel.link == LinkId::GROUND {
         return vec![LinkId::GROUND];
     }
@@ -131,12 +131,4 @@ pub(crate) fn turns_at_all(cx: &mut Context<'_>, fixed: &Wheel, planet: &Wheel, 
         shaft_span: own.name.span,
     });
     None
-}
-
-/// Whether a link has a revolute pair with the carrier.
-pub(crate) fn turns_on(cx: &Context<'_>, link: LinkId, carrier: LinkId) -> bool {
-    cx.builder.mech.pairs.iter().any(|p| {
-        let links = p.kind.links();
-        matches!(p.kind, PairKind::Revolute(_)) && links.contains(&link) && links.contains(&carrier)
-    })
 }

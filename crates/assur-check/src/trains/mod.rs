@@ -8,6 +8,7 @@ pub mod grip;
 pub mod losses;
 pub mod meant;
 pub mod planet;
+pub mod rack;
 pub mod rope;
 pub mod shaft;
 pub mod size;

@@ -8,12 +8,13 @@ use crate::names::declared::ThingKind;
 use crate::pairs::property::{phrase, shared};
 use crate::pairs::transmission::known;
 use crate::statements::lines::{braces, end_text};
-use crate::trains::carrier::{carrier, turns_on};
+use crate::trains::carrier::carrier;
 use crate::trains::friction_torque::friction_torque;
 use crate::trains::grip::{belt_grip, slip};
 use crate::trains::losses::losses;
 use crate::trains::meant::only_wheels;
 use crate::trains::planet::{Arms, arm, distance, is_planet};
+use crate::trains::rack::rack;
 use crate::trains::rope::{merged, rope, two_sides};
 use crate::trains::size::label;
 use crate::values::format_value::digits;
@@ -64,10 +65,10 @@ pub(crate) fn transmissions(cx: &mut Context<'_>) {
 }
 
 /// What runs between the ends, before losses.
-struct Runs {
-    laws: Vec<Law>,
-    links: Vec<LinkId>,
-    meeting: Option<Meeting>,
+pub(crate) struct Runs {
+    pub(crate) laws: Vec<Law>,
+    pub(crate) links: Vec<LinkId>,
+    pub(crate) meeting: Option<Meeting>,
 }
 
 fn transmission(
@@ -90,7 +91,7 @@ fn transmission(
             let tangent = pressure_angle.map(libm::tan);
             wheels(cx, joint, kind, properties, (arms, tangent))
         }
-        TransmissionKind::Rack => rack(cx, joint),
+        TransmissionKind::Rack => rack(cx, joint, find(properties, "efficiency").map(|e| e.span)),
         TransmissionKind::Worm => worm(cx, joint, properties),
         TransmissionKind::Screw => screw(cx, joint, properties),
         TransmissionKind::Clutch => clutch(cx, joint),
@@ -140,7 +141,7 @@ pub(crate) fn incomplete<T>(cx: &mut Context<'_>, message: &str, help: &str, spa
 }
 
 /// The two ends; reports more of them.
-fn two<'j>(cx: &mut Context<'_>, joint: &'j Joint) -> Option<[&'j Path; 2]> {
+pub(crate) fn two<'j>(cx: &mut Context<'_>, joint: &'j Joint) -> Option<[&'j Path; 2]> {
     let what = phrase(joint.kind.node);
     let odd = joint.ends.iter().enumerate().find(|(i, e)| *i > 1 || !matches!(e, End::At(_)));
     if let Some((i, end)) = odd {
@@ -166,7 +167,7 @@ impl Context<'_> {
     }
 }
 
-fn wheel(cx: &mut Context<'_>, path: &Path) -> Option<Wheel> {
+pub(crate) fn wheel(cx: &mut Context<'_>, path: &Path) -> Option<Wheel> {
     known(cx, &path.head, "wheel", &[ThingKind::Wheel]);
     if let Some(part) = &path.tail {
         return incomplete(cx, "a wheel has no points", "leave out the part after the dot", part.span);
@@ -335,28 +336,6 @@ fn sliding(cx: &mut Context<'_>, path: &Path) -> Option<(PairId, LinkId, f64)> {
         }
     };
     Some((pair, link, sense))
-}
-
-/// v = ω r: the wheel lies to the left of the line.
-fn rack(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {
-    let [first, second] = two(cx, joint)?;
-    let is_wheel = |cx: &Context<'_>, p: &Path| cx.wheel(&p.head.node).is_some();
-    let (wheel_path, bar) = if is_wheel(cx, second) { (second, first) } else { (first, second) };
-    let (wheel, bar) = (wheel(cx, wheel_path), sliding(cx, bar));
-    let (wheel, (pair, link, sense)) = (wheel?, bar?);
-    on_ground(cx, &wheel, wheel_path)?;
-    let terms = vec![(Rate::Turn(wheel.link), wheel.radius), (Rate::Slide(pair), -sense)];
-    let law = Law { terms, constant: 0.0, force: 1.0, efficiency: None };
-    Some(Runs { laws: vec![law], links: vec![wheel.link, link], meeting: None })
-}
-
-/// Reports a wheel whose axis moves.
-fn on_ground(cx: &mut Context<'_>, wheel: &Wheel, path: &Path) -> Option<()> {
-    if turns_on(cx, wheel.link, LinkId::GROUND) {
-        return Some(());
-    }
-    cx.builder.unsupported("a wheel on a rack whose axis moves", path.span());
-    None
 }
 
 /// Both sides have one speed.

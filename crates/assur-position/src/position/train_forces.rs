@@ -48,13 +48,13 @@ impl State {
                     let (p, force, about) = self.load_at(hinge.body, &hinge.pin);
                     let lever = (body.p - p).cross(more);
                     work.loads[i] = about + moment + lever;
-                    if let Some(carrier) = carrier
-                        && let Some(TrainSupport::Turn(base, _)) = train.members.get(*carrier)
-                    {
-                        // reduced to the origin of the carrier
-                        let r = p - self.motion.bodies[base.body].p;
-                        work.carried[*carrier].0 += force + more;
-                        work.carried[*carrier].1 += r.cross(force + more);
+                    if let Some(carrier) = *carrier {
+                        work.carried[carrier].0 += force + more;
+                        if let TrainSupport::Turn(base, _) = &train.members[carrier] {
+                            // reduced to the origin of the carrier
+                            let r = p - self.motion.bodies[base.body].p;
+                            work.carried[carrier].1 += r.cross(force + more);
+                        }
                     }
                 }
                 TrainSupport::Shift(guide, sign) => {
