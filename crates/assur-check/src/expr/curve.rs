@@ -1,16 +1,17 @@
 //! Curves: tables of values, and calls of them.
 
-use crate::error::CurveError;
+use crate::error::{CurveError, NameError};
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::names::declared::QuantityKind;
+use crate::names::suggestion::suggestion;
 use crate::values::fold;
 use crate::values::store::CheckedCurve;
 use crate::values::typed::{Dim, Type, Typed};
 use crate::values::unit_use::display_in;
 use assur_math::math::{Between, Beyond, TableFault, TableFunction};
 use assur_model::model::{Curve, CurvePart, Value};
-use assur_syntax::document::{self, Cell, Column, CurveBetween, CurveBeyond, Expr, ExprKind, Row};
+use assur_syntax::document::{self, Cell, Column, CurveBetween, CurveBeyond, Expr, ExprKind, Name, Row};
 use assur_text::language::Function;
 use assur_text::source::Span;
 use assur_text::units::{Dimension, Unit};
@@ -201,6 +202,25 @@ impl Context<'_> {
         None
     }
 
+    /// Reports a name that is not one of a curve.
+    pub(crate) fn no_curve_of_name(&mut self, name: &Name) {
+        if self.names.bad.contains(&name.node) {
+            return;
+        }
+        let declared = self.names.quantities.get(&name.node).map(|d| (d.what.phrase(), d.span));
+        let all = self.names.quantities.iter().filter(|(_, d)| curve_of(d.what).is_some());
+        let all = all.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
+        let help = suggestion(&name.node, &all, "curves");
+        let (span, name) = (name.span, name.node.clone());
+        self.error(match declared {
+            Some((is, at)) => {
+                let (wanted, declared) = ("a curve".into(), Some(at));
+                NameError::WrongKind { name, is: is.into(), wanted, span, declared, help }
+            }
+            None => NameError::Unknown { kind: "curve", name, place: String::new(), span, help },
+        });
+    }
+
     fn no_curve(&mut self, found: &Expr) {
         let mut curves = self.names.quantities.values().filter_map(|d| curve_of(d.what));
         let help = match curves.next() {
@@ -216,7 +236,7 @@ impl Context<'_> {
     /// Reports a curve that is not called.
     pub(crate) fn uncalled(&mut self, name: &str, curve: &document::Curve, span: Span) {
         let x = curve.table.columns.first().map_or("x", |c| c.name.node.as_str());
-        self.error(crate::error::NameError::WrongKind {
+        self.error(NameError::WrongKind {
             name: name.to_owned(),
             is: "a curve".into(),
             wanted: "a value".into(),

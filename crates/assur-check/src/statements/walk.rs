@@ -158,7 +158,7 @@ fn cam_member<'a>(member: &'a CamMember, visit: &mut dyn FnMut(&'a Expr)) {
         CamMember::Follower(f) => properties(&f.properties, visit),
         CamMember::Phase(p) => std::iter::once(&p.angle).chain(&p.through).for_each(visit),
         CamMember::Property(p) => properties(std::slice::from_ref(p), visit),
-        CamMember::Turning(_) | CamMember::Bad(_) => {}
+        CamMember::Turning(_) | CamMember::Lift(_) | CamMember::Bad(_) => {}
     }
 }
 

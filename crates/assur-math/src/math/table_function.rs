@@ -130,6 +130,29 @@ impl TableFunction {
         self.on(i, inside)
     }
 
+    /// The intervals in order, each with its length, the change of the value, and the terms a, b, c of the way
+    /// a x + b x² + c x³, x from 0 to 1.
+    pub fn cubics(&self) -> impl Iterator<Item = (f64, f64, [f64; 3])> + '_ {
+        (0..self.x.len() - 1).map(|i| {
+            let h = self.x[i + 1] - self.x[i];
+            let [_, slope, second, third] = self.on(i, self.x[i]);
+            let terms = [slope * h, second * h * h / 2.0, third * h * h * h / 6.0];
+            (h, self.y[i + 1] - self.y[i], terms)
+        })
+    }
+
+    /// The values at the points.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        &self.y
+    }
+
+    /// How values between the points are found.
+    #[must_use]
+    pub const fn between(&self) -> Between {
+        self.between
+    }
+
     fn end(&self, first: bool) -> f64 {
         let y = if first { self.y.first() } else { self.y.last() };
         y.copied().unwrap_or(f64::NAN)

@@ -152,6 +152,8 @@ pub enum CamMember {
     Follower(Follower),
     /// `rise 60 deg through 18 deg parabolic`
     Phase(Box<Phase>),
+    /// `lift along law`: the curve
+    Lift(Name),
     /// `base_radius 50 mm`, and what else may come
     Property(Property),
     /// A part that could not be read; already reported.

@@ -119,6 +119,7 @@ impl Lower<'_> {
                 shape: parts.name()?,
                 properties: self.properties(&mut parts),
             }),
+            Rule::lift => CamMember::Lift(parts.name_behind(Rule::w_along)?),
             Rule::phase => CamMember::Phase(Box::new(self.phase(word, parts)?)),
             _ => return None,
         })

@@ -171,6 +171,8 @@ pub const CODES: &[Code] = codes! {
     "cam" / "base_radius",
     "cam" / "undercut",
     "cam" / "pointed",
+    "cam" / "table",
+    "cam" / "swing",
     "cam" / "shock",
     "cam" / "other_follower",
     "gear" / "incomplete",

@@ -124,6 +124,7 @@ pub const CAM_MEMBERS: &[Word] = &[
     row("rise", "a phase of rising", "rise 60 deg through 18 deg parabolic"),
     row("dwell", "a phase of rest", "dwell 10 deg"),
     row("fall", "a phase of falling", "fall 60 deg parabolic"),
+    row("lift", "a phase by a table of the lift", "lift along law"),
 ];
 
 /// The connecting words, which are reserved.
