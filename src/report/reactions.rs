@@ -58,38 +58,45 @@ pub fn reactions(answers: &Answers<'_>, solved: &Solved) -> Vec<ReactionEntry> {
     entries
 }
 
-fn entry(view: &PoseAnswers<'_>, pair: PairId, from: LinkId, on: LinkId, scale: f64) -> ReactionEntry {
-    let kind = &view.mechanism.pair(pair).kind;
-    let number = |query| match view.query(&query) {
+/// The couple of a pair on a link, N m; `None` where it is not determined, or has no meaning.
+pub(super) fn moment(view: &PoseAnswers<'_>, pair: PairId, on: LinkId) -> Option<f64> {
+    match &view.mechanism.pair(pair).kind {
+        PairKind::Revolute(_) | PairKind::Transmission(_) | PairKind::Prismatic(_) => {
+            number(view, &Query::Moment(pair, on))
+        }
+        PairKind::Cylinder { .. } | PairKind::Slot(_) | PairKind::Contact { .. } => None,
+    }
+}
+
+fn number(view: &PoseAnswers<'_>, query: &Query) -> Option<f64> {
+    match view.query(query) {
         Value::Scalar(x) if x.is_finite() => Some(x),
         _ => None,
-    };
+    }
+}
+
+fn entry(view: &PoseAnswers<'_>, pair: PairId, from: LinkId, on: LinkId, scale: f64) -> ReactionEntry {
+    let kind = &view.mechanism.pair(pair).kind;
     let mut entry = ReactionEntry {
         pair,
         from,
         on,
         force: view.reaction(pair, on),
-        moment: None,
+        moment: moment(view, pair, on),
         at: None,
         contacts: Vec::new(),
     };
     match kind {
-        PairKind::Revolute(pins) => {
-            entry.moment = number(Query::Moment(pair, on));
-            entry.at = pins.first().map(|p| view.body(p.link).position(p.at));
-        }
+        PairKind::Revolute(pins) => entry.at = pins.first().map(|p| view.body(p.link).position(p.at)),
         PairKind::Cylinder { to, .. } => entry.at = Some(view.body(to.link).position(to.at)),
         PairKind::Slot(g) => entry.at = Some(view.body(g.slider).position(g.point)),
         PairKind::Contact { .. } => entry.at = view.contact_normal(pair).map(|c| c.0),
-        PairKind::Transmission(_) => {
-            entry.moment = number(Query::Moment(pair, on));
-            entry.at = view.pitch_point(pair);
-        }
+        PairKind::Transmission(_) => entry.at = view.pitch_point(pair),
         PairKind::Prismatic(g) => {
-            entry.moment = number(Query::Moment(pair, on));
             // a couple alone crosses the guide nowhere
             let crosses = view.reaction(pair, on).norm() > 1e-12 * scale;
-            entry.at = number(Query::LineOffset(pair)).filter(|_| crosses).map(|s| on_line(view, g, s));
+            entry.at =
+                number(view, &Query::LineOffset(pair)).filter(|_| crosses).map(|s| on_line(view, g, s));
             entry.contacts = contacts(view, pair, g);
         }
     }

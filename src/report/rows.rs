@@ -2,7 +2,7 @@
 
 use super::answers::{Answers, with_unit};
 use super::csv;
-use super::reactions::{ReactionEntry, reactions};
+use super::reactions::moment;
 use assur_math::math::Vec2;
 use assur_model::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
 use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, Solved, State, unplaced_reactions};
@@ -34,6 +34,8 @@ struct Answer {
 pub struct AnswerColumns {
     drives: usize,
     answers: Vec<Answer>,
+    /// Every reaction among them has a place, whatever the values of the givens.
+    placed: bool,
 }
 
 impl AnswerColumns {
@@ -83,7 +85,7 @@ impl AnswerColumns {
         if blank.wants_reactions() && !model.plan.reactions.is_empty() {
             all_reactions(model, of_transmissions, &mut answers);
         }
-        Self { drives, answers }
+        Self { drives, answers, placed: false }
     }
 
     /// Those of one file alone: without the reactions that depend on a place that the file leaves open.
@@ -95,7 +97,7 @@ impl AnswerColumns {
             Content::Reaction(pair, _) | Content::Moment(pair, _) => !unplaced[pair.index()],
             _ => true,
         });
-        columns
+        Self { placed: true, ..columns }
     }
 
     /// The headers: names with units in brackets, `.x` and `.y` for the components of vectors. Without the drives for an
@@ -166,13 +168,15 @@ impl AnswerColumns {
     ) {
         let shown = &self.answers[from..];
         let solved = pose.outcome.as_ref().ok();
-        let entries = match solved {
-            Some(solved) if shown.iter().any(|a| matches!(a.content, Content::Reaction(..))) => {
-                reactions(answers, solved)
-            }
-            _ => Vec::new(),
-        };
         let view = solved.map(|solved| answers.solution.view(&answers.model, solved));
+        let asked = shown.iter().any(|a| matches!(a.content, Content::Reaction(..) | Content::Moment(..)));
+        let unplaced = if asked && !self.placed { unplaced_reactions(&answers.model) } else { Vec::new() };
+        let pressing = |pair: PairId| {
+            let known = !answers.model.plan.reactions.is_empty()
+                && solved.is_some_and(|s| !s.state.forces.locked)
+                && !unplaced.get(pair.index()).copied().unwrap_or(false);
+            view.as_ref().filter(|_| known)
+        };
         let value = |(answer, whole): (&Answer, &Option<Value>)| match &answer.content {
             Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
             Content::Find { index, poseless: false } => {
@@ -180,9 +184,11 @@ impl AnswerColumns {
             }
             Content::Find { poseless: true, .. } => *whole,
             Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
-            Content::Reaction(pair, on) => entry(&entries, *pair, *on).map(|e| Value::Vector(e.force)),
+            Content::Reaction(pair, on) => {
+                pressing(*pair).map(|view| Value::Vector(view.reaction(*pair, *on)))
+            }
             Content::Moment(pair, on) => {
-                entry(&entries, *pair, *on).and_then(|e| e.moment).map(Value::Scalar)
+                pressing(*pair).and_then(|view| moment(view, *pair, *on)).map(Value::Scalar)
             }
         };
         for pair in shown.iter().zip(&whole[from..]) {
@@ -252,10 +258,6 @@ fn found(answers: &Answers<'_>, view: &PoseAnswers<'_>, index: usize) -> Option<
 
 fn effort(solved: &Solved, slot: usize) -> Option<Value> {
     solved.state.forces.efforts.get(slot).copied().filter(|x| x.is_finite()).map(Value::Scalar)
-}
-
-fn entry(entries: &[ReactionEntry], pair: PairId, on: LinkId) -> Option<&ReactionEntry> {
-    entries.iter().find(|e| e.pair == pair && e.on == on)
 }
 
 impl Answer {

@@ -2,6 +2,9 @@
 
 use std::fmt::Write;
 
+/// The most figures that a number is rounded to here. Of more the shortest ones say too little.
+const MOST_FROM_SHORTEST: usize = 15;
+
 /// A number rounded to a number of significant digits, without trailing zeros: `98.212`, `-0.0024`, `1.5e9`.
 ///
 /// Very large and very small numbers are written with an exponent.
@@ -18,50 +21,153 @@ pub fn write_significant(out: &mut String, x: f64, digits: usize) {
         out.push('0');
         return;
     }
-    let start = out.len();
+    if !x.is_finite() {
+        // writing to a String does not fail
+        let _ = write!(out, "{x}");
+        return;
+    }
     let digits = digits.clamp(1, 17);
-    // writing to a String does not fail
-    let _ = if x.is_finite() { write!(out, "{:.*e}", digits - 1, x) } else { write!(out, "{x}") };
-    let Some((mantissa, exponent)) = out[start..].split_once('e') else { return };
-    let power = exponent.parse::<i32>().unwrap_or(0);
-    // sign, point and up to 17 digits
-    let mut figures = [0_u8; 17];
-    let mut count = 0;
-    for digit in mantissa.bytes().filter(u8::is_ascii_digit).take(17) {
-        figures[count] = digit;
-        count += 1;
-    }
-    while count > 1 && figures[count - 1] == b'0' {
-        count -= 1;
-    }
-    let places = (-5..=6).contains(&power).then_some(power);
-    out.truncate(start);
+    let figures = Figures::from_shortest(x, digits).unwrap_or_else(|| Figures::exact(x, digits));
+    let mut text = Text::default();
     if x < 0.0 {
-        out.push('-');
+        text.push(b"-");
     }
-    let mut push = |range: &[u8]| range.iter().for_each(|b| out.push(char::from(*b)));
-    match places {
-        None => {
-            push(&figures[..1]);
-            if count > 1 {
-                push(b".");
-                push(&figures[1..count]);
-            }
-            let _ = write!(out, "e{power}");
+    figures.write(&mut text);
+    out.push_str(std::str::from_utf8(&text.bytes[..text.len]).unwrap_or_default());
+}
+
+/// A short text in place.
+#[derive(Default)]
+struct Text {
+    bytes: [u8; 32],
+    len: usize,
+}
+
+impl Text {
+    fn push(&mut self, more: &[u8]) {
+        self.bytes[self.len..self.len + more.len()].copy_from_slice(more);
+        self.len += more.len();
+    }
+}
+
+/// Decimal figures of a number, the first of which is not zero.
+struct Figures {
+    figures: [u8; 17],
+    count: usize,
+    /// The power of ten of the first figure.
+    power: i32,
+}
+
+impl Figures {
+    /// From the shortest decimal number that is read as `x`. `None` where that does not decide how `x` is rounded: half way
+    /// between two numbers of so many digits, with more than 15 digits, and below the normal numbers.
+    ///
+    /// No other case is doubtful. The border between rounding up and down has one digit more than what is wanted. Were it
+    /// between `x` and the shortest number, it would be read as `x` too, and be shorter or nearer.
+    fn from_shortest(x: f64, digits: usize) -> Option<Self> {
+        if digits > MOST_FROM_SHORTEST || x.abs() < f64::MIN_POSITIVE {
+            return None;
         }
-        Some(power @ 0..) => {
-            let before = usize::try_from(power + 1).unwrap_or(1);
-            push(&figures[..before.min(count)]);
-            push(&b"000000"[..before.saturating_sub(count)]);
-            if count > before {
-                push(b".");
-                push(&figures[before..count]);
+        let mut buffer = zmij::Buffer::new();
+        let text = buffer.format_finite(x.abs()).as_bytes();
+        let mut found = Self { figures: [b'0'; 17], count: 0, power: -1 };
+        let mut point = false;
+        for (i, byte) in text.iter().enumerate() {
+            match byte {
+                b'.' => point = true,
+                b'e' => {
+                    let exponent = std::str::from_utf8(&text[i + 1..]).ok()?;
+                    found.power += exponent.parse::<i32>().ok()?;
+                    break;
+                }
+                b'0' if found.count == 0 => found.power -= i32::from(point),
+                digit => {
+                    // what lies beyond are zeros before the point
+                    if let Some(place) = found.figures.get_mut(found.count) {
+                        *place = *digit;
+                    }
+                    found.count += 1;
+                    found.power += i32::from(!point);
+                }
             }
         }
-        Some(power) => {
-            push(b"0.");
-            push(&b"0000"[..usize::try_from(-power - 1).unwrap_or(0)]);
-            push(&figures[..count]);
+        found.count = found.count.min(17);
+        found.strip();
+        if found.count > digits {
+            let half_way = found.figures[digits] == b'5' && found.count == digits + 1;
+            if half_way {
+                return None;
+            }
+            let up = found.figures[digits] >= b'5';
+            found.count = digits;
+            if up {
+                found.round_up();
+            }
+            found.strip();
+        }
+        Some(found)
+    }
+
+    /// From all digits of `x`.
+    #[cold]
+    fn exact(x: f64, digits: usize) -> Self {
+        let text = format!("{:.*e}", digits - 1, x.abs());
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        let mut found = Self { figures: [b'0'; 17], count: 0, power: exponent.parse().unwrap_or(0) };
+        for digit in mantissa.bytes().filter(u8::is_ascii_digit).take(17) {
+            found.figures[found.count] = digit;
+            found.count += 1;
+        }
+        found.strip();
+        found
+    }
+
+    /// Adds one to the last figure.
+    fn round_up(&mut self) {
+        for i in (0..self.count).rev() {
+            if self.figures[i] < b'9' {
+                self.figures[i] += 1;
+                return;
+            }
+            self.figures[i] = b'0';
+        }
+        self.figures[0] = b'1';
+        self.power += 1;
+    }
+
+    /// Leaves trailing zeros out.
+    fn strip(&mut self) {
+        while self.count > 1 && self.figures[self.count - 1] == b'0' {
+            self.count -= 1;
+        }
+    }
+
+    fn write(&self, out: &mut Text) {
+        let figures = &self.figures[..self.count];
+        match self.power {
+            power @ 0..=6 => {
+                let before = usize::try_from(power + 1).unwrap_or(1);
+                out.push(&figures[..before.min(self.count)]);
+                out.push(&b"000000"[..before.saturating_sub(self.count)]);
+                if self.count > before {
+                    out.push(b".");
+                    out.push(&figures[before..]);
+                }
+            }
+            power @ -5..=-1 => {
+                out.push(b"0.");
+                out.push(&b"0000"[..usize::try_from(-power - 1).unwrap_or(0)]);
+                out.push(figures);
+            }
+            power => {
+                out.push(&figures[..1]);
+                if self.count > 1 {
+                    out.push(b".");
+                    out.push(&figures[1..]);
+                }
+                out.push(b"e");
+                out.push(power.to_string().as_bytes());
+            }
         }
     }
 }
