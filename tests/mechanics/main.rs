@@ -16,6 +16,7 @@ mod precise;
 mod properties;
 mod reference_position;
 mod rolling;
+mod rubbing_wheels;
 mod structure;
 mod support;
 mod train_losses;

@@ -4,6 +4,8 @@ use super::force_step::{EffortLine, ForceStep};
 use super::friction_step::{FrictionElement, FrictionGroup, FrictionLaw};
 use super::geometry::guide;
 use super::planned::Plan;
+use super::train::slot_of;
+use super::train_step::LawSite;
 use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
 use crate::structure::{BodyId, Group, JointKind, Structure};
 
@@ -62,13 +64,15 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
         if plan.friction.len() == from || !foreign.is_empty() {
             continue;
         }
+        let laws: Vec<usize> = group.laws.iter().map(|law| slot_of(structure, *law)).collect();
         let plain = std::mem::replace(&mut plan.forces[index], ForceStep::Sequence(Vec::new()));
         let rubbing = FrictionGroup {
             reduced: reduced(&plain, &plan.friction[from..], from),
             bodies: group.bodies.iter().map(|b| b.0).collect(),
-            bases: bases(group),
+            bases: bases(group, &laws, plan),
             elements: (from..plan.friction.len()).collect(),
             slots,
+            laws,
         };
         plan.forces[index] = ForceStep::Friction { plain: Box::new(plain), group: Box::new(rubbing) };
     }
@@ -133,6 +137,7 @@ fn together(plan: &mut Plan) {
         bases: vec![0],
         elements: (0..plan.friction.len()).collect(),
         slots: (0..plan.reactions.len()).collect(),
+        laws: (0..plan.laws.len()).collect(),
         reduced: None,
     };
     if let Some(last) = plan.forces.last_mut() {
@@ -140,8 +145,20 @@ fn together(plan: &mut Plan) {
     }
 }
 
-fn bases(group: &Group) -> Vec<usize> {
+/// What carries a group, and what its laws of wheels act on outside it.
+fn bases(group: &Group, laws: &[usize], plan: &Plan) -> Vec<usize> {
     let mut bases: Vec<usize> = Vec::new();
+    for (site, _) in laws.iter().flat_map(|law| &plan.laws[*law].terms) {
+        let of_site = match site {
+            LawSite::Turn(body) => vec![*body],
+            LawSite::Slide(guide) => vec![guide.body, guide.base],
+        };
+        for body in of_site {
+            if !group.bodies.iter().any(|b| b.0 == body) && !bases.contains(&body) {
+                bases.push(body);
+            }
+        }
+    }
     for joint in &group.joints {
         if !group.bodies.contains(&joint.base) && !bases.contains(&joint.base.0) {
             bases.push(joint.base.0);
