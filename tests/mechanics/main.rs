@@ -11,6 +11,7 @@ mod hard;
 mod lanes_avx2;
 mod legs;
 mod no_silent_errors;
+mod planets;
 mod power_residual;
 mod precise;
 mod properties;
