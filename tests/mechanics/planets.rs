@@ -36,3 +36,44 @@ fn heavy_planets_take_the_power_of_their_energy() {
         close(found["M"][0], inertia * acc, 1e-12, &text);
     }
 }
+
+/// What passes through a mesh, seen from the carrier, has the forces of both wheels in the ratio of the efficiency; each is the torque on
+/// its shaft over the radius.
+#[test]
+fn the_driver_has_the_greater_tooth_force() {
+    let mut random = Random::new(102);
+    for _ in 0..40 {
+        let [zs, zp] = [(15, 60), (15, 40)].map(|(a, b)| (a + random.below(b - a)) as f64);
+        let (module, eta) = (random.within(0.001, 0.005), random.within(0.9, 0.995));
+        let (drive, load) = if random.sign() < 0.0 { ("S", "H") } else { ("H", "S") };
+        let torque = random.sign() * random.within(10.0, 100.0);
+        let text = format!(
+            "ground {{ wheel r teeth {} }}\nshaft S {{ wheel s teeth {zs} module {module} m }}\nshaft H\n\
+             shaft P on H {{ wheel p teeth {zp} }}\n\
+             mesh a: s - p {{ efficiency {eta} }}\nmesh b: p - r {{ internal; efficiency {eta} }}\ndrive {drive} at 10 rad/s\n\
+             torque Q on {load} = {torque} N*m\nbalance torque M on {drive}\n\
+             find omega(S), omega(H), omega(P), moment(a, S), moment(a, P), moment(b, P), tangential_force(a, s), tangential_force(a, P), tangential_force(b, P), tangential_force(b, r), tangential_force(a), M\n",
+            zs + 2.0 * zp
+        );
+        let found = answers(&text);
+        let Some(found) = &found[0] else { panic!("{text}") };
+        let of = |what: &str| found[what][0];
+        let (r_s, r_p) = (0.5 * module * zs, 0.5 * module * zp);
+        close(of("tangential_force(a, s)"), of("moment(a, S)").abs() / r_s, 1e-12, &text);
+        close(of("tangential_force(a, P)"), of("moment(a, P)").abs() / r_p, 1e-12, &text);
+        close(of("tangential_force(b, P)"), of("moment(b, P)").abs() / r_p, 1e-12, &text);
+        // the planet turns freely
+        close(of("tangential_force(a, P)"), of("tangential_force(b, P)"), 1e-12, &text);
+        // power into the sun by the mesh, seen from the carrier: the sun is driven where it is positive
+        let driven = of("moment(a, S)") * (of("omega(S)") - of("omega(H)")) > 0.0;
+        let step = if driven { 1.0 / eta } else { eta };
+        let sun = of("tangential_force(a, s)");
+        close(of("tangential_force(a, P)"), sun * step, 1e-12, &text);
+        close(of("tangential_force(b, r)"), sun * step * step, 1e-12, &text);
+        close(of("tangential_force(a)"), sun * f64::min(1.0, step), 1e-12, &text);
+        // equilibrium of all shafts about the axis
+        let ring = of("tangential_force(b, r)") * (r_s + 2.0 * r_p);
+        let sum = (of("M") + torque).abs();
+        close(sum, ring, 1e-10, &text);
+    }
+}
