@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::args::{Accuracy, AccuracyFormat};
+use super::args::{Accuracy, Format};
 use super::batch::{Sink, end_at_once};
 use super::clock::seconds;
 use super::error::CliError;
@@ -27,28 +27,23 @@ pub fn run(args: &Accuracy, screen: &Screen) -> Status {
         screen.complain(&complaint(CliError::OneDrawing { name }, screen));
         return Status::Unusable;
     }
-    for_each_file(
-        &args.problem.files,
-        screen,
-        if args.format == AccuracyFormat::Json { "" } else { "\n" },
-        |source, _| {
-            let (solved, mut problems) = solve_source(source, &overrides);
-            let Some(solved) = solved.filter(|_| !problems.has_errors()) else {
-                return Reply::new(String::new(), &problems, source, screen);
-            };
-            let model = solved.compiled.model();
-            let measured = study(&model, &solved.solution, args.wanted, seconds);
-            if measured.recommendation.is_none() {
-                problems.push(out_of_reach(&measured, model.mechanism));
-            }
-            let results = printed(args, source, &overrides, &solved, &measured, screen);
-            let reply = Reply::new(results, &problems, source, screen);
-            match &args.plot {
-                Some(path) => drawn(path, source, &solved, &measured, reply, screen),
-                None => reply,
-            }
-        },
-    )
+    for_each_file(&args.problem.files, screen, args.format.apart(), |source, _| {
+        let (solved, mut problems) = solve_source(source, &overrides);
+        let Some(solved) = solved.filter(|_| !problems.has_errors()) else {
+            return Reply::new(String::new(), &problems, source, screen);
+        };
+        let model = solved.compiled.model();
+        let measured = study(&model, &solved.solution, args.wanted, seconds);
+        if measured.recommendation.is_none() {
+            problems.push(out_of_reach(&measured, model.mechanism));
+        }
+        let results = printed(args, source, &overrides, &solved, &measured, screen);
+        let reply = Reply::new(results, &problems, source, screen);
+        match &args.plot {
+            Some(path) => drawn(path, source, &solved, &measured, reply, screen),
+            None => reply,
+        }
+    })
 }
 
 fn printed(
@@ -59,12 +54,12 @@ fn printed(
     measured: &AccuracyStudy,
     screen: &Screen,
 ) -> String {
-    let Some(page) = args.format.page(screen.look()) else {
+    if matches!(args.format, Format::Json | Format::Jsonl) {
         return report::study_json(&source.name, measured) + "\n";
-    };
+    }
     let whole = micros(seconds, || drop(std::hint::black_box(whole(source, overrides))));
     let report = report::of_study(&source.name, &solved.compiled.model(), measured, whole);
-    page.render(&report)
+    args.format.page(screen.look()).render(&report)
 }
 
 /// All that `assur solve` does, but for reading the file and writing to the screen.

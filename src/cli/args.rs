@@ -1,11 +1,11 @@
 //! The manual of the command line.
 
+mod format;
 mod pages;
 
+pub use format::{Format, ProfileFormat};
 pub use pages::{Explain, Help, New, StartKind};
 
-use crate::report::Page;
-use crate::report::text::Look;
 use clap::{Parser, Subcommand, ValueEnum};
 
 use crate::exercise::grade::{Credit, Points, Submissions};
@@ -67,7 +67,7 @@ pub enum Command {
     /// Solve and print the answers
     Solve(Solve),
     /// Compare the results with the file's `expect` lines
-    Test(Problem),
+    Test(Test),
     /// Solve once per row of a table of variants, in parallel
     Batch(Batch),
     /// Grade answers by an answer key
@@ -107,6 +107,20 @@ pub struct Check {
     /// Run the plan over the file's positions, or a turn of its drive, and list the cost of every step and effect
     #[arg(long)]
     pub plan: bool,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
+}
+
+/// Arguments of `test`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Test {
+    /// Files to test
+    #[command(flatten)]
+    pub problem: Problem,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
 }
 
 /// Arguments of `solve`.
@@ -139,33 +153,8 @@ pub struct Accuracy {
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<String>,
     /// Output format
-    #[arg(long, value_enum, default_value_t = AccuracyFormat::Table)]
-    pub format: AccuracyFormat,
-}
-
-/// How measurements are printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum AccuracyFormat {
-    /// Tables to read
-    Table,
-    /// One object per file and line
-    Json,
-    /// Tables to paste into a document
-    Markdown,
-    /// Tables for a LaTeX document
-    Latex,
-}
-
-impl AccuracyFormat {
-    /// The form of a page; none of what programs read.
-    pub(super) const fn page(self, look: Look) -> Option<Page> {
-        match self {
-            Self::Table => Some(Page::Text(look)),
-            Self::Markdown => Some(Page::Markdown),
-            Self::Latex => Some(Page::Latex),
-            Self::Json => None,
-        }
-    }
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
 }
 
 /// An error as a part of the quantity.
@@ -187,7 +176,7 @@ pub struct Batch {
     pub variants: Option<String>,
     /// Output format [default: by the ending of --out, else table]
     #[arg(long, value_enum)]
-    pub format: Option<BatchFormat>,
+    pub format: Option<Format>,
     /// Write the answers to this file (created only when complete)
     #[arg(long, value_name = "FILE")]
     pub out: Option<String>,
@@ -205,25 +194,10 @@ pub struct Batch {
 impl Batch {
     /// The format of the option, else of the file name.
     #[must_use]
-    pub fn format(&self) -> BatchFormat {
+    pub fn format(&self) -> Format {
         let ending = self.out.as_deref().and_then(|name| name.rsplit_once('.')).map(|(_, ending)| ending);
-        self.format.unwrap_or(match ending {
-            Some("csv") => BatchFormat::Csv,
-            Some("jsonl" | "ndjson") => BatchFormat::Jsonl,
-            _ => BatchFormat::Table,
-        })
+        self.format.or_else(|| ending.and_then(Format::of_ending)).unwrap_or(Format::Table)
     }
-}
-
-/// How the answers of a batch are printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum BatchFormat {
-    /// Tables to read, in the author's units
-    Table,
-    /// One line per row and pose, in the author's units, with all digits
-    Csv,
-    /// One object per row and line, SI and radians
-    Jsonl,
 }
 
 fn at_least_one(text: &str) -> Result<usize, String> {
@@ -263,19 +237,8 @@ pub struct Grade {
     #[arg(long, value_name = "SLIP=PART,…", value_parser = Credit::read)]
     pub credit: Vec<Credit>,
     /// Output format
-    #[arg(long, value_enum, default_value_t = GradeFormat::Table)]
-    pub format: GradeFormat,
-}
-
-/// How marks are printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum GradeFormat {
-    /// Wrong answers and totals
-    Table,
-    /// One line per answer, then one per total
-    Csv,
-    /// One object, SI and radians
-    Json,
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub format: Format,
 }
 
 /// Which submission of a row counts.
@@ -323,46 +286,8 @@ pub struct Profile {
     #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(3..=36_000))]
     pub steps: u32,
     /// Output format
-    #[arg(long, value_enum, default_value_t = ProfileFormat::Csv)]
+    #[arg(long, value_enum, default_value_t = ProfileFormat::Common(Format::Csv))]
     pub format: ProfileFormat,
-}
-
-/// How a profile is printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ProfileFormat {
-    /// One row per cam angle, in the author's units
-    Csv,
-    /// A drawing: DXF R12 in millimetres, layers PROFILE, PITCH, BASE, CENTRE
-    Dxf,
-}
-
-/// How answers are printed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Format {
-    /// Tables to read, in the author's units
-    Table,
-    /// One object per file and line, SI and radians
-    Json,
-    /// One object per pose and line, SI and radians
-    Jsonl,
-    /// One row per pose, in the author's units
-    Csv,
-    /// Tables to paste into a document
-    Markdown,
-    /// Tables for a LaTeX document
-    Latex,
-}
-
-impl Format {
-    /// The form of a page; none of what programs read.
-    pub(super) const fn page(self, look: Look) -> Option<Page> {
-        match self {
-            Self::Table => Some(Page::Text(look)),
-            Self::Markdown => Some(Page::Markdown),
-            Self::Latex => Some(Page::Latex),
-            Self::Json | Self::Jsonl | Self::Csv => None,
-        }
-    }
 }
 
 /// When to use colours.

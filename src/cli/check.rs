@@ -15,7 +15,7 @@ use assur_text::diagnostic::Problems;
 /// assembled.
 pub fn run(args: &Check, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
-    for_each_file(&args.problem.files, screen, "\n", |source, _| {
+    for_each_file(&args.problem.files, screen, args.format.apart(), |source, _| {
         let (compiled, mut problems) = crate::pipeline::compile(source, &overrides);
         let results = compiled.map_or_else(String::new, |c| {
             let costs = if args.plan && !problems.has_errors() { costs(&c, &mut problems) } else { None };
@@ -23,7 +23,7 @@ pub fn run(args: &Check, screen: &Screen) -> Status {
             if args.modes {
                 add_modes(&mut report, &c, &mut problems);
             }
-            report::text::render(&report, screen.look())
+            args.format.page(screen.look()).render(&report)
         });
         Reply::new(results, &problems, source, screen)
     })

@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::BufReader;
 
-use super::args::{Grade, GradeFormat};
+use super::args::{Format, Grade};
 use super::error::CliError;
 use super::reply::{Status, complaint};
 use super::screen::Screen;
@@ -40,9 +40,9 @@ fn graded(args: &Grade, screen: &Screen) -> Result<Status, CliError> {
     };
     warn(&graded.left_out, screen);
     let text = match args.format {
-        GradeFormat::Table => report::text::render(&report::grade::report(&graded), screen.look()),
-        GradeFormat::Csv => report::grade::csv(&graded),
-        GradeFormat::Json => report::grade::json(&graded) + "\n",
+        Format::Csv => report::grade::csv(&graded),
+        Format::Json | Format::Jsonl => report::grade::json(&graded) + "\n",
+        format => format.page(screen.look()).render(&report::grade::report(&graded)),
     };
     let printed = Status::printed(screen.print(&text));
     Ok(printed.max(if graded.is_all_right() { Status::Fine } else { Status::Wrong }))

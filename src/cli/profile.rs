@@ -1,11 +1,13 @@
 //! `assur profile`
 
-use super::args::{Profile, ProfileFormat};
+use super::args::{Format, Profile, ProfileFormat};
 use super::error::CliError;
 use super::reply::{Reply, Status, for_each_file};
 use super::screen::Screen;
 use crate::report;
+use crate::report::document::{Report, Section, Table};
 use assur_model::model::{CAM_PARTS, Mechanism, PlateCam};
+use assur_text::source::Source;
 
 /// Prints the profile of a cam for other programs.
 pub fn run(args: &Profile, screen: &Screen) -> Status {
@@ -14,10 +16,14 @@ pub fn run(args: &Profile, screen: &Screen) -> Status {
         let (mechanism, mut problems) = crate::pipeline::check_source(source, &overrides);
         let results = match mechanism.as_ref().map(|m| (m, chosen(m, args.cam.as_deref()))) {
             Some((mechanism, Ok(plate))) => match args.format {
-                ProfileFormat::Csv => {
+                ProfileFormat::Common(format) => {
                     let steps = args.steps as usize;
                     let table = plate.table(&CAM_PARTS, steps, |d| mechanism.display_of(d));
-                    report::csv::render(&report::full_table(&table))
+                    let table = report::full_table(&table);
+                    match format {
+                        Format::Csv => report::csv::render(&table),
+                        format => format.page(screen.look()).render(&of_cam(source, plate, table)),
+                    }
                 }
                 ProfileFormat::Dxf => report::dxf::render(plate, args.steps as usize),
             },
@@ -29,6 +35,13 @@ pub fn run(args: &Profile, screen: &Screen) -> Status {
         };
         Reply::new(results, &problems, source, screen)
     })
+}
+
+/// A page with the profile.
+fn of_cam(source: &Source, plate: &PlateCam, table: Table) -> Report {
+    let mut section = Section::new(format!("Profile of {}", plate.name));
+    section.table(table);
+    Report { title: source.name.clone(), notes: Vec::new(), sections: vec![section] }
 }
 
 /// The cam of that name, or the only one.

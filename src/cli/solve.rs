@@ -10,7 +10,7 @@ use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words,
 use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::json::Variant;
 use crate::report::{self, AccuracyShown, Answers, Precision};
-use assur_check::{Overrides, RowColumn};
+use assur_check::{ColumnUse, Overrides, RowColumn};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -23,7 +23,7 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
     let inputs = files::expand(&args.problem.files);
     let several = inputs.len() > 1;
     let answers = Printing { args, screen, several };
-    let mut printer = Printer::new(screen, answers.apart());
+    let mut printer = Printer::new(screen, args.format.apart());
     let work = |source: &Source, printer: &mut Printer<'_>| answers.of_file(source, &overrides, printer);
     let status = for_each_input(inputs, &mut printer, work);
     let hint = answers.is_brief() && printer.has_results();
@@ -40,15 +40,6 @@ struct Printing<'a> {
 }
 
 impl Printing<'_> {
-    /// What separates two files.
-    const fn apart(&self) -> &'static str {
-        match self.args.format {
-            Format::Json | Format::Jsonl => "",
-            Format::Csv => "\r\n",
-            Format::Table | Format::Markdown | Format::Latex => "\n",
-        }
-    }
-
     fn of_file(&self, source: &Source, overrides: &Overrides, printer: &mut Printer<'_>) -> Reply {
         let (document, found) = syntax::parse(source);
         let document = Arc::new(document);
@@ -120,8 +111,7 @@ impl Printing<'_> {
 
     /// A report in the form that is asked for.
     fn page(&self, report: &Report) -> String {
-        let page = self.args.format.page(self.screen.look());
-        page.map_or_else(String::new, |page| page.render(report))
+        self.args.format.page(self.screen.look()).render(report)
     }
 
     const fn accuracy(&self) -> AccuracyShown {
@@ -185,19 +175,21 @@ impl Printing<'_> {
             section.blocks.insert(0, Block::Text(format!("row {row} of {count}")));
             results.push(self.section(&section));
         }
-        Reply::new(results.join(self.apart()), &problems, source, self.screen)
+        Reply::new(results.join(self.args.format.apart()), &problems, source, self.screen)
     }
 }
 
 /// The poses of a row after its number and its givens; a row without solution has no answers.
 fn csv_row(table: &mut Table, columns: &[RowColumn], row: &SolvedRow, solved: Option<&Answers<'_>>) {
-    let cells =
-        row.row.row.entries().map(|(c, cell)| significant(c.unit.from_si(cell.value), report::rows::FULL));
+    let cells = row.row.row.entries().map(|(c, cell)| match c.what {
+        ColumnUse::Label => row.row.label.clone().unwrap_or_default(),
+        _ => significant(c.unit.from_si(cell.value), report::rows::FULL),
+    });
     let head: Vec<String> = std::iter::once(row.number.to_string()).chain(cells).collect();
     let poses = solved.map(report::table_of_poses).unwrap_or_default();
     if table.columns.len() <= head.len() {
         table.columns = std::iter::once(Column::words("row"))
-            .chain(columns.iter().map(|c| Column::numbers(c.header())))
+            .chain(columns.iter().map(row_column))
             .chain(poses.columns)
             .collect();
         // rows without solution came before
@@ -209,6 +201,14 @@ fn csv_row(table: &mut Table, columns: &[RowColumn], row: &SolvedRow, solved: Op
     }
     for pose in poses.rows {
         table.row(head.iter().cloned().chain(pose).collect());
+    }
+}
+
+/// The column of a table of variants.
+fn row_column(column: &RowColumn) -> Column {
+    match column.what {
+        ColumnUse::Label => Column::words(column.header()),
+        _ => Column::numbers(column.header()),
     }
 }
 

@@ -1,15 +1,16 @@
 //! `assur test`
 
-use super::args::Problem;
+use super::args::{Format, Test};
 use super::files;
 use super::reply::{Printer, Reply, Status, for_each_input};
 use super::screen::Screen;
 use crate::exercise::Outcome;
 use crate::pipeline::{FileVariants, test_document};
+use crate::report::document::{Column, Report, Section, Table};
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::{Source, shown_in_line};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::ops::AddAssign;
 use std::sync::Arc;
 
@@ -35,11 +36,15 @@ struct Tally {
 
 /// Holds solutions against their answer keys: one line per file, a diagnostic per `expect` that fails, and the totals of
 /// several files.
-pub fn run(args: &Problem, screen: &Screen) -> Status {
-    let overrides = args.overrides();
-    let inputs = files::expand(&args.files);
+///
+/// In another form than lines of text these are the rows of one table.
+pub fn run(args: &Test, screen: &Screen) -> Status {
+    let overrides = args.problem.overrides();
+    let inputs = files::expand(&args.problem.files);
     let count = inputs.len();
     let total = Cell::new(Tally::default());
+    let lines = args.format == Format::Table;
+    let table = RefCell::new(table());
     let mut printer = Printer::new(screen, "");
     let status = for_each_input(inputs, &mut printer, |source, _| {
         let (document, found) = syntax::parse(source);
@@ -55,13 +60,29 @@ pub fn run(args: &Problem, screen: &Screen) -> Status {
                 (tally, Reply::new(line, &problems, source, screen))
             }
         };
+        let reply = if lines { reply } else { Reply { results: String::new(), ..reply } };
+        table.borrow_mut().row(tally.cells(&source.name));
         let mut sum = total.get();
         sum += tally;
         total.set(sum);
         reply
     });
-    let whole = count < 2 || printer.print(&total.get().of_all(count));
+    let end = if lines {
+        total.get().of_all(count)
+    } else {
+        let mut section = Section::new("Expectations");
+        section.table(table.into_inner());
+        let report = Report { title: "Test".to_owned(), notes: Vec::new(), sections: vec![section] };
+        args.format.page(screen.look()).render(&report)
+    };
+    let whole = lines && count < 2 || printer.print(&end);
     status.max(Status::printed(whole))
+}
+
+/// The table of all files, without rows.
+fn table() -> Table {
+    let counts = ["rows", "met", "failed", "not solved", "errors"].map(Column::numbers);
+    Table::new(std::iter::once(Column::words("file")).chain(counts).collect(), 1)
 }
 
 /// One line for all rows of a table of variants.
@@ -97,6 +118,12 @@ impl Tally {
         let errors = problems.errors() - problems.errors_of(MISMATCH);
         let unsolved = usize::from(outcomes.is_none());
         Self { met, failed: all.len() - met, unsolved, errors, ..Self::default() }
+    }
+
+    /// A row of the table of all files.
+    fn cells(self, file: &str) -> Vec<String> {
+        let counts = [self.rows, self.met, self.failed, self.unsolved, self.errors].map(|n| n.to_string());
+        std::iter::once(file.to_owned()).chain(counts).collect()
     }
 
     /// A file without a table of variants.

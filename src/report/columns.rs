@@ -123,7 +123,7 @@ impl<'a> Answers<'a> {
             EffortEntry { name, of_drive, display: mechanism.display_of(dimension), slot }
         };
         let all = self.model.structure.efforts.iter().enumerate();
-        // what depends on sizes that are left open is not told
+        // an effort that depends on sizes left open has no value
         all.filter(|(slot, _)| !self.solution.open.efforts.contains(slot)).map(entry).collect()
     }
 }

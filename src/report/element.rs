@@ -2,10 +2,13 @@
 
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
-use assur_math::element::cam::Law;
+use assur_math::element::cam::{Law, Phase};
 use assur_model::model::{self, Display, FindKind, Mechanism, PlateCam, Value};
 use assur_solve::solve::Model;
 use assur_text::units::{Dimension, significant};
+
+/// Rounding of a lift, over the greatest one.
+const ROUNDING: f64 = 1e-12;
 
 /// What each designed cam does over a turn, the dwell that is left of it among them.
 pub(super) fn cams(model: &Model<'_>, report: &mut Report) {
@@ -24,26 +27,46 @@ fn phases(mechanism: &Mechanism, plate: &PlateCam) -> Section {
         table.columns.push(Column::numbers(with_unit(header, &display.unit)));
     }
     table.columns.push(Column::words("law"));
-    for phase in plate.cam.program.phases() {
+    for phase in merged(plate.cam.program.phases()) {
         let what = match phase.change {
+            _ if matches!(phase.law, Law::Spline(_)) => "lift",
             0.0 => "dwell",
             up if up > 0.0 => "rise",
             _ => "fall",
         };
         let (from, to) = (phase.start, phase.start + phase.angle);
+        let to_lift = phase.from + phase.change;
         table.row(vec![
             what.to_owned(),
             figures(&angle, from),
             figures(&angle, to),
             figures(&lift, phase.from),
             // what comes back to the base circle does so but for rounding
-            figures(&lift, if phase.from == -phase.change { 0.0 } else { phase.from + phase.change }),
+            figures(
+                &lift,
+                if to_lift.abs() < ROUNDING * plate.cam.program.greatest_lift() { 0.0 } else { to_lift },
+            ),
             law(phase.law).to_owned(),
         ]);
     }
     let mut section = Section::new(format!("Cam {}", plate.name));
     section.table(table);
     section
+}
+
+/// The phases, the pieces of a table as one.
+fn merged(phases: &[Phase]) -> Vec<Phase> {
+    let mut all: Vec<Phase> = Vec::new();
+    for phase in phases {
+        match all.last_mut() {
+            Some(last) if matches!((last.law, phase.law), (Law::Spline(_), Law::Spline(_))) => {
+                last.angle += phase.angle;
+                last.change += phase.change;
+            }
+            _ => all.push(*phase),
+        }
+    }
+    all
 }
 
 const fn law(law: Law) -> &'static str {
@@ -57,6 +80,7 @@ const fn law(law: Law) -> &'static str {
         Law::Poly4567 => "poly4567",
         Law::ModifiedTrapezoid => "modified_trapezoid",
         Law::ModifiedSine => "modified_sine",
+        Law::Spline(_) => "table",
     }
 }
 

@@ -184,6 +184,7 @@ fn effort_names(model: &Model<'_>) -> String {
             BalanceKind::Torque(_) => "torque",
             BalanceKind::Force { .. } => "force",
             BalanceKind::InPair(_) => "in a pair",
+            BalanceKind::Several(_) => "at several places",
         };
         format!("{} ({kind})", b.name)
     });

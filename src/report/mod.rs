@@ -31,6 +31,7 @@ mod replacement;
 mod results;
 pub mod rows;
 mod scale;
+mod sections;
 #[doc(hidden)]
 pub mod symbols;
 pub mod text;

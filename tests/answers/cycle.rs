@@ -169,6 +169,41 @@ fn a_flywheel_evens_out_a_given_torque() {
 
 /// Friction changes its sense at the dead positions.
 #[test]
+fn a_flywheel_without_friction_is_that_of_the_file_without_friction() {
+    let file = |friction: &str| {
+        format!(
+            "{}{LOADED}flywheel J on crank for Mb {{ fluctuation 1/40; rim {{ diameter 0.5 m; density 7200 kg/m^3; height_to_width 1.5 }} }}
+flywheel L on crank for Mb {{ fluctuation 1/40; with_links }}
+let twice = 2*J
+find {{asked}}
+",
+            ENGINE.replace("ground.guide\n", &format!("ground.guide{friction}\n"))
+        )
+    };
+    let asked =
+        ["J", "fluctuation(J)", "rim(J).width", "L", "twice", "work(J)", "reduced_torque(J)", "max(work(J))"];
+    let answers = |friction: &str, wrapped: bool| {
+        let items = asked.map(|what| if wrapped { format!("frictionless({what})") } else { what.to_owned() });
+        let solution =
+            assur::solve(file(friction).replace("{asked}", &items.join(", "))).expect("it is solved");
+        let pose = &solution.poses()[4];
+        let answer = |item: &String| pose.get(item).and_then(assur::Answer::number);
+        items.each_ref().map(|item| answer(item).unwrap_or_else(|| panic!("{item}")))
+    };
+    let rubbing = " { friction 0.15 }";
+    let (plain, ideal, with) = (answers("", false), answers(rubbing, true), answers(rubbing, false));
+    for (i, what) in asked.into_iter().enumerate() {
+        assert!(
+            (plain[i] - ideal[i]).abs() <= 1e-11 * plain[i].abs(),
+            "{what}: {} and {}",
+            plain[i],
+            ideal[i]
+        );
+        assert!((plain[i] - with[i]).abs() > 1e-4 * plain[i].abs(), "{what} does not depend on friction");
+    }
+}
+
+#[test]
 fn friction_is_split_where_it_changes_its_sense() {
     let text = ENGINE
         .replace("ground.guide\n", "ground.guide { friction 0.1 }\n")

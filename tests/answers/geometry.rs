@@ -141,6 +141,34 @@ fn cw_negates_the_value_before_it() {
     assert!(matches!(&m.loads[0].kind, LoadKind::Torque { value, .. } if constant(value) == -6.0));
 }
 
+/// The number of steps of a drive that is written with the size of its steps.
+fn steps(drive: &str) -> usize {
+    let text = format!(
+        "ground {{ A (0, 0); Q (0, 50 mm); line guide through Q along 0 deg }}
+         link crank A-B 80 mm
+         link rod B-C 240 mm
+         link ram {{ C (0, 0) }}
+         revolute A: ground - crank
+         revolute B: crank - rod
+         revolute C: rod - ram
+         prismatic G: ram.C - ground.guide
+         drive {drive}
+         find travel(G)"
+    );
+    match mechanism(&text).drives[0].positions {
+        Positions::Range { steps, .. } => steps,
+        ref other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_size_of_steps_needs_only_the_length_of_its_range() {
+    assert_eq!(steps("crank = 0 deg .. -360 deg step 30 deg"), 12);
+    assert_eq!(steps("crank = dead(G, 1) .. dead(G, 1) - 360 deg step 30 deg"), 12);
+    assert_eq!(steps("crank = dead(G, 2) .. dead(G, 2) + 90 deg step 7.5 deg"), 12);
+    assert_eq!(steps("crank.B = (30 mm, 40 mm) .. (60 mm, 80 mm) step 5 mm"), 10);
+}
+
 #[test]
 fn a_pose_keeps_drives_with_one_position() {
     let m = mechanism(

@@ -1,6 +1,7 @@
 //! What the language means and what comes out: values, answers and the rules by which they are judged.
 
 mod accuracy;
+mod all_motion;
 #[path = "../busy/mod.rs"]
 mod busy;
 mod cycle;
@@ -13,5 +14,6 @@ mod geometry;
 mod large;
 mod number_cases;
 mod positions;
+mod torsion_springs;
 mod unit;
 mod variants;

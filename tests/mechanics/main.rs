@@ -6,6 +6,7 @@ mod cams;
 mod friction;
 mod geared_chains;
 mod gears;
+mod grip;
 mod hard;
 #[cfg(feature = "lanes")]
 mod lanes_avx2;

@@ -77,3 +77,18 @@ fn the_driver_has_the_greater_tooth_force() {
         close(sum, ring, 1e-10, &text);
     }
 }
+
+/// A belt that slips pulls both wheels alike.
+#[test]
+fn a_slipping_belt_pulls_both_wheels_alike() {
+    let text = "shaft I { wheel a radius 0.1 m }\nshaft II { wheel b radius 0.3 m }\nbelt k: a - b { slip 3 % }\n\
+                drive I at 10 rad/s\ntorque T on II = -6 N*m\nbalance torque M on I\n\
+                find tangential_force(k, a), tangential_force(k, b), tangential_force(k), moment(k, I), M\n";
+    let found = answers(text);
+    let Some(found) = &found[0] else { panic!("{text}") };
+    let of = |what: &str| found[what][0];
+    close(of("tangential_force(k, b)"), 20.0, 1e-12, text);
+    close(of("tangential_force(k, a)"), 20.0, 1e-12, text);
+    close(of("tangential_force(k)"), 20.0, 1e-12, text);
+    close(of("M"), 2.0, 1e-12, text);
+}

@@ -91,25 +91,25 @@ fn powers(model: &Model<'_>, exact: &Reference) -> (Double, f64) {
     }
     let most = (force * speed + moment * turning).max(f64::MIN_POSITIVE);
     for (effort, value) in model.structure.efforts.iter().zip(&exact.efforts) {
-        add(*value
-            * match effort.kind {
-                EffortKind::Angle(b) => exact.bodies[b.0].omega,
-                EffortKind::RelativeAngle { first, second, .. } => {
-                    exact.bodies[second.0].omega - exact.bodies[first.0].omega
-                }
-                EffortKind::Coordinate(joint) => {
-                    let JointKind::Prismatic { slider, point, direction, guide, .. } =
-                        model.structure.replaced.joint(joint).kind
-                    else {
-                        panic!("a coordinate of a prismatic joint")
-                    };
-                    let (s, g) = (&exact.bodies[slider.0], &exact.bodies[guide.0]);
-                    let under = g.v + (s.position(point) - g.p).perp() * g.omega;
-                    let along = V2::of(direction) / V2::<Double>::of(direction).norm();
-                    (s.velocity(point) - under).dot(along.turned(s.u))
-                }
-                EffortKind::Line(_) | EffortKind::Point(_) => panic!("not counted here"),
-            });
+        let rate = |kind| match kind {
+            EffortKind::Angle(b) => exact.bodies[b.0].omega,
+            EffortKind::RelativeAngle { first, second, .. } => {
+                exact.bodies[second.0].omega - exact.bodies[first.0].omega
+            }
+            EffortKind::Coordinate(joint) => {
+                let JointKind::Prismatic { slider, point, direction, guide, .. } =
+                    model.structure.replaced.joint(joint).kind
+                else {
+                    panic!("a coordinate of a prismatic joint")
+                };
+                let (s, g) = (&exact.bodies[slider.0], &exact.bodies[guide.0]);
+                let under = g.v + (s.position(point) - g.p).perp() * g.omega;
+                let along = V2::of(direction) / V2::<Double>::of(direction).norm();
+                (s.velocity(point) - under).dot(along.turned(s.u))
+            }
+            EffortKind::Line(_) | EffortKind::Point(_) => panic!("not counted here"),
+        };
+        effort.places().for_each(|kind| add(*value * rate(kind)));
     }
     (sum, most)
 }

@@ -26,6 +26,7 @@ const CASES: &[(&str, Option<&str>, &[&str])] = &[
     ("spellings/sliderP", Some("mech::assembly::ambiguous"), &["assemble B left of A-C"]),
     ("spellings/two", None, &[]),
     ("spellings/two2", Some("mech::determinacy::efforts"), &["leave out `balance F` or `balance F2`"]),
+    ("spellings/two3", None, &[]),
     ("spellings/tx", None, &[]),
     ("spellings/v1", None, &[]),
     ("spellings/v4", Some("mech::request::asked_twice"), &["NAME = omega(rod)"]),

@@ -46,6 +46,32 @@ const LINES: &[(&str, &str, &str)] = &[
     ("gravity 9.81 m/s^2", "gravity 9,81 m/s^2", "write: gravity 9.81 m/s^2"),
     ("gravity 9.81 m/s^2", "/* w */ gravity 9.81 m/s^2", "write: gravity 9.81 m/s^2  // w"),
     (
+        "find Mb, w = omega(rocker)",
+        "find Mb, velocity C, w = omega(rocker)",
+        "write: find Mb, velocity(C), w = omega(rocker)",
+    ),
+    ("find Mb, w = omega(rocker)", "find Mb, w = omega rocker", "write: find Mb, w = omega(rocker)"),
+    (
+        "find Mb, w = omega(rocker)",
+        "find reactions Mb, w = omega(rocker)",
+        "write: find reactions, Mb, w = omega(rocker)",
+    ),
+    (
+        "find Mb, w = omega(rocker)",
+        "find positions Mb, w = omega(rocker)",
+        "write: find positions, Mb, w = omega(rocker)",
+    ),
+    (
+        "find Mb, w = omega(rocker)",
+        "find velocities Mb, w = omega(rocker)",
+        "write: find velocities, Mb, w = omega(rocker)",
+    ),
+    (
+        "find Mb, w = omega(rocker)",
+        "find accelerations Mb, w = omega(rocker)",
+        "write: find accelerations, Mb, w = omega(rocker)",
+    ),
+    (
         "ground { A (0, 0); D (120 mm, 10 mm) }",
         "ground { A (0, 0); D (120 mm; 10 mm) }",
         "write: ground { A (0, 0); D (120 mm, 10 mm) }",

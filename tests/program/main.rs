@@ -1,12 +1,18 @@
 //! The program as run from a shell.
 
+mod accuracy;
 mod batch;
 mod cli;
 #[path = "../folder/mod.rs"]
 mod folder;
+mod formats;
 mod grade;
 mod output;
+mod plan;
+mod profile;
 mod reply;
+mod row_names;
 mod run;
 mod schema;
+mod solve;
 mod start;

@@ -1,5 +1,6 @@
 //! What `solve --format json` prints is held to `docs/json-schema/solution-1.json`, for every example and for wrong files;
-//! what `accuracy --format json` prints to `accuracy-1.json`, what `grade --format json` prints to `grade-2.json`.
+//! what `accuracy --format json` prints to `accuracy-1.json`, what `grade --format json` prints to `grade-2.json`;
+//! `report-1.json` is held in `formats`.
 
 #![allow(clippy::unwrap_used)] // a test that cannot read its files has failed
 

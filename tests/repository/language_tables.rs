@@ -142,7 +142,7 @@ fn the_grammar_has_the_words_of_the_tables() {
     assert!(members.remove("point"));
     assert_eq!(members, of(MEMBERS));
     let mut of_cams = named(rule(&grammar, "phase_kind"), "w_");
-    of_cams.extend(["turning", "follower"]);
+    of_cams.extend(["turning", "follower", "lift"]);
     assert_eq!(of_cams, of(CAM_MEMBERS));
     // every word has a rule that is named after it; some are only kept free
     let rules = grammar.lines().filter_map(|line| line.strip_prefix("w_")?.split_once(" = "));
@@ -168,7 +168,7 @@ fn reads(text: &str) {
 #[test]
 fn every_example_reads() {
     for (place, list) in WORDS {
-        for row in list.iter().filter(|row| row.word != "variants") {
+        for row in list.iter().filter(|row| !["variants", "curve"].contains(&row.word)) {
             match place {
                 Place::Statement | Place::Pair => reads(row.example),
                 Place::Member => reads(&format!("link a A-B 1 m {{ {} }}", row.example)),

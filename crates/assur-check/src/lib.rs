@@ -38,6 +38,7 @@ use assur_syntax::document::{Document, Variants};
 use assur_text::diagnostic::Problems;
 use expr::constants::constants;
 use expr::context::Context;
+use expr::curve::curves;
 use loads::load_cycle;
 use machine::machine;
 use names::scope::Scope;
@@ -90,6 +91,7 @@ pub fn columns(
 ) -> (Option<Vec<RowColumn>>, Problems) {
     let mut cx = start(document, overrides);
     definitions(&mut cx);
+    curves(&mut cx);
     constants(&mut cx);
     // those are reported by `check`
     cx.problems.clear_found();
@@ -144,6 +146,7 @@ fn fill_texts(cx: &mut Context<'_>) {
 
 /// All else.
 fn meaning(cx: &mut Context<'_>) {
+    curves(cx);
     constants(cx);
     fill_texts(cx);
     machine(cx);

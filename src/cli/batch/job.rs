@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
-use super::super::args::BatchFormat;
+use super::super::args::Format;
 use super::super::error::CliError;
 use super::super::reply::Status;
 use super::super::screen::Screen;
@@ -255,7 +255,7 @@ pub struct Run<'a> {
     /// The job.
     pub job: &'a Job,
     /// How.
-    pub format: BatchFormat,
+    pub format: Format,
     /// The columns of the answers.
     pub layout: &'a Layout,
     /// Those of the key, where one is wanted.
@@ -281,21 +281,22 @@ impl<'r> Run<'r> {
         let places = self.layout.places(self.job);
         let key_places = self.key.and_then(|key| key.places(self.job));
         let name = &self.job.source.name;
-        let fixed = (self.format == BatchFormat::Table).then_some(TABLE_CHUNK);
+        let fixed = self.format.is_read().then_some(TABLE_CHUNK);
         self.job.each_chunk(FIRST_CHUNK, fixed, &mut |chunk, total| {
             let progress = progress.get_or_insert_with(|| Progress::new(name, total));
             let mut shown = String::new();
             let mut whole = true;
             for piece in self.chunk(chunk) {
                 let lines = match (&places, self.format) {
-                    (Some(places), BatchFormat::Csv | BatchFormat::Table) => {
+                    (Some(places), format) if format.is_read() || format == Format::Csv => {
                         self.layout.placed(&piece.out, places, name)
                     }
                     _ => piece.out,
                 };
-                match self.format {
-                    BatchFormat::Table => shown += &lines,
-                    _ => out.write(&lines)?,
+                if self.format.is_read() {
+                    shown += &lines;
+                } else {
+                    out.write(&lines)?;
                 }
                 if let (Some(sink), Some(key)) = (key_out.as_mut(), self.key) {
                     let key_lines = key_places.as_ref().map(|places| key.placed(&piece.key, places, name));
@@ -307,8 +308,8 @@ impl<'r> Run<'r> {
                     break;
                 }
             }
-            if self.format == BatchFormat::Table {
-                out.write(&self.layout.table(&shown, name, self.screen.look()))?;
+            if self.format.is_read() {
+                out.write(&self.layout.table(&shown, name, self.format.page(self.screen.look())))?;
             }
             progress.rows(tally.rows());
             Ok(whole && !out.closed() && !stop::wanted())

@@ -1,12 +1,12 @@
 //! The columns of a batch: those of all its files, each header once.
 
-use super::super::args::BatchFormat;
+use super::super::args::Format;
 use super::job::Job;
 use crate::exercise::table::{Separator, cells, from_cell};
+use crate::report::Page;
 use crate::report::csv::LINE_END;
 use crate::report::document::{Block, Column, Report, Section, Table};
 use crate::report::rows::{FULL, write_text};
-use crate::report::text::{self, Look};
 
 /// Digits for people.
 const READABLE: usize = 6;
@@ -25,8 +25,8 @@ pub struct Layout {
 
 impl Layout {
     /// Those of answers.
-    pub fn of(jobs: &[Job], format: BatchFormat) -> Self {
-        Self::new(jobs, false, if format == BatchFormat::Table { READABLE } else { FULL })
+    pub fn of(jobs: &[Job], format: Format) -> Self {
+        Self::new(jobs, false, if format.is_read() { READABLE } else { FULL })
     }
 
     /// Those of an answer key.
@@ -91,8 +91,8 @@ impl Layout {
         out
     }
 
-    /// Lines as a table to read.
-    pub fn table(&self, lines: &str, title: &str, look: Look) -> String {
+    /// Lines as a page to read.
+    pub fn table(&self, lines: &str, title: &str, page: Page) -> String {
         let words = |h: &String| matches!(h.as_str(), "file" | "row" | "variant" | "pose" | ERROR);
         let column =
             |h: &String| if words(h) { Column::words(h.as_str()) } else { Column::numbers(h.as_str()) };
@@ -105,7 +105,7 @@ impl Layout {
         }
         drop_empty(&mut table);
         let section = Section { heading: "Answers".to_owned(), blocks: vec![Block::Table(table)] };
-        text::render(&Report { title: title.to_owned(), notes: Vec::new(), sections: vec![section] }, look)
+        page.render(&Report { title: title.to_owned(), notes: Vec::new(), sections: vec![section] })
     }
 }
 

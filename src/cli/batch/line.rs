@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::super::args::BatchFormat;
+use super::super::args::Format;
 use super::job::Job;
 use super::layout::Layout;
 use super::rows::Input;
@@ -26,7 +26,7 @@ pub struct Written<'a> {
     /// The file.
     pub job: &'a Job,
     /// How.
-    pub format: BatchFormat,
+    pub format: Format,
     /// The columns.
     pub layout: &'a Layout,
     /// Those of the key, where one is wanted.
@@ -82,7 +82,7 @@ impl Written<'_> {
         said.unmet = solved.is_some_and(|s| s.outcomes.iter().any(|o| !o.passed));
         let error = if said.failed.is_some() { first_error(&problems) } else { String::new() };
         let answers = solved.map(|s| s.answers(Precision::READABLE));
-        if self.format == BatchFormat::Jsonl {
+        if matches!(self.format, Format::Json | Format::Jsonl) {
             self.json(input, answers.as_ref(), &problems);
         } else {
             self.lines(input, answers.as_ref(), &error);
@@ -156,7 +156,7 @@ impl Written<'_> {
         error: &str,
         views: impl FnOnce() -> Vec<assur_text::diagnostic::DiagnosticView>,
     ) {
-        if self.format == BatchFormat::Jsonl {
+        if matches!(self.format, Format::Json | Format::Jsonl) {
             let variant = Some(Variant::unread(number));
             *self.out += &json::render_row(&self.job.source.name, variant, None, None, &views());
             self.out.push('\n');

@@ -11,7 +11,7 @@ mod tally;
 
 use std::path::Path;
 
-use super::args::{Batch, BatchFormat};
+use super::args::{Batch, Format};
 use super::error::CliError;
 use super::files;
 use super::reply::{Status, complaint, quiet_panics};
@@ -71,7 +71,7 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
         Some(path) => Some(Sink::file(Path::new(path))?),
         None => None,
     };
-    if format == BatchFormat::Csv {
+    if format == Format::Csv {
         out.write(&layout.header())?;
     }
     if let Some(sink) = &mut key_out {

@@ -173,7 +173,7 @@ pub fn render_position<'a>(
 }
 
 /// The same JSON without characters that a terminal obeys: they occur in strings only.
-fn escaped(json: String) -> String {
+pub(super) fn escaped(json: String) -> String {
     if !json.contains(is_obeyed) {
         return json;
     }

@@ -3,6 +3,7 @@
 mod compare;
 mod csv;
 mod formula;
+mod latex;
 mod line;
 mod markdown;
 mod number;

@@ -25,6 +25,7 @@ fn law(law: Law) -> &'static str {
         Law::Poly4567 => "poly4567",
         Law::ModifiedTrapezoid => "modified_trapezoid",
         Law::ModifiedSine => "modified_sine",
+        Law::Spline(_) => "along",
     }
 }
 
@@ -52,6 +53,19 @@ fn design(cam: &Cam) -> String {
         }
     };
     let _ = writeln!(text, "  follower {motion} {shape} {{ {radius}{rest} }}");
+    let pieces: Vec<_> =
+        cam.program.phases().iter().filter(|p| matches!(p.law, Law::Spline(_))).copied().collect();
+    if let Some(last) = pieces.last() {
+        let end = last.start + last.angle;
+        let whole = end > std::f64::consts::TAU - 1e-9;
+        let mut curve =
+            format!("curve law smooth{} {{\n  phi [rad], s [{unit}]\n", if whole { " periodic" } else { "" });
+        for piece in &pieces {
+            let _ = writeln!(curve, "  {:?}, {:?}", piece.start, piece.from);
+        }
+        let _ = writeln!(curve, "  {end:?}, {:?}\n}}", pieces[0].from);
+        return curve + &text + "  lift along law\n}\n";
+    }
     for phase in cam.program.phases().iter().filter(|p| p.change != 0.0 || p.start > 0.0) {
         let (angle, way) = (phase.angle, phase.change.abs());
         let _ = match phase.change {
@@ -282,7 +296,7 @@ fn followers_stand_where_the_law_says() {
         let phi = super::smooth_angle(&mut random, &cam, 0.05);
         let found = solve(&build, &cam, phi, 0.0);
         let rest = solve(&build, &cam, -0.05, 0.0);
-        let lift = cam.program.at(phi)[0];
+        let lift = (cam.program.at(phi)[0] - cam.program.at(-0.05)[0]).abs();
         let turned = rest.lever[SIDE].u.cross(found.lever[SIDE].u).asin().abs();
         assert!((turned - lift).abs() < 1e-12, "case {case}: {turned} {lift}");
     }

@@ -1,6 +1,8 @@
 //! Random cams.
 
 use assur::internals::element::cam::{Cam, Follower, Law, Program, Shape};
+use assur::internals::math::{Between, Beyond, TableFunction};
+use std::f64::consts::TAU;
 
 const LAWS: [Law; 7] = [
     Law::Parabolic,
@@ -31,6 +33,29 @@ impl Random {
     pub fn law(&mut self) -> Law {
         LAWS[(self.unit() * LAWS.len() as f64) as usize]
     }
+}
+
+/// A random table of lifts, as a periodic spline over the turn or as one with a dwell behind it.
+fn table(random: &mut Random, lift: f64) -> Program {
+    let whole = random.unit() < 0.5;
+    let rows = 7 + (random.unit() * 8.0) as usize;
+    let end = if whole { TAU } else { random.between(4.0, 5.5) };
+    let (phase, second) = (random.between(-0.4, 0.4), random.between(-0.1, 0.1));
+    let points: Vec<(f64, f64)> = (0..=rows)
+        .map(|i| {
+            let x =
+                if i == 0 || i == rows { 0.0 } else { (i as f64 + random.between(-0.1, 0.1)) / rows as f64 };
+            let at = if i == rows { end } else { x * end };
+            let raised =
+                0.5 - 0.5 * (TAU * x + phase * (TAU * x).sin()).cos() + second * (TAU * x).sin().powi(2);
+            (at, lift * raised)
+        })
+        .collect();
+    let beyond = if whole { Beyond::Repeated } else { Beyond::Nothing };
+    let spline = TableFunction::new(&points, Between::Spline, beyond).expect("a table");
+    let pieces: Vec<(f64, f64, Law)> =
+        spline.cubics().map(|(h, change, terms)| (h, change, Law::Spline(terms))).collect();
+    Program::from_lift(0.0, &pieces)
 }
 
 /// A random cam that its follower can follow: `kind` from 0 to 4.
@@ -74,11 +99,11 @@ pub fn random_cam(random: &mut Random, kind: usize) -> Cam {
         };
         let (rise, dwell, fall) =
             (random.between(1.2, 2.4), random.between(0.0, 0.5), random.between(1.2, 2.4));
-        let program = Program::new(&[
-            (rise, lift, random.law()),
-            (dwell, 0.0, Law::Dwell),
-            (fall, -lift, random.law()),
-        ]);
+        let program = if random.unit() < 0.3 {
+            table(random, lift)
+        } else {
+            Program::new(&[(rise, lift, random.law()), (dwell, 0.0, Law::Dwell), (fall, -lift, random.law())])
+        };
         if let Ok(cam) = Cam::new(base, ccw, follower, program)
             && cam.fault().is_none()
         {

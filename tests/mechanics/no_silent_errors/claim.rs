@@ -7,7 +7,7 @@ use crate::support::equilibrium::{Forces, equilibrium};
 use crate::support::reference::{Body, Rates};
 use crate::support::run::{Run, scalar, vector};
 use assur::internals::math::{V2, Vec2};
-use assur::internals::model::{BalanceId, DriveId, LinkId, Mechanism, PairKind, Query};
+use assur::internals::model::{BalanceId, BalanceKind, DriveId, LinkId, Mechanism, PairKind, Query};
 use assur::internals::solve::{Note, PoseAnswers, Solved};
 
 /// Digits that an answer claims where no warning says how many are left.
@@ -142,12 +142,10 @@ fn off(run: &Run, view: &PoseAnswers<'_>, forces: &Forces, size: f64) -> f64 {
         let (query, torque) = if m.balances.is_empty() {
             (Query::Effort(DriveId::at(i)), m.drives.get(i).is_some_and(|d| turns(m, &d.target)))
         } else {
-            let torque = match &m.balances[i].kind {
-                assur::internals::model::BalanceKind::Torque(_) => true,
-                assur::internals::model::BalanceKind::Force { .. } => false,
-                assur::internals::model::BalanceKind::InPair(pair) => {
-                    matches!(m.pair(*pair).kind, PairKind::Revolute(_))
-                }
+            let torque = match &m.balances[i].kind.places()[0] {
+                BalanceKind::Torque(_) | BalanceKind::Several(_) => true,
+                BalanceKind::Force { .. } => false,
+                BalanceKind::InPair(pair) => matches!(m.pair(*pair).kind, PairKind::Revolute(_)),
             };
             (Query::Balance(BalanceId::at(i)), torque)
         };

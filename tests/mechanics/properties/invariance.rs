@@ -99,10 +99,10 @@ fn agree(
     }
     let in_pair = |pair: PairId| change.in_pair(m, pair);
     for (i, balance) in m.balances.iter().enumerate() {
-        let factor = match balance.kind {
-            BalanceKind::Torque(_) => change.torque(),
+        let factor = match balance.kind.places()[0] {
             BalanceKind::Force { .. } => change.force(),
             BalanceKind::InPair(pair) => in_pair(pair),
+            BalanceKind::Torque(_) | BalanceKind::Several(_) => change.torque(),
         };
         let query = Query::Balance(BalanceId::at(i));
         let apart = factor * scalar(&a, &query) - scalar(&b, &query);

@@ -262,15 +262,22 @@ impl Change {
             spring.free_length *= self.length;
         }
         for balance in &mut out.balances {
-            match &mut balance.kind {
-                BalanceKind::Torque(link) => *link = self.link(*link),
-                BalanceKind::Force { on, at, along, frame } => {
-                    self.at(*on, at);
-                    *along = self.in_axes(frame, *along);
-                    *on = self.link(*on);
-                }
-                BalanceKind::InPair(pair) => *pair = self.pair(*pair),
+            self.balance(&mut balance.kind);
+        }
+    }
+}
+
+impl Change {
+    fn balance(&self, kind: &mut BalanceKind) {
+        match kind {
+            BalanceKind::Torque(link) => *link = self.link(*link),
+            BalanceKind::Force { on, at, along, frame } => {
+                self.at(*on, at);
+                *along = self.in_axes(frame, *along);
+                *on = self.link(*on);
             }
+            BalanceKind::InPair(pair) => *pair = self.pair(*pair),
+            BalanceKind::Several(places) => places.iter_mut().for_each(|place| self.balance(place)),
         }
     }
 }

@@ -239,8 +239,9 @@ impl System<'_> {
                 vec![(*on, Wrench::at(self.place(*on, at), n))]
             }
             BalanceKind::InPair(pair) => self.in_pair(*pair),
+            BalanceKind::Several(_) => panic!("a place is one place"),
         };
-        m.balances.iter().map(|b| of(&b.kind)).collect()
+        m.balances.iter().map(|b| b.kind.places().iter().flat_map(of).collect()).collect()
     }
 
     fn place(&self, link: LinkId, place: &Place) -> Vec2 {

@@ -121,13 +121,32 @@ impl Draft {
         }
     }
 
+    /// One torque on this and another link, or one effort in all pairs that turn or that slide.
+    fn at_several_places(&mut self, on: LinkId) -> BalanceKind {
+        let other = self.moving();
+        let (turning, sliding): (Vec<PairId>, Vec<PairId>) = self
+            .pairs_with_effort()
+            .into_iter()
+            .partition(|p| matches!(self.mechanism.pair(*p).kind, PairKind::Revolute(_)));
+        let pairs = if self.random.chance(0.5) { turning } else { sliding };
+        match pairs.len() {
+            0 | 1 if other == on => BalanceKind::Torque(on),
+            0 | 1 => BalanceKind::Several(vec![BalanceKind::Torque(on), BalanceKind::Torque(other)]),
+            n => {
+                let kept = pairs.into_iter().take(2 + self.random.below(n - 1));
+                BalanceKind::Several(kept.map(BalanceKind::InPair).collect())
+            }
+        }
+    }
+
     /// As many unknown efforts as drives, anywhere; none leaves the drives' own efforts.
     pub fn add_balances(&mut self) {
         self.mechanism.balances.clear();
         for i in 0..self.mechanism.drives.len() {
             let on = self.moving();
-            let kind = match self.random.below(6) {
+            let kind = match self.random.below(7) {
                 0..=2 => BalanceKind::Torque(on),
+                6 => self.at_several_places(on),
                 3 | 4 => BalanceKind::Force {
                     on,
                     at: self.place(on),

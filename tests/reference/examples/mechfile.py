@@ -218,7 +218,10 @@ class File:
         kind = p.next()
         n = self.quantity(p.name())
         if p.take("in"):
-            self.balances.append((n, "in", p.name()))
+            pairs = [p.name()]
+            while p.take(","):
+                pairs.append(p.name())
+            self.balances.append((n, "in", pairs))
             return
         p.need("on")
         on = p.name()

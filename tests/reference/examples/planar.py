@@ -141,8 +141,8 @@ class Mechanism:
     def balance_force(self, name, on, where, along, frame=None):
         self.balances[name] = ("force", on, where, along, frame)
 
-    def balance_inside(self, name, pair):
-        self.balances[name] = ("inside", pair)
+    def balance_inside(self, name, *pairs):
+        self.balances[name] = ("inside", *pairs)
 
     # ---- equations
     def moving(self):

@@ -2,7 +2,7 @@
 from taylor import *
 
 UNITS = {"m": 1, "mm": mpf("1e-3"), "m/s": 1, "m/s^2": 1, "rad": 1, "deg": mp.pi / 180, "rad/s": 1, "rad/s^2": 1, "N": 1, "kN": 1000,
-         "N*m": 1, "kN*m": 1000, "kg": 1, "kg*m^2": 1, "J": 1, "W": 1, "": 1}
+         "N*m": 1, "kN*m": 1000, "kg": 1, "kg*m^2": 1, "J": 1, "W": 1, "MPa": 1000000, "": 1}
 
 
 def digits(x):

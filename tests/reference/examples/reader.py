@@ -251,7 +251,7 @@ class Case:
             self.add_load(load)
         for b in f.balances:
             if b[1] == "in":
-                m.balance_inside(b[0], b[2])
+                m.balance_inside(b[0], *b[2])
             elif b[1] == "torque":
                 m.balance_torque(b[0], b[2])
             else:

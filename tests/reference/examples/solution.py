@@ -139,7 +139,7 @@ class Solution:
         if balance[0] == "torque":
             return [(balance[1], (0, 0), (0, 0), mpf(1))]
         if balance[0] == "inside":
-            return self._inside(balance[1], mpf(1))
+            return [w for pair in balance[1:] for w in self._inside(pair, mpf(1))]
         _, on, where, along, frame = balance
         return self._wrench(("force", on, where, at(mpf(1), along), frame, None))
 

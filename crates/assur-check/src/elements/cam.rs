@@ -1,25 +1,21 @@
 //! Plate cams: what stands in their braces, and whether a follower can follow it.
 
-use crate::elements::cam_fault;
-use crate::error::{CamError, NameError, PairError};
+use crate::elements::{cam_fault, cam_program};
+use crate::error::{NameError, PairError};
 use crate::expr::context::Context;
 use crate::expr::positive::positive;
 use crate::expr::property::{Read, find, read, read_beside};
 use crate::names::declared::ThingKind;
 use crate::names::suggestion::suggestion;
 use crate::pairs::transmission::known;
-use crate::values::format_value::format_value;
-use assur_math::element::cam::{Cam, Follower, Law, Program, Shape};
-use assur_model::model::PlateCam;
+use assur_math::element::cam::{Cam, Follower, Law, Shape};
+use assur_model::model::{Curve, PlateCam};
 use assur_syntax::document;
 use assur_syntax::document::{CamLaw, CamMember, Member, Name, Phase, PhaseKind, Property, Statement, Turn};
 use assur_text::language::{CAM, FOLLOWER, Place, words_of};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
-use std::f64::consts::TAU;
-
-/// Angles and lifts nearer than this, relative to a turn or to the greatest lift, are one.
-const NEAR: f64 = 1e-9;
+use std::sync::Arc;
 
 /// Enters all designed cams into the mechanism.
 pub(crate) fn cams(cx: &mut Context<'_>) {
@@ -41,8 +37,15 @@ struct Members<'a> {
     turning: Option<Turn>,
     follower: Option<&'a document::Follower>,
     properties: Vec<Property>,
-    phases: Vec<(&'a Phase, Span)>,
+    phases: Vec<(Move<'a>, Span)>,
     bad: bool,
+}
+
+/// A part of the follower's motion.
+#[derive(Clone, Copy)]
+enum Move<'a> {
+    Phase(&'a Phase),
+    Along(&'a Name),
 }
 
 fn cam(cx: &mut Context<'_>, cam: &document::Cam) -> Option<PlateCam> {
@@ -81,7 +84,7 @@ fn cam(cx: &mut Context<'_>, cam: &document::Cam) -> Option<PlateCam> {
         );
     }
     let (base, follower, given) = (base?, follower??, given?);
-    let program = program(cx, name, span, &given, way?)?;
+    let program = cam_program::program(cx, name, span, &given, way?)?;
     let speed = find(&properties, "speed").map(Read::number);
     match Cam::new(base.number(), members.turning? == Turn::Ccw, follower, program) {
         Ok(cam) => Some(PlateCam { name: name.clone(), span, cam, speed }),
@@ -111,7 +114,11 @@ fn members<'a>(cx: &mut Context<'_>, cam: &'a document::Cam) -> Members<'a> {
                 None
             }
             CamMember::Phase(p) => {
-                found.phases.push((p, member.span));
+                found.phases.push((Move::Phase(p), member.span));
+                None
+            }
+            CamMember::Lift(curve) => {
+                found.phases.push((Move::Along(curve), member.span));
                 None
             }
             CamMember::Bad(_) => {
@@ -209,16 +216,26 @@ fn one_of(
 }
 
 /// A phase as given: angle, way (`None` for a fall all the way down), law; and its place.
-struct Given {
-    kind: PhaseKind,
-    angle: f64,
-    way: Option<f64>,
-    law: Law,
-    span: Span,
+pub(crate) struct Given {
+    pub kind: PhaseKind,
+    pub angle: f64,
+    pub way: Option<f64>,
+    pub law: Law,
+    pub span: Span,
 }
 
-fn phases(cx: &mut Context<'_>, phases: &[(&Phase, Span)], way: Option<Dimension>) -> Option<Vec<Given>> {
-    let each = phases.iter().map(|(p, span)| phase(cx, p, *span, way)).collect::<Vec<_>>();
+/// A part of the motion as given.
+pub(crate) enum Part {
+    Phase(Given),
+    Table(Arc<Curve>, Span),
+}
+
+fn phases(cx: &mut Context<'_>, phases: &[(Move<'_>, Span)], way: Option<Dimension>) -> Option<Vec<Part>> {
+    let each = phases.iter().map(|(what, span)| match what {
+        Move::Phase(p) => phase(cx, p, *span, way).map(Part::Phase),
+        Move::Along(name) => cam_program::curve(cx, name, way?).map(|curve| Part::Table(curve, *span)),
+    });
+    let each = each.collect::<Vec<_>>();
     each.into_iter().collect()
 }
 
@@ -265,53 +282,6 @@ const fn law(law: CamLaw) -> Law {
         CamLaw::ModifiedTrapezoid => Law::ModifiedTrapezoid,
         CamLaw::ModifiedSine => Law::ModifiedSine,
     }
-}
-
-/// The motion, if it fits into a turn and comes back to where it began.
-fn program(cx: &mut Context<'_>, name: &str, span: Span, given: &[Given], way: Dimension) -> Option<Program> {
-    let total: f64 = given.iter().map(|g| g.angle).sum();
-    let last = given.last()?;
-    if total > TAU * (1.0 + NEAR) {
-        let angle = |x: f64| format_value(x, Dimension::ANGLE);
-        let (name, total, over) = (name.to_owned(), angle(total), angle(total - TAU));
-        cx.error(CamError::TurnExceeded { name, total, over, span, last: last.span });
-        return None;
-    }
-    let scale = given.iter().filter_map(|g| g.way).fold(0.0, f64::max);
-    let mut lift = 0.0_f64;
-    let mut moves = Vec::with_capacity(given.len());
-    for phase in given {
-        let change = match (phase.kind, phase.way) {
-            (PhaseKind::Dwell, _) => 0.0,
-            (PhaseKind::Rise, way) => way.unwrap_or(0.0),
-            (PhaseKind::Fall, way) => -way.unwrap_or(lift),
-        };
-        if lift + change < -NEAR * scale || phase.kind == PhaseKind::Fall && lift <= NEAR * scale {
-            let (from, by) = (format_value(lift, way), format_value(-change, way));
-            cx.error(CamError::BelowBase { name: name.to_owned(), from, by, span: phase.span });
-            return None;
-        }
-        lift += change;
-        if lift.abs() <= NEAR * scale {
-            lift = 0.0;
-        }
-        moves.push((phase.angle, change, phase.law));
-    }
-    if lift != 0.0 {
-        let sum = |kind: PhaseKind| {
-            let ways = given.iter().filter(|g| g.kind == kind).filter_map(|g| g.way);
-            format_value(ways.sum(), way)
-        };
-        cx.error(CamError::DoesNotReturn {
-            name: name.to_owned(),
-            left: format_value(lift, way),
-            rises: sum(PhaseKind::Rise),
-            falls: sum(PhaseKind::Fall),
-            span: last.span,
-        });
-        return None;
-    }
-    Some(Program::new(&moves))
 }
 
 /// Cams that profiles of links refer to.

@@ -131,7 +131,7 @@ fn incomplete(cx: &mut Context<'_>, message: String, help: &str, span: Span, lab
 /// The load or balance of that name.
 fn torque(cx: &mut Context<'_>, name: &Name) -> Option<FlywheelTorque> {
     let torque = |kind: &QuantityKind<'_>| match kind {
-        QuantityKind::Load(id, _) => Some(FlywheelTorque::Load(*id)),
+        QuantityKind::Load(id, _) | QuantityKind::Brake(id) => Some(FlywheelTorque::Load(*id)),
         QuantityKind::Balance(id, _) => Some(FlywheelTorque::Balance(*id)),
         _ => None,
     };

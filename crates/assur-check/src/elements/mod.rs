@@ -3,4 +3,5 @@
 pub mod cam;
 pub mod cam_contact;
 pub mod cam_fault;
+pub mod cam_program;
 pub mod flywheel;

@@ -76,6 +76,38 @@ pub enum CamError {
         #[label("does not fit the follower")]
         span: Span,
     },
+    /// A table that cannot be the lift.
+    #[error("{message}")]
+    #[diagnostic(code("mech::cam::table"), help("{help}"))]
+    Table {
+        /// What is wrong.
+        message: String,
+        /// The correction.
+        help: String,
+        /// The curve's name, or the phase.
+        #[label(primary, "here")]
+        span: Span,
+    },
+    /// The spline through a table swings below the base circle.
+    #[error("between its rows the lift of cam `{name}` goes {least} below the base circle, at {at}")]
+    #[diagnostic(
+        code("mech::cam::swing"),
+        severity(Warning),
+        help(
+            "a spline swings where its rows turn sharply: write stretches at rest as `dwell` between two tables, or add rows"
+        )
+    )]
+    Swing {
+        /// The cam.
+        name: String,
+        /// The cam angle.
+        at: String,
+        /// How far below.
+        least: String,
+        /// The last phase.
+        #[label("the motion")]
+        span: Span,
+    },
     /// The profile cuts itself.
     #[error("the profile of cam `{name}` is undercut at {at}: {bend}")]
     #[diagnostic(code("mech::cam::undercut"), help("{help}"))]

@@ -1,6 +1,7 @@
 //! Errors of the meaning of a document: one enum per topic.
 
 mod cam;
+mod curve;
 mod expect;
 mod friction;
 mod gear;
@@ -11,6 +12,7 @@ mod train;
 mod unit;
 
 pub use cam::CamError;
+pub use curve::CurveError;
 pub use expect::ExpectError;
 pub use friction::FrictionError;
 pub use gear::GearError;

@@ -3,6 +3,7 @@
 pub mod bare;
 pub mod constants;
 pub mod context;
+pub mod curve;
 pub mod factor;
 pub mod fit;
 pub mod function;

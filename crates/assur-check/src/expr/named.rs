@@ -23,6 +23,10 @@ impl Context<'_> {
                 let ty = if vector { Type::vector(dimension) } else { Type::number(dimension) };
                 Some(Typed::new(model::Expr::Query(model::Query::Load(id)), ty))
             }
+            QuantityKind::Brake(id) => {
+                let torque = model::Expr::Query(model::Query::Load(id));
+                Some(Typed::new(torque, Type::number(Dimension::TORQUE)))
+            }
             QuantityKind::Balance(id, balance) => {
                 if self.is_wrong_effort(balance) {
                     return None;
@@ -31,6 +35,10 @@ impl Context<'_> {
                 Some(Typed::new(model::Expr::Query(model::Query::Balance(id)), ty))
             }
             QuantityKind::Column(column) => self.column(column, name),
+            QuantityKind::Curve(curve) => {
+                self.uncalled(&name.node, curve, name.span);
+                None
+            }
             QuantityKind::Flywheel(index) => {
                 let query = model::Query::Flywheel(index, model::FlywheelPart::Inertia);
                 Some(Typed::new(model::Expr::Query(query), Type::number(Dimension::INERTIA)))

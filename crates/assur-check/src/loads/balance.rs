@@ -17,12 +17,47 @@ pub(crate) fn balances(cx: &mut Context<'_>) {
     let doc = cx.doc;
     for statement in &doc.statements {
         if let Statement::Balance(balance) = &statement.node
-            && let Some(kind) = kind(cx, balance)
+            && let Some(kind) = all_places(cx, balance)
         {
             let (name, span) = (balance.name.node.clone(), balance.name.span);
             cx.builder.mech.balances.push(model::Balance { name, span, kind });
         }
     }
+}
+
+/// The effort at its place or, if it acts at several, at each of them.
+fn all_places(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {
+    let first = kind(cx, balance);
+    if balance.also.is_empty() {
+        return first;
+    }
+    if matches!(first, Some(BalanceKind::Force { .. })) {
+        let message = "a force at a point acts at one place alone".into();
+        let help = "write the same torque on several links, or the same effort in several pairs: \
+            `balance force F in c1, c2`";
+        form(cx, message, help, balance.also[0].span);
+        return None;
+    }
+    let mut places = vec![first];
+    let mut names = vec![match &balance.site {
+        Site::Link { link, .. } => link,
+        Site::Pair(pair) => pair,
+    }];
+    for name in &balance.also {
+        if names.iter().any(|n| n.node == name.node) {
+            let message = format!("`{}` is named twice", name.node);
+            form(cx, message, "leave it out once: the effort acts there once", name.span);
+            places.push(None);
+            continue;
+        }
+        let site = match &balance.site {
+            Site::Link { .. } => Site::Link { link: name.clone(), at: None },
+            Site::Pair(_) => Site::Pair(name.clone()),
+        };
+        places.push(kind(cx, &Balance { site, also: Vec::new(), ..balance.clone() }));
+        names.push(name);
+    }
+    places.into_iter().collect::<Option<_>>().map(BalanceKind::Several)
 }
 
 fn kind(cx: &mut Context<'_>, balance: &Balance) -> Option<BalanceKind> {

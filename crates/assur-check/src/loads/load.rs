@@ -3,6 +3,7 @@
 use crate::error::LoadError;
 use crate::expr::context::Context;
 use crate::expr::want::Want;
+use crate::loads::brake::brake;
 use crate::motion::drive::{Moves, coordinate, negated, on_moving};
 use crate::names::declared::ThingKind;
 use crate::output::behind;
@@ -20,11 +21,12 @@ use std::f64::consts::PI;
 pub(crate) fn loads(cx: &mut Context<'_>) {
     let doc = cx.doc;
     for statement in &doc.statements {
-        if let Statement::Load(l) = &statement.node
-            && let Some(load) = load(cx, l, statement.span)
-        {
-            cx.builder.mech.loads.push(load);
-        }
+        let load = match &statement.node {
+            Statement::Load(l) => load(cx, l, statement.span),
+            Statement::Brake(b) => brake(cx, b, statement.span),
+            _ => None,
+        };
+        cx.builder.mech.loads.extend(load);
     }
 }
 

@@ -1,6 +1,7 @@
-//! What acts on the machine: weights, forces, springs, unknown efforts.
+//! What acts on the machine: weights, forces, springs, brakes, unknown efforts.
 
 pub mod balance;
+pub mod brake;
 pub mod gravity;
 pub mod load;
 pub mod load_cycle;

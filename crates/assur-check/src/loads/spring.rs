@@ -73,7 +73,6 @@ fn spring(cx: &mut Context<'_>, spring: &Spring, ends: [&Path; 2]) -> Option<mod
 
 /// The torque in a revolute pair, positive along its coordinate: −k (φ − φ₀) − c φ̇.
 fn in_pair(cx: &mut Context<'_>, spring: &Spring, pair: &Name) -> Option<model::Load> {
-    let properties = read(cx, "a spring in a pair", &spring.properties, TORSION_SPRING);
     let (pair_id, moves) = coordinate(cx, pair)?;
     if moves != Moves::Turning {
         let message = format!("`{}` slides; a spring in a pair turns", pair.node);
@@ -84,7 +83,7 @@ fn in_pair(cx: &mut Context<'_>, spring: &Spring, pair: &Name) -> Option<model::
         form(cx, message, &help, pair.span);
         return None;
     }
-    let properties = properties?;
+    let properties = read(cx, "a spring in a pair", &spring.properties, TORSION_SPRING)?;
     let number = |name| find(&properties, name).map(crate::expr::property::Read::number);
     let (stiffness, free, damping) = (number("stiffness"), number("free_angle"), number("damping"));
     let missing = match (stiffness, free, damping) {

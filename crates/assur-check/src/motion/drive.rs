@@ -4,10 +4,10 @@ use crate::error::{LinkError, MotionError};
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::links::lookup::is_linkage_pair;
+use crate::motion::step_size;
 use crate::names::declared::ThingKind;
 use crate::pairs::pair::link_point;
 use crate::statements::lines::text;
-use crate::values::fold;
 use crate::values::format_value::{digits, format_value};
 use assur_model::model;
 use assur_model::model::{BinaryOp, DriveTarget, Expr, LinkId, PairId, PairKind, Positions, Value};
@@ -19,7 +19,7 @@ use assur_text::units::Dimension;
 use std::f64::consts::TAU;
 
 /// The most steps a drive may take.
-const MOST_STEPS: usize = 1_000_000;
+pub(super) const MOST_STEPS: usize = 1_000_000;
 /// What a range may miss a whole turn by, rad.
 const WHOLE_TURN: f64 = 1e-9;
 
@@ -127,7 +127,7 @@ pub(crate) fn target(cx: &mut Context<'_>, path: &Path, what: &str) -> Option<(O
 }
 
 /// Whether the file has wheels, shafts or ropes, whose rates are found without positions.
-fn has_wheels(cx: &Context<'_>) -> bool {
+pub(super) fn has_wheels(cx: &Context<'_>) -> bool {
     let kinds = cx.names.things.values().map(|d| d.what);
     kinds.into_iter().any(|kind| match kind {
         ThingKind::Joint(kind) => !is_linkage_pair(kind),
@@ -202,7 +202,7 @@ fn range(cx: &mut Context<'_>, course: &Course, moves: Moves, name: &str) -> Opt
     let to = plain(cx, &course.to, moves, 0, &what);
     let steps = match &course.steps {
         Steps::In(count) => cx.scalar_constant(count, &Want::NUMBER, "the number of steps")?,
-        Steps::Of(each) => steps_of(cx, (&from, &to), each, moves)?,
+        Steps::Of(each) => step_size::count(cx, (from.as_ref()?, to.as_ref()?), each, moves)?,
     };
     #[allow(clippy::cast_precision_loss)] // a million is exact
     let whole = steps.fract() == 0.0 && (1.0..=MOST_STEPS as f64).contains(&steps);
@@ -213,27 +213,6 @@ fn range(cx: &mut Context<'_>, course: &Course, moves: Moves, name: &str) -> Opt
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, from 1 to a million
     Some(Positions::Range { from: from?, to: to?, steps: steps as usize })
-}
-
-/// The number of steps of this size between two values; reports a size that leaves a rest.
-fn steps_of(
-    cx: &mut Context<'_>,
-    (from, to): (&Option<Expr>, &Option<Expr>),
-    each: &assur_syntax::document::Expr,
-    moves: Moves,
-) -> Option<f64> {
-    let dimension = moves.dimension(0);
-    let size = cx.scalar_constant(each, &Want(dimension), "the size of a step")?;
-    let length = fold::scalar(to.as_ref()?)? - fold::scalar(from.as_ref()?)?;
-    let steps = (length / size).abs();
-    if size != 0.0 && (steps - steps.round()).abs() <= 1e-9 * steps {
-        return Some(steps.round());
-    }
-    let [of, length] = [size, length].map(|x| format_value(x, dimension));
-    #[allow(clippy::cast_precision_loss)] // a million is exact
-    let count = digits(steps.ceil().clamp(1.0, MOST_STEPS as f64));
-    cx.error(MotionError::StepSize { of, length, count, span: each.span });
-    None
 }
 
 /// A value with the sense after it. `order` 0 is a position, 1 a speed, 2 an acceleration.
@@ -341,7 +320,7 @@ pub(crate) fn count(positions: &Positions, moves: Moves) -> Option<usize> {
 }
 
 /// `to − from` where it is a number.
-fn difference(from: &Expr, to: &Expr) -> Option<f64> {
+pub(super) fn difference(from: &Expr, to: &Expr) -> Option<f64> {
     let number = |e: &Expr| if let Expr::Constant(Value::Scalar(x)) = e { Some(*x) } else { None };
     match to {
         Expr::Binary(BinaryOp::Add, a, b) if **a == *from => number(b),

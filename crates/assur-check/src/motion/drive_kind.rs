@@ -1,8 +1,8 @@
-//! A drive by a length of what turns, or by an angle of what slides.
+//! A drive by a length of what turns, by an angle of what slides, or by a speed in place of a position.
 
 use crate::error::UnitsError;
 use crate::expr::context::Context;
-use crate::motion::drive::Moves;
+use crate::motion::drive::{Moves, has_wheels, zero};
 use crate::statements::written::written;
 use crate::values::typed::phrase;
 use assur_model::model::{DriveTarget, LinkId, PairKind};
@@ -27,12 +27,21 @@ pub(crate) fn is_other(
                 (cx.values.usual_unit(Dimension::LENGTH), cx.values.usual_unit(Dimension::VELOCITY));
             Some(format!("`{name}` slides: write its position in {unit}, and its speed in {rate}"))
         }
+        Moves::Turning | Moves::Sliding if found == moves.dimension(1) && drive.rate.is_none() => {
+            written(first).map(|speed| by_rate(cx, moves, name, &speed))
+        }
         _ => return false,
     };
     let what = format!("the position of `{name}`");
     let (want, found, span) = (phrase(want), phrase(found), first.span);
     cx.error(UnitsError::Mismatch { what, want, found, span, help });
     true
+}
+
+/// A speed after `at`; a train needs no position.
+fn by_rate(cx: &Context<'_>, moves: Moves, name: &str, speed: &str) -> String {
+    let position = if has_wheels(cx) { String::new() } else { format!(" = {}", zero(moves, 0)) };
+    format!("write a speed after `at`: `drive {name}{position} at {speed}`")
 }
 
 fn first(drive: &Drive) -> Option<&Expr> {

@@ -6,3 +6,4 @@ pub mod drive_kind;
 pub mod no_motion;
 pub mod pose;
 pub mod simulation;
+mod step_size;

@@ -24,6 +24,10 @@ pub fn declare(cx: &mut Scope<'_, '_>) {
                 }
                 loads += 1;
             }
+            Statement::Brake(b) => {
+                quantity(cx, &b.name, QuantityKind::Brake(LoadId::at(loads)));
+                loads += 1;
+            }
             Statement::Balance(b) => {
                 quantity(cx, &b.name, QuantityKind::Balance(BalanceId::at(balances), b));
                 balances += 1;
@@ -32,6 +36,7 @@ pub fn declare(cx: &mut Scope<'_, '_>) {
                 quantity(cx, &f.name, QuantityKind::Flywheel(flywheels));
                 flywheels += 1;
             }
+            Statement::Curve(curve) => quantity(cx, &curve.name, QuantityKind::Curve(curve)),
             Statement::Find(find) => {
                 for item in &find.items {
                     if let Some(name) = &item.name {

@@ -1,7 +1,7 @@
 //! Declared names: what they are and where.
 
 use assur_model::model::{BalanceId, Link, LinkId, LoadId, Mechanism, PairId};
-use assur_syntax::document::{Balance, Column, Expr, FindItem, JointKind, Load};
+use assur_syntax::document::{Balance, Column, Curve, Expr, FindItem, JointKind, Load};
 use assur_text::source::Span;
 use indexmap::{IndexMap, IndexSet};
 
@@ -25,12 +25,16 @@ pub enum QuantityKind<'a> {
     Find(&'a FindItem),
     /// A force or torque, and its place among the loads of the file.
     Load(LoadId, &'a Load),
+    /// The torque of a brake, and its place among the loads of the file.
+    Brake(LoadId),
     /// An unknown effort, and its place among the balances of the file.
     Balance(BalanceId, &'a Balance),
     /// A flywheel, the moment of inertia found: its place among the flywheels of the file.
     Flywheel(usize),
     /// A column of variants that no `given` declares: for an `expect`.
     Column(&'a Column),
+    /// A curve.
+    Curve(&'a Curve),
 }
 
 impl QuantityKind<'_> {
@@ -41,9 +45,11 @@ impl QuantityKind<'_> {
             Self::Let(_) => "a `let`",
             Self::Find(_) => "an item of `find`",
             Self::Load(..) => "a load",
+            Self::Brake(_) => "a brake",
             Self::Balance(..) => "an unknown effort",
             Self::Flywheel(_) => "a flywheel",
             Self::Column(_) => "a column of variants",
+            Self::Curve(_) => "a curve",
         }
     }
 }

@@ -8,6 +8,7 @@ use crate::statements::written::written;
 use assur_syntax::document::{
     Balance, End, ExpectAt, ExprKind, Joint, LoadKind, Name, Place, Pose, Site, Statement, Turn,
 };
+use assur_text::language::Collection;
 use assur_text::source::Span;
 use indexmap::IndexSet;
 
@@ -36,7 +37,9 @@ impl Scope<'_, '_> {
     /// Reports a second quantity of one name, with the one that is asked for and declared nowhere.
     pub(crate) fn quantity_taken(&mut self, name: &Name, what: QuantityKind<'_>, first: Span) {
         let missing = match what {
-            QuantityKind::Load(..) | QuantityKind::Balance(..) => self.asked_and_open(),
+            QuantityKind::Load(..) | QuantityKind::Brake(_) | QuantityKind::Balance(..) => {
+                self.asked_and_open()
+            }
             _ => None,
         };
         let help = missing.as_ref().map(|open| {
@@ -57,7 +60,9 @@ impl Scope<'_, '_> {
             Statement::Given(d) | Statement::Let(d) => d.name.node == name,
             Statement::Load(l) => l.name.as_ref().is_some_and(|n| n.node == name),
             Statement::Balance(b) => b.name.node == name,
+            Statement::Brake(b) => b.name.node == name,
             Statement::Flywheel(f) => f.name.node == name,
+            Statement::Curve(c) => c.name.node == name,
             Statement::Find(f) => f.items.iter().any(|i| i.name.as_ref().is_some_and(|n| n.node == name)),
             Statement::Variants(v) => v.columns.iter().any(|c| c.name.node == name),
             Statement::Bad(bad) => bad.names.iter().any(|n| n == name),
@@ -72,10 +77,7 @@ impl Scope<'_, '_> {
             ExprKind::Name(name) => Some(name.as_str()),
             _ => None,
         });
-        let open = names.filter(|n| {
-            !["reactions", "positions", "velocities", "accelerations"].contains(n)
-                && !statements().any(|s| declares(s, n))
-        });
+        let open = names.filter(|n| Collection::named(n).is_none() && !statements().any(|s| declares(s, n)));
         only(&open.collect::<IndexSet<_>>())
     }
 

@@ -1,53 +1,58 @@
-//! `find positions`, `find velocities`, `find accelerations`: one answer for every named point and every link that moves.
+//! `find positions`, `find velocities`, `find accelerations`: one answer for every named point,
+//! every slider on a rope and every link that turns.
 
 use crate::expr::context::Context;
-use assur_model::model::{Expr, Find, FindKind, LinkId, PairKind, PointRef, Query};
-use assur_syntax::document::{ExprKind, FindItem};
+use crate::names::declared::ThingKind;
+use assur_model::model::{Expr, Find, FindKind, LinkId, PairId, PairKind, PointRef, Query};
+use assur_syntax::document::FindItem;
 use assur_text::language::Function;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
-/// What a word asks of points, and what of links that turn.
-struct Asked {
-    word: &'static str,
-    of_point: (Function, fn(PointRef) -> Query, Dimension),
-    of_link: (Function, fn(LinkId) -> Query, Dimension),
+/// What a function of a point asks, and in which dimension.
+type OfPoint = (fn(PointRef) -> Query, OfSlider, Dimension);
+/// The same of a slider on a rope.
+type OfSlider = fn(PairId) -> Query;
+/// What a function of a link asks, and in which dimension.
+type OfLink = (fn(LinkId) -> Query, Dimension);
+
+const fn of_point(function: Function) -> Option<OfPoint> {
+    match function {
+        Function::Position => Some((Query::Position, Query::Displacement, Dimension::LENGTH)),
+        Function::Velocity => Some((Query::Velocity, Query::RelativeVelocity, Dimension::VELOCITY)),
+        Function::Acceleration => {
+            Some((Query::Acceleration, Query::RelativeAcceleration, Dimension::ACCELERATION))
+        }
+        _ => None,
+    }
 }
 
-const ASKED: [Asked; 3] = [
-    Asked {
-        word: "positions",
-        of_point: (Function::Position, Query::Position, Dimension::LENGTH),
-        of_link: (Function::Angle, Query::Angle, Dimension::ANGLE),
-    },
-    Asked {
-        word: "velocities",
-        of_point: (Function::Velocity, Query::Velocity, Dimension::VELOCITY),
-        of_link: (Function::Omega, Query::Omega, Dimension::ANGULAR_VELOCITY),
-    },
-    Asked {
-        word: "accelerations",
-        of_point: (Function::Acceleration, Query::Acceleration, Dimension::ACCELERATION),
-        of_link: (Function::Alpha, Query::Alpha, Dimension::ANGULAR_ACCELERATION),
-    },
-];
+const fn of_link(function: Function) -> Option<OfLink> {
+    match function {
+        Function::Angle => Some((Query::Angle, Dimension::ANGLE)),
+        Function::Omega => Some((Query::Omega, Dimension::ANGULAR_VELOCITY)),
+        Function::Alpha => Some((Query::Alpha, Dimension::ANGULAR_ACCELERATION)),
+        _ => None,
+    }
+}
 
 /// The answers that one of these words asks for; `None` for anything else, and where the file has such a name.
 pub(crate) fn asked(cx: &Context<'_>, item: &FindItem) -> Option<Vec<Find>> {
-    let ExprKind::Name(name) = &item.value.kind else { return None };
-    let asked = ASKED.iter().find(|a| a.word == name)?;
-    if item.name.is_some() || cx.names.quantities.contains_key(name) {
-        return None;
-    }
+    let (function, turning) = super::find::collection(cx, item)?.of?;
     let mut all = Vec::new();
-    let (function, query, dimension) = asked.of_point;
+    let (query, of_slider, dimension) = of_point(function)?;
     for (name, point) in points(cx) {
         all.push(find(cx, (function, &name), query(point), dimension, item.span));
     }
-    let (function, query, dimension) = asked.of_link;
+    for (i, pair) in cx.builder.mech.pairs.iter().enumerate() {
+        if cx.names.things.get(&pair.name).is_some_and(|d| d.what == ThingKind::Slider) {
+            all.push(find(cx, (function, &pair.name), of_slider(PairId::at(i)), dimension, item.span));
+        }
+    }
+    let (query, dimension) = of_link(turning)?;
     for (i, link) in cx.builder.mech.links.iter().enumerate().skip(1) {
         if turns(cx, LinkId::at(i)) {
-            all.push(find(cx, (function, &link.name), query(LinkId::at(i)), dimension, item.span));
+            all.push(find(cx, (turning, &link.name), query(LinkId::at(i)), dimension, item.span));
         }
     }
     Some(all)

@@ -10,6 +10,7 @@ use crate::values::typed::{Type, Typed, phrase};
 use crate::values::unit_use::display_in;
 use assur_model::model::{Display, Expr as ModelExpr, Find, FindKind};
 use assur_syntax::document::{ExprKind, FindItem, Statement};
+use assur_text::language::Collection;
 use assur_text::source::Span;
 use assur_text::units::{Unit, lookup};
 use indexmap::IndexMap;
@@ -45,7 +46,7 @@ pub(crate) fn finds(cx: &mut Context<'_>) {
 }
 
 fn asked_for(cx: &mut Context<'_>, item: &FindItem) -> Option<FindKind> {
-    if is_reactions(cx, item) {
+    if collection(cx, item) == Some(Collection::REACTIONS) {
         return Some(FindKind::Reactions);
     }
     if let Some(table) = cx.gear_table(item) {
@@ -78,10 +79,11 @@ fn asked_for(cx: &mut Context<'_>, item: &FindItem) -> Option<FindKind> {
     Some(FindKind::Value { expr, display, poseless })
 }
 
-/// `find reactions`
-fn is_reactions(cx: &Context<'_>, item: &FindItem) -> bool {
-    let word = matches!(&item.value.kind, ExprKind::Name(name) if name == "reactions");
-    word && item.name.is_none() && !cx.names.quantities.contains_key("reactions")
+/// The word of `find reactions`, `find positions` and the like; none for a name of the file.
+pub(crate) fn collection(cx: &Context<'_>, item: &FindItem) -> Option<Collection> {
+    let ExprKind::Name(name) = &item.value.kind else { return None };
+    let own = item.name.is_some() || cx.names.quantities.contains_key(name);
+    Collection::named(name).filter(|_| !own)
 }
 
 impl Context<'_> {

@@ -188,9 +188,35 @@ fn unknown(cx: &mut Context<'_>, column: &Column) {
     }
     let given = cx.names.quantities.iter().filter(|(_, d)| matches!(d.what, QuantityKind::Given(_)));
     let given = given.map(|(n, _)| n.as_str()).collect::<Vec<_>>();
-    let help = suggestion(&name.node, &given, "`given` of this file");
+    let help = match naming(cx, column) {
+        true if name.node != LABEL => Some(format!("call the column that names the rows `{LABEL}`")),
+        _ => suggestion(&name.node, &given, "`given` of this file").or_else(|| given_line(cx, column)),
+    };
     let (name, span) = (name.node.clone(), name.span);
     cx.error(NameError::Unknown { kind: "given", name, place: String::new(), span, help });
+}
+
+/// Whether a column is reported as one without a `given`.
+fn is_undeclared(cx: &Context<'_>, column: &Column) -> bool {
+    let declared = cx.names.quantities.get(&column.name.node).map(|d| d.what);
+    matches!(declared, None | Some(QuantityKind::Column(_))) && !cx.used_by_expect(&column.name.node)
+}
+
+/// The line that would declare the `given` of a column, with its first number.
+fn given_line(cx: &Context<'_>, column: &Column) -> Option<String> {
+    let table = table(cx.doc)?;
+    let at = table.columns.iter().position(|c| c.name.span == column.name.span)?;
+    let Cell::Number(number) = &table.rows.first()?.cells.get(at)?.node else { return None };
+    let unit = column.unit.as_ref().map_or("", |unit| unit.node.as_str());
+    Some(format!("add `{}`", format!("given {} = {} {unit}", column.name.node, number.text).trim_end()))
+}
+
+/// Whether a column without a unit has names alone.
+fn naming(cx: &Context<'_>, column: &Column) -> bool {
+    let Some(table) = table(cx.doc).filter(|_| column.unit.is_none()) else { return false };
+    let at = table.columns.iter().position(|c| c.name.span == column.name.span);
+    let cells = || table.rows.iter().filter_map(|row| row.cells.get(at?));
+    cells().next().is_some() && cells().all(|cell| matches!(cell.node, Cell::Name(_)))
 }
 
 /// The dimension that the column's values have in the file.
@@ -238,10 +264,14 @@ pub(crate) fn rows(cx: &mut Context<'_>, table: &Variants) {
         let (found, columns) = (count(row.cells.len(), "number"), count(columns, "column"));
         cx.error(RequestError::VariantRow { found, columns, span: row.span, header });
     }
-    let label = table.columns.iter().position(|c| c.name.node == LABEL);
+    // a column of which an `expect` takes its values has numbers
+    let label = table.columns.iter().position(|c| c.name.node == LABEL && !cx.used_by_expect(LABEL));
+    let of_names: Vec<bool> = table.columns.iter().map(|c| is_undeclared(cx, c) && naming(cx, c)).collect();
     for row in &table.rows {
-        let named =
-            |(i, cell): &(usize, &Spanned<Cell>)| matches!(cell.node, Cell::Name(_)) && Some(*i) != label;
+        let named = |(i, cell): &(usize, &Spanned<Cell>)| {
+            // a column of names with another name is reported by its header
+            matches!(cell.node, Cell::Name(_)) && Some(*i) != label && of_names.get(*i) != Some(&true)
+        };
         if let Some((_, cell)) = row.cells.iter().enumerate().find(named) {
             let (name, place) = (cell.node.text().to_owned(), cell.span);
             let has_column = label.is_some();

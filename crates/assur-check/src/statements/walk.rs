@@ -77,6 +77,7 @@ pub fn expressions<'a>(statement: &'a Statement, visit: &mut dyn FnMut(&'a Expr)
         Statement::Spring(s) => properties(&s.properties, visit),
         Statement::All(a) => properties(&a.properties, visit),
         Statement::Flywheel(f) => properties(&f.properties, visit),
+        Statement::Brake(b) => properties(&b.properties, visit),
         Statement::Cam(cam) => cam.members.iter().for_each(|m| cam_member(&m.node, visit)),
         Statement::Drive(d) => {
             match &d.position {
@@ -122,6 +123,7 @@ pub fn expressions<'a>(statement: &'a Statement, visit: &mut dyn FnMut(&'a Expr)
         | Statement::Title(_)
         | Statement::Group(_)
         | Statement::Variants(_)
+        | Statement::Curve(_)
         | Statement::Ignore(_)
         | Statement::Bad(_) => {}
     }
@@ -156,7 +158,7 @@ fn cam_member<'a>(member: &'a CamMember, visit: &mut dyn FnMut(&'a Expr)) {
         CamMember::Follower(f) => properties(&f.properties, visit),
         CamMember::Phase(p) => std::iter::once(&p.angle).chain(&p.through).for_each(visit),
         CamMember::Property(p) => properties(std::slice::from_ref(p), visit),
-        CamMember::Turning(_) | CamMember::Bad(_) => {}
+        CamMember::Turning(_) | CamMember::Lift(_) | CamMember::Bad(_) => {}
     }
 }
 

@@ -14,7 +14,14 @@ pub(crate) fn at_rest(cx: &mut Context<'_>) {
         .any(|p| p.bearing.is_none() && !matches!(p.kind, PairKind::Transmission(_)));
     let has = |wanted: fn(&Statement) -> bool| cx.doc.statements.iter().any(|s| wanted(&s.node));
     let acts = has(|s| {
-        matches!(s, Statement::Drive(_) | Statement::Load(_) | Statement::Balance(_) | Statement::Link(_))
+        matches!(
+            s,
+            Statement::Drive(_)
+                | Statement::Load(_)
+                | Statement::Brake(_)
+                | Statement::Balance(_)
+                | Statement::Link(_)
+        )
     });
     let asks = has(|s| matches!(s, Statement::Find(_) | Statement::Expect(_)));
     if !linked && !acts && asks && !asks_of_motion(cx) {

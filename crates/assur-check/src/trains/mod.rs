@@ -2,7 +2,10 @@
 
 pub mod at_rest;
 pub mod carrier;
+pub mod friction_torque;
 pub mod gear;
+pub mod grip;
+pub mod losses;
 pub mod meant;
 pub mod planet;
 pub mod rack;

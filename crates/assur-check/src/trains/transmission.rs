@@ -9,14 +9,17 @@ use crate::pairs::property::{phrase, shared};
 use crate::pairs::transmission::known;
 use crate::statements::lines::{braces, end_text};
 use crate::trains::carrier::carrier;
-use crate::trains::meant::{only_wheels, percent};
+use crate::trains::friction_torque::friction_torque;
+use crate::trains::grip::{belt_grip, slip};
+use crate::trains::losses::losses;
+use crate::trains::meant::only_wheels;
 use crate::trains::planet::{Arms, arm, distance, is_planet};
 use crate::trains::rack::rack;
 use crate::trains::rope::{merged, rope, two_sides};
 use crate::trains::size::label;
 use crate::values::format_value::digits;
 use assur_model::model::{
-    Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
+    Grip, Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
 };
 use assur_syntax::document::{End, Joint, JointKind, Path, Statement};
 use assur_text::language::properties_of_pair;
@@ -75,7 +78,12 @@ fn transmission(
     arms: &mut Arms,
 ) -> Option<Transmission> {
     let kind = kind(joint.kind.node)?;
-    let efficiency = efficiency(cx, joint, properties)?;
+    let efficiency = losses(cx, joint, kind, properties)?;
+    let grip = match kind {
+        TransmissionKind::Belt => belt_grip(cx, joint, properties)?,
+        TransmissionKind::Clutch => Some(Grip::Clutch(friction_torque(cx, &joint.name, properties)?)),
+        _ => None,
+    };
     let pressure_angle = pressure_angle(cx, properties)?;
     let mut runs = match kind {
         TransmissionKind::Rope => rope(cx, joint).map(|(laws, links)| Runs { laws, links, meeting: None }),
@@ -86,19 +94,17 @@ fn transmission(
         TransmissionKind::Rack => rack(cx, joint, find(properties, "efficiency").map(|e| e.span)),
         TransmissionKind::Worm => worm(cx, joint, properties),
         TransmissionKind::Screw => screw(cx, joint, properties),
+        TransmissionKind::Clutch => clutch(cx, joint),
     }?;
-    if let Some(there) = efficiency {
+    if efficiency.is_some() {
         if kind == TransmissionKind::Rope {
             two_sides(cx, joint, &runs.laws)?;
         }
-        // a worm or a screw that is driven backwards loses as much again, relative to what it gets
-        let thread = matches!(kind, TransmissionKind::Worm | TransmissionKind::Screw);
-        let back = if thread { 2.0 - 1.0 / there } else { there };
-        runs.laws.iter_mut().for_each(|l| l.efficiency = Some([there, back]));
+        runs.laws.iter_mut().for_each(|l| l.efficiency = efficiency);
     }
     let ends = joint.ends.iter().map(end_text).collect();
     let Runs { laws, links, meeting } = runs;
-    Some(Transmission { kind, ends, links, laws, meeting, pressure_angle })
+    Some(Transmission { kind, ends, links, laws, meeting, pressure_angle, grip, slip: slip(properties) })
 }
 
 fn kind(kind: JointKind) -> Option<TransmissionKind> {
@@ -110,22 +116,9 @@ fn kind(kind: JointKind) -> Option<TransmissionKind> {
         JointKind::Rack => TransmissionKind::Rack,
         JointKind::Worm => TransmissionKind::Worm,
         JointKind::Screw => TransmissionKind::Screw,
+        JointKind::Clutch => TransmissionKind::Clutch,
         _ => return None,
     })
-}
-
-/// `Some(None)` where none is written.
-fn efficiency(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Option<f64>> {
-    let Some(property) = find(properties, "efficiency") else { return Some(None) };
-    let value = property.number();
-    if value <= 1.0 {
-        return Some(Some(value));
-    }
-    let help = percent(cx, joint, value).unwrap_or_else(|| {
-        "write the part of the power that is passed on: `efficiency 0.98`, or `efficiency 98 %`".into()
-    });
-    cx.error(TrainError::Efficiency { value: digits(value), help, span: property.span });
-    None
 }
 
 fn pressure_angle(cx: &mut Context<'_>, properties: &[Read]) -> Option<Option<f64>> {
@@ -239,12 +232,12 @@ fn wheels(
             meeting = Some(Meeting { links, centres, radii: [a.radius, b.radius], internal, tangent });
         }
     }
-    let law = Law {
-        terms: about(a.link, c_1, b.link, c_2, carrier),
-        constant: find(properties, "phase").map_or(0.0, |phase| c_2 * phase.number()),
-        force: c_1 / a.radius,
-        efficiency: None,
-    };
+    let force = c_1 / a.radius;
+    // the first wheel drives: the second gets the speed that is left
+    let c_1 = c_1 * (1.0 - slip(properties));
+    let constant = find(properties, "phase").map_or(0.0, |phase| c_2 * phase.number());
+    let terms = about(a.link, c_1, b.link, c_2, carrier);
+    let law = Law { terms, constant, force, efficiency: None };
     Some(Runs { laws: vec![law], links: vec![a.link, b.link], meeting })
 }
 
@@ -343,6 +336,24 @@ fn sliding(cx: &mut Context<'_>, path: &Path) -> Option<(PairId, LinkId, f64)> {
         }
     };
     Some((pair, link, sense))
+}
+
+/// Both sides have one speed.
+fn clutch(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {
+    let [first, second] = two(cx, joint)?;
+    let (a, b) = (turning(cx, first), turning(cx, second));
+    let (a, b) = (a?, b?);
+    if a == b {
+        let message = "both sides of the clutch are on the same shaft";
+        return incomplete(cx, message, "name two shafts", joint.name.span);
+    }
+    let law = Law {
+        terms: vec![(Rate::Turn(a), 1.0), (Rate::Turn(b), -1.0)],
+        constant: 0.0,
+        force: 1.0,
+        efficiency: None,
+    };
+    Some(Runs { laws: vec![law], links: vec![a, b], meeting: None })
 }
 
 /// ω of the wheel times its teeth is ω of the worm times its starts.

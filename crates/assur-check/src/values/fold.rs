@@ -1,7 +1,8 @@
 //! Expressions of constants are constants.
 
 use assur_math::math::Vec2;
-use assur_model::model::{Axis, BinaryOp, Comparison, Expr, Function, Value};
+use assur_model::model::{Axis, BinaryOp, Comparison, Curve, CurvePart, Expr, Function, Value};
+use std::sync::Arc;
 
 /// The number of a constant.
 pub fn scalar(e: &Expr) -> Option<f64> {
@@ -134,6 +135,14 @@ pub fn not(e: Expr) -> Expr {
     match boolean(&e) {
         Some(t) => truth_of(!t),
         None => Expr::Not(Box::new(e)),
+    }
+}
+
+/// Something of a curve.
+pub fn curve(curve: &Arc<Curve>, part: CurvePart, argument: Expr) -> Expr {
+    match scalar(&argument) {
+        Some(x) => Expr::number(curve.at(part, x)),
+        None => Expr::Curve(curve.clone(), part, Box::new(argument)),
     }
 }
 

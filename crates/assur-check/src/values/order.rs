@@ -55,9 +55,11 @@ fn definition(kind: QuantityKind<'_>) -> Option<&Expr> {
         QuantityKind::Given(e) | QuantityKind::Let(e) => Some(e),
         QuantityKind::Find(item) => Some(&item.value),
         QuantityKind::Load(..)
+        | QuantityKind::Brake(_)
         | QuantityKind::Balance(..)
         | QuantityKind::Flywheel(_)
-        | QuantityKind::Column(_) => None,
+        | QuantityKind::Column(_)
+        | QuantityKind::Curve(_) => None,
     }
 }
 

@@ -64,9 +64,12 @@ impl Definitions {
 
     fn root_of(&self, names: &Names<'_>, name: &str) -> Option<(String, Option<String>)> {
         match names.quantities.get(name).map(|d| d.what) {
-            Some(QuantityKind::Load(..) | QuantityKind::Balance(..) | QuantityKind::Flywheel(_)) => {
-                Some((format!("`{name}`"), None))
-            }
+            Some(
+                QuantityKind::Load(..)
+                | QuantityKind::Brake(_)
+                | QuantityKind::Balance(..)
+                | QuantityKind::Flywheel(_),
+            ) => Some((format!("`{name}`"), None)),
             Some(_) => self.results.get(name).map(|root| (root.clone(), Some(name.to_owned()))),
             None => (name == "time").then(|| ("`time`".to_owned(), None)),
         }

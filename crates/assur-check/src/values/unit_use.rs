@@ -2,7 +2,7 @@
 
 use crate::statements::walk;
 use assur_model::model::Display;
-use assur_syntax::document::{Document, ExprKind, Statement};
+use assur_syntax::document::{Curve, Document, ExprKind, Statement};
 use assur_text::units::{Dimension, Kind, Unit, lookup};
 use indexmap::IndexMap;
 
@@ -29,8 +29,8 @@ pub fn count(doc: &Document) -> UnitUse {
                 }
             });
         });
-        if let Statement::Variants(v) = &statement.node {
-            v.columns.iter().filter_map(|c| c.unit.as_ref()).for_each(|word| note(&word.node));
+        if let Statement::Variants(table) | Statement::Curve(Curve { table, .. }) = &statement.node {
+            table.columns.iter().filter_map(|c| c.unit.as_ref()).for_each(|word| note(&word.node));
         }
     }
     used

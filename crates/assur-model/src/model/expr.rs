@@ -1,8 +1,11 @@
 //! Typed expressions over results: what a `find`, an `expect`, a load or a condition computes at a pose.
 
-use super::{BalanceId, Display, DriveId, FlywheelPart, LinkId, LoadId, PairId, QuantityId};
+use super::{
+    BalanceId, Curve, CurvePart, Display, DriveId, FlywheelPart, LinkId, LoadId, PairId, QuantityId,
+};
 use crate::math::Vec2;
 use crate::source::Span;
+use std::sync::Arc;
 
 /// A value in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +73,8 @@ pub enum Expr {
     Query(Query),
     /// The same without friction.
     Frictionless(Box<Expr>),
+    /// Something of a curve at an argument.
+    Curve(Arc<Curve>, CurvePart, Box<Expr>),
 }
 
 /// Operations on two operands.
@@ -166,6 +171,8 @@ pub enum Query {
     Angle(LinkId),
     /// Angular velocity of a link.
     Omega(LinkId),
+    /// Angular velocity of a link against another; not a number where they do not turn against each other.
+    Turning(LinkId, LinkId),
     /// Angular acceleration of a link.
     Alpha(LinkId),
     /// Direction (cos, sin) of a link's x axis.
@@ -239,6 +246,14 @@ pub enum Query {
     ToothForce(PairId, Option<LinkId>),
     /// Pull in a rope, N; that of this part of it, counted from 0.
     Tension(PairId, usize),
+    /// Pull in the tight side of a belt, N.
+    TightSide(PairId),
+    /// Pull in its slack side, N.
+    SlackSide(PairId),
+    /// The greatest torque of a clutch, N m, or tangential force of a belt, N.
+    Capacity(PairId),
+    /// Whether a clutch or a belt slips.
+    Slips(PairId),
     /// Drive value where the coordinate is least (1) or greatest (2), in [0, one turn). Needs no pose.
     Dead(PairId, u8),
     /// A function over the sweep: index into [`super::Mechanism::cycles`]. Needs no pose.
@@ -302,7 +317,11 @@ impl Expr {
         visit(self);
         match self {
             Self::Constant(_) | Self::Quantity(_) | Self::Query(_) => {}
-            Self::Component(a, _) | Self::Negate(a) | Self::Not(a) | Self::Frictionless(a) => a.parts(visit),
+            Self::Component(a, _)
+            | Self::Negate(a)
+            | Self::Not(a)
+            | Self::Frictionless(a)
+            | Self::Curve(_, _, a) => a.parts(visit),
             Self::Vector(a, b)
             | Self::Polar(a, b)
             | Self::Binary(_, a, b)
@@ -327,6 +346,7 @@ impl Expr {
             Self::Negate(a) => Self::Negate(boxed(a)),
             Self::Not(a) => Self::Not(boxed(a)),
             Self::Frictionless(a) => Self::Frictionless(boxed(a)),
+            Self::Curve(curve, part, a) => Self::Curve(curve.clone(), *part, boxed(a)),
             Self::Vector(a, b) => Self::Vector(boxed(a), boxed(b)),
             Self::Polar(a, b) => Self::Polar(boxed(a), boxed(b)),
             Self::Binary(op, a, b) => Self::Binary(*op, boxed(a), boxed(b)),

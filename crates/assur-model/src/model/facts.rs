@@ -121,7 +121,7 @@ impl Query {
                 let about = About::Link(link);
                 Facts { placed: Some((about, "an angle")), turned: Some(about), ..VECTOR }
             }
-            Self::Omega(link) => Facts { turned: Some(About::Link(link)), ..RATE },
+            Self::Omega(link) | Self::Turning(link, _) => Facts { turned: Some(About::Link(link)), ..RATE },
             Self::Alpha(link) | Self::InertiaTorque(link) => {
                 Facts { turned: Some(About::Link(link)), ..SECOND_RATE }
             }
@@ -174,6 +174,9 @@ impl Query {
             Self::Friction(..) => force("a friction force"),
             Self::TangentialForce(..) | Self::ToothForce(..) => force("a force between teeth"),
             Self::Tension(..) => force("the pull of a rope"),
+            Self::TightSide(_) | Self::SlackSide(_) => force("the pull of a belt"),
+            Self::Capacity(_) => Facts { poseless: true, ..NUMBER },
+            Self::Slips(_) => Facts { answer: Answer::Condition, ..force("the force of a belt or clutch") },
             Self::Balance(_) => force("an unknown load"),
             Self::Effort(_) => force("the effort of a drive"),
             Self::Load(id) => Facts { answer: Answer::Load(id), ..NUMBER },

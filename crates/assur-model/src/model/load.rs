@@ -180,4 +180,17 @@ pub enum BalanceKind {
     },
     /// The force or torque inside a pair, positive along its coordinate.
     InPair(PairId),
+    /// The same torque or force at several places: two or more torques on links or efforts inside pairs of one dimension.
+    Several(Vec<BalanceKind>),
+}
+
+impl BalanceKind {
+    /// Its places: one, or several.
+    #[must_use]
+    pub fn places(&self) -> &[Self] {
+        match self {
+            Self::Several(places) => places,
+            one => std::slice::from_ref(one),
+        }
+    }
 }

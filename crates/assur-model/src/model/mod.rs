@@ -2,6 +2,7 @@
 //! structure is found.
 
 mod cam_part;
+mod curve;
 mod cycle;
 mod display;
 mod element;
@@ -19,6 +20,7 @@ mod shape;
 mod train;
 
 pub use cam_part::{CAM_PARTS, CamPart};
+pub use curve::{Curve, CurvePart};
 pub use cycle::{Cycle, CycleFunction};
 pub use display::Display;
 pub use element::{CamContact, PlateCam, Table, TableEntry};
@@ -33,7 +35,7 @@ pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
-pub use train::{Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
+pub use train::{Grip, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;
 
@@ -80,6 +82,8 @@ pub struct Mechanism {
     pub finds: Vec<Find>,
     /// The expectations of the answer key.
     pub expects: Vec<Expect>,
+    /// Whether any value comes from a curve: then every position is looked at for one that is left.
+    pub has_curves: bool,
     /// Functions over the sweep, each after those it depends on.
     pub cycles: Vec<Cycle>,
     /// Flywheels that are to be found.

@@ -36,7 +36,8 @@ impl Mechanism {
             | Expr::Compare(..)
             | Expr::And(..)
             | Expr::Or(..)
-            | Expr::Not(_) => false,
+            | Expr::Not(_)
+            | Expr::Curve(..) => false,
         }
     }
 }

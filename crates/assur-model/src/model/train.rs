@@ -71,6 +71,39 @@ pub struct Transmission {
     pub meeting: Option<Meeting>,
     /// Pressure angle, rad.
     pub pressure_angle: Option<f64>,
+    /// What friction alone can transmit.
+    pub grip: Option<Grip>,
+    /// The part of the speed that a belt loses, with its first wheel driving.
+    pub slip: f64,
+}
+
+/// What a transmission by friction can transmit before it slips.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Grip {
+    /// A belt.
+    Belt {
+        /// Ratio of the pulls T₁/T₂ at which it slips.
+        ratio: f64,
+        /// Pull on both sides at rest, N.
+        pretension: Option<f64>,
+    },
+    /// The greatest torque of a clutch, N m.
+    Clutch(f64),
+}
+
+impl Grip {
+    /// The greatest torque of a clutch, N m, or the greatest tangential force of a belt at its pretension T₀,
+    /// 2 T₀ (m − 1)/(m + 1) with the ratio m of the pulls at which it slips, N; NaN without a pretension.
+    #[must_use]
+    pub fn capacity(self) -> f64 {
+        match self {
+            Self::Belt { ratio, pretension: Some(at_rest) } => {
+                2.0 * at_rest * ((ratio - 1.0) / (ratio + 1.0))
+            }
+            Self::Belt { pretension: None, .. } => f64::NAN,
+            Self::Clutch(torque) => torque,
+        }
+    }
 }
 
 /// The kinds of transmission.
@@ -90,6 +123,8 @@ pub enum TransmissionKind {
     Worm,
     /// A spindle and its nut.
     Screw,
+    /// A clutch between two shafts.
+    Clutch,
 }
 
 /// Two wheels whose teeth meet.
@@ -119,6 +154,7 @@ impl TransmissionKind {
             Self::Rack => JointKind::Rack,
             Self::Worm => JointKind::Worm,
             Self::Screw => JointKind::Screw,
+            Self::Clutch => JointKind::Clutch,
         }
     }
 
@@ -139,6 +175,7 @@ impl TransmissionKind {
             Self::Rack => "a rack",
             Self::Worm => "a worm",
             Self::Screw => "a screw",
+            Self::Clutch => "a clutch",
         }
     }
 }

@@ -12,6 +12,8 @@ pub struct Effort {
     pub source: EffortSource,
     /// Its span.
     pub kind: EffortKind,
+    /// Other places where the same effort acts.
+    pub also: Vec<EffortKind>,
 }
 
 /// Where an effort is declared.
@@ -46,14 +48,26 @@ pub enum EffortKind {
 }
 
 impl Effort {
+    /// All places where it acts.
+    pub fn places(&self) -> impl Iterator<Item = EffortKind> + '_ {
+        std::iter::once(self.kind).chain(self.also.iter().copied())
+    }
+
+    /// Its place, where it acts at one alone.
+    #[must_use]
+    pub fn only(&self) -> Option<EffortKind> {
+        self.also.is_empty().then_some(self.kind)
+    }
+
     /// The bodies it acts on.
     #[must_use]
     pub fn bodies(&self, replaced: &Replaced) -> Vec<BodyId> {
-        match self.kind {
+        let bodies = |kind| match kind {
             EffortKind::Angle(b) | EffortKind::Line(b) | EffortKind::Point(b) => vec![b],
             EffortKind::RelativeAngle { first, second, .. } => vec![first, second],
             EffortKind::Coordinate(joint) => replaced.joint(joint).bodies(),
-        }
+        };
+        self.places().flat_map(bodies).collect()
     }
 }
 
@@ -91,7 +105,8 @@ pub(super) fn of_drives(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Effor
         .iter()
         .enumerate()
         .filter_map(|(i, d)| {
-            Some(Effort { source: EffortSource::Drive(DriveId::at(i)), kind: kind(d.target)? })
+            let (source, also) = (EffortSource::Drive(DriveId::at(i)), Vec::new());
+            Some(Effort { source, kind: kind(d.target)?, also })
         })
         .collect()
 }
@@ -108,13 +123,16 @@ pub(super) fn of_balances(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Eff
         BalanceKind::Torque(link) => Some(EffortKind::Angle(body(*link))),
         BalanceKind::Force { on, .. } => Some(EffortKind::Line(body(*on))),
         BalanceKind::InPair(pair) => in_pair(mechanism, replaced, *pair),
+        BalanceKind::Several(_) => None,
     };
     mechanism
         .balances
         .iter()
         .enumerate()
         .filter_map(|(i, b)| {
-            Some(Effort { source: EffortSource::Balance(BalanceId::at(i)), kind: kind(&b.kind)? })
+            let mut places = b.kind.places().iter().filter_map(kind);
+            let source = EffortSource::Balance(BalanceId::at(i));
+            Some(Effort { source, kind: places.next()?, also: places.collect() })
         })
         .collect()
 }

@@ -129,11 +129,11 @@ impl Group {
         {
             return false;
         }
-        match efforts[*effort].kind {
-            EffortKind::Angle(_) => !joint.prismatic,
-            EffortKind::RelativeAngle { joint: j, .. } | EffortKind::Coordinate(j) => j == joint.joint,
-            EffortKind::Line(_) => true,
-            EffortKind::Point(_) => false,
+        match efforts[*effort].only() {
+            Some(EffortKind::Angle(_)) => !joint.prismatic,
+            Some(EffortKind::RelativeAngle { joint: j, .. } | EffortKind::Coordinate(j)) => j == joint.joint,
+            Some(EffortKind::Line(_)) => true,
+            Some(EffortKind::Point(_)) | None => false,
         }
     }
 
@@ -185,7 +185,7 @@ impl Group {
         let driven: Vec<JointId> = self
             .efforts
             .iter()
-            .map(|&e| match efforts[e].kind {
+            .map(|&e| match efforts[e].only()? {
                 EffortKind::RelativeAngle { joint, .. } | EffortKind::Coordinate(joint) => Some(joint),
                 EffortKind::Angle(_) | EffortKind::Line(_) | EffortKind::Point(_) => None,
             })
@@ -252,7 +252,9 @@ impl Group {
             }
             JointKind::Revolute(_) | JointKind::Law(_) => true,
         };
-        let constant = |e: &usize| !matches!(efforts[*e].kind, EffortKind::Line(_) | EffortKind::Point(_));
+        let constant = |e: &usize| {
+            !matches!(efforts[*e].only(), None | Some(EffortKind::Line(_) | EffortKind::Point(_)))
+        };
         if self.joints.len() != self.bodies.len()
             || !self.joints.iter().all(simple)
             || !self.efforts.iter().all(constant)

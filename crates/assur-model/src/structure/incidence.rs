@@ -177,8 +177,11 @@ impl Incidence {
     }
 
     fn add_effort(&mut self, replaced: &Replaced, index: usize, effort: &Effort) {
-        let terms = match effort.kind {
-            EffortKind::Point(_) => return,
+        if matches!(effort.kind, EffortKind::Point(_)) {
+            return;
+        }
+        let terms = |kind| match kind {
+            EffortKind::Point(_) => Vec::new(),
             EffortKind::Angle(body) => vec![(body, TURN)],
             EffortKind::RelativeAngle { first, second, .. } => vec![(first, NO_TURN), (second, TURN)],
             EffortKind::Coordinate(joint) => self.slide(replaced, joint),
@@ -187,6 +190,7 @@ impl Incidence {
                 vec![(body, [0, 1, 2].map(|k| Number::random(seed + k)))]
             }
         };
+        let terms = effort.places().flat_map(terms).collect();
         self.add(Owner::Effort(index), terms, None);
     }
 }

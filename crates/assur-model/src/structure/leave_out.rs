@@ -1,7 +1,7 @@
 //! What to leave out of an overconstrained part: each change tried before a help speaks of it.
 
 use super::defect::{Defect, Fit, Part};
-use super::effort::{EffortKind, EffortSource};
+use super::effort::{Effort, EffortKind, EffortSource};
 use super::error::listed;
 use super::incidence::Incidence;
 use super::joint::{BodyId, BodyOrigin, Replaced};
@@ -197,7 +197,7 @@ impl Repair<'_> {
 }
 
 fn is_driven(trial: Trial<'_>, pair: PairId) -> bool {
-    trial.efforts.iter().any(|e| match e.kind {
+    trial.efforts.iter().flat_map(Effort::places).any(|kind| match kind {
         EffortKind::RelativeAngle { joint, .. } | EffortKind::Coordinate(joint) => {
             trial.replaced.joint(joint).pair == pair
         }

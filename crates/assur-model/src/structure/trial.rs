@@ -83,7 +83,7 @@ impl Trial<'_> {
         let mut efforts = self.efforts.to_vec();
         // where it would be declared makes no difference
         let source = EffortSource::Drive(DriveId::at(0));
-        efforts.extend(kinds.iter().map(|&kind| Effort { source, kind }));
+        efforts.extend(kinds.iter().map(|&kind| Effort { source, kind, also: Vec::new() }));
         Incidence::new(&replaced, &efforts)
     }
 }

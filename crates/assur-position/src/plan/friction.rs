@@ -69,7 +69,7 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
         let rubbing = FrictionGroup {
             reduced: reduced(&plain, &plan.friction[from..], from),
             bodies: group.bodies.iter().map(|b| b.0).collect(),
-            bases: bases(group, &laws, plan),
+            bases: bases(structure, group, &laws, plan),
             elements: (from..plan.friction.len()).collect(),
             slots,
             laws,
@@ -145,23 +145,17 @@ fn together(plan: &mut Plan) {
     }
 }
 
-/// What carries a group, and what its laws of wheels act on outside it.
-fn bases(group: &Group, laws: &[usize], plan: &Plan) -> Vec<usize> {
+/// The bodies outside a group on which its joints, efforts and laws of wheels act.
+fn bases(structure: &Structure, group: &Group, laws: &[usize], plan: &Plan) -> Vec<usize> {
     let mut bases: Vec<usize> = Vec::new();
-    for (site, _) in laws.iter().flat_map(|law| &plan.laws[*law].terms) {
-        let of_site = match site {
-            LawSite::Turn(body) => vec![*body],
-            LawSite::Slide(guide) => vec![guide.body, guide.base],
-        };
-        for body in of_site {
-            if !group.bodies.iter().any(|b| b.0 == body) && !bases.contains(&body) {
-                bases.push(body);
-            }
-        }
-    }
-    for joint in &group.joints {
-        if !group.bodies.contains(&joint.base) && !bases.contains(&joint.base.0) {
-            bases.push(joint.base.0);
+    let efforts = group.efforts.iter().flat_map(|&e| structure.efforts[e].bodies(&structure.replaced));
+    let sites = laws.iter().flat_map(|law| &plan.laws[*law].terms).flat_map(|(site, _)| match site {
+        LawSite::Turn(body) => vec![BodyId(*body)],
+        LawSite::Slide(guide) => vec![BodyId(guide.body), BodyId(guide.base)],
+    });
+    for base in group.joints.iter().map(|joint| joint.base).chain(efforts).chain(sites) {
+        if !group.bodies.contains(&base) && !bases.contains(&base.0) {
+            bases.push(base.0);
         }
     }
     if !bases.contains(&0) {

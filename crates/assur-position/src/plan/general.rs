@@ -1,6 +1,6 @@
 //! Groups without a closed form: their joints, drives and efforts as scalar constraints for Newton's method.
 
-use super::general_step::{BalanceSystem, GeneralMotion, UnknownForce};
+use super::general_step::{BalanceSystem, GeneralMotion, SharedPlace, UnknownForce};
 use super::geometry::{guide, pin_arm};
 use super::joint::Hinge;
 use super::planned::Plan;
@@ -69,25 +69,73 @@ fn torque(a: usize, b: usize) -> Constraint {
     Constraint::Angle { a, b, angle: Vec2::new(1.0, 0.0), rate: 0.0, second: 0.0 }
 }
 
-/// The laws of wheels of a group, with their slots.
-fn laws(structure: &Structure, group: &Group, plan: &Plan, places: &mut Places) -> Vec<(usize, Gearing)> {
-    let replaced = &structure.replaced;
-    let mut coordinate = |rate: BodyRate| match rate {
+/// What a rate is the rate of.
+fn coordinate(structure: &Structure, rate: BodyRate, places: &mut Places) -> Option<Geared> {
+    match rate {
         BodyRate::Turn(body) => Some(Geared::turn(places.of(body))),
-        BodyRate::Slide(id) => match replaced.joint(id).kind {
+        BodyRate::Slide(id) => match structure.replaced.joint(id).kind {
             JointKind::Prismatic { slider, point, guide, through, along, .. } => Some(Geared::Slide {
                 point: Point { body: places.of(slider), r: point },
                 line: Line { body: places.of(guide), r: through, d: along },
             }),
             JointKind::Revolute(_) | JointKind::Law(_) => None,
         },
-    };
+    }
+}
+
+/// The efforts of a group that act at several places: their multiplier is the effort where the law is the sum of their rates.
+fn shared(
+    structure: &Structure,
+    group: &Group,
+    places: &mut Places,
+) -> (Vec<(usize, Vec<SharedPlace>)>, Vec<Gearing>) {
+    let (mut all, mut laws) = (Vec::new(), Vec::new());
+    for &effort in &group.efforts {
+        if structure.efforts[effort].only().is_some() {
+            continue;
+        }
+        let (mut at, mut terms) = (Vec::new(), Vec::new());
+        let mut term = |rate, coefficient| {
+            terms.extend(coordinate(structure, rate, places).map(|of| GearTerm { of, coefficient }));
+        };
+        for kind in structure.efforts[effort].places() {
+            match kind {
+                EffortKind::Angle(body) => {
+                    term(BodyRate::Turn(body), 1.0);
+                    at.push(SharedPlace::Torque(body.0, 0));
+                }
+                EffortKind::RelativeAngle { first, second, .. } => {
+                    term(BodyRate::Turn(second), 1.0);
+                    term(BodyRate::Turn(first), -1.0);
+                    at.push(SharedPlace::Torque(second.0, first.0));
+                }
+                EffortKind::Coordinate(id) => {
+                    let JointKind::Prismatic { slider, guide: base, .. } = structure.replaced.joint(id).kind
+                    else {
+                        continue;
+                    };
+                    term(BodyRate::Slide(id), 1.0);
+                    let joint = GroupJoint { joint: id, body: slider, base, prismatic: true, inner: true };
+                    at.push(SharedPlace::Along(guide(structure, joint, 0)));
+                }
+                EffortKind::Line(_) | EffortKind::Point(_) => {}
+            }
+        }
+        all.push((effort, at));
+        laws.push(Gearing::new(terms, 0.0));
+    }
+    (all, laws)
+}
+
+/// The laws of wheels of a group, with their slots.
+fn laws(structure: &Structure, group: &Group, plan: &Plan, places: &mut Places) -> Vec<(usize, Gearing)> {
+    let replaced = &structure.replaced;
     let laws = group.laws.iter().filter_map(|&id| {
         let JointKind::Law(terms) = &replaced.joint(id).kind else { return None };
         let slot = slot_of(structure, id);
-        let terms = terms
-            .iter()
-            .filter_map(|&(rate, coefficient)| Some(GearTerm { of: coordinate(rate)?, coefficient }));
+        let terms = terms.iter().filter_map(|&(rate, coefficient)| {
+            Some(GearTerm { of: coordinate(structure, rate, places)?, coefficient })
+        });
         Some((slot, Gearing::new(terms.collect(), plan.laws[slot].constant)))
     });
     laws.collect()
@@ -208,8 +256,10 @@ pub(super) fn balance_system(
             unknowns.push(UnknownForce::Passive);
         }
     }
+    let (shared, mut gearings) = shared(structure, group, &mut places);
     for &effort in &group.efforts {
-        let (constraint, unknown) = match structure.efforts[effort].kind {
+        let Some(kind) = structure.efforts[effort].only() else { continue };
+        let (constraint, unknown) = match kind {
             EffortKind::Angle(body) => (
                 torque(places.of(BodyId::GROUND), places.of(body)),
                 UnknownForce::Torque { effort, body: body.0, base: 0 },
@@ -239,8 +289,10 @@ pub(super) fn balance_system(
         constraints.push(constraint);
         unknowns.push(unknown);
     }
-    let (slots, laws) = laws(structure, group, plan, &mut places).into_iter().unzip();
-    let equations = General::with_laws(places.moving, places.slots.len(), constraints, laws).ok();
+    let (slots, laws): (Vec<usize>, Vec<Gearing>) =
+        laws(structure, group, plan, &mut places).into_iter().unzip();
+    gearings.extend(laws);
+    let equations = General::with_laws(places.moving, places.slots.len(), constraints, gearings).ok();
     BalanceSystem {
         bodies: places.slots,
         moving: places.moving,
@@ -248,6 +300,7 @@ pub(super) fn balance_system(
         unknowns,
         lines,
         torques,
+        shared,
         laws: slots,
     }
 }

@@ -40,8 +40,19 @@ pub struct BalanceSystem {
     pub lines: Vec<(usize, usize)>,
     /// Angles in which unknown torques act: any position satisfies them.
     pub torques: Vec<usize>,
+    /// Efforts at several places: slot, the other bodies' share of it. Their equations come before those of the laws.
+    pub shared: Vec<(usize, Vec<SharedPlace>)>,
     /// Slots of the laws of wheels whose multipliers are found here, in the order of the equations.
     pub laws: Vec<usize>,
+}
+
+/// One of the places of an effort that acts at several.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SharedPlace {
+    /// A torque of the second body on the first.
+    Torque(usize, usize),
+    /// A force on the slider of a prismatic joint along its line.
+    Along(Guide),
 }
 
 /// What the force in a constraint is.

@@ -31,7 +31,7 @@ pub use effects::Effects;
 pub use exact_vec::ExactVec;
 pub use force_step::{DrivenPart, EffortLine, ForceStep, Inner};
 pub use friction_step::{FrictionElement, FrictionGroup, FrictionLaw};
-pub use general_step::{BalanceSystem, GeneralMotion, UnknownForce};
+pub use general_step::{BalanceSystem, GeneralMotion, SharedPlace, UnknownForce};
 pub use joint::{Guide, Hinge, OuterJoint};
 pub use load_step::{ForceLine, LoadStep};
 pub use planned::Plan;

@@ -11,7 +11,7 @@ use super::state::State;
 use super::wrench::{LawForce, Reaction};
 use crate::group::general::{Constraint, Line, Load, Point};
 use crate::math::Vec2;
-use crate::plan::{BalanceSystem, Guide, LawSite, Plan, PlannedLaw, UnknownForce};
+use crate::plan::{BalanceSystem, Guide, LawSite, Plan, PlannedLaw, SharedPlace, UnknownForce};
 
 impl State {
     pub(super) fn force_general(&mut self, plan: &Plan, index: usize, losses: Losses) -> f64 {
@@ -177,6 +177,32 @@ impl State {
                 UnknownForce::Passive => {}
             }
             at += 1;
+        }
+        for ((effort, places), x) in system.shared.iter().zip(&lambda[at..]) {
+            self.forces.efforts[*effort] = *x;
+            places.iter().for_each(|place| self.act_outside(place, *x, inside));
+        }
+    }
+
+    /// Passes an effort at one of its places on to bodies outside the group.
+    fn act_outside(&mut self, place: &SharedPlace, x: f64, inside: impl Fn(usize) -> bool) {
+        match place {
+            SharedPlace::Torque(body, base) => {
+                for (other, moment) in [(*base, -x), (*body, x)] {
+                    if !inside(other) {
+                        self.forces.wrenches[other].moment += moment;
+                    }
+                }
+            }
+            SharedPlace::Along(guide) => {
+                let p = self.motion.bodies[guide.slider].position(guide.point);
+                let force = self.direction(guide) * x;
+                for (other, on_other) in [(guide.base, force), (guide.slider, -force)] {
+                    if !inside(other) {
+                        self.carry(other, p, on_other);
+                    }
+                }
+            }
         }
     }
 }

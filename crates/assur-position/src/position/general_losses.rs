@@ -20,7 +20,7 @@ impl State {
         work: &mut Workspace,
         losses: bool,
     ) {
-        for (&slot, gearing) in system.laws.iter().zip(&mut work.equations.laws) {
+        for (&slot, gearing) in system.laws.iter().zip(&mut work.equations.laws[system.shared.len()..]) {
             let law = &plan.laws[slot];
             if law.efficiency.is_none() {
                 continue;
@@ -62,7 +62,7 @@ impl State {
                 found += 1;
             }
             if size < least && !again {
-                work.kept.copy_from_slice(own);
+                work.kept[..own.len()].copy_from_slice(own);
                 (best, least) = (directions, size);
             }
         }

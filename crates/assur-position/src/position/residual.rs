@@ -139,7 +139,7 @@ fn totals(model: &Model<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
     }
     for (slot, effort) in model.structure.efforts.iter().enumerate() {
         let value = state.forces.efforts[slot];
-        match effort.kind {
+        effort.places().for_each(|kind| match kind {
             EffortKind::Angle(b) => add(b.0, state.motion.bodies[b.0].p, Vec2::zero(), value),
             EffortKind::RelativeAngle { first, second, .. } => {
                 add(second.0, state.motion.bodies[second.0].p, Vec2::zero(), value);
@@ -159,7 +159,7 @@ fn totals(model: &Model<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
                 }
             }
             EffortKind::Point(_) => {}
-        }
+        });
     }
     for w in &state.forces.applied {
         most_force = most_force.max(w.force.norm());
@@ -190,18 +190,20 @@ fn power(model: &Model<'_>, state: &State) -> f64 {
     }
     for (slot, effort) in model.structure.efforts.iter().enumerate() {
         let value = state.forces.efforts[slot];
-        add(match effort.kind {
-            EffortKind::Angle(b) => value * state.motion.bodies[b.0].omega,
-            EffortKind::RelativeAngle { first, second, .. } => {
-                value * (state.motion.bodies[second.0].omega - state.motion.bodies[first.0].omega)
-            }
-            EffortKind::Line(b) => {
-                let (p, n) = state.forces.lines[slot];
-                let body = &state.motion.bodies[b.0];
-                value * (body.v + (p - body.p).perp() * body.omega).dot(n)
-            }
-            EffortKind::Coordinate(joint) => value * slider_speed(model, state, joint),
-            EffortKind::Point(_) => 0.0,
+        effort.places().for_each(|kind| {
+            add(match kind {
+                EffortKind::Angle(b) => value * state.motion.bodies[b.0].omega,
+                EffortKind::RelativeAngle { first, second, .. } => {
+                    value * (state.motion.bodies[second.0].omega - state.motion.bodies[first.0].omega)
+                }
+                EffortKind::Line(b) => {
+                    let (p, n) = state.forces.lines[slot];
+                    let body = &state.motion.bodies[b.0];
+                    value * (body.v + (p - body.p).perp() * body.omega).dot(n)
+                }
+                EffortKind::Coordinate(joint) => value * slider_speed(model, state, joint),
+                EffortKind::Point(_) => 0.0,
+            })
         });
     }
     for (slot, joint) in model.plan.reactions.iter().enumerate() {

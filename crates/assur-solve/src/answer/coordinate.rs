@@ -4,6 +4,7 @@ use super::pose_answers::{NAN_VECTOR, PoseAnswers};
 use crate::math::Vec2;
 use crate::model::{Guide, LinkId, PairId, PairKind, PointRef};
 use std::borrow::Cow;
+use std::f64::consts::TAU;
 
 impl PoseAnswers<'_> {
     /// The guide of a pair with a coordinate along a line; barrel and rod of a cylinder.
@@ -45,11 +46,22 @@ impl PoseAnswers<'_> {
     #[must_use]
     pub fn displacement(&self, pair: PairId) -> f64 {
         if let Some((first, second)) = self.hinge(pair) {
-            return self.angles[second.index()] - self.angles[first.index()];
+            let turns =
+                self.angles.get(self.state.motion.bodies.len() + pair.index()).copied().unwrap_or(0.0);
+            return self.angles[second.index()] - self.angles[first.index()] + turns;
         }
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let from = self.body(g.guide).position(g.through);
         (self.body(g.slider).position(g.point) - from).dot(self.along(&g))
+    }
+
+    /// The coordinate from its least value. A hinge that goes to and fro by less than a turn is followed from another place
+    /// than its extremes, so that whole turns between the two are left out.
+    pub(super) fn travel(&self, pair: PairId) -> f64 {
+        let (travel, stroke) =
+            (self.displacement(pair) - self.statics.least(pair), self.statics.stroke(pair));
+        let turns = ((travel - stroke / 2.0) / TAU).round();
+        if turns != 0.0 && stroke < TAU && self.hinge(pair).is_some() { travel - turns * TAU } else { travel }
     }
 
     /// First derivative of the coordinate.

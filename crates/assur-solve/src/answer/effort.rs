@@ -23,7 +23,7 @@ impl PoseAnswers<'_> {
         use crate::structure::EffortKind;
         let Some(slot) = self.effort_slot(source) else { return f64::NAN };
         let value = self.state.forces.efforts[slot];
-        match self.structure.efforts[slot].kind {
+        let power = |kind| match kind {
             EffortKind::Angle(body) => value * self.state.motion.bodies[body.0].omega,
             EffortKind::RelativeAngle { first, second, .. } => {
                 value * (self.state.motion.bodies[second.0].omega - self.state.motion.bodies[first.0].omega)
@@ -37,7 +37,8 @@ impl PoseAnswers<'_> {
                 value * (b.v + (at - b.p).perp() * b.omega).dot(n)
             }
             EffortKind::Point(_) => f64::NAN,
-        }
+        };
+        self.structure.efforts[slot].places().map(power).sum()
     }
 
     /// Line of a balance force: a point and its unit direction in ground axes.

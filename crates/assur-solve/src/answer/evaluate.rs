@@ -36,6 +36,7 @@ impl PoseAnswers<'_> {
             Expr::Not(a) => Value::Bool(!self.truth(a)),
             Expr::Quantity(id) => self.quantity(*id),
             Expr::Query(query) => self.query(query),
+            Expr::Curve(curve, part, x) => Value::Scalar(curve.at(*part, self.scalar(x))),
             Expr::Frictionless(a) => self.without_friction().value(a),
         }
     }

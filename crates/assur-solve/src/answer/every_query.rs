@@ -1,12 +1,16 @@
-//! All results that a file asks for.
+//! All expressions and results that a file asks for.
 
 use crate::model::{Expr, Mechanism, Positions, Query};
 use crate::source::Span;
 
 /// Calls `look` on every result that the file asks for, with the place of its statement.
 pub(crate) fn every_query(mechanism: &Mechanism, look: &mut impl FnMut(&Query, Span)) {
+    every_expr(mechanism, &mut |expr, span| expr.queries(&mut |query| look(query, span)));
+}
+
+/// Calls `ask` on every expression of the file, with the place of its statement.
+pub(crate) fn every_expr(mechanism: &Mechanism, ask: &mut impl FnMut(&Expr, Span)) {
     use crate::model::{At, FindKind, Relation};
-    let mut ask = |expr: &Expr, span: Span| expr.queries(&mut |query| look(query, span));
     for drive in &mechanism.drives {
         match &drive.positions {
             Positions::None => {}

@@ -11,7 +11,8 @@ impl PoseAnswers<'_> {
     #[must_use]
     pub fn flywheel(&self, which: usize, part: FlywheelPart) -> f64 {
         let Some(wheel) = self.mechanism.flywheels.get(which) else { return f64::NAN };
-        let found = self.statics.flywheels.get(which);
+        let ideal = self.statics.ideal_flywheels.get(which).filter(|_| self.ideal);
+        let found = ideal.or_else(|| self.statics.flywheels.get(which));
         let inertia = || found.map_or(f64::NAN, |f| f.inertia);
         let shaft = || wheel.ratio * self.body(wheel.on).omega;
         match part {

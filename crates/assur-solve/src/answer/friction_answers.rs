@@ -146,6 +146,7 @@ impl PoseAnswers<'_> {
     /// The same position without friction.
     #[must_use]
     pub fn without_friction(&self) -> Self {
-        self.frictionless.map_or(*self, |(state, quantities)| Self { state, quantities, ..*self })
+        let (state, quantities) = self.frictionless.unwrap_or((self.state, self.quantities));
+        Self { state, quantities, ideal: true, ..*self }
     }
 }

@@ -2,6 +2,7 @@
 
 #![allow(non_snake_case, reason = "names carry the notation of the field: dJ")]
 
+mod angles;
 mod constant;
 mod contact_normal;
 mod coordinate;
@@ -12,20 +13,24 @@ mod evaluated_loads;
 mod every_query;
 mod flywheel_answers;
 mod friction_answers;
+mod left_curve;
 mod locking;
 mod pose_answers;
 mod pressure_angle;
 mod substitution;
 mod train_answers;
+mod turning;
 mod undefined;
 mod whole_cycle;
 
+pub(crate) use angles::first_angles;
 pub(crate) use constant::constant;
 pub use cycle_answers::{CycleAnswer, FlywheelAnswer};
 pub use evaluate::compare;
 pub(crate) use evaluated_loads::balanced;
-pub(crate) use every_query::every_query;
+pub(crate) use every_query::{every_expr, every_query};
 pub use friction_answers::PairFriction;
+pub use left_curve::LeftCurve;
 pub(crate) use locking::Locked;
 pub use pose_answers::PoseAnswers;
 pub use undefined::{NoExtreme, NoFlywheel, NoSweep, SweepPlace, Undefined};

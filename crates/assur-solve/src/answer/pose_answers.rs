@@ -7,7 +7,7 @@ use crate::plan::Plan;
 use crate::position::{Model, State};
 use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
 
-/// One position, seen from the language. Angles of bodies are those followed over the sweep, by body slot.
+/// One position, seen from the language. Angles are those followed over the sweep.
 #[derive(Clone, Copy)]
 pub struct PoseAnswers<'a> {
     /// The mechanism.
@@ -18,7 +18,7 @@ pub struct PoseAnswers<'a> {
     pub plan: &'a Plan,
     /// The position.
     pub state: &'a State,
-    /// Angles of the bodies, continuous, rad.
+    /// Angles of the bodies by slot, continuous, rad; after them the whole turns of each pair, as `first_angles` gives them.
     pub angles: &'a [f64],
     /// What needs no position: dead positions, strokes.
     pub statics: &'a WholeCycle,
@@ -26,6 +26,8 @@ pub struct PoseAnswers<'a> {
     pub quantities: &'a [Value],
     /// The same position without friction and its quantities, where the file declares any.
     pub frictionless: Option<(&'a State, &'a [Value])>,
+    /// Asked without friction.
+    pub ideal: bool,
 }
 
 pub(super) const NAN_VECTOR: Vec2 = Vec2::new(f64::NAN, f64::NAN);
@@ -43,6 +45,7 @@ impl<'a> PoseAnswers<'a> {
             statics,
             quantities: &[],
             frictionless: None,
+            ideal: false,
         }
     }
 
@@ -81,6 +84,9 @@ impl PoseAnswers<'_> {
             Query::Acceleration(p) => Value::Vector(self.acceleration(p)),
             Query::Angle(link) => Value::Scalar(self.angles.get(link.index()).copied().unwrap_or(f64::NAN)),
             Query::Omega(link) => Value::Scalar(self.body(*link).omega),
+            Query::Turning(link, seen_from) => {
+                Value::Scalar(super::turning::turning(self, *link, *seen_from))
+            }
             Query::Alpha(link) => Value::Scalar(self.body(*link).alpha),
             Query::LinkDirection(link) => Value::Vector(self.body(*link).u),
             Query::Displacement(pair) => Value::Scalar(self.displacement(*pair)),
@@ -120,13 +126,17 @@ impl PoseAnswers<'_> {
             Query::BalancePower(id) => Value::Scalar(self.effort_power(EffortSource::Balance(*id))),
             Query::EffortPower(id) => Value::Scalar(self.effort_power(EffortSource::Drive(*id))),
             Query::LoadPower(id) => Value::Scalar(self.load_power(id.index())),
-            Query::Travel(pair) => Value::Scalar(self.displacement(*pair) - self.statics.least(*pair)),
+            Query::Travel(pair) => Value::Scalar(self.travel(*pair)),
             Query::Stroke(pair) => Value::Scalar(self.statics.stroke(*pair)),
             Query::TimeRatio(pair) => Value::Scalar(self.statics.time_ratio(*pair)),
             Query::Dead(pair, which) => Value::Scalar(self.statics.dead(*pair, *which)),
             Query::TangentialForce(pair, on) => Value::Scalar(self.force_on(*pair, *on)),
             Query::ToothForce(pair, on) => Value::Scalar(self.tooth_force(*pair, *on)),
             Query::Tension(pair, part) => Value::Scalar(self.tension(*pair, *part)),
+            Query::TightSide(pair) => Value::Scalar(self.belt_pulls(*pair)[0]),
+            Query::SlackSide(pair) => Value::Scalar(self.belt_pulls(*pair)[1]),
+            Query::Capacity(pair) => Value::Scalar(self.capacity(*pair)),
+            Query::Slips(pair) => Value::Bool(self.slips(*pair)),
             Query::Cycle(which) => Value::Scalar(self.statics.cycle(*which)),
             Query::Flywheel(which, part) => Value::Scalar(self.flywheel(*which, *part)),
         }

@@ -2,7 +2,7 @@
 
 use super::pose_answers::{NAN_VECTOR, PoseAnswers};
 use crate::math::Vec2;
-use crate::model::{LinkId, PairId, PairKind, Transmission};
+use crate::model::{Grip, LinkId, PairId, PairKind, Transmission};
 use crate::plan::{LawSite, PlannedLaw};
 
 impl PoseAnswers<'_> {
@@ -34,10 +34,13 @@ impl PoseAnswers<'_> {
     /// has what is lost as well.
     pub(super) fn force_on(&self, pair: PairId, on: Option<LinkId>) -> f64 {
         let Some(link) = on else { return self.tangential_force(pair) };
-        let side = self.transmission(pair).and_then(|t| t.links.iter().position(|l| *l == link));
         let of_side = |(slot, law): (usize, &PlannedLaw)| {
+            let t = self.transmission(pair)?;
+            let side = t.links.iter().position(|l| *l == link)?;
             let force = &self.state.forces.law_forces[slot];
-            Some((force.multiplier * law.force * force.sides.get(side?)?).abs())
+            // the law of a belt that slips has the first wheel's coefficient less the slip
+            let kept = if side == 0 { 1.0 - t.slip } else { 1.0 };
+            Some((force.multiplier * law.force * force.sides.get(side)? * kept).abs())
         };
         self.laws(pair).next().and_then(of_side).unwrap_or(f64::NAN)
     }
@@ -52,6 +55,35 @@ impl PoseAnswers<'_> {
     #[must_use]
     pub fn tension(&self, pair: PairId, part: usize) -> f64 {
         self.laws(pair).nth(part).map_or(f64::NAN, |(slot, law)| self.pull(slot, law))
+    }
+
+    /// Pulls in the tight and in the slack side of a belt, N: about its pretension, or the least with which it does not slip.
+    pub(super) fn belt_pulls(&self, pair: PairId) -> [f64; 2] {
+        let force = self.tangential_force(pair);
+        match self.grip(pair) {
+            Some(Grip::Belt { pretension: Some(at_rest), .. }) => {
+                [at_rest + force / 2.0, at_rest - force / 2.0]
+            }
+            Some(Grip::Belt { ratio, pretension: None }) => {
+                let slack = force / (ratio - 1.0);
+                [slack + force, slack]
+            }
+            Some(Grip::Clutch(_)) | None => [f64::NAN; 2],
+        }
+    }
+
+    /// The greatest torque of a clutch, N m, or tangential force of a belt, N; NaN where it has none.
+    pub(super) fn capacity(&self, pair: PairId) -> f64 {
+        self.grip(pair).map_or(f64::NAN, Grip::capacity)
+    }
+
+    /// Whether a clutch or a belt must transmit more than its capacity. What is at the limit but for rounding still grips.
+    pub(crate) fn slips(&self, pair: PairId) -> bool {
+        self.tangential_force(pair) > self.capacity(pair) * (1.0 + 1e-9)
+    }
+
+    fn grip(&self, pair: PairId) -> Option<Grip> {
+        self.transmission(pair).and_then(|t| t.grip)
     }
 
     /// Torque of a transmission on a link about its axis, N m.

@@ -14,6 +14,8 @@ pub struct WholeCycle {
     pub cycles: Vec<CycleAnswer>,
     /// Flywheels, by index into [`crate::model::Mechanism::flywheels`].
     pub flywheels: Vec<FlywheelAnswer>,
+    /// The same without friction, where the file asks for any.
+    pub ideal_flywheels: Vec<FlywheelAnswer>,
 }
 
 /// Extremes of one coordinate over a turn.
@@ -31,8 +33,13 @@ pub struct Extremes {
 
 impl WholeCycle {
     /// Nothing asked for.
-    pub const EMPTY: Self =
-        Self { extremes: Vec::new(), criticals: Vec::new(), cycles: Vec::new(), flywheels: Vec::new() };
+    pub const EMPTY: Self = Self {
+        extremes: Vec::new(),
+        criticals: Vec::new(),
+        cycles: Vec::new(),
+        flywheels: Vec::new(),
+        ideal_flywheels: Vec::new(),
+    };
 
     fn of(&self, pair: PairId) -> Option<&Extremes> {
         self.extremes.iter().find(|(p, _)| *p == pair).map(|(_, e)| e)

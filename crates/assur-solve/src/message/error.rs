@@ -4,6 +4,7 @@ use super::consistent_error::ConsistentError;
 use super::flywheel_error::FlywheelError;
 use super::friction_error::FrictionError;
 use super::train_error::TrainError;
+use crate::source::Span;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
 
@@ -80,6 +81,27 @@ pub enum SolveError {
         /// The pairs of the group.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
+    },
+    /// A curve is asked for a value beyond its table.
+    #[error("curve `{name}` has no value at {argument}{pose}: its table goes from {extent}")]
+    #[diagnostic(
+        code(mech::curve::outside),
+        help(
+            "add rows, or write `periodic` after its name if it begins again, or `held` if its end values hold beyond the table"
+        )
+    )]
+    CurveLeft {
+        /// The curve.
+        name: String,
+        /// ` at pose 3 (crank = 60 deg)`, or empty.
+        pose: String,
+        /// The argument.
+        argument: String,
+        /// Its table.
+        extent: String,
+        /// The curve.
+        #[label("{extent}")]
+        span: Span,
     },
     /// A position too far from the one before.
     #[error("the step to this position is too large{pose}")]
@@ -333,6 +355,24 @@ pub enum SolveError {
         /// The effort and the pairs of the group.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
+    },
+    /// An instant centre where nothing turns.
+    #[error("`{link}` does not turn against {seen_from}{pose}{more}: its instant centre is at infinity")]
+    #[diagnostic(code(mech::solve::no_centre), severity(warning), help("{help}"))]
+    NoCentre {
+        /// The link.
+        link: String,
+        /// `the ground`, or the other link.
+        seen_from: String,
+        /// ` at pose 3 (crank = 60 deg)`, or empty.
+        pose: String,
+        /// `, and at 2 other poses`, or empty.
+        more: String,
+        /// What to ask for instead.
+        help: String,
+        /// Its place.
+        #[label("no value")]
+        span: miette::SourceSpan,
     },
     /// A flywheel.
     #[error(transparent)]

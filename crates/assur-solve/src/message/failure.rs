@@ -3,9 +3,10 @@
 use super::consistent::{blocked, undecided};
 use super::error::SolveError;
 use super::format::place;
-use super::impossible::{cannot_hold, dead, not_finite, too_far};
+use super::impossible::{cannot_hold, curve_left, dead, not_finite, too_far};
 use super::over_sweep::{no_extreme, no_flywheel, no_sweep};
 use super::refusal::refused;
+use super::slip::slip_backwards;
 use super::unassembled::{ambiguous, does_not_close, not_found, not_met};
 use crate::position::Model;
 use crate::solve::{Cause, Failure};
@@ -26,7 +27,9 @@ pub fn failure(model: &Model<'_>, failure: &Failure) -> SolveError {
         Cause::Dead { group, condition } => dead(model, *group, *condition, pose),
         Cause::CannotHold { group, condition } => cannot_hold(model, *group, *condition, pose),
         Cause::Lost(lost) => not_finite(model, *lost, pose),
+        Cause::CurveLeft(left) => curve_left(left, pose),
         Cause::Undecided => undecided(model, pose),
+        Cause::SlipBackwards(pair) => slip_backwards(model, *pair, pose),
         Cause::Blocked => blocked(model, pose),
         Cause::NoExtreme { pair, function, which, why } => {
             no_extreme(model, *pair, (*function, *which), *why)

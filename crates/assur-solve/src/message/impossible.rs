@@ -2,6 +2,7 @@
 
 use super::error::SolveError;
 use super::format::{body, label, labels, links, stands};
+use crate::answer::LeftCurve;
 use crate::position::Model;
 use crate::solve::{GroupId, Lost};
 use crate::structure::{EffortKind, EffortSource};
@@ -83,4 +84,16 @@ pub(super) fn too_far(model: &Model<'_>, pose: String) -> SolveError {
 
 fn at_drives(model: &Model<'_>, text: &str) -> Vec<LabeledSpan> {
     model.mechanism.drives.iter().map(|d| label(text, d.span)).collect()
+}
+
+/// A curve is asked for a value beyond its table.
+pub(super) fn curve_left(left: &LeftCurve, pose: String) -> SolveError {
+    let curve = &left.curve;
+    SolveError::CurveLeft {
+        name: curve.name.clone(),
+        pose,
+        argument: curve.shown(left.argument),
+        extent: curve.extent(),
+        span: curve.span,
+    }
 }

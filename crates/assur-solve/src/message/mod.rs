@@ -16,6 +16,7 @@ mod open_places;
 mod over_sweep;
 mod partial_sweep;
 mod refusal;
+mod slip;
 mod speeds;
 mod train_error;
 mod unassembled;

@@ -6,8 +6,10 @@ use super::format::{and_at, drive_text, four, label, labels, links, place, round
 use super::friction::{locked, no_effort, no_sliding};
 use super::over_sweep::needless_flywheel;
 use super::partial_sweep::partial_sweep;
+use super::slip::slips;
 use super::speeds::{no_damping, unit_speed};
 use super::train_error::TrainError;
+use crate::model::LinkId;
 use crate::position::{DriveValue, Model, Wanted};
 use crate::solve::{GroupId, Loss, Note, Pull, Uncertified};
 use crate::units::Dimension;
@@ -29,6 +31,7 @@ fn note(model: &Model<'_>, note: &Note) -> Option<SolveError> {
             let (name, span, tension, pose, more) = parts(model, pull);
             TrainError::RopePushes { name, pose, more, tension, span }.into()
         }
+        Note::Slips(pull) => return slips(model, pull),
         Note::ContactPulls(pull) => {
             let (name, span, normal, pose, more) = parts(model, pull);
             SolveError::ContactPulls { name, pose, normal, more, span }
@@ -45,8 +48,39 @@ fn note(model: &Model<'_>, note: &Note) -> Option<SolveError> {
         Note::UnitSpeed { drive, springs, loads } => unit_speed(mechanism, *drive, (springs, loads)),
         Note::NoSliding { pair, pose, more } => no_sliding(model, *pair, (pose, *more)),
         Note::Locked(locking) => locked(model, locking),
+        Note::NoCentre { find, links, pose, more } => no_centre(model, *find, *links, (pose, *more)),
         Note::NoEffort { finds, pose, more } => no_effort(model, finds, (pose, *more)),
     })
+}
+
+fn no_centre(
+    model: &Model<'_>,
+    find: usize,
+    links: [LinkId; 2],
+    (pose, more): (&Wanted, usize),
+) -> SolveError {
+    let mechanism = model.mechanism;
+    let [link, seen_from] = links.map(|link| mechanism.link(link).name.as_str());
+    let point = mechanism.link(links[0]).points.first().filter(|_| links[1] == LinkId::GROUND);
+    let help = match point {
+        Some(point) => format!(
+            "ask for a velocity, as in `velocity({link}.{})`: all points of `{link}` have the same",
+            point.name
+        ),
+        None => format!("choose a pose at which `{link}` turns against it, or ask for `omega({link})`"),
+    };
+    SolveError::NoCentre {
+        link: link.to_owned(),
+        seen_from: if links[1] == LinkId::GROUND {
+            "the ground".to_owned()
+        } else {
+            format!("`{seen_from}`")
+        },
+        pose: place(model, pose),
+        more: and_at(more),
+        help,
+        span: mechanism.finds[find].span.into(),
+    }
 }
 
 fn switched(model: &Model<'_>, group: usize, at: &[DriveValue], (from, to): (&str, &str)) -> SolveError {

@@ -73,6 +73,48 @@ pub enum TrainError {
         #[label("slack")]
         span: miette::SourceSpan,
     },
+    /// A belt or a clutch that slips.
+    #[error(
+        "{what} `{name}` slips{pose}{more}: it must transmit {wanted}, and its friction {capacity} at most"
+    )]
+    #[diagnostic(code(mech::train::slips), severity(warning), help("{help}"))]
+    Slips {
+        /// `belt` or `clutch`.
+        what: &'static str,
+        /// Its name.
+        name: String,
+        /// Where it must transmit most.
+        pose: String,
+        /// `, and at 3 other poses`
+        more: String,
+        /// The force or torque wanted there.
+        wanted: String,
+        /// The greatest that it can transmit.
+        capacity: String,
+        /// What to change.
+        help: &'static str,
+        /// Its place.
+        #[label("slips")]
+        span: miette::SourceSpan,
+    },
+    /// A belt with a slip that the power runs through backwards.
+    #[error(
+        "power runs backwards through belt `{name}`{pose}: its slip is of the speed that `{driver}` gives"
+    )]
+    #[diagnostic(code(mech::train::slip_backwards), help("{help}"))]
+    SlipBackwards {
+        /// The belt.
+        name: String,
+        /// Where.
+        pose: String,
+        /// The wheel written first.
+        driver: String,
+        /// What to write.
+        help: String,
+        /// Its place.
+        #[label("the first wheel must drive")]
+        span: miette::SourceSpan,
+    },
     /// Transmissions that the load cannot drive.
     #[error("the load cannot drive the mechanism{pose}{more}: it is self-locking")]
     #[diagnostic(code(mech::train::self_locking), severity(warning))]

@@ -74,29 +74,35 @@ pub(super) fn unknowns(model: &Model<'_>, state: &State, motion: &Motion<'_>) ->
         all.push(unit().couple(link.index(), 0, D::one()).of(Kind::Passive));
     }
     for (slot, effort) in model.structure.efforts.iter().enumerate() {
-        let on = match effort.kind {
-            EffortKind::Angle(body) => unit().couple(body.0, 0, D::one()),
-            EffortKind::RelativeAngle { first, second, .. } => unit().couple(second.0, first.0, D::one()),
-            EffortKind::Line(body) => {
-                let line = model.plan.lines.iter().find(|line| line.effort == slot)?;
-                let along = super::jet::unit(line.along);
-                let along = line.frame.map_or(along, |f| along.turned(bodies[f].u));
-                let mut unit = unit();
-                unit.act(body.0, bodies[line.body].position(line.at), along, D::zero());
-                unit
+        let mut on = unit();
+        for kind in effort.places() {
+            match kind {
+                EffortKind::Angle(body) => on = on.couple(body.0, 0, D::one()),
+                EffortKind::RelativeAngle { first, second, .. } => {
+                    on = on.couple(second.0, first.0, D::one())
+                }
+                EffortKind::Line(body) => {
+                    let line = model.plan.lines.iter().find(|line| line.effort == slot)?;
+                    let along = super::jet::unit(line.along);
+                    let along = line.frame.map_or(along, |f| along.turned(bodies[f].u));
+                    on.act(body.0, bodies[line.body].position(line.at), along, D::zero());
+                }
+                EffortKind::Coordinate(joint) => {
+                    let JointKind::Prismatic { slider, point, direction, guide, .. } =
+                        model.structure.replaced.joint(joint).kind
+                    else {
+                        return None;
+                    };
+                    let body = &bodies[slider.0];
+                    let along = super::jet::unit(direction).turned(body.u);
+                    on = on.force(slider.0, guide.0, body.position(point), along);
+                }
+                EffortKind::Point(_) => {}
             }
-            EffortKind::Coordinate(joint) => {
-                let JointKind::Prismatic { slider, point, direction, guide, .. } =
-                    model.structure.replaced.joint(joint).kind
-                else {
-                    return None;
-                };
-                let body = &bodies[slider.0];
-                let along = super::jet::unit(direction).turned(body.u);
-                unit().force(slider.0, guide.0, body.position(point), along)
-            }
-            EffortKind::Point(_) => continue,
-        };
+        }
+        if matches!(effort.kind, EffortKind::Point(_)) {
+            continue;
+        }
         all.push(on.of(Kind::Effort(slot)));
     }
     for (slot, law) in model.plan.laws.iter().enumerate() {

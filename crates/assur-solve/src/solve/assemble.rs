@@ -2,7 +2,7 @@
 
 use super::failure::Cause;
 use super::unassembled::{ambiguous, does_not_close, not_met};
-use crate::answer::PoseAnswers;
+use crate::answer::{PoseAnswers, first_angles};
 use crate::math::Vec2;
 use crate::model::{Hint, HintKind, LinkId, PairKind};
 use crate::plan::MotionStep;
@@ -279,8 +279,7 @@ fn fits(model: &Model<'_>, state: &State, hint: &HintKind) -> bool {
         HintKind::Coordinate { pair, bound, greater } => {
             // angles are asked for by revolute pairs alone
             let revolute = matches!(model.mechanism.pair(*pair).kind, PairKind::Revolute(_));
-            let angles: Vec<f64> =
-                if revolute { state.motion.bodies.iter().map(|b| b.u.angle()).collect() } else { Vec::new() };
+            let angles = if revolute { first_angles(model, state) } else { Vec::new() };
             let view = PoseAnswers { angles: &angles, ..PoseAnswers::bare(model, state) };
             let value = view.displacement(*pair);
             if *greater { value >= *bound } else { value <= *bound }

@@ -1,6 +1,6 @@
 //! The clauses of `assemble` that choose between the assemblies of a group.
 
-use crate::answer::PoseAnswers;
+use crate::answer::{PoseAnswers, first_angles};
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId, PairKind};
 use crate::position::{Model, SAME, State, extent};
@@ -138,7 +138,7 @@ fn by_kind(model: &Model<'_>, state: &State, group: &Group) -> Option<Clause> {
 
 /// The coordinate of a pair in a state that was not followed.
 pub(super) fn coordinate(model: &Model<'_>, state: &State, pair: PairId) -> f64 {
-    let angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
+    let angles = first_angles(model, state);
     PoseAnswers { angles: &angles, ..PoseAnswers::bare(model, state) }.displacement(pair)
 }
 

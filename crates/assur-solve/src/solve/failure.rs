@@ -3,7 +3,7 @@
 use super::clause::{Clause, NamedPoint};
 use super::gap::GroupGap;
 use super::refusal::Refusal;
-use crate::answer::{NoExtreme, NoFlywheel, NoSweep};
+use crate::answer::{LeftCurve, NoExtreme, NoFlywheel, NoSweep};
 use crate::language::Function;
 use crate::model::PairId;
 use crate::position::Wanted;
@@ -73,8 +73,12 @@ pub enum Cause {
     },
     /// A result has no digit left.
     Lost(Lost),
+    /// A curve has no value at the argument it is asked for.
+    CurveLeft(LeftCurve),
     /// The search for consistent forces was given up.
     Undecided,
+    /// Power runs backwards through a belt whose slip is given.
+    SlipBackwards(PairId),
     /// No direction of the power is consistent with the losses of transmissions.
     Blocked,
     /// The coordinate of a pair has no extremes.

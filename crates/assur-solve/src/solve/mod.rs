@@ -3,6 +3,7 @@
 
 mod assemble;
 mod assemblies;
+mod centre_notes;
 mod clause;
 mod cycle;
 mod digits;

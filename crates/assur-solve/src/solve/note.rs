@@ -1,7 +1,7 @@
 //! What deserves a warning or a note in a solution: data alone, of which `message` makes the sentences.
 
 use super::failure::GroupId;
-use crate::model::{DriveId, LoadId, PairId, SpringId};
+use crate::model::{DriveId, LinkId, LoadId, PairId, SpringId};
 use crate::position::{DriveValue, Wanted};
 
 /// Something that deserves a warning, or a note.
@@ -38,6 +38,8 @@ pub enum Note {
     },
     /// A rope pushes.
     RopePushes(Pull),
+    /// A belt or a clutch must transmit more than its friction can.
+    Slips(Pull),
     /// A contact pulls.
     ContactPulls(Pull),
     /// The sweep closes over a part only.
@@ -100,6 +102,17 @@ pub enum Note {
     },
     /// Friction locks the mechanism.
     Locked(Locking),
+    /// An instant centre is asked for where nothing turns.
+    NoCentre {
+        /// Index into [`crate::model::Mechanism::finds`].
+        find: usize,
+        /// The link, and that against which it does not turn.
+        links: [LinkId; 2],
+        /// The first position.
+        pose: Wanted,
+        /// The number of others.
+        more: usize,
+    },
     /// A locked mechanism has no value for results that are asked for.
     NoEffort {
         /// Indices into [`crate::model::Mechanism::finds`].
@@ -116,7 +129,8 @@ pub enum Note {
 pub struct Pull {
     /// The pair.
     pub pair: PairId,
-    /// Normal force of the contact, or tension of the rope, where it is least, N.
+    /// Normal force of the contact, or tension of the rope, where it is least, N; of what slips the force (N) or torque
+    /// (N m) wanted, with a minus.
     pub least: f64,
     /// The position where it is least.
     pub pose: Wanted,

@@ -34,6 +34,8 @@ pub(super) struct Notes {
     pulls: Vec<Pull>,
     /// Ropes that push.
     slack: Vec<Pull>,
+    /// Belts and clutches that slip.
+    slips: Vec<Pull>,
     locking: First<Wanted>,
     /// Several states of the forces: their number, and whether the one reported was followed.
     several: First<(usize, bool, Wanted)>,
@@ -122,6 +124,11 @@ impl Notes {
         add(&mut self.slack, pair, tension, pose);
     }
 
+    /// A belt or a clutch that must transmit this force or torque, which is more than it can.
+    pub(super) fn slips(&mut self, pair: PairId, wanted: f64, pose: &Wanted) {
+        add(&mut self.slips, pair, -wanted, pose);
+    }
+
     /// The load cannot drive the mechanism.
     pub(super) fn self_locking(&mut self, pose: &Wanted) {
         match &mut self.locking {
@@ -162,6 +169,7 @@ impl Notes {
             more,
         }));
         notes.extend(self.slack.into_iter().map(Note::RopePushes));
+        notes.extend(self.slips.into_iter().map(Note::Slips));
         notes.extend(self.pulls.into_iter().map(Note::ContactPulls));
         // where the assembly is not chosen yet, nothing is known of what closes
         if !self.gaps.is_empty() && !closing.ambiguous {

@@ -1,7 +1,7 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a note.
 
-use crate::answer::{PoseAnswers, balanced};
-use crate::position::{DEAD, Residuals, State, Wanted, residuals};
+use crate::answer::{LeftCurve, PoseAnswers, balanced};
+use crate::position::{DEAD, Model, Residuals, State, Wanted, residuals};
 use crate::reference::exact;
 
 use super::failure::{Cause, Failure, GroupId};
@@ -18,6 +18,17 @@ use crate::plan::{ForceStep, Level, Numbers};
 const LOSES: f64 = 0.05;
 /// Forces without friction over those with it, below which the mechanism is near self-locking.
 const NEAR_LOCKING: f64 = 1e-3;
+
+/// Refuses power that runs backwards through a belt whose slip is given: its speeds are those of the other direction.
+fn slip_backwards(model: &Model<'_>, state: &State) -> Result<(), Cause> {
+    for (law, force) in model.plan.laws.iter().zip(&state.forces.law_forces) {
+        let PairKind::Transmission(t) = &model.mechanism.pair(law.pair).kind else { continue };
+        if t.slip > 0.0 && force.multiplier != 0.0 && force.sides[0].abs() < force.sides[1].abs() {
+            return Err(Cause::SlipBackwards(law.pair));
+        }
+    }
+    Ok(())
+}
 
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
@@ -71,8 +82,17 @@ impl Run<'_, '_> {
         self.note_contacts(&solved, pose);
         self.note_trains(&solved, pose);
         let view = solved.view(model, &self.statics);
+        if let Some(left) = self.left(&view) {
+            return Err(Cause::CurveLeft(left));
+        }
         self.friction.look(model, &view, pose);
+        self.centres.look(&view, pose);
         Ok(solved)
+    }
+
+    /// A curve that an answer needs beyond its table.
+    fn left(&self, view: &PoseAnswers<'_>) -> Option<LeftCurve> {
+        if self.model.mechanism.has_curves { view.left_by_answers() } else { None }
     }
 
     /// The position once more with twice the digits, rounded; the loads follow from its motion.
@@ -134,11 +154,19 @@ impl Run<'_, '_> {
 
     fn forces(&mut self, state: &mut State, angles: &[f64], pose: &Wanted) -> Result<f64, Cause> {
         let model = self.model;
+        if model.mechanism.has_curves {
+            let view = PoseAnswers::new(model, state, angles, &self.statics);
+            let motion = view.all_quantities();
+            if let Some(left) = (PoseAnswers { quantities: &motion, ..view }).left_by_loads() {
+                return Err(Cause::CurveLeft(left));
+            }
+        }
         let quantities = self.loads_name_quantities;
         state.scratch.searched = self.consistent_searched;
         balanced(model, &self.statics, state, angles, &mut self.evaluated, quantities);
         self.consistent_searched = state.scratch.searched;
         self.notes.consistent(model, state.forces.consistent, pose)?;
+        slip_backwards(model, state)?;
         let mut least = 1.0_f64;
         let groups = model.structure.forces.iter().zip(&state.forces.conditions);
         for (i, (group, conditioning)) in groups.enumerate() {
@@ -175,6 +203,11 @@ impl Run<'_, '_> {
         }
         let ideal = view.without_friction().power_of_efforts();
         let locking = self.model.plan.effects.losses && ideal < 0.0 && view.power_of_efforts() > 0.0;
+        for law in &self.model.plan.laws {
+            if view.slips(law.pair) {
+                self.notes.slips(law.pair, view.tangential_force(law.pair), pose);
+            }
+        }
         ropes.into_iter().for_each(|(pair, tension)| self.notes.pushes(pair, tension, pose));
         if locking {
             self.notes.self_locking(pose);

@@ -1,6 +1,7 @@
 //! Solves all positions of a file.
 
 use super::assemble::assemble_from;
+use super::centre_notes::CentreNotes;
 use super::cycle::loads_name_quantities;
 use super::extremes::statics;
 use super::failure::{Cause, Failure};
@@ -92,6 +93,7 @@ impl<'a, 's> Following<'a, 's> {
             closing: Closing::default(),
             notes: Notes::default(),
             friction: FrictionNotes::default(),
+            centres: CentreNotes::of(model.mechanism),
         };
         let (next, current, first_failure) = (0, None, None);
         Ok(Some(Self { run, sweep, next, current, near, first_failure, cycle_notes }))
@@ -143,6 +145,7 @@ impl<'a, 's> Following<'a, 's> {
         notes.extend(self.cycle_notes);
         notes.extend(unit_speeds(self.run.model));
         notes.extend(self.run.friction.into_notes());
+        notes.extend(self.run.centres.into_notes());
         let (statics, positions) = (self.run.statics, self.sweep.len());
         Solution { statics, notes, unlisted, positions, ..Solution::default() }
     }
@@ -249,6 +252,7 @@ pub(super) struct Run<'a, 's> {
     /// What deserves a note so far.
     pub notes: Notes,
     pub friction: FrictionNotes,
+    pub centres: CentreNotes,
 }
 
 impl Run<'_, '_> {

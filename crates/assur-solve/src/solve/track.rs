@@ -8,6 +8,7 @@
 
 use super::inputs::Rates;
 use super::steps::{MOST_STEPS, between, length, steps, ways};
+use crate::answer::first_angles;
 use crate::math::Vec2;
 use crate::plan::MotionStep;
 use crate::position::{DriveValue, Model, State, extent};
@@ -54,7 +55,7 @@ pub(crate) struct Tracker {
     pub state: State,
     /// Memory for the next one; after a step the one before.
     spare: State,
-    /// Continuous angles of the bodies, rad.
+    /// Continuous angles of the bodies, rad, and the whole turns of the pairs.
     pub angles: Vec<f64>,
     values: Vec<DriveValue>,
     /// Places before the present one, the last first, each well apart from the next.
@@ -65,18 +66,7 @@ pub(crate) struct Tracker {
 impl Tracker {
     /// Starts at an assembled state.
     pub(crate) fn new(model: &Model<'_>, state: State, values: &[DriveValue]) -> Self {
-        let mut angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
-        for effort in &model.structure.drives {
-            if let (crate::structure::EffortKind::Angle(body), crate::structure::EffortSource::Drive(id)) =
-                (effort.kind, effort.source)
-                && let Some(DriveValue::Scalar(value)) = values.get(id.index())
-            {
-                angles[body.0] = *value;
-            }
-        }
-        for &body in &model.plan.turning {
-            angles[body] = state.motion.bodies[body].turned;
-        }
+        let angles = first_angles(model, &state);
         let spare = state.clone();
         Self { state, spare, angles, values: values.to_vec(), history: Vec::new(), extent: extent(model) }
     }

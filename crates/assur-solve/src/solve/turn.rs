@@ -113,6 +113,7 @@ impl Turn {
                 .iter()
                 .zip(a.bodies.iter().zip(&a.angles))
                 .map(|(new, (old, angle))| angle + libm::atan2(old.u.cross(new.u), old.u.dot(new.u)))
+                .chain(a.angles[a.bodies.len()..].iter().copied())
                 .collect();
             seen(model, &state, &angles, pair)
         };

@@ -152,6 +152,8 @@ pub enum CamMember {
     Follower(Follower),
     /// `rise 60 deg through 18 deg parabolic`
     Phase(Box<Phase>),
+    /// `lift along law`: the curve
+    Lift(Name),
     /// `base_radius 50 mm`, and what else may come
     Property(Property),
     /// A part that could not be read; already reported.
@@ -191,6 +193,17 @@ pub enum PhaseKind {
     Dwell,
     /// It comes back.
     Fall,
+}
+
+/// `brake M on drum { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Brake {
+    /// The name of its torque.
+    pub name: Name,
+    /// The link or shaft that it brakes.
+    pub on: Name,
+    /// The contents of its braces.
+    pub properties: Vec<Property>,
 }
 
 /// `flywheel J on O1 for Mb { … }`

@@ -16,13 +16,16 @@ pub use body::{
     Body, CircleMember, LineDirection, LineMember, Member, PointMember, ProfileMember, WheelMember,
 };
 pub use expr::{Arg, BinaryOp, CompareOp, Expr, ExprKind, Number, UnaryOp};
-pub use machine::{Bar, Cam, CamMember, End, Flywheel, Follower, Ground, Group, Joint, Link};
+pub use machine::{Bar, Brake, Cam, CamMember, End, Flywheel, Follower, Ground, Group, Joint, Link};
 pub use machine::{Phase, PhaseKind, Property, Shaft, Slider, Spring, SpringSite};
 pub use motion::{
     Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind, Steps,
 };
 pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Start, Turn, Way};
-pub use question::{Cell, Column, Expect, ExpectAt, Find, FindItem, Row, Simulate, Until, Variants};
+pub use question::{
+    Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Find, FindItem, Row, Simulate, Until,
+    Variants,
+};
 
 use assur_text::source::{Span, Spanned};
 
@@ -103,6 +106,8 @@ pub enum Statement {
     Balance(Balance),
     /// `force P on ram at E = 1000 N @ 180 deg`
     Load(Box<Load>),
+    /// `brake M on drum { … }`
+    Brake(Brake),
     /// `cam plate { … }`
     Cam(Cam),
     /// `flywheel J on O1 for Mb { … }`
@@ -115,6 +120,8 @@ pub enum Statement {
     Expect(Box<Expect>),
     /// `variants { … }`
     Variants(Variants),
+    /// `curve p periodic { … }`
+    Curve(Curve),
     /// `start OF = -0.0617 rad at 0 rad/s`
     Start(Start),
     /// `simulate 0 s .. 0.03 s within 1e-9`

@@ -218,6 +218,8 @@ pub struct Balance {
     pub name: Name,
     /// On what it acts.
     pub site: Site,
+    /// On what it acts as well.
+    pub also: Vec<Name>,
     /// The direction of a force.
     pub along: Option<Expr>,
     /// The link that direction turns with; the ground where nothing is said.

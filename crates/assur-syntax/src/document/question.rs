@@ -60,6 +60,37 @@ pub struct Variants {
     pub rows: Vec<Row>,
 }
 
+/// `curve p periodic { … }`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// Its name.
+    pub name: Name,
+    /// What is between its points; absent for monotone cubics.
+    pub between: Option<CurveBetween>,
+    /// What is beyond its ends; absent for nothing.
+    pub beyond: Option<CurveBeyond>,
+    /// Argument and value, and the points.
+    pub table: Variants,
+}
+
+/// How values between points are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurveBetween {
+    /// `linear`
+    Linear,
+    /// `smooth`
+    Smooth,
+}
+
+/// What holds beyond the ends of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurveBeyond {
+    /// `periodic`
+    Periodic,
+    /// `held`
+    Held,
+}
+
 /// `vA [m/s]`
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {

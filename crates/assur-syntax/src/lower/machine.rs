@@ -4,8 +4,8 @@ use super::expr::turn;
 use super::state::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{
-    AllJoints, Cam, CamLaw, CamMember, End, Flywheel, Follower, Group, Joint, JointKind, Phase, PhaseKind,
-    Property, Spring, SpringSite,
+    AllJoints, Brake, Cam, CamLaw, CamMember, End, Flywheel, Follower, Group, Joint, JointKind, Phase,
+    PhaseKind, Property, Spring, SpringSite,
 };
 use crate::grammar::Rule;
 use crate::recover::What;
@@ -119,6 +119,7 @@ impl Lower<'_> {
                 shape: parts.name()?,
                 properties: self.properties(&mut parts),
             }),
+            Rule::lift => CamMember::Lift(parts.name_behind(Rule::w_along)?),
             Rule::phase => CamMember::Phase(Box::new(self.phase(word, parts)?)),
             _ => return None,
         })
@@ -137,6 +138,14 @@ impl Lower<'_> {
             None => None,
         };
         Some(Phase { kind: Spanned::new(kind, span(&word)), angle, through, law })
+    }
+
+    pub(super) fn brake(&mut self, pair: P<'_>) -> Option<Brake> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let name = parts.name()?;
+        let on = parts.name_behind(Rule::w_on)?;
+        Some(Brake { name, on, properties: self.properties(&mut parts) })
     }
 
     pub(super) fn flywheel(&mut self, pair: P<'_>) -> Option<Flywheel> {

@@ -70,6 +70,7 @@ impl Lower<'_> {
             Rule::all => Statement::All(self.all(pair)?),
             Rule::cam => Statement::Cam(self.cam(pair)?),
             Rule::flywheel => Statement::Flywheel(self.flywheel(pair)?),
+            Rule::brake => Statement::Brake(self.brake(pair)?),
             Rule::drive => Statement::Drive(self.drive(pair)?),
             Rule::pose => Statement::Pose(self.pose(pair)?),
             Rule::assemble => Statement::Assemble(self.assemble(pair)?),
@@ -79,6 +80,7 @@ impl Lower<'_> {
             Rule::find => Statement::Find(self.find(pair)?),
             Rule::expect => Statement::Expect(Box::new(self.expect(pair)?)),
             Rule::variants => Statement::Variants(self.rows(pair.into_inner())),
+            Rule::curve => Statement::Curve(self.curve(pair)?),
             Rule::simulate => Statement::Simulate(self.simulate(pair)?),
             Rule::until => Statement::Until(self.until(pair)?),
             Rule::ignore => {

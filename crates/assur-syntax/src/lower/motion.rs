@@ -130,6 +130,10 @@ impl Lower<'_> {
         let kind = load_kind(parts.any()?)?;
         let name = parts.name()?;
         let site = self.site(parts.any()?)?;
+        let mut also = Vec::new();
+        while let Some(other) = parts.take(Rule::other_site) {
+            also.push(Parts::of(other).name()?);
+        }
         let along = if !parts.word(Rule::w_along) {
             None
         } else if let Some(heading) = parts.take(Rule::heading) {
@@ -138,7 +142,7 @@ impl Lower<'_> {
             Some(self.expr(parts.any()?)?)
         };
         let frame = parts.take(Rule::frame).and_then(|p| Parts::of(p).name_behind(Rule::w_in));
-        Some(Balance { kind, name, site, along, frame })
+        Some(Balance { kind, name, site, also, along, frame })
     }
 
     pub(super) fn load(&mut self, pair: P<'_>) -> Option<Load> {

@@ -3,7 +3,10 @@
 use super::expr::pose_name;
 use super::state::Lower;
 use super::walk::{P, Parts, nfc, single_blanks, span, text};
-use crate::document::{Cell, Column, Expect, ExpectAt, Expr, Find, FindItem, Row, Simulate, Until, Variants};
+use crate::document::{
+    Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Expr, Find, FindItem, Row, Simulate,
+    Until, Variants,
+};
 use crate::error::SyntaxError;
 use crate::grammar::Rule;
 use crate::line::corrected;
@@ -99,7 +102,19 @@ impl Lower<'_> {
         Some(Until { what: self.expr(parts.any()?)?, value: self.expr(parts.any()?)? })
     }
 
-    /// The header and the rows of `variants`.
+    pub(super) fn curve(&mut self, pair: P<'_>) -> Option<Curve> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let name = parts.name()?;
+        let linear = parts.word(Rule::w_linear).then_some(CurveBetween::Linear);
+        let between = linear.or_else(|| parts.word(Rule::w_smooth).then_some(CurveBetween::Smooth));
+        let periodic = parts.word(Rule::w_periodic).then_some(CurveBeyond::Periodic);
+        let beyond = periodic.or_else(|| parts.word(Rule::w_held).then_some(CurveBeyond::Held));
+        let table = self.rows(std::iter::from_fn(|| parts.any()));
+        Some(Curve { name, between, beyond, table })
+    }
+
+    /// The header and the rows of `variants` or of a curve.
     pub(super) fn rows<'i>(&mut self, pairs: impl Iterator<Item = Pair<'i, Rule>>) -> Variants {
         let mut variants = Variants::default();
         for pair in pairs {

@@ -20,7 +20,6 @@ pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
         .or_else(|| point_of(case))
         .or_else(|| relative(case))
         .or_else(|| drive_left_out(case))
-        .or_else(|| second_place(case))
         .or_else(|| fillers(case))
 }
 
@@ -309,16 +308,5 @@ fn drive_left_out(case: &Case<'_>) -> Option<SyntaxError> {
         missing,
         at: case.span(case.fail, case.token(case.fail).len()),
         help: case.help(case.fail, case.fail, &new),
-    })
-}
-
-/// `balance force F in c1, c2`
-fn second_place(case: &Case<'_>) -> Option<SyntaxError> {
-    let before = case.slice.get(..case.fail)?.trim_end();
-    let more = case.token(case.fail) == "," && case.token(0) == "balance" && case.reads(before);
-    more.then(|| SyntaxError::NeedlessSign {
-        found: case.slice.get(case.fail..).unwrap_or_default().to_owned(),
-        at: case.span(case.fail, case.slice.len() - case.fail),
-        help: case.help(before.len(), case.slice.len(), ""),
     })
 }

@@ -5,6 +5,7 @@ use super::what::What;
 use crate::error::SyntaxError;
 use crate::line::Line;
 use crate::words::is_name_char;
+use assur_text::language::Collection;
 use assur_text::units::{Dimension, lookup};
 
 pub(super) fn explain(case: &Case<'_>) -> Option<SyntaxError> {
@@ -159,7 +160,7 @@ fn comma_in_list(case: &Case<'_>) -> Option<SyntaxError> {
     // `find v velocity(C)`: a name that stands nowhere else is given to what follows
     let last = before.rsplit(|c| !is_name_char(c)).next().unwrap_or_default();
     let count = case.text.split(|c| !is_name_char(c)).filter(|word| *word == last).count();
-    let known = count > 1 || last == "reactions" || before.ends_with(')');
+    let known = count > 1 || Collection::named(last).is_some() || before.ends_with(')');
     let new = case.with(before.len(), case.fail, ", ");
     (known && case.reads(&new)).then(|| SyntaxError::MissingWord {
         missing: ",".to_owned(),

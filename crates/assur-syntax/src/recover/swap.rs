@@ -120,9 +120,10 @@ fn needless_sign(case: &Case<'_>) -> Option<SyntaxError> {
     })
 }
 
-/// `position of C`: the function is no word that says nothing.
+/// `position of C`, `find velocity C`: the function is no word that says nothing.
 pub(super) fn of_without_brackets(case: &Case<'_>) -> Option<SyntaxError> {
-    (case.token(case.fail) == "of").then(|| without_brackets(case))?
+    let asked = matches!(case.token(0), "find" | "expect");
+    (asked || case.token(case.fail) == "of").then(|| without_brackets(case))?
 }
 
 /// `sin 30 deg`, `position of C`

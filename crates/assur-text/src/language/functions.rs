@@ -105,6 +105,11 @@ functions! {
         form(&[value("a"), value("b")], Varies("that of the values"), "least of two or more values"),
         form(&[X], OF_X, "least value over the sweep, see Cycles"),
     ],
+    Slope "slope" Math "slope(p(x))" [form(
+        &[value("p(x)")],
+        Varies("that of p over that of x"),
+        "derivative of a curve by its argument",
+    )],
     Position "position" Motion "position(rod.C)" [
         form(&[P], Vector(Dimension::LENGTH), "position of a point; of a slider a signed number"),
         form(&[L, KP], Vector(Dimension::LENGTH), "of the point of L that coincides with K.P now"),
@@ -284,6 +289,20 @@ functions! {
         Number(Dimension::FORCE),
         "pull in a rope; with A in its part that ends there",
     )],
+    TightSide "tight_side" Train "tight_side(b)" [form(
+        &[arg("b", Takes::Pair)],
+        Number(Dimension::FORCE),
+        "pull in the tight side of a belt: with its pretension, or the least with which it does not slip",
+    )],
+    SlackSide "slack_side" Train "slack_side(b)"
+        [form(&[arg("b", Takes::Pair)], Number(Dimension::FORCE), "pull in the slack side of a belt")],
+    Capacity "capacity" Train "capacity(k)" [form(
+        &[arg("k", Takes::Pair)],
+        Varies("torque or force"),
+        "greatest torque of a clutch, greatest tangential force of a belt with a pretension",
+    )],
+    Slips "slips" Train "slips(k)"
+        [form(&[arg("k", Takes::Pair)], Condition, "a clutch or belt must transmit more than its capacity")],
     Frictionless "frictionless" Friction "frictionless(Mb)" [form(&[X], OF_X, "x without friction")],
     Mean "mean" Cycle "mean(Mb)" [form(&[X], OF_X, "mean over the sweep, see Cycles")],
     Integral "integral" Cycle "integral(Mb)" [form(

@@ -51,6 +51,7 @@ kinds! {
     Rack "rack" "a gear wheel on a toothed line" "rack r: w3 - bar.line1",
     Worm "worm" "a worm and its wheel" "worm s: screw - w5 { starts 2 }",
     Screw "screw" "a spindle and its nut" "screw n: spindle - nut { lead 5 mm }",
+    Clutch "clutch" "a clutch between two shafts" "clutch k: I - II { capacity 40 N*m }",
 }
 
 kinds! {

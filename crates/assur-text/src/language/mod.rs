@@ -1,6 +1,7 @@
 //! The language as data: what the checker, suggestions, completions and the reference read.
 
 mod codes;
+mod collection;
 mod dimension;
 mod function;
 mod functions;
@@ -11,11 +12,14 @@ mod units;
 mod words;
 
 pub use codes::{CODES, Code, explain};
+pub use collection::{COLLECTIONS, Collection};
 pub use dimension::{Dimension, Kind};
 pub use function::{Argument, Form, FunctionGroup, FunctionRow, Gives, Takes};
 pub use functions::{FUNCTIONS, Function};
 pub use kinds::{CamLaw, JointKind, LAWS, PAIRS};
-pub use properties::{CAM, FLYWHEEL, FOLLOWER, PROPERTIES, RIM, SPRING, TORSION_SPRING, properties_of_pair};
+pub use properties::{
+    BRAKE, CAM, FLYWHEEL, FOLLOWER, PROPERTIES, RIM, SPRING, TORSION_SPRING, properties_of_pair,
+};
 pub use property::{Property, PropertyValue};
 pub use units::{Symbol, UNITS, symbol};
 pub use words::{CAM_MEMBERS, CONNECTING, CONTEXTUAL, MEMBERS, Place, STATEMENTS, WORDS, Word, words_of};

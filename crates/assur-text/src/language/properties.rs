@@ -76,15 +76,75 @@ const MESH: &[Property] = &[
     row("shift", Two(Dimension::NUMBER), "shift 0.3, -0.3", "profile shift of each wheel, in modules"),
 ];
 
-const BELT: &[Property] =
-    &[row("crossed", Flag, "crossed", "the belt reverses the sense of rotation"), EFFICIENCY, PHASE];
+const BELT: &[Property] = &[
+    row("crossed", Flag, "crossed", "the belt reverses the sense of rotation"),
+    EFFICIENCY,
+    PHASE,
+    FRICTION,
+    row("wrap", Positive(Dimension::ANGLE), "wrap 165 deg", "angle of contact on the smaller pulley"),
+    row("centre_distance", Positive(Dimension::LENGTH), "centre_distance 600 mm", "between the two axes"),
+    row("groove", Positive(Dimension::ANGLE), "groove 19 deg", "half-angle of a V-groove"),
+    row("pretension", Positive(Dimension::FORCE), "pretension 400 N", "pull on both sides at rest"),
+    row(
+        "slip",
+        NotNegative(Dimension::NUMBER),
+        "slip 2 %",
+        "part of the speed that is lost, with the first wheel driving",
+    ),
+];
 const CHAIN: &[Property] = &[EFFICIENCY, PHASE];
 const LOSSES: &[Property] = &[EFFICIENCY];
 const RACK: &[Property] = &[EFFICIENCY, PRESSURE_ANGLE];
 const WORM: &[Property] =
     &[row("starts", Positive(Dimension::NUMBER), "starts 2", "number of starts"), EFFICIENCY];
-const SCREW: &[Property] =
-    &[row("lead", Any(Dimension::LENGTH), "lead 5 mm", "travel of the nut per turn"), EFFICIENCY];
+const SCREW: &[Property] = &[
+    row("lead", Any(Dimension::LENGTH), "lead 5 mm", "travel of the nut per turn"),
+    EFFICIENCY,
+    row("diameter", Positive(Dimension::LENGTH), "diameter 22 mm", "mean diameter of the thread"),
+    FRICTION,
+    row("friction_angle", NotNegative(Dimension::ANGLE), "friction_angle 6 deg", "instead of its tangent"),
+    row("flank", NotNegative(Dimension::ANGLE), "flank 15 deg", "angle of the flank of the thread"),
+];
+
+const CAPACITY: Property = row(
+    "capacity",
+    Positive(Dimension::TORQUE),
+    "capacity 40 N*m",
+    "greatest torque, instead of what gives it",
+);
+const PRESSED: Property = row(
+    "load",
+    Positive(Dimension::FORCE),
+    "load 2 kN",
+    "force that presses the faces; pull on the slack end of a band",
+);
+const FACE_FRICTION: Property =
+    row("friction", Positive(Dimension::NUMBER), "friction 0.3", "coefficient of friction");
+const FACE_RADIUS: Property =
+    row("radius", Positive(Dimension::LENGTH), "radius 150 mm", "at which the friction acts");
+const OUTER: Property =
+    row("outer", Positive(Dimension::LENGTH), "outer 120 mm", "outer radius of the faces");
+const INNER: Property =
+    row("inner", NotNegative(Dimension::LENGTH), "inner 80 mm", "inner radius of the faces");
+const WORN: Property = row("worn", Flag, "worn", "pressure as after wear, otherwise even");
+const FACES: Property = row("faces", Positive(Dimension::NUMBER), "faces 2", "number of faces that rub");
+const CONE: Property = row("cone", Positive(Dimension::ANGLE), "cone 12 deg", "half-angle of a cone");
+
+const CLUTCH: &[Property] = &[CAPACITY, PRESSED, FACE_FRICTION, FACE_RADIUS, OUTER, INNER, WORN, FACES, CONE];
+
+/// The properties of a brake.
+pub const BRAKE: &[Property] = &[
+    CAPACITY,
+    PRESSED,
+    FACE_FRICTION,
+    FACE_RADIUS,
+    OUTER,
+    INNER,
+    WORN,
+    FACES,
+    CONE,
+    row("wrap", Positive(Dimension::ANGLE), "wrap 270 deg", "angle of contact of a band"),
+];
 
 /// The properties of a spring.
 pub const SPRING: &[Property] = &[
@@ -194,6 +254,7 @@ pub const fn properties_of_pair(kind: JointKind) -> &'static [Property] {
         JointKind::Rack => RACK,
         JointKind::Worm => WORM,
         JointKind::Screw => SCREW,
+        JointKind::Clutch => CLUTCH,
     }
 }
 
@@ -210,6 +271,8 @@ pub const PROPERTIES: &[(&str, &[Property])] = &[
     ("rack", RACK),
     ("worm", WORM),
     ("screw", SCREW),
+    ("clutch", CLUTCH),
+    ("brake", BRAKE),
     ("spring", SPRING),
     ("spring … in", TORSION_SPRING),
     ("cam", CAM),

@@ -81,10 +81,16 @@ pub const STATEMENTS: &[Word] = &[
     row("balance", "an unknown force or torque", "balance torque Mb on crank"),
     row("force", "a force that acts", "force P on ram at E = 1000 N @ 180 deg"),
     row("torque", "a torque that acts", "torque M on rocker = 60 N*m cw"),
+    row("brake", "a friction torque against the motion", "brake M on drum { capacity 40 N*m }"),
     row(
         "cam",
         "the design of a plate cam",
         "cam plate { base_radius 50 mm; turning cw; rise 60 deg through 18 deg parabolic }",
+    ),
+    row(
+        "curve",
+        "a function from a table of values",
+        "curve p periodic { then a header and rows, each on a line of its own }",
     ),
     row("flywheel", "a flywheel to be sized", "flywheel J on O1 for Mb { fluctuation 1/30 }"),
     row("find", "the answers wanted", "find v_C = velocity(C) as m/s"),
@@ -118,6 +124,7 @@ pub const CAM_MEMBERS: &[Word] = &[
     row("rise", "a phase of rising", "rise 60 deg through 18 deg parabolic"),
     row("dwell", "a phase of rest", "dwell 10 deg"),
     row("fall", "a phase of falling", "fall 60 deg parabolic"),
+    row("lift", "a phase by a table of the lift", "lift along law"),
 ];
 
 /// The connecting words, which are reserved.
@@ -158,14 +165,18 @@ pub const CONTEXTUAL: &[Word] = &[
     small("diameter", "before the diameter of a wheel"),
     small("forward", "along the positive sense of a pair"),
     small("back", "against the positive sense of a pair"),
+    small("held", "a curve keeps its end values beyond its table"),
     small("left", "to the left, seen along the direction; of a force, to the left of the page"),
+    small("linear", "a curve of straight lines"),
     small("right", "to the right, seen along the direction; of a force, to the right of the page"),
     small("up", "the direction of a force"),
     small("down", "the direction of a force"),
     small("step", "before the size of a step"),
     small("motion", "after `against`"),
     small("over", "a rope over an idler"),
+    small("periodic", "a curve that begins again after its last point"),
     small("radius", "before the radius of a circle or wheel"),
+    small("smooth", "a curve with continuous second derivative"),
     small("teeth", "before the number of teeth"),
     small("under", "a rope under a movable pulley"),
 ];

@@ -106,18 +106,18 @@ pub enum MotionError {
         #[label("{value}")]
         span: Span,
     },
-    /// A step that does not divide its range.
-    #[error("the range of {length} is not a whole number of steps of {of}")]
-    #[diagnostic(code("mech::geometry::steps"), help("write `in {count} steps`, or another step"))]
+    /// A step that gives no number of steps.
+    #[error("{message}")]
+    #[diagnostic(code("mech::geometry::steps"), help("{help}"))]
     StepSize {
-        /// The size of a step.
-        of: String,
-        /// The length of the range.
-        length: String,
-        /// A number of steps that fits.
-        count: String,
+        /// What is wrong, with the numbers.
+        message: String,
+        /// The correction.
+        help: String,
+        /// The words at its place.
+        label: &'static str,
         /// Its place.
-        #[label("leaves a rest")]
+        #[label("{label}")]
         span: Span,
     },
     /// Two drives go through different numbers of positions.

@@ -25,7 +25,7 @@ const fn may_have_mass(member: &Member) -> bool {
 const fn other_force(kind: TransmissionKind) -> &'static str {
     match kind {
         TransmissionKind::Rope => "ask for the pull in it: `tension(…)`",
-        TransmissionKind::Screw => "ask for its torque: `moment(…, …)`",
+        TransmissionKind::Screw | TransmissionKind::Clutch => "ask for its torque: `moment(…, …)`",
         TransmissionKind::Mesh
         | TransmissionKind::Belt
         | TransmissionKind::Chain
@@ -149,7 +149,7 @@ impl Context<'_> {
     pub(crate) fn tangential_force(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 2)?;
         let (pair, kind) = self.transmission(call, args[0])?;
-        if matches!(kind, TransmissionKind::Rope | TransmissionKind::Screw) {
+        if matches!(kind, TransmissionKind::Rope | TransmissionKind::Screw | TransmissionKind::Clutch) {
             self.not_of_this_pair(call, pair, Some(other_force(kind)));
             return None;
         }
@@ -206,7 +206,7 @@ impl Context<'_> {
     }
 
     /// An argument that names a transmission, and its kind.
-    fn transmission(&mut self, call: Call<'_>, expr: &Expr) -> Option<(PairId, TransmissionKind)> {
+    pub(super) fn transmission(&mut self, call: Call<'_>, expr: &Expr) -> Option<(PairId, TransmissionKind)> {
         let pair = self.pair_argument(call, expr)?;
         let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else {
             self.not_of_this_pair(call, pair, Some("it is defined for meshes, ropes and their like"));
@@ -316,7 +316,9 @@ impl Context<'_> {
         };
         let declared = self.names.quantities.get(&names[0].node).map(|d| (d.what, d.span));
         let query = match declared {
-            Some((QuantityKind::Load(id, _), _)) if names.len() == 1 => Query::LoadPower(id),
+            Some((QuantityKind::Load(id, _) | QuantityKind::Brake(id), _)) if names.len() == 1 => {
+                Query::LoadPower(id)
+            }
             Some((QuantityKind::Balance(id, _), _)) if names.len() == 1 => Query::BalancePower(id),
             Some((_, span)) if names.len() == 1 => {
                 self.error(NameError::WrongKind {

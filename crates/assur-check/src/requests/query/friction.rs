@@ -3,7 +3,6 @@
 use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::names::declared::QuantityKind;
-use crate::output::behind;
 use crate::values::definition::Settled;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr, Query};
@@ -61,12 +60,6 @@ impl Context<'_> {
             return Some(t);
         }
         let expr = self.inline(&t.expr, call.span)?;
-        let mut of_flywheel = false;
-        behind::queries(&self.builder.mech, &expr, &mut |q| of_flywheel |= matches!(q, Query::Flywheel(..)));
-        if of_flywheel {
-            self.builder.unsupported("a flywheel without friction", call.span);
-            return Some(Typed::pending(t.ty));
-        }
         let expr = Expr::Frictionless(Box::new(self.frictionless_over_sweep(&expr, call)));
         Some(Typed { expr, ..t })
     }

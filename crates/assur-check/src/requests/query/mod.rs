@@ -10,8 +10,10 @@ mod force;
 mod formula;
 mod friction;
 mod gear;
+mod grip;
 mod meant;
 mod motion;
+mod named;
 mod own_usage;
 mod pair_kinds;
 mod relative;
@@ -21,7 +23,7 @@ use crate::expr::context::Context;
 use crate::expr::results::{Call, Results};
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
-use assur_model::model::{self, CamPart, CycleFunction, FlywheelPart, Query};
+use assur_model::model::{self, CamPart, CurvePart, CycleFunction, FlywheelPart, Query};
 use assur_text::language::Function;
 use assur_text::units::Dimension;
 use bearing::Bearing;
@@ -40,6 +42,9 @@ impl Context<'_> {
     /// A call of any function, or an error if there is no such function.
     pub(crate) fn function(&mut self, call: Call<'_>) -> Option<Typed> {
         let Some(function) = Function::named(&call.name.node) else {
+            if self.is_curve(&call.name.node) {
+                return self.curve(call, CurvePart::Value);
+            }
             self.no_function(call);
             return None;
         };
@@ -65,6 +70,7 @@ impl Context<'_> {
                 self.link_motion(call, Query::LinkDirection, Type::vector(Dimension::NUMBER))
             }
             F::Dir => self.direction(call),
+            F::Slope => self.slope(call),
             F::Dot => self.product(call, model::Function::Dot),
             F::Cross => self.product(call, model::Function::Cross),
             F::Max if call.args.len() != 1 => self.extreme(call, model::Function::Max),
@@ -137,6 +143,7 @@ impl Context<'_> {
             F::TangentialForce => self.tangential_force(call),
             F::NormalForce => self.normal_force(call),
             F::Tension => self.tension(call),
+            F::TightSide | F::SlackSide | F::Capacity | F::Slips => self.by_grip(call, function),
             F::JournalTorque => self.bearing(call, Bearing::Journal),
             F::ThrustTorque => self.bearing(call, Bearing::Thrust),
             F::BeltRatio => self.belt_ratio(call),

@@ -19,6 +19,9 @@ impl Context<'_> {
     /// Calls that can be read: with the arguments that are right, else with the first names of the file that fit; where
     /// none is found, how it is written anywhere.
     pub(crate) fn own_usage(&mut self, call: Call<'_>) -> String {
+        if self.is_curve(&call.name.node) {
+            return format!("{}(x)", call.name.node);
+        }
         let known = usage(&call.name.node);
         let asks = of_things(&call.name.node).is_some();
         let trying = ("trial", String::new());

@@ -37,14 +37,12 @@ impl Context<'_> {
         }
         let origin = (link, Vec2::zero());
         let mut v = Expr::Query(Query::Velocity(PointRef::Fixed(link, Vec2::zero())));
-        let mut omega = Expr::Query(Query::Omega(link));
         if seen_from != LinkId::GROUND {
             v = difference(v, Expr::Query(Query::Velocity(PointRef::Under(seen_from, origin))));
-            omega = difference(omega, Expr::Query(Query::Omega(seen_from)));
         }
         let turned =
             fold::pair(fold::negate(fold::component(v.clone(), Axis::Y)), fold::component(v, Axis::X));
-        let arm = fold::binary(BinaryOp::Div, turned, omega);
+        let arm = fold::binary(BinaryOp::Div, turned, Expr::Query(Query::Turning(link, seen_from)));
         let p = Expr::Query(Query::Position(PointRef::Fixed(link, Vec2::zero())));
         let centre = fold::binary(BinaryOp::Add, p, arm);
         Some(Typed::new(centre, Type::vector(Dimension::LENGTH)))

@@ -1,13 +1,13 @@
 //! Laws of motion: the way f(x) of a follower over the turn x of its cam, both from 0 to 1.
 //!
-//! All of them are antisymmetric about the middle, f(1 − x) = 1 − f(x), so that only the first half is written down. The
+//! All but the pieces of splines are antisymmetric about the middle, f(1 − x) = 1 − f(x), so that only the first half is written down. The
 //! formulas are those of Norton, *Cam Design and Manufacturing Handbook*, chapters 2 and 3 (modified trapezoid
 //! A = 8π/(2 + π) = 4.888, modified sine A = 4π²/(4 + π) = 5.528), integrated from the acceleration.
 
 use crate::math::Angular;
 
 /// A law of motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
     /// No motion.
     Dwell,
@@ -27,6 +27,8 @@ pub enum Law {
     ModifiedTrapezoid,
     /// The acceleration is a sine, four times as fast at both ends.
     ModifiedSine,
+    /// A piece of a spline: the way a x + b x² + c x³ itself, m or rad, whatever the change of the lift.
+    Spline([f64; 3]),
 }
 
 /// A way with its first three derivatives.
@@ -62,6 +64,9 @@ impl Law {
     /// The same by the formula between two joints, which holds at both of them.
     #[must_use]
     pub fn on_part<S: Angular>(self, part: usize, x: S) -> [S; 4] {
+        if let Self::Spline(terms) = self {
+            return cubic(terms, x);
+        }
         let parts = self.joints().len() - 1;
         let one = S::one();
         // a part in the middle has one formula; it is taken from that half in which x lies
@@ -77,7 +82,7 @@ impl Law {
     fn first_half<S: Angular>(self, part: usize, x: S) -> [S; 4] {
         let (of, pi, zero, one) = (S::of, S::pi(), S::zero(), S::one());
         match self {
-            Self::Dwell => [zero; 4],
+            Self::Dwell | Self::Spline(_) => [zero; 4],
             Self::Uniform => [x, one, zero, zero],
             Self::Parabolic => [of(2.0) * x * x, of(4.0) * x, of(4.0), zero],
             Self::Harmonic => {
@@ -115,6 +120,12 @@ impl Law {
             Self::ModifiedSine => modified_sine(part, x),
         }
     }
+}
+
+fn cubic<S: Angular>(terms: [f64; 3], x: S) -> [S; 4] {
+    let [a, b, c] = terms.map(S::of);
+    let (two, three, six) = (S::of(2.0), S::of(3.0), S::of(6.0));
+    [x * (a + x * (b + x * c)), a + x * (two * b + x * (three * c)), two * b + six * c * x, six * c]
 }
 
 /// a = A sin wx, w = 4π: the first eighth of both modified laws.

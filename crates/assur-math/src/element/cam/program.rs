@@ -46,8 +46,14 @@ impl Program {
     /// of the lift and its law.
     #[must_use]
     pub fn new(given: &[(f64, f64, Law)]) -> Self {
+        Self::from_lift(0.0, given)
+    }
+
+    /// The same from another lift.
+    #[must_use]
+    pub fn from_lift(lift: f64, given: &[(f64, f64, Law)]) -> Self {
         let mut phases = Vec::with_capacity(given.len() + 1);
-        let (mut start, mut from) = (0.0, 0.0);
+        let (mut start, mut from) = (0.0, lift);
         for &(angle, change, law) in given {
             phases.push(Phase { start, angle, from, change, law });
             start += angle;
@@ -68,7 +74,14 @@ impl Program {
     /// The greatest lift, m or rad.
     #[must_use]
     pub fn greatest_lift(&self) -> f64 {
-        self.phases.iter().fold(0.0, |h, p| f64::max(h, p.from + p.change))
+        self.phases.iter().fold(0.0, |h, p| f64::max(h, p.lifts().1))
+    }
+
+    /// The least lift with the cam angle where it is, rad: that of the first phase unless a spline swings below.
+    #[must_use]
+    pub fn least_lift(&self) -> (f64, f64) {
+        let each = self.phases.iter().map(|p| p.lifts().0);
+        each.fold((0.0, f64::INFINITY), |least, here| if here.1 < least.1 { here } else { least })
     }
 
     /// Lift s and its derivatives s′, s″, s‴ by the cam angle (m, m/rad, … or rad), at any cam angle φ, rad. Where two
@@ -130,9 +143,26 @@ impl Program {
 }
 
 impl Phase {
+    /// The least lift with its cam angle, and the greatest lift.
+    fn lifts(&self) -> ((f64, f64), f64) {
+        let to = self.from + self.change;
+        let mut places = vec![(self.start, self.from), (self.start + self.angle, to)];
+        if let Law::Spline([a, b, c]) = self.law {
+            // a + 2 b x + 3 c x² = 0, both roots without cancellation
+            let root = (b * b - 3.0 * a * c).sqrt();
+            let q = -(b + root.copysign(b));
+            let inside = [q / (3.0 * c), a / q].into_iter().filter(|x| *x > 0.0 && *x < 1.0);
+            places
+                .extend(inside.map(|x| (self.start + x * self.angle, self.from + x * (a + x * (b + x * c)))));
+        }
+        let least = places.iter().copied().fold((0.0, f64::INFINITY), |m, p| if p.1 < m.1 { p } else { m });
+        (least, places.iter().fold(f64::NEG_INFINITY, |m, p| m.max(p.1)))
+    }
+
     /// The way of the law in units of the follower, per radian of the cam.
     fn scaled<S: Scalar>(&self, [s, v, a, j]: [S; 4]) -> [S; 4] {
-        let (h, b) = (S::of(self.change), S::one() / S::of(self.angle));
+        let way = if matches!(self.law, Law::Spline(_)) { 1.0 } else { self.change };
+        let (h, b) = (S::of(way), S::one() / S::of(self.angle));
         [S::of(self.from) + h * s, h * b * v, h * b * b * a, h * b * b * b * j]
     }
 }

@@ -9,3 +9,4 @@ mod magnitudes;
 mod periodic;
 mod ratio;
 mod root;
+mod table_function;

@@ -1,6 +1,6 @@
 //! What expressions depend on.
 
-use crate::answer::every_query;
+use crate::answer::{every_expr, every_query};
 use crate::model::{About, Expr, Mechanism, PairKind, Query};
 
 /// Whether an expression can be computed before any function over the sweep and any flywheel is known. Quantities may
@@ -72,11 +72,24 @@ pub(super) fn asks_for_angles(mechanism: &Mechanism) -> bool {
 /// Whether the file asks anywhere for what it would be without friction.
 pub(super) fn asks_for_ideal(mechanism: &Mechanism) -> bool {
     let exprs = mechanism.quantities.iter().map(|q| &q.expr).chain(mechanism.cycles.iter().map(|c| &c.expr));
-    let mut asked = false;
+    let mut asked = asks_for_ideal_flywheels(mechanism);
     for expr in exprs {
         expr.parts(&mut |part| {
             asked |= matches!(part, Expr::Frictionless(_) | Expr::Query(Query::Efficiency | Query::Locked));
         });
     }
+    asked
+}
+
+/// Whether it asks for a flywheel as it would be without friction.
+pub(super) fn asks_for_ideal_flywheels(mechanism: &Mechanism) -> bool {
+    let mut asked = false;
+    every_expr(mechanism, &mut |expr, _| {
+        expr.parts(&mut |part| {
+            if let Expr::Frictionless(ideal) = part {
+                ideal.queries(&mut |query| asked |= matches!(query, Query::Flywheel(..)));
+            }
+        });
+    });
     asked
 }

@@ -28,23 +28,32 @@ pub(super) struct Found {
     pub needless: Option<[f64; 2]>,
 }
 
+/// A flywheel that is asked for.
+#[derive(Clone, Copy)]
+pub(super) struct Asked {
+    /// Index into [`crate::model::Mechanism::flywheels`].
+    pub index: usize,
+    /// As it would be without friction.
+    pub ideal: bool,
+}
+
 /// Finds a flywheel.
 pub(super) fn flywheel(
     model: &Model<'_>,
     statics: &WholeCycle,
     sampler: &mut Sampler<'_>,
-    index: usize,
+    asked: Asked,
 ) -> Result<Found, NoFlywheel> {
-    let wheel = &model.mechanism.flywheels[index];
+    let wheel = &model.mechanism.flywheels[asked.index];
     let rate = one_turning_drive(model, statics, sampler)?;
-    let Some([torque, links]) = numbers(model, statics, index) else {
+    let Some([torque, links]) = numbers(model, statics, asked) else {
         return Err(NoFlywheel::Efforts);
     };
     let ratio = even_ratio(statics, sampler, wheel, rate)?;
-    let asked = [&torque, &links];
+    let both = [&torque, &links];
     sampler.begin();
     let found = breaks(model, statics, sampler, &torque)
-        .and_then(|breaks| Ok((piecewise(sampler, statics, &asked, &breaks)?, breaks)));
+        .and_then(|breaks| Ok((piecewise(sampler, statics, &both, &breaks)?, breaks)));
     let (all, breaks) = found.map_err(NoFlywheel::Undefined)?;
     let [torque, links] = all.as_slice() else {
         return Err(NoFlywheel::Undefined(Undefined::Unresolved));
@@ -110,8 +119,10 @@ fn rate(model: &Model<'_>, statics: &WholeCycle) -> f64 {
 }
 
 /// What is followed over the cycle: the effort reduced to the drive, the reduced moment of inertia of the links.
-pub(super) fn numbers(model: &Model<'_>, statics: &WholeCycle, index: usize) -> Option<[Expr; 2]> {
+pub(super) fn numbers(model: &Model<'_>, statics: &WholeCycle, asked: Asked) -> Option<[Expr; 2]> {
+    let Asked { index, ideal } = asked;
     let power = power(model, &model.mechanism.flywheels[index])?;
+    let power = if ideal { Expr::Frictionless(Box::new(power)) } else { power };
     let rate = Expr::number(rate(model, statics));
     let torque = Expr::Binary(BinaryOp::Div, Box::new(power), Box::new(rate));
     Some([torque, Expr::Query(Query::Flywheel(index, FlywheelPart::LinksInertia))])

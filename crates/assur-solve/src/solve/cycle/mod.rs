@@ -20,7 +20,8 @@ use super::positions::Sweep;
 use crate::answer::{CycleAnswer, Undefined, WholeCycle};
 use crate::model::{CycleFunction, Expr, FlywheelPart, Query};
 use crate::position::Model;
-use depends::{counts_turns, depends_on_forces, depends_on_nothing_else};
+use depends::{asks_for_ideal_flywheels, counts_turns, depends_on_forces, depends_on_nothing_else};
+use flywheel::Asked;
 use interval::Interval;
 use panels::{COARSE, Piecewise};
 use sampler::Sampler;
@@ -47,21 +48,39 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
     sampler.share(of(&early).into_iter().filter(depends_on_nothing_else));
     for index in early {
         statics.cycles[index] = cycle(model, statics, &mut sampler, index);
+        within_curves(&sampler)?;
     }
     let mut notes = Vec::new();
-    let wheels = (0..mechanism.flywheels.len()).filter_map(|i| flywheel::numbers(model, statics, i));
+    let ideal = model.plan.effects.loses() && asks_for_ideal_flywheels(mechanism);
+    let asked = [false, true].into_iter().take(1 + usize::from(ideal));
+    let asked =
+        asked.flat_map(|ideal| (0..mechanism.flywheels.len()).map(move |index| Asked { index, ideal }));
+    let asked: Vec<Asked> = asked.collect();
+    let wheels = asked.iter().filter_map(|asked| flywheel::numbers(model, statics, *asked));
     sampler.share(of(&late).into_iter().filter(depends_on_nothing_else).chain(wheels.flatten()));
-    for index in 0..mechanism.flywheels.len() {
-        let found = flywheel::flywheel(model, statics, &mut sampler, index);
+    for asked in asked {
+        let index = asked.index;
+        let found = flywheel::flywheel(model, statics, &mut sampler, asked);
+        within_curves(&sampler)?;
         let found = found.map_err(|why| Cause::NoFlywheel { flywheel: index, why })?;
+        if asked.ideal {
+            statics.ideal_flywheels.push(found.answer);
+            continue;
+        }
         let needless = |[have, needed]: [f64; 2]| Note::NeedlessFlywheel { flywheel: index, have, needed };
         notes.extend(found.needless.map(needless));
         statics.flywheels.push(found.answer);
     }
     for index in late {
         statics.cycles[index] = cycle(model, statics, &mut sampler, index);
+        within_curves(&sampler)?;
     }
     Ok(notes)
+}
+
+/// A curve that is left between the positions is no less an error than at one of them.
+fn within_curves(sampler: &Sampler<'_>) -> Result<(), Cause> {
+    sampler.left.clone().map_or(Ok(()), |left| Err(Cause::CurveLeft(left)))
 }
 
 /// The functions over the sweep and the flywheels of a solved file once more: with the settings of the model's plan.
@@ -71,6 +90,7 @@ pub(crate) fn cycles(model: &Model<'_>, statics: &mut WholeCycle, sweep: &Sweep)
 pub fn over_cycle(model: &Model<'_>, found: &WholeCycle) -> Result<WholeCycle, Failure> {
     let mut statics = found.clone();
     statics.flywheels.clear();
+    statics.ideal_flywheels.clear();
     let sweep = Sweep::of(model, &statics);
     cycles(model, &mut statics, &sweep)?;
     Ok(statics)

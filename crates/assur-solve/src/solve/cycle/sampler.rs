@@ -9,7 +9,7 @@ use super::depends::{
     asks_for_angles, asks_for_ideal, depends_on_forces, loads_name_quantities, names_quantity,
 };
 use super::interval::Interval;
-use crate::answer::{PoseAnswers, Undefined, WholeCycle, balanced};
+use crate::answer::{LeftCurve, PoseAnswers, Undefined, WholeCycle, balanced};
 use crate::model::{Expr, LoadId, Value};
 use crate::plan::{Level, Settings};
 use crate::position::{BodyState, Branch, DEAD, DriveValue, Model, State, extent};
@@ -80,6 +80,8 @@ pub(super) struct Sampler<'a> {
     pub samples: usize,
     /// Roots of functions that switch, as far as they are known.
     pub switched: Vec<(Expr, Vec<f64>)>,
+    /// The first curve that was needed beyond its table.
+    pub left: Option<LeftCurve>,
 }
 
 impl<'a> Sampler<'a> {
@@ -136,6 +138,7 @@ impl<'a> Sampler<'a> {
             numbers: Vec::new(),
             samples: 0,
             switched: Vec::new(),
+            left: None,
         })
     }
 
@@ -196,7 +199,15 @@ impl<'a> Sampler<'a> {
                 _ => f64::NAN,
             },
         };
-        if x.is_finite() { Ok(x) } else { Err(Undefined::At(self.interval.place(s))) }
+        if x.is_finite() {
+            return Ok(x);
+        }
+        if self.model.mechanism.has_curves && self.left.is_none() {
+            self.solve(statics, s, Need::of(&self.model, expr))?;
+            let view = self.view(statics);
+            self.left = view.left_curve(expr).or_else(|| view.left_by_loads());
+        }
+        Err(Undefined::At(self.interval.place(s)))
     }
 
     /// One of the shared numbers: all are computed at a place that is new.

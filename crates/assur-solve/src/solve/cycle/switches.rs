@@ -4,7 +4,7 @@
 
 use super::sampler::Sampler;
 use crate::answer::{Undefined, WholeCycle};
-use crate::math::{Vec2, root_within};
+use crate::math::{TableFunction, Vec2, root_within};
 use crate::model::{
     Axis, BinaryOp, Expr, Function, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, PointRef,
     QuantityId, Query, Value,
@@ -62,6 +62,23 @@ fn difference(a: &Expr, b: &Expr) -> Expr {
     Expr::Binary(BinaryOp::Sub, Box::new(a.clone()), Box::new(b.clone()))
 }
 
+/// Numbers that change their sign where the argument of a curve passes a point of its table.
+fn knots<'e>(table: &'e TableFunction, x: &'e Expr) -> impl Iterator<Item = Expr> + 'e {
+    table.arguments().iter().map(move |knot| {
+        let apart = difference(x, &Expr::number(*knot));
+        match table.period() {
+            None => apart,
+            Some(period) => {
+                let half_turns = Expr::number(std::f64::consts::PI / period);
+                Expr::Call(
+                    Function::Sin,
+                    vec![Expr::Binary(BinaryOp::Mul, Box::new(apart), Box::new(half_turns))],
+                )
+            }
+        }
+    })
+}
+
 impl<'a> Switches<'a> {
     fn of(model: &Model<'a>) -> Self {
         Self {
@@ -95,6 +112,7 @@ impl<'a> Switches<'a> {
                         args[..i].iter().for_each(|b| self.add(difference(a, b)));
                     }
                 }
+                Expr::Curve(curve, _, x) => knots(&curve.function, &x).for_each(|e| self.add(e)),
                 Expr::Compare(_, a, b) => self.add(difference(&a, &b)),
                 Expr::Quantity(id) if !self.quantities.contains(&id) => {
                     self.quantities.push(id);

@@ -1,4 +1,8 @@
 //! A report in LaTeX: sections and tables that a document takes in by `\input`; no package is needed.
+//!
+//! Letters beyond Greek, in titles and names, are left as they are: the document that has such texts has the fonts for them.
+
+mod signs;
 
 use super::document::{Align, Block, Report, Table};
 use assur_text::source::shown_in_line;
@@ -49,39 +53,22 @@ fn render_table(table: &Table) -> String {
 
 /// Text with the signs written out that mean something in LaTeX, or that its usual fonts lack.
 fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in shown_in_line(text).chars() {
-        match c {
-            '\\' => out += "\\textbackslash{}",
-            '~' => out += "\\textasciitilde{}",
-            '^' => out += "\\textasciicircum{}",
-            '<' => out += "\\textless{}",
-            '>' => out += "\\textgreater{}",
-            '"' => out += "\\textquotedbl{}",
-            '→' => out += "$\\rightarrow$",
-            '−' => out += "$-$",
-            '·' => out += "$\\cdot$",
-            '×' => out += "$\\times$",
-            '≤' => out += "$\\le$",
-            '≥' => out += "$\\ge$",
-            '≈' => out += "$\\approx$",
-            '—' => out += "---",
-            '–' => out += "--",
-            '…' => out += "\\dots{}",
-            'α' => out += "$\\alpha$",
-            'φ' => out += "$\\varphi$",
-            'ω' => out += "$\\omega$",
-            'ε' => out += "$\\varepsilon$",
-            'µ' | 'μ' => out += "$\\mu$",
-            'π' => out += "$\\pi$",
-            '°' => out += "$^\\circ$",
-            '²' => out += "$^2$",
-            '³' => out += "$^3$",
-            '{' | '}' | '$' | '&' | '#' | '_' | '%' => {
-                out.push('\\');
-                out.push(c);
+    let shown = shown_in_line(text);
+    let mut out = String::with_capacity(shown.len());
+    if shown.starts_with(['[', '*']) {
+        // at the head of a row or an item, LaTeX reads these as arguments
+        out += "{}";
+    }
+    let mut rest = shown.chars().peekable();
+    while let Some(c) = rest.next() {
+        match rest.peek().and_then(|mark| signs::accent(*mark)) {
+            Some(accent) => {
+                rest.next();
+                let mut base = String::new();
+                signs::write(c, &mut base);
+                out += &format!("$\\{accent}{{{}}}$", base.trim_matches('$'));
             }
-            c => out.push(c),
+            None => signs::write(c, &mut out),
         }
     }
     out

@@ -1,0 +1,52 @@
+//! The sentences about belts and clutches that slip.
+
+use super::error::SolveError;
+use super::format::{and_at, place, with_unit};
+use super::train_error::TrainError;
+use crate::model::{Grip, PairId, PairKind, Transmission, TransmissionKind};
+use crate::position::Model;
+use crate::solve::Pull;
+use crate::units::Dimension;
+
+fn transmission<'a>(model: &Model<'a>, pair: PairId) -> Option<&'a Transmission> {
+    match &model.mechanism.pair(pair).kind {
+        PairKind::Transmission(t) => Some(t),
+        _ => None,
+    }
+}
+
+/// One that must transmit more than it can.
+pub(super) fn slips(model: &Model<'_>, pull: &Pull) -> Option<SolveError> {
+    let pair = model.mechanism.pair(pull.pair);
+    let transmission = transmission(model, pull.pair)?;
+    let grip = transmission.grip?;
+    let (dimension, help) = match grip {
+        Grip::Belt { .. } => (
+            Dimension::FORCE,
+            "raise the pretension, the friction or the angle of contact, or lower the load",
+        ),
+        Grip::Clutch(_) => (Dimension::TORQUE, "press its faces harder, or lower the load"),
+    };
+    let error = TrainError::Slips {
+        what: transmission.kind.word(),
+        name: pair.name.clone(),
+        pose: place(model, &pull.pose),
+        more: and_at(pull.poses - 1),
+        wanted: with_unit(model, -pull.least, dimension),
+        capacity: with_unit(model, grip.capacity(), dimension),
+        help,
+        span: pair.span.into(),
+    };
+    Some(error.into())
+}
+
+/// A belt with a slip through which the power runs backwards.
+pub(super) fn slip_backwards(model: &Model<'_>, pair: PairId, pose: String) -> SolveError {
+    let declared = model.mechanism.pair(pair);
+    let ends = transmission(model, pair).map_or(&[][..], |t| &t.ends);
+    let (first, second) =
+        (ends.first().cloned().unwrap_or_default(), ends.last().cloned().unwrap_or_default());
+    let (word, name) = (TransmissionKind::Belt.word(), declared.name.clone());
+    let help = format!("write the wheel that drives first: `{word} {name}: {second} - {first}`");
+    TrainError::SlipBackwards { name, pose, driver: first, help, span: declared.span.into() }.into()
+}

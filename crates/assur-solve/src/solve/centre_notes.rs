@@ -1,0 +1,87 @@
+//! Collects instant centres that are asked for where nothing turns.
+
+use super::note::Note;
+use crate::answer::PoseAnswers;
+use crate::model::{Expr, FindKind, LinkId, Mechanism, Query};
+use crate::position::{PoseOrigin, Wanted};
+
+/// The instant centres that are asked for, and where they have no value.
+#[derive(Debug)]
+pub(super) struct CentreNotes(Vec<Asked>);
+
+#[derive(Debug)]
+struct Asked {
+    find: usize,
+    links: [LinkId; 2],
+    /// The first position without a value, and how many more there are.
+    without: Option<(Wanted, usize)>,
+}
+
+impl CentreNotes {
+    pub(super) fn of(mechanism: &Mechanism) -> Self {
+        let mut asked: Vec<Asked> = Vec::new();
+        let finds = mechanism.finds.iter().enumerate().filter(|_| is_asked(mechanism));
+        for (find, item) in finds {
+            let FindKind::Value { expr, .. } = &item.kind else { continue };
+            each(mechanism, expr, &mut |links| {
+                if !asked.iter().any(|a| a.find == find && a.links == links) {
+                    asked.push(Asked { find, links, without: None });
+                }
+            });
+        }
+        Self(asked)
+    }
+
+    /// Looks at the answers of a position.
+    pub(super) fn look(&mut self, view: &PoseAnswers<'_>, pose: &Wanted) {
+        if matches!(pose.origin, PoseOrigin::Expected(_)) {
+            return;
+        }
+        for asked in &mut self.0 {
+            let [link, seen_from] = asked.links;
+            if view.query(&Query::Turning(link, seen_from)).is_defined() {
+                continue;
+            }
+            match &mut asked.without {
+                Some((_, more)) => *more += 1,
+                None => asked.without = Some((pose.clone(), 0)),
+            }
+        }
+    }
+
+    /// All that was found.
+    pub(super) fn into_notes(self) -> impl Iterator<Item = Note> {
+        self.0.into_iter().filter_map(|Asked { find, links, without }| {
+            without.map(|(pose, more)| Note::NoCentre { find, links, pose, more })
+        })
+    }
+}
+
+/// Whether any answer or quantity is made of an instant centre.
+fn is_asked(mechanism: &Mechanism) -> bool {
+    let finds = mechanism.finds.iter().filter_map(|find| match &find.kind {
+        FindKind::Value { expr, .. } => Some(expr),
+        _ => None,
+    });
+    let mut found = false;
+    for expr in finds.chain(mechanism.quantities.iter().map(|quantity| &quantity.expr)) {
+        expr.queries(&mut |query| found |= matches!(query, Query::Turning(..)));
+    }
+    found
+}
+
+/// The instant centres of an expression and of the quantities in it, each quantity read once.
+fn each(mechanism: &Mechanism, expr: &Expr, visit: &mut impl FnMut([LinkId; 2])) {
+    let mut read = vec![false; mechanism.quantities.len()];
+    let mut open = vec![expr];
+    while let Some(expr) = open.pop() {
+        expr.parts(&mut |part| match part {
+            Expr::Query(Query::Turning(link, seen_from)) => visit([*link, *seen_from]),
+            Expr::Quantity(id) if !read[id.index()] => {
+                read[id.index()] = true;
+                open.push(&mechanism.quantities[id.index()].expr);
+            }
+            _ => {}
+        });
+    }
+}

@@ -1,0 +1,129 @@
+//! `assur accuracy`, and `--within`, as run from a shell.
+
+use crate::cli::GOOD;
+use crate::run::{Folder, assur};
+
+/// The lines with single blanks; in a row with an error and its digits the time before them is left out.
+fn plain_rows(tables: &str) -> String {
+    let line = |line: &str| {
+        let mut words: Vec<&str> = line.split_whitespace().collect();
+        words.iter_mut().filter(|w| w.starts_with('─')).for_each(|w| *w = "─");
+        if let [.., time, error, digits] = &mut words[..]
+            && error.contains("e-")
+            && [&**time, error, digits].iter().all(|word| word.parse::<f64>().is_ok())
+        {
+            *time = "µs";
+        }
+        format!("{}{}\n", if line.starts_with(' ') { " " } else { "" }, words.join(" "))
+    };
+    tables.lines().map(line).collect()
+}
+
+/// Times decide nothing: they are left out, and with them the widths of their columns.
+#[test]
+fn accuracy_is_measured() {
+    let folder = Folder::new("accuracy").with("a.mech", GOOD);
+    let out = assur(&folder, &["accuracy", "a.mech", "--for", "1e-6", "--plot", "a.svg"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    let (tables, recommended) = out.stdout.split_once("For an error of 1e-6").unwrap();
+    assert!(recommended.contains("scalar: ") && recommended.contains("of a whole solve"), "{recommended}");
+    let sets = ["no AVX2", "Neon", "AVX2", "AVX-512"];
+    let tables =
+        sets.iter().fold(tables.to_owned(), |text, set| text.replace(&format!(" with {set}."), " with …."));
+    if cfg!(feature = "lanes") {
+        insta::assert_snapshot!(plain_rows(&tables), @r"
+            Crank-slider (a.mech)
+
+            Measured
+             2 positions, compared with the same positions in double-double, whose own error is about 2e-31.
+             Errors are the greatest over all positions: positions relative to 0.35 m, velocities relative to 35 m/s.
+             Times are the best of repeated runs, on one thread; lanes are 8 wide with ….
+
+            Scalar: the number type of every position
+             numbers µs per position error digits
+             ─ ─ ─ ─
+             f32 µs 5e-8 7.3
+             f64 in lanes µs 2e-16 15.8
+             f64 µs 2e-16 15.8
+             double-double µs 3e-31 30.6
+
+            Settings without effect here
+             - friction: none in this problem
+             - general groups: none in this problem
+             - triads: none in this problem
+             - samples: no functions over the cycle
+            ");
+    } else {
+        insta::assert_snapshot!(plain_rows(&tables), @r"
+            Crank-slider (a.mech)
+
+            Measured
+             2 positions, compared with the same positions in double-double, whose own error is about 2e-31.
+             Errors are the greatest over all positions: positions relative to 0.35 m, velocities relative to 35 m/s.
+             Times are the best of repeated runs, on one thread.
+
+            Scalar: the number type of every position
+             numbers µs per position error digits
+             ─ ─ ─ ─
+             f64 µs 2e-16 15.8
+             double-double µs 3e-31 30.6
+
+            Settings without effect here
+             - f32, lanes: built without the feature `lanes`
+             - friction: none in this problem
+             - general groups: none in this problem
+             - triads: none in this problem
+             - samples: no functions over the cycle
+            ");
+    }
+    let svg = folder.read("a.svg");
+    assert!(svg.starts_with("<svg") && svg.contains("time, µs") && svg.contains(">double-double<"), "{svg}");
+    let out = assur(&folder, &["accuracy", "a.mech", "--format", "json", "--set", "r=120mm"]);
+    let value: serde_json::Value = serde_json::from_str(&out.stdout).unwrap();
+    assert_eq!(
+        (&value["schema"], &value["reference"]),
+        (&"assur.accuracy/1".into(), &"double-double".into())
+    );
+    let rows = value["knobs"][0]["settings"].as_array().unwrap();
+    let names: Vec<&str> = rows.iter().filter_map(|r| r["setting"].as_str()).collect();
+    let all = ["f32", "f64 in lanes", "f64", "double-double"];
+    assert_eq!(names, if cfg!(feature = "lanes") { &all[..] } else { &all[2..] });
+    assert!(rows.iter().all(|r| r["microseconds"].as_f64().unwrap() > 0.0));
+}
+
+#[test]
+fn accuracy_that_cannot_be_had_is_an_error() {
+    let folder = Folder::new("beyond").with("a.mech", GOOD).with("b.mech", GOOD);
+    let out = assur(&folder, &["solve", "a.mech", "--within", "1e-18"]);
+    assert_eq!(out.status, 1);
+    assert!(out.stderr.contains("mech::accuracy::out_of_reach"), "{}", out.stderr);
+    assert!(out.stdout.contains("335.41") && out.stdout.contains("double-double"), "{}", out.stdout);
+    for args in [&["solve", "a.mech", "--within", "2"][..], &["accuracy", "a.mech", "--for", "0"]] {
+        assert_eq!(assur(&folder, args).status, 2, "{args:?}");
+    }
+    let out = assur(&folder, &["accuracy", "a.mech", "b.mech", "--plot", "p.svg"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    assert!(out.stderr.contains("p.svg") && !folder.names().contains(&"p.svg".to_owned()), "{}", out.stderr);
+    let out = assur(&folder, &["accuracy", "a.mech", "--set", "nothing=1mm"]);
+    assert_eq!(out.status, 2);
+}
+
+#[test]
+fn what_was_chosen_for_an_accuracy_is_said() {
+    let folder = Folder::new("within").with("a.mech", GOOD);
+    let out = assur(&folder, &["solve", "a.mech", "--within", "1e-6"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(out.stdout.contains("within 1e-6: "), "{}", out.stdout);
+    let out = assur(&folder, &["solve", "a.mech", "--within", "1e-6", "--format", "json"]);
+    let value: serde_json::Value = serde_json::from_str(&out.stdout).unwrap();
+    let said = &value["accuracy"];
+    assert_eq!((&said["within"], &said["numbers"]), (&1e-6.into(), &"f64".into()));
+    assert!(said["error"].as_f64().unwrap() < 1e-14, "{said}");
+    let plain = assur(&folder, &["solve", "a.mech", "--format", "json"]);
+    let plain: serde_json::Value = serde_json::from_str(&plain.stdout).unwrap();
+    assert!(plain.get("accuracy").is_none(), "{plain}");
+    let out = assur(&folder, &["batch", "a.mech", "--within", "1e-9", "--format", "jsonl"]);
+    let value: serde_json::Value = serde_json::from_str(&out.stdout).unwrap();
+    assert_eq!(value["accuracy"]["within"], 1e-9);
+    assert!(out.stderr.contains("within 1e-9: greatest error of all rows "), "{}", out.stderr);
+}

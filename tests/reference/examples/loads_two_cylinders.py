@@ -1,0 +1,22 @@
+"""Two cylinders with one force lift a table."""
+from planar import *
+
+m = Mechanism(gravity=(mpf(0), mpf("-9.81"))).ground(A=(0, 0), B=(1, 0), G=(mpf("0.2"), mpf("-0.5")), H=(mpf("1.5"), mpf("-0.4")))
+m.bar("left_arm", "A-C", mpf("0.8"), K=(mpf("0.5"), mpf("0.05")))
+m.bar("right_arm", "B-D", mpf("0.8"), L=(mpf("0.6"), mpf("0.02")))
+m.bar("table", "C-D", mpf("1.1"), S=(mpf("0.3"), mpf("0.1")))
+m.mass("table", 500, "S", J=40)
+m.revolute("A", "ground", "left_arm")
+m.revolute("B", "ground", "right_arm")
+m.revolute("C", "left_arm", "table")
+m.revolute("D", "right_arm", "table")
+m.cylinder("c1", "ground.G", "left_arm.K")
+m.cylinder("c2", "ground.H", "right_arm.L")
+m.drive("left_arm", deg(40))
+m.balance_inside("F", "c1", "c2")
+first = m.solve(right_of("D", "B", "C"), positive("c1"), positive("c2"))
+turn = m.sweep(first, "left_arm", [deg(40), deg(60), deg(80)])
+keys("F", [s.balance["F"] for s in turn], "N")
+keys("reaction(C, table)", [s.reaction("C", "table") for s in turn], "N")
+keys("reaction(D, table)", [s.reaction("D", "table") for s in turn], "N")
+keys("reaction(A, left_arm)", [s.reaction("A", "left_arm") for s in turn], "N")
