@@ -3,7 +3,7 @@
 use super::answers::{Answers, with_unit};
 use super::document::{Column, Report, Section, Table};
 use super::pair::pair_text;
-use assur_model::model::{LinkId, Mechanism, PairId, PairKind, Rate, Transmission, TransmissionKind};
+use assur_model::model::{Law, LinkId, Mechanism, PairId, PairKind, Rate, Transmission, TransmissionKind};
 use assur_model::structure::{BodyId, Group, GroupKind};
 use assur_position::plan::{TrainMember, TrainMotion, TrainSource};
 use assur_solve::solve::{Model, Pose, PoseAnswers, Solved};
@@ -29,7 +29,7 @@ pub(super) fn laws(model: &Model<'_>, report: &mut Report) {
     for pair in &model.mechanism.pairs {
         let PairKind::Transmission(t) = &pair.kind else { continue };
         let law = if model.mechanism.open_sizes.is_empty() {
-            let each = t.laws.iter().map(|l| law_text(model.mechanism, &l.terms));
+            let each = t.laws.iter().map(|l| law_text(model.mechanism, &l.terms) + &phase_text(l));
             each.collect::<Vec<_>>().join("; ")
         } else {
             "depends on sizes that are not given".to_owned()
@@ -40,6 +40,16 @@ pub(super) fn laws(model: &Model<'_>, report: &mut Report) {
     let mut section = Section::new("Transmissions");
     section.table(table);
     report.section(section);
+}
+
+/// `, phase 180 deg` of a law whose angles are not zero together.
+fn phase_text(law: &Law) -> String {
+    match law.terms.get(1) {
+        Some((_, second)) if law.constant != 0.0 => {
+            format!(", phase {} deg", significant((law.constant / second).to_degrees(), DIGITS))
+        }
+        _ => String::new(),
+    }
 }
 
 fn law_text(mechanism: &Mechanism, terms: &[(Rate, f64)]) -> String {

@@ -185,7 +185,7 @@ impl FiveBar {
 }
 
 /// Gauss with the greatest pivot.
-fn eliminate(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
+pub(crate) fn eliminate(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
     let n = right.len();
     for k in 0..n {
         let pivot = (k..n).max_by(|&a, &b| matrix[a][k].abs().total_cmp(&matrix[b][k].abs())).expect("a row");
@@ -399,4 +399,46 @@ fn a_mesh_within_a_chain_loses_its_share() {
         solved += 1;
     }
     assert!(solved > 30, "{solved}");
+}
+
+/// All hinges of a five-bar rub and its mesh loses, driven at the crank and at a coupler: `answers` compares with the equations of all bodies.
+#[test]
+fn hinges_rub_beside_a_mesh_within_a_chain() {
+    let mut random = Random::new(74);
+    let mut solved = 0;
+    for i in 0..60 {
+        let machine = FiveBar::new(&mut random);
+        let phi = random.within(-3.0, 3.0);
+        let rho = random.within(0.0002, 0.003);
+        let rub = |text: String| {
+            ["O1: ground - crank", "O2: ground - second", "A: crank - c", "B: second - d", "C: c - d"]
+                .iter()
+                .fold(text, |text, pair| text.replace(pair, &format!("{pair} {{ friction_circle {rho} m }}")))
+                + "find efficiency()\n"
+        };
+        let crank =
+            machine.text(&format!("drive crank = {phi} rad at 10 rad/s"), None, "crank", "; efficiency 0.95");
+        let crank = rub(crank);
+        let Some(Some(known)) = answers(&crank).into_iter().next() else { continue };
+        if !known["M"][0].is_finite() {
+            continue;
+        }
+        solved += 1;
+        let of = |what: &str| known[what][0];
+        let turned =
+            ["second", "crank"].iter().any(|n| of(&format!("angle({n})")).abs() > std::f64::consts::PI);
+        if i % 2 == 0 || turned || of("omega(c)").abs() < 0.5 {
+            continue;
+        }
+        let (at, speed, second) = (of("angle(c)"), of("omega(c)"), of("alpha(c)"));
+        let sense = if speed < 0.0 { "cw" } else { "ccw" };
+        let drive =
+            format!("drive c = {at} rad at {} rad/s {sense} accelerating {second} rad/s^2", speed.abs());
+        let near = [known["position(C)"][0], known["position(C)"][1]];
+        let text = rub(machine.text(&drive, Some(near), "crank", "; efficiency 0.95"));
+        let found = answers(&text);
+        let found = found[0].as_ref().unwrap_or_else(|| panic!("{text}"));
+        close(found["M"][0], known["M"][0], 1e-6, &format!("{crank}\n{text}"));
+    }
+    assert!(solved > 20, "{solved}");
 }

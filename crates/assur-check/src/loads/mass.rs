@@ -3,6 +3,7 @@
 use crate::error::LinkError;
 use crate::expr::context::Context;
 use crate::expr::positive::{not_negative, positive};
+use crate::trains::planet::{Carried, carried};
 use crate::values::format_value::{format_value, format_value_like};
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, MassProperties, PairKind};
@@ -34,6 +35,29 @@ pub(crate) fn masses(cx: &mut Context<'_>) {
             cx.builder.mech.links[link.index()].mass = mass;
         }
     }
+    for statement in &doc.statements {
+        if let Statement::Shaft(shaft) = &statement.node
+            && let Some(link) = cx.own_link(&shaft.name)
+        {
+            of_planets(cx, link, &shaft.body);
+        }
+    }
+}
+
+/// The mass of planets without a position is that of all of them, evenly spaced about the axis of their carrier: their mass
+/// centre lies on it, and they add m a² to the moment of inertia of the carrier.
+fn of_planets(cx: &mut Context<'_>, planet: LinkId, body: &Body) {
+    let stated = body.iter().find(|m| matches!(m.node, Member::Mass(_) | Member::Weight(_)));
+    let (Some(member), Some(Carried { carrier, arm })) = (stated, carried(cx, planet)) else { return };
+    let Some(mass) = cx.builder.mech.link(planet).mass.map(|m| m.mass) else { return };
+    let Some(arm) = arm else {
+        let what = "the mass of a planet whose distance from the axis of its carrier is not known";
+        cx.builder.unsupported(what, member.span);
+        return;
+    };
+    let none = MassProperties { mass: 0.0, centre: Vec2::zero(), inertia: 0.0 };
+    let own = cx.builder.mech.links[carrier.index()].mass.get_or_insert(none);
+    own.inertia += mass * arm * arm;
 }
 
 /// Whether a link can turn; unknown where nothing joins it or an error hides what does.

@@ -5,7 +5,7 @@ use crate::expr::context::Context;
 use crate::statements::lines::{braces, end_text};
 use crate::trains::carrier::centre_on;
 use crate::values::format_value::format_value;
-use assur_model::model::{LinkId, Pair, PairKind, Wheel};
+use assur_model::model::{Bearing, LinkId, Pair, PairKind, TransmissionKind, Wheel};
 use assur_syntax::document::Joint;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
@@ -134,4 +134,43 @@ pub(crate) fn is_planet(cx: &Context<'_>, wheel: &Wheel, carrier: LinkId) -> boo
         _ => false,
     };
     carrier != LinkId::GROUND && wheel.link != LinkId::GROUND && cx.builder.mech.pairs.iter().any(on)
+}
+
+/// A planet without a position: its carrier, and the distance of its axis from the carrier's where a mesh gives it.
+pub(crate) struct Carried {
+    pub(crate) carrier: LinkId,
+    pub(crate) arm: Option<f64>,
+}
+
+/// What carries a shaft whose place on its carrier is left open; `None` of any other link.
+pub(crate) fn carried(cx: &Context<'_>, planet: LinkId) -> Option<Carried> {
+    let carrier = cx.builder.mech.pairs.iter().find_map(|p| match &p.kind {
+        PairKind::Revolute(pins) if p.bearing == Some(Bearing::Open) => {
+            let [base, own] = pins.as_slice() else { return None };
+            (own.link == planet && base.link != LinkId::GROUND).then_some(base.link)
+        }
+        _ => None,
+    })?;
+    // the axis of a carrier is its origin where it is a shaft of the ground
+    let turns = cx.builder.mech.pairs.iter().any(|p| match &p.kind {
+        PairKind::Revolute(pins) if p.bearing.is_some() => {
+            pins.first().is_some_and(|p| p.link == LinkId::GROUND)
+                && pins.last().is_some_and(|p| p.link == carrier)
+        }
+        _ => false,
+    });
+    let arm = cx.builder.mech.pairs.iter().find_map(|p| {
+        let PairKind::Transmission(t) = &p.kind else { return None };
+        let wheel = |i: usize| cx.wheel(t.ends.get(i)?);
+        let (TransmissionKind::Mesh, Some(a), Some(b)) = (t.kind, wheel(0), wheel(1)) else { return None };
+        let (own, other) = if a.link == planet { (a, b) } else { (b, a) };
+        if own.link != planet || is_planet(cx, &other, carrier) {
+            return None;
+        }
+        // both coefficients have one sign where the mesh is an outer one
+        let terms = &t.laws.first()?.terms;
+        let outer = terms[0].1 * terms[1].1 > 0.0;
+        Some(if outer { other.radius + own.radius } else { (other.radius - own.radius).abs() })
+    });
+    Some(Carried { carrier, arm: arm.filter(|_| turns) })
 }

@@ -53,9 +53,6 @@ fn of_shaft(cx: &mut Context<'_>, shaft: &Shaft, link: LinkId) {
     };
     let Some(place) = place(cx, &shaft.body, base) else { return };
     let (bearing, at) = place.map_or((Bearing::Open, ORIGIN), |(_, at)| (Bearing::Placed, at));
-    if bearing == Bearing::Open && base != LinkId::GROUND {
-        heavy_planet(cx, &shaft.body);
-    }
     let point = place.map_or_else(String::new, |(name, _)| name.node.clone());
     let pin = |link, at| Pin { link, name: point.clone(), at };
     let kind = PairKind::Revolute(vec![pin(base, at), pin(link, ORIGIN)]);
@@ -83,13 +80,6 @@ fn place<'b>(cx: &mut Context<'_>, body: &'b Body, base: LinkId) -> Option<Optio
         }
     }
     Some(Some((first, at)))
-}
-
-/// The mass of a planet moves with its carrier: where, must be known.
-fn heavy_planet(cx: &mut Context<'_>, body: &Body) {
-    for member in body.iter().filter(|m| matches!(m.node, Member::Mass(_) | Member::Weight(_))) {
-        cx.builder.unsupported("the mass of a planet without a position", member.span);
-    }
 }
 
 fn of_slider(cx: &mut Context<'_>, slider: &Slider, link: LinkId) {

@@ -239,10 +239,11 @@ pub enum Query {
     Stroke(PairId),
     /// The longer way over the shorter. Needs no pose.
     TimeRatio(PairId),
-    /// Tangential force of a mesh, rack, worm or screw, or the pull of a belt or chain, N, ≥ 0.
-    TangentialForce(PairId),
-    /// Force along the line of action of a mesh or rack, N, ≥ 0.
-    ToothForce(PairId),
+    /// Tangential force of a mesh, rack, worm or screw, or the pull of a belt or chain, N, ≥ 0: what the driven side gets, or
+    /// that on this link.
+    TangentialForce(PairId, Option<LinkId>),
+    /// Force along the line of action of a mesh or rack, N, ≥ 0: what the driven side gets, or that on this link.
+    ToothForce(PairId, Option<LinkId>),
     /// Pull in a rope, N; that of this part of it, counted from 0.
     Tension(PairId, usize),
     /// Pull in the tight side of a belt, N.

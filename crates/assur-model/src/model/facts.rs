@@ -172,7 +172,7 @@ impl Query {
                 Facts { reaction: Some(pair), couple: Some(pair), ..force("the position of a reaction") }
             }
             Self::Friction(..) => force("a friction force"),
-            Self::TangentialForce(_) | Self::ToothForce(_) => force("a force between teeth"),
+            Self::TangentialForce(..) | Self::ToothForce(..) => force("a force between teeth"),
             Self::Tension(..) => force("the pull of a rope"),
             Self::TightSide(_) | Self::SlackSide(_) => force("the pull of a belt"),
             Self::Capacity(_) => Facts { poseless: true, ..NUMBER },

@@ -4,6 +4,8 @@ use super::force_step::{EffortLine, ForceStep};
 use super::friction_step::{FrictionElement, FrictionGroup, FrictionLaw};
 use super::geometry::guide;
 use super::planned::Plan;
+use super::train::slot_of;
+use super::train_step::LawSite;
 use crate::model::{Friction, Mechanism, PairId, PairKind, ProfileShape};
 use crate::structure::{BodyId, Group, JointKind, Structure};
 
@@ -62,13 +64,15 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
         if plan.friction.len() == from || !foreign.is_empty() {
             continue;
         }
+        let laws: Vec<usize> = group.laws.iter().map(|law| slot_of(structure, *law)).collect();
         let plain = std::mem::replace(&mut plan.forces[index], ForceStep::Sequence(Vec::new()));
         let rubbing = FrictionGroup {
             reduced: reduced(&plain, &plan.friction[from..], from),
             bodies: group.bodies.iter().map(|b| b.0).collect(),
-            bases: bases(structure, group),
+            bases: bases(structure, group, &laws, plan),
             elements: (from..plan.friction.len()).collect(),
             slots,
+            laws,
         };
         plan.forces[index] = ForceStep::Friction { plain: Box::new(plain), group: Box::new(rubbing) };
     }
@@ -133,6 +137,7 @@ fn together(plan: &mut Plan) {
         bases: vec![0],
         elements: (0..plan.friction.len()).collect(),
         slots: (0..plan.reactions.len()).collect(),
+        laws: (0..plan.laws.len()).collect(),
         reduced: None,
     };
     if let Some(last) = plan.forces.last_mut() {
@@ -140,11 +145,15 @@ fn together(plan: &mut Plan) {
     }
 }
 
-/// The bodies outside a group on which its joints and efforts act.
-fn bases(structure: &Structure, group: &Group) -> Vec<usize> {
+/// The bodies outside a group on which its joints, efforts and laws of wheels act.
+fn bases(structure: &Structure, group: &Group, laws: &[usize], plan: &Plan) -> Vec<usize> {
     let mut bases: Vec<usize> = Vec::new();
     let efforts = group.efforts.iter().flat_map(|&e| structure.efforts[e].bodies(&structure.replaced));
-    for base in group.joints.iter().map(|joint| joint.base).chain(efforts) {
+    let sites = laws.iter().flat_map(|law| &plan.laws[*law].terms).flat_map(|(site, _)| match site {
+        LawSite::Turn(body) => vec![BodyId(*body)],
+        LawSite::Slide(guide) => vec![BodyId(guide.body), BodyId(guide.base)],
+    });
+    for base in group.joints.iter().map(|joint| joint.base).chain(efforts).chain(sites) {
         if !group.bodies.contains(&base) && !bases.contains(&base.0) {
             bases.push(base.0);
         }

@@ -86,6 +86,8 @@ pub struct FrictionGroup {
     pub elements: Vec<usize>,
     /// Slots of its reactions.
     pub slots: Vec<usize>,
+    /// Slots of the laws of wheels whose multipliers its step finds.
+    pub laws: Vec<usize>,
     /// The elements in its joints, where the laws reduce to the force in the inner hinge of a dyad, or to nothing unknown.
     pub reduced: Option<[Option<usize>; 3]>,
 }

@@ -2,6 +2,7 @@
 
 use super::consistent::Consistent;
 use super::kinematics::Shared;
+use super::losses::Losses;
 use super::state::State;
 use super::wrench::Reaction;
 use crate::group::{pp, prp, rpp, rpr, rrp, rrr};
@@ -31,35 +32,37 @@ impl State {
         }
     }
 
-    /// The same without friction.
+    /// The same without friction, and without losses unless the senses of all laws are set.
     pub fn run_forces_without_friction(&mut self, plan: &Plan) {
+        let losses = if self.scratch.in_senses { Losses::InSenses } else { Losses::None };
         for (index, step) in plan.forces.iter().enumerate() {
-            self.forces.conditions[index] = match step {
-                ForceStep::Friction { plain, .. } => self.force_step(plan, plain),
-                ForceStep::Train { train } => self.force_train(plan, *train, false),
-                ForceStep::General { system } => self.force_general(plan, *system, false),
-                plain => self.force_step(plan, plain),
-            };
+            let plain = if let ForceStep::Friction { plain, .. } = step { plain } else { step };
+            self.forces.conditions[index] = self.force_step_with(plan, plain, losses);
         }
     }
 
-    /// One step without friction. Linear in the loads.
+    /// One step without friction. Linear in the loads, but for laws of wheels that find the senses of their forces.
     #[inline(never)]
     pub(super) fn force_step(&mut self, plan: &Plan, step: &ForceStep) -> f64 {
+        let losses = if self.scratch.in_senses { Losses::InSenses } else { Losses::Found };
+        self.force_step_with(plan, step, losses)
+    }
+
+    fn force_step_with(&mut self, plan: &Plan, step: &ForceStep, losses: Losses) -> f64 {
         match step {
-            ForceStep::Train { train } => self.force_train(plan, *train, true),
+            ForceStep::Train { train } => self.force_train(plan, *train, losses),
             ForceStep::Triad(triad) => self.force_triad(triad),
-            ForceStep::General { system } => self.force_general(plan, *system, true),
-            ForceStep::Sequence(steps) => self.force_sequence(plan, steps),
+            ForceStep::General { system } => self.force_general(plan, *system, losses),
+            ForceStep::Sequence(steps) => self.force_sequence(plan, steps, losses),
             closed => self.closed_force(closed),
         }
     }
 
     /// The groups from the first on; returns the figure of the last.
-    fn force_sequence(&mut self, plan: &Plan, steps: &[ForceStep]) -> f64 {
+    fn force_sequence(&mut self, plan: &Plan, steps: &[ForceStep], losses: Losses) -> f64 {
         let mut last = 1.0;
         for (index, step) in steps.iter().enumerate() {
-            last = self.force_step(plan, step);
+            last = self.force_step_with(plan, step, losses);
             self.forces.conditions[index] = last;
         }
         last

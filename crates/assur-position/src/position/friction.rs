@@ -108,7 +108,7 @@ impl State {
         }
     }
 
-    fn restore(&mut self, group: &FrictionGroup, saved: &[Wrench]) {
+    pub(super) fn restore(&mut self, group: &FrictionGroup, saved: &[Wrench]) {
         for (slot, keep) in group.bodies.iter().chain(&group.bases).zip(saved) {
             self.forces.wrenches[*slot] = *keep;
         }
@@ -161,31 +161,49 @@ impl State {
         };
         work.steps = 0;
         self.save(group, &mut work.saved);
-        let conditioning = self.respond(plan, plain, group, &mut work, None);
+        let conditioning = if group.laws.is_empty() {
+            self.rub(plan, plain, group, &mut work)
+        } else {
+            self.rub_with_wheels(plan, plain, group, &mut work)
+        };
+        if conditioning.is_none() {
+            self.forces.locked = true;
+            self.restore(group, &work.saved);
+            self.force_step(plan, plain);
+        }
+        self.scratch.friction_work[index] = Some(work);
+        conditioning.unwrap_or(0.0)
+    }
+
+    /// Finds the friction of a group from its loads as they were saved, and then its forces. `None` where it does not settle.
+    pub(super) fn rub(
+        &mut self,
+        plan: &Plan,
+        plain: &ForceStep,
+        group: &FrictionGroup,
+        work: &mut FrictionWork,
+    ) -> Option<f64> {
+        let conditioning = self.respond(plan, plain, group, work, None);
         for unit in 0..group.elements.len() {
             let sense = self.forces.senses[group.elements[unit]];
             work.senses[unit] = sense;
             if sense != 0.0 {
-                self.respond(plan, plain, group, &mut work, Some(unit));
+                self.respond(plan, plain, group, work, Some(unit));
             }
         }
-        let settled = newton(plan, group, &mut work);
-        self.restore(group, &work.saved);
-        if settled {
-            for (&element, &x) in group.elements.iter().zip(&work.values) {
-                self.forces.frictions[element] = x;
-                self.apply_rub(&plan.friction[element], x);
-            }
-        } else {
-            self.forces.locked = true;
+        if !newton(plan, group, work) {
+            return None;
+        }
+        for (&element, &x) in group.elements.iter().zip(&work.values) {
+            self.forces.frictions[element] = x;
+            self.apply_rub(&plan.friction[element], x);
         }
         self.force_step(plan, plain);
-        self.scratch.friction_work[index] = Some(work);
-        conditioning
+        Some(conditioning)
     }
 
     /// Reactions of the group from the loads as they are, or from a unit of one element.
-    fn respond(
+    pub(super) fn respond(
         &mut self,
         plan: &Plan,
         plain: &ForceStep,

@@ -15,21 +15,32 @@ impl State {
     pub(super) fn search_friction(&mut self, plan: &Plan) {
         let loads = std::mem::take(&mut self.scratch.loads_before);
         let moving: Vec<usize> = (0..plan.friction.len()).filter(|e| self.forces.senses[*e] != 0.0).collect();
-        let laws = self.friction_laws(plan, &moving, &loads);
-        let (taken, consistent) = match Magnitudes::follow(|part| Some(laws.scaled(part))) {
-            Some(efforts) => (Some(efforts), Consistent::One),
-            None => self.least_loss(plan, &moving, &laws),
+        let sensed = self.sensed(plan);
+        let (taken, consistent) = if sensed.is_empty() {
+            let laws = self.friction_laws(plan, &moving, &loads);
+            match Magnitudes::follow(|part| Some(laws.scaled(part))) {
+                Some(efforts) => (Some(efforts), Consistent::One),
+                None => self.least_loss(plan, &moving, &laws),
+            }
+        } else {
+            self.search_beside_wheels(plan, &sensed, &moving, &loads)
         };
         self.forces.consistent = consistent;
         self.forces.locked = taken.is_none();
+        self.rub_all(plan, &moving, taken.as_deref().unwrap_or_default(), &loads);
+        self.scratch.in_senses = false;
+        self.scratch.loads_before = loads;
+    }
+
+    /// The forces with these efforts of friction.
+    pub(super) fn rub_all(&mut self, plan: &Plan, moving: &[usize], efforts: &[f64], loads: &[Wrench]) {
         self.forces.frictions.fill(0.0);
-        self.forces.wrenches.copy_from_slice(&loads);
-        for (&element, effort) in moving.iter().zip(taken.into_iter().flatten()) {
+        self.forces.wrenches.copy_from_slice(loads);
+        for (&element, &effort) in moving.iter().zip(efforts) {
             self.forces.frictions[element] = effort;
             self.apply_rub(&plan.friction[element], effort);
         }
         self.run_forces_without_friction(plan);
-        self.scratch.loads_before = loads;
     }
 
     /// Of all solutions the one that loses the least power.
@@ -56,7 +67,7 @@ impl State {
     }
 
     /// The laws of the elements that slide or turn: what presses, from the loads and from a unit of each friction.
-    fn friction_laws(&mut self, plan: &Plan, moving: &[usize], loads: &[Wrench]) -> Magnitudes {
+    pub(super) fn friction_laws(&mut self, plan: &Plan, moving: &[usize], loads: &[Wrench]) -> Magnitudes {
         let mut measured = vec![vec![Vec2::zero(); moving.len() + 1]; moving.len()];
         for column in 0..=moving.len() {
             if column == 0 {

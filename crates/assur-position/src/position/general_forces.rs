@@ -6,14 +6,15 @@
 
 use super::consistent::Consistent;
 use super::general_work::Workspace;
+use super::losses::Losses;
 use super::state::State;
-use super::wrench::Reaction;
+use super::wrench::{LawForce, Reaction};
 use crate::group::general::{Constraint, Line, Load, Point};
 use crate::math::Vec2;
 use crate::plan::{BalanceSystem, Guide, LawSite, Plan, PlannedLaw, SharedPlace, UnknownForce};
 
 impl State {
-    pub(super) fn force_general(&mut self, plan: &Plan, index: usize, losses: bool) -> f64 {
+    pub(super) fn force_general(&mut self, plan: &Plan, index: usize, losses: Losses) -> f64 {
         let system = &plan.balance_systems[index];
         let Some(mut work) = self.scratch.force_work.get_mut(index).and_then(Option::take) else {
             return 0.0;
@@ -41,7 +42,7 @@ impl State {
         for (&slot, load) in system.bodies.iter().zip(&mut work.loads) {
             *load = Load { F: self.forces.wrenches[slot].force, M: self.forces.wrenches[slot].moment };
         }
-        self.set_columns(plan, system, &mut work, false);
+        self.set_columns(plan, system, &mut work, losses == Losses::InSenses);
         let mut condition = work.equations.factor(&work.poses).unwrap_or(0.0);
         if condition > 0.0 {
             work.equations.reactions(&work.loads, &mut work.lambda);
@@ -64,15 +65,18 @@ impl State {
         plan: &Plan,
         system: &BalanceSystem,
         work: &mut Workspace,
-        losses: bool,
+        losses: Losses,
     ) -> Consistent {
         if system.laws.is_empty() {
             return Consistent::One;
         }
-        for &slot in &system.laws {
-            self.forces.law_forces[slot].sides = [1.0, 1.0];
+        if losses != Losses::InSenses {
+            for &slot in &system.laws {
+                self.forces.law_forces[slot] = LawForce { sides: [1.0, 1.0], ..LawForce::default() };
+            }
         }
-        let consistent = if losses { self.general_losses(plan, system, work) } else { Consistent::One };
+        let found = losses == Losses::Found;
+        let consistent = if found { self.general_losses(plan, system, work) } else { Consistent::One };
         let first = work.lambda.len() - system.laws.len();
         for (&slot, multiplier) in system.laws.iter().zip(&work.lambda[first..]) {
             self.forces.law_forces[slot].multiplier = *multiplier;

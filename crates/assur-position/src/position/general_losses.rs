@@ -62,7 +62,7 @@ impl State {
                 found += 1;
             }
             if size < least && !again {
-                work.kept.copy_from_slice(own);
+                work.kept[..own.len()].copy_from_slice(own);
                 (best, least) = (directions, size);
             }
         }

@@ -15,6 +15,7 @@ mod forces;
 mod friction;
 mod friction_closed;
 mod friction_search;
+mod friction_wheels;
 mod friction_work;
 mod general;
 mod general_forces;
@@ -24,6 +25,7 @@ mod kinematics;
 #[cfg(feature = "lanes")]
 mod lanes;
 mod loads;
+mod losses;
 mod model;
 mod motion;
 mod precise;

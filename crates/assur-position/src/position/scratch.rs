@@ -13,6 +13,8 @@ use crate::plan::{ForceStep, Plan};
 pub struct Scratch {
     /// What searches for states of the forces have taken.
     pub searched: Searched,
+    /// Laws of wheels act in the senses that are set, whatever their multipliers: forces are then linear in the loads.
+    pub(super) in_senses: bool,
     /// Loads before the first reaction was added, where there is friction.
     pub(super) loads_before: Vec<Wrench>,
     /// Train groups of forces. A step takes its memory out while it runs: in a box it does not move.

@@ -3,6 +3,7 @@
 use super::body::BodyState;
 use super::motion::{Point, line, place, point, under};
 use super::state::State;
+use super::wrench::LawForce;
 use crate::math::Vec2;
 use crate::plan::{LawSite, PlannedLaw, Slide, TrainMember, TrainMotion, TrainSource};
 
@@ -155,10 +156,13 @@ impl State {
         // what is lost is lost in the bearings of the side that drives: the teeth carry what the other side gets
         let sides = self.forces.law_forces[slot].sides;
         let through = sides[0].abs().min(sides[1].abs());
-        let tangential = self.forces.law_forces[slot].multiplier * through * law.force;
+        let LawForce { multiplier, sense, .. } = self.forces.law_forces[slot];
+        let tangential = multiplier * through * law.force;
+        // with a given sense the force is linear in the multiplier
+        let pressing = if sense == 0.0 { tangential.abs() } else { tangential * sense * law.force.signum() };
         // the first wheel is pressed inwards by an outer one, outwards as a ring
         let inwards = if meeting.internal && r_1 > r_2 { 1.0 } else { -1.0 };
-        let radial = towards * (inwards * tangential.abs() * meeting.tangent);
+        let radial = towards * (inwards * pressing * meeting.tangent);
         (centre(0) + towards * r_1, towards.perp() * tangential + radial)
     }
 

@@ -1,14 +1,16 @@
 //! Forces of trains: multipliers of their laws, efforts, reactions of their members.
 
 use super::consistent::Consistent;
+use super::losses::Losses;
 use super::state::State;
 use super::train_work::TrainWork;
+use super::wrench::LawForce;
 use crate::math::Vec2;
 use crate::plan::{Plan, TrainEffort, TrainForces, TrainSupport};
 
 impl State {
     /// Finds the multipliers and efforts of a train from the loads on its members, and the reactions of their pairs.
-    pub(super) fn force_train(&mut self, plan: &Plan, index: usize, losses: bool) -> f64 {
+    pub(super) fn force_train(&mut self, plan: &Plan, index: usize, losses: Losses) -> f64 {
         let train = &plan.train_forces[index];
         if train.inverse.is_empty() {
             return 0.0;
@@ -22,10 +24,16 @@ impl State {
             let row = &train.inverse[i * n..][..n];
             work.found[i] = -row.iter().zip(&work.loads).map(|(a, q)| a * q).sum::<f64>();
         }
-        for &law in &train.laws {
-            self.forces.law_forces[law].sides = [1.0, 1.0];
+        if losses != Losses::InSenses {
+            for &law in &train.laws {
+                self.forces.law_forces[law] = LawForce { sides: [1.0, 1.0], ..LawForce::default() };
+            }
         }
-        let consistent = if losses { self.with_losses(plan, train, &mut work) } else { Consistent::One };
+        let consistent = match losses {
+            Losses::None => Consistent::One,
+            Losses::Found => self.with_losses(plan, train, &mut work),
+            Losses::InSenses => self.in_senses(plan, train, &mut work),
+        };
         for (unknown, &law) in work.found.iter().zip(&train.laws) {
             self.forces.law_forces[law].multiplier = *unknown;
         }

@@ -54,6 +54,18 @@ impl State {
         self.search_losses(plan, train, work)
     }
 
+    /// The unknowns with the sides as they are set.
+    pub(super) fn in_senses(&self, plan: &Plan, train: &TrainForces, work: &mut TrainWork) -> Consistent {
+        if train.laws.iter().all(|l| plan.laws[*l].efficiency.is_none()) {
+            return Consistent::One;
+        }
+        if !self.unknowns(plan, train, work) {
+            return Consistent::Undecided;
+        }
+        work.found.copy_from_slice(&work.trial);
+        Consistent::One
+    }
+
     /// All consistent directions.
     #[cold]
     #[inline(never)]

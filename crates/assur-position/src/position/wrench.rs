@@ -27,4 +27,6 @@ pub struct LawForce {
     pub multiplier: f64,
     /// What is left of the forces on its two sides: 1 and 1 without losses.
     pub sides: [f64; 2],
+    /// The sense that its forces between teeth are taken with: the sign of the multiplier, or 0 where that decides itself.
+    pub sense: f64,
 }

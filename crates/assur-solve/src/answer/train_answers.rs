@@ -30,10 +30,25 @@ impl PoseAnswers<'_> {
         self.laws(pair).next().map_or(f64::NAN, |(slot, law)| self.pull(slot, law).abs())
     }
 
+    /// Tangential force on a link of a transmission, N, ≥ 0: its torque over the radius of its wheel. The side that drives
+    /// has what is lost as well.
+    pub(super) fn force_on(&self, pair: PairId, on: Option<LinkId>) -> f64 {
+        let Some(link) = on else { return self.tangential_force(pair) };
+        let of_side = |(slot, law): (usize, &PlannedLaw)| {
+            let t = self.transmission(pair)?;
+            let side = t.links.iter().position(|l| *l == link)?;
+            let force = &self.state.forces.law_forces[slot];
+            // the law of a belt that slips has the first wheel's coefficient less the slip
+            let kept = if side == 0 { 1.0 - t.slip } else { 1.0 };
+            Some((force.multiplier * law.force * force.sides.get(side)? * kept).abs())
+        };
+        self.laws(pair).next().and_then(of_side).unwrap_or(f64::NAN)
+    }
+
     /// Force along the line of action, N, ≥ 0; NaN where the pressure angle is not known.
-    pub(super) fn tooth_force(&self, pair: PairId) -> f64 {
+    pub(super) fn tooth_force(&self, pair: PairId, on: Option<LinkId>) -> f64 {
         let angle = self.transmission(pair).and_then(|t| t.pressure_angle);
-        angle.map_or(f64::NAN, |a| self.tangential_force(pair) / libm::cos(a))
+        angle.map_or(f64::NAN, |a| self.force_on(pair, on) / libm::cos(a))
     }
 
     /// Pull in one part of a rope, N; negative where it would have to push.

@@ -51,10 +51,7 @@ pub(super) fn no_place(mechanism: &Mechanism, pair: PairId, place: Span) -> Solv
     {
         labels.push(label("the position of its force is not given", law.span));
     }
-    let mesh = mechanism.pairs.iter().any(|p| match &p.kind {
-        PairKind::Transmission(t) => t.kind == TransmissionKind::Mesh && t.meeting.is_none(),
-        _ => false,
-    });
+    let mesh = meets_somewhere(mechanism);
     let help = if mesh {
         "place the axes, `wheel w1 … at O1` with a point of the ground or the carrier, and give \
          the mesh a `pressure_angle`; the torques are known without them: `moment(k, I)`"
@@ -62,4 +59,30 @@ pub(super) fn no_place(mechanism: &Mechanism, pair: PairId, place: Span) -> Solv
         "ask for torques, as in `moment(b, I)`: only the forces of meshes have known positions"
     };
     TrainError::NoPlace { pair: declared.name.clone(), help: help.to_owned(), labels }.into()
+}
+
+/// Whether a mesh has no known pitch point.
+fn meets_somewhere(mechanism: &Mechanism) -> bool {
+    mechanism.pairs.iter().any(|p| match &p.kind {
+        PairKind::Transmission(t) => t.kind == TransmissionKind::Mesh && t.meeting.is_none(),
+        _ => false,
+    })
+}
+
+/// Friction on which forces press that have no place.
+pub(super) fn friction_without_place(mechanism: &Mechanism, pairs: &[PairId]) -> SolveError {
+    let mut labels: Vec<_> = pairs.iter().map(|p| label("rubs", mechanism.pair(*p).span)).collect();
+    let unplaced = mechanism.pairs.iter().filter(|p| match &p.kind {
+        PairKind::Transmission(t) => t.meeting.is_none(),
+        _ => false,
+    });
+    labels.extend(unplaced.map(|p| label("the position of its force is not given", p.span)));
+    let names: Vec<String> = pairs.iter().map(|id| format!("`{}`", mechanism.pair(*id).name)).collect();
+    let help = if meets_somewhere(mechanism) {
+        "place the axes, `wheel w1 … at O1` with a point of the ground or the carrier, and give the mesh a `pressure_angle`"
+    } else {
+        "leave the friction of these pairs out, and give the transmission an `efficiency`: only the forces of meshes have known \
+         positions"
+    };
+    TrainError::FrictionWithoutPlace { pairs: names.join(", "), help: help.to_owned(), labels }.into()
 }

@@ -2,7 +2,7 @@
 
 use super::error::SolveError;
 use super::format::label;
-use super::open_places::{no_place, no_position};
+use super::open_places::{friction_without_place, no_place, no_position};
 use super::speeds::needs_speed;
 use crate::model::PairId;
 use crate::position::Model;
@@ -25,9 +25,7 @@ pub(super) fn refused(model: &Model<'_>, refusal: &Refusal) -> SolveError {
         Refusal::CamForces(pair) => {
             not_yet("forces through the contact of a cam in this direction", &[*pair])
         }
-        Refusal::FrictionBesideLaws(pairs) => {
-            not_yet("friction in pairs of a mechanism with wheels or ropes", pairs)
-        }
+        Refusal::FrictionWithoutPlace(pairs) => friction_without_place(mechanism, pairs),
         Refusal::NeedsSpeed { drive, level, places } => needs_speed(mechanism, *drive, (*level, places)),
         Refusal::FreeRotation { roller, places } => SolveError::FreeRotation {
             name: mechanism.link(*roller).name.clone(),

@@ -36,6 +36,21 @@ pub enum TrainError {
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },
+    /// Friction that depends on a force without a place.
+    #[error(
+        "the friction in {pairs} cannot be found: the position of a force that presses there is not given"
+    )]
+    #[diagnostic(code(mech::train::no_place))]
+    FrictionWithoutPlace {
+        /// The pairs.
+        pairs: String,
+        /// What to write.
+        #[help]
+        help: String,
+        /// Places.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
     /// A rope that would have to push.
     #[error("rope `{name}` would have to push{pose}{more}: its pull is {tension}")]
     #[diagnostic(

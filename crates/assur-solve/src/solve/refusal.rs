@@ -48,8 +48,8 @@ pub enum Refusal {
         /// Where it is asked for.
         place: Span,
     },
-    /// Friction in these pairs, in a mechanism with transmissions.
-    FrictionBesideLaws(Vec<PairId>),
+    /// Friction in these pairs, on which forces of transmissions press whose places are not known.
+    FrictionWithoutPlace(Vec<PairId>),
     /// Friction in these pairs goes by the forces at two contacts, and the couple that shares them is not determined.
     OpenCouple(Vec<PairId>),
 }

@@ -281,9 +281,9 @@ functions! {
         "of a wheel, of a gear wheel that of its pitch circle",
     )],
     TangentialForce "tangential_force" Train "tangential_force(k)"
-        [form(&[J], Number(Dimension::FORCE), "of a mesh, rack, belt, chain or worm")],
+        [form(&[J, ON], Number(Dimension::FORCE), "of a mesh, rack, belt, chain or worm; with L that on L")],
     NormalForce "normal_force" Train "normal_force(k)"
-        [form(&[J], Number(Dimension::FORCE), "along the line of action of a mesh or rack")],
+        [form(&[J, ON], Number(Dimension::FORCE), "along the line of action of a mesh or rack; with L that on L")],
     Tension "tension" Train "tension(a)" [form(
         &[arg("a", Takes::Rope), optional(arg("A", Takes::RopeEnd))],
         Number(Dimension::FORCE),

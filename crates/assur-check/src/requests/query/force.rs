@@ -147,18 +147,19 @@ impl Context<'_> {
 
     /// `tangential_force(k)`
     pub(crate) fn tangential_force(&mut self, call: Call<'_>) -> Option<Typed> {
-        let args = self.arguments(call, 1, 1)?;
+        let args = self.arguments(call, 1, 2)?;
         let (pair, kind) = self.transmission(call, args[0])?;
         if matches!(kind, TransmissionKind::Rope | TransmissionKind::Screw | TransmissionKind::Clutch) {
             self.not_of_this_pair(call, pair, Some(other_force(kind)));
             return None;
         }
-        Some(number(Query::TangentialForce(pair), Dimension::FORCE))
+        let on = self.side(call, pair, args.get(1).copied())?;
+        Some(number(Query::TangentialForce(pair, on), Dimension::FORCE))
     }
 
     /// `normal_force(k)`
     pub(crate) fn normal_force(&mut self, call: Call<'_>) -> Option<Typed> {
-        let args = self.arguments(call, 1, 1)?;
+        let args = self.arguments(call, 1, 2)?;
         let (pair, kind) = self.transmission(call, args[0])?;
         let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else { return None };
         if !matches!(kind, TransmissionKind::Mesh | TransmissionKind::Rack) {
@@ -170,7 +171,24 @@ impl Context<'_> {
             self.not_of_this_pair(call, pair, Some(help));
             return None;
         }
-        Some(number(Query::ToothForce(pair), Dimension::FORCE))
+        let on = self.side(call, pair, args.get(1).copied())?;
+        Some(number(Query::ToothForce(pair, on), Dimension::FORCE))
+    }
+
+    /// The side of a transmission that is asked for, if one is. Of a worm the wheel: the radius of the worm is not known.
+    fn side(&mut self, call: Call<'_>, pair: PairId, on: Option<&Expr>) -> Option<Option<LinkId>> {
+        let Some(on) = on else { return Some(None) };
+        let link = self.link_argument(call, on)?;
+        let PairKind::Transmission(t) = &self.builder.mech.pair(pair).kind else { return None };
+        let sides = if t.kind == TransmissionKind::Worm { &t.links[1..] } else { &t.links[..] };
+        if sides.contains(&link) {
+            return Some(Some(link));
+        }
+        let names: Vec<String> =
+            sides.iter().map(|l| format!("`{}`", self.builder.mech.link(*l).name)).collect();
+        let wanted = format!("a side of `{}`: {}", self.builder.mech.pair(pair).name, names.join(" or "));
+        self.wrong_argument(call, &wanted, on.span);
+        None
     }
 
     /// `tension(a)`; `tension(a, A)` of the part of a rope that ends at A

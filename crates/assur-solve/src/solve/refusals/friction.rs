@@ -1,5 +1,6 @@
 //! Friction that cannot be solved.
 
+use super::open_places::unplaced_reactions;
 use crate::model::{Friction, PairId};
 use crate::position::Model;
 use crate::solve::refusal::Refusal;
@@ -18,12 +19,14 @@ pub(super) fn open_couples(model: &Model<'_>) -> Option<Refusal> {
     (!pairs.is_empty()).then_some(Refusal::OpenCouple(pairs))
 }
 
-/// Friction in pairs of a mechanism with transmissions.
-pub(super) fn beside_laws(model: &Model<'_>) -> Option<Refusal> {
+/// Friction in pairs whose reactions depend on forces of transmissions without a place.
+pub(super) fn without_place(model: &Model<'_>) -> Option<Refusal> {
     if !model.plan.effects.friction || model.plan.laws.is_empty() {
         return None;
     }
+    let unknown = unplaced_reactions(model);
     let pairs = model.mechanism.pairs.iter().enumerate();
-    let with_friction = pairs.filter(|(_, p)| p.friction.is_some_and(|f| f.is_some()));
-    Some(Refusal::FrictionBesideLaws(with_friction.map(|(i, _)| PairId::at(i)).collect()))
+    let rubbing = pairs.filter(|(i, p)| unknown[*i] && p.friction.is_some_and(|f| f.is_some()));
+    let pairs: Vec<PairId> = rubbing.map(|(i, _)| PairId::at(i)).collect();
+    (!pairs.is_empty()).then_some(Refusal::FrictionWithoutPlace(pairs))
 }

@@ -22,7 +22,7 @@ pub fn refusals(model: &Model<'_>) -> Vec<Failure> {
     found.extend(free_rotation::free_rollers(model));
     found.extend(open_places::without_position(model));
     found.extend(open_places::without_place(model));
-    found.extend(friction::beside_laws(model));
+    found.extend(friction::without_place(model));
     found.extend(friction::open_couples(model));
     found.into_iter().map(Failure::from).collect()
 }
