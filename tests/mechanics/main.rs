@@ -5,6 +5,7 @@
 mod cams;
 mod friction;
 mod gears;
+mod geneva;
 mod hard;
 #[cfg(feature = "lanes")]
 mod lanes_avx2;

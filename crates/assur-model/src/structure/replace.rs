@@ -32,6 +32,9 @@ pub(super) fn replace(mechanism: &Mechanism) -> Replaced {
     // laws speak of the joints of other pairs
     pairs().filter(|p| !is_law(p.1)).for_each(|(id, kind)| replaced.add_pair(id, kind));
     pairs().filter(|p| is_law(p.1)).for_each(|(id, kind)| replaced.add_pair(id, kind));
+    for block in &mut replaced.bodies {
+        block.on_rim |= matches!(block.origin, BodyOrigin::Imaginary(pair) if mechanism.genevas.iter().any(|g| g.pair == pair));
+    }
     mark_chains(&mut replaced);
     replaced
 }

@@ -18,6 +18,7 @@ mod friction_search;
 mod friction_work;
 mod general;
 mod general_work;
+mod geneva;
 mod kinematics;
 #[cfg(feature = "lanes")]
 mod lanes;

@@ -266,7 +266,7 @@ impl PoseAnswers<'_> {
     }
 
     /// The imaginary block of a pin in a slot.
-    fn block(&self, pair: PairId) -> Option<BodyId> {
+    pub(super) fn block(&self, pair: PairId) -> Option<BodyId> {
         let replaced = &self.structure.replaced;
         replaced.joints_of(pair).find_map(|j| match replaced.joint(j).kind {
             JointKind::Prismatic { slider, .. } => Some(slider),
@@ -277,7 +277,7 @@ impl PoseAnswers<'_> {
     fn normal(&self, pair: PairId, link: LinkId) -> f64 {
         let force = self.reaction(pair, link);
         match &self.mechanism.pair(pair).kind {
-            PairKind::Prismatic(g) | PairKind::Slot(g) => force.dot(self.along(g).perp()),
+            PairKind::Prismatic(g) | PairKind::Slot(g) => force.dot(self.line_of(pair, g).perp()),
             PairKind::Contact { first, .. } => {
                 let Some((_, into_first)) = self.contact_normal(pair) else { return f64::NAN };
                 force.dot(if first.link == link { into_first } else { -into_first })

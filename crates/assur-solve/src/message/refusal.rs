@@ -25,6 +25,10 @@ pub(super) fn refused(model: &Model<'_>, refusal: &Refusal) -> SolveError {
         Refusal::CamForces(pair) => {
             not_yet("forces through the contact of a cam in this direction", &[*pair])
         }
+        Refusal::GenevaWheel(pair) => not_yet("a Geneva wheel that its crank does not move alone", &[*pair]),
+        Refusal::GenevaForces(pair) => {
+            not_yet("a Geneva wheel whose crank is balanced through the wheel", &[*pair])
+        }
         Refusal::FrictionBesideLaws(pairs) => {
             not_yet("friction in pairs of a mechanism with wheels or ropes", pairs)
         }
