@@ -13,5 +13,6 @@ mod geometry;
 mod large;
 mod number_cases;
 mod positions;
+mod powers;
 mod unit;
 mod variants;

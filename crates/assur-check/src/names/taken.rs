@@ -74,7 +74,7 @@ impl Scope<'_, '_> {
             _ => None,
         });
         let open = names.filter(|n| {
-            !["reactions", "positions", "velocities", "accelerations"].contains(n)
+            !["reactions", "powers", "positions", "velocities", "accelerations"].contains(n)
                 && !statements().any(|s| declares(s, n))
         });
         only(&open.collect::<IndexSet<_>>())

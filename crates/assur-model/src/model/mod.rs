@@ -82,6 +82,8 @@ pub struct Mechanism {
     pub quantities: Vec<Quantity>,
     /// The questions.
     pub finds: Vec<Find>,
+    /// The questions among them that `find powers` asks: from which one on, and up to which.
+    pub powers: Option<(usize, usize)>,
     /// The expectations of the answer key.
     pub expects: Vec<Expect>,
     /// Whether any value comes from a curve: then every position is looked at for one that is left.
