@@ -39,6 +39,8 @@ pub struct CamContact {
     pub towards: Vec2,
     /// The follower's link.
     pub follower: LinkId,
+    /// The roller, where it is a link of its own, and the pair on which it turns.
+    pub roller: Option<(LinkId, PairId)>,
     /// The point of the follower that the design places, in its frame, m: knife edge, centre of the roller, a point of a
     /// translating face, the pivot of an oscillating follower.
     pub point: Vec2,
