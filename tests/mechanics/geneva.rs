@@ -1,6 +1,7 @@
 //! Geneva wheels of random size and place, over many turns: velocities and accelerations against differences, the turn per
 //! slot, the force of the pin by the wheel's own equilibrium, the torque by the balance of powers, and an independent
 //! position with twice the digits.
+#![allow(clippy::disallowed_methods, reason = "an independent computation")]
 
 use assur::internals::check::Overrides;
 use assur::internals::source::Source;

@@ -81,7 +81,7 @@ fn geneva(cx: &mut Context<'_>, property: &Property, pair: PairId) -> Option<Gen
         let help = "write the line of a slot through the wheel's hinge: `line slot through C along 0 deg`";
         return refused(cx, message, help.into(), span);
     }
-    let wanted = distance * (PI / slots).sin();
+    let wanted = distance * libm::sin(PI / slots);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, from 3 to 1000
     let count = slots as u32;
     let Some(law) = Geneva::new(r / distance, count).filter(|_| r > 0.0) else {
@@ -122,7 +122,7 @@ fn proportions(wanted: f64, r: f64, slots: f64) -> String {
         "the pin enters along the slot where its radius is the distance of the centres times sin(180 deg/{slots}): put it \
          {} from the crank\'s centre, or the centres {} apart",
         mm(wanted),
-        mm(r / (PI / slots).sin())
+        mm(r / libm::sin(PI / slots))
     )
 }
 
