@@ -26,6 +26,7 @@ mod modes;
 mod page;
 mod pair;
 mod plan;
+mod powers;
 mod reactions;
 mod replacement;
 mod results;
@@ -84,6 +85,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>, accuracy: AccuracyShown) ->
     reactions::sections(answers, &mut report);
     train::section(answers, &mut report);
     friction::section(answers, &mut report);
+    powers::section(answers, &mut report);
     cycle::flywheels(answers, &mut report);
     expectations::section(answers, &mut report);
     accuracy::section(answers, accuracy, &mut report);

@@ -70,6 +70,7 @@ fn motion_in_words(model: &Model<'_>, group: &Group, efforts: &[Effort], step: &
             let name = model.mechanism.cams.get(index).map_or("", |c| c.name.as_str());
             format!("the law of cam {name}")
         }
+        MotionStep::Geneva { .. } => "the law of a Geneva wheel".to_owned(),
         MotionStep::Train { train, .. } => train_in_words(model, &model.plan.trains[*train]),
         MotionStep::General { .. } => {
             format!("Newton's method, {} links at once", link_names(model, group).len())

@@ -14,6 +14,7 @@ mod geometry;
 mod large;
 mod number_cases;
 mod positions;
+mod powers;
 mod torsion_springs;
 mod unit;
 mod variants;

@@ -6,6 +6,7 @@ mod cams;
 mod friction;
 mod geared_chains;
 mod gears;
+mod geneva;
 mod grip;
 mod hard;
 #[cfg(feature = "lanes")]

@@ -1,6 +1,6 @@
 //! The machine itself: what it is, how it moves, what acts on it.
 
-use crate::elements::{cam, cam_contact, flywheel};
+use crate::elements::{cam, cam_contact, flywheel, geneva};
 use crate::expr::context::Context;
 use crate::links::link;
 use crate::loads::{balance, gravity, load, mass, spring};
@@ -18,6 +18,7 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     size::wheels(cx);
     transmission::transmissions(cx);
     cam_contact::contacts(cx);
+    geneva::genevas(cx);
     pair::groups(cx);
     gravity::gravity(cx);
     mass::masses(cx);

@@ -26,8 +26,13 @@ pub(crate) fn contacts(cx: &mut Context<'_>) {
         let Some(found) = profiles.iter().find(|r| r.name == rim.name) else { continue };
         let (cam, centre) = (found.cam, found.centre);
         let Some(plate) = cx.builder.mech.cams.get(cam) else { continue };
-        match build(cx, &plate.cam, (pair, cam, centre), &rim, &other) {
-            Ok(contact) => cx.builder.mech.cam_contacts.push(contact),
+        let roller = roller(cx, &other);
+        let carried = roller.as_ref().map_or(&other, |(carrier, _)| carrier);
+        match build(cx, &plate.cam, (pair, cam, centre), &rim, carried) {
+            Ok(contact) => {
+                let roller = roller.map(|(_, hinge)| (other.link, hinge));
+                cx.builder.mech.cam_contacts.push(CamContact { roller, ..contact });
+            }
             Err((message, help)) => {
                 let (declared, cam) = (&cx.builder.mech.pairs[index], plate.span);
                 let (pair, span) = (declared.name.clone(), declared.span);
@@ -41,6 +46,32 @@ pub(crate) fn contacts(cx: &mut Context<'_>) {
             rim.shape = ProfileShape::Rim(place);
         }
     }
+}
+
+/// The pin of a roller that is a link of its own, as a profile of the link that carries it: the roller has one hinge, in the
+/// centre of its circle, and nothing else but contacts.
+fn roller(cx: &Context<'_>, profile: &Profile) -> Option<(Profile, PairId)> {
+    let ProfileShape::Circle(centre, radius) = profile.shape else { return None };
+    let mut hinge = None;
+    for (i, pair) in cx.builder.mech.pairs.iter().enumerate() {
+        match &pair.kind {
+            PairKind::Contact { .. } => {}
+            PairKind::Revolute(pins) if pins.iter().any(|p| p.link == profile.link) => {
+                let [first, second] = pins.as_slice() else { return None };
+                let (own, carrier) =
+                    if first.link == profile.link { (first, second) } else { (second, first) };
+                if own.at != centre || carrier.link == LinkId::GROUND || hinge.is_some() {
+                    return None;
+                }
+                let shape = ProfileShape::Circle(carrier.at, radius);
+                let carried = Profile { link: carrier.link, name: carrier.name.clone(), shape };
+                hinge = Some((carried, PairId::at(i)));
+            }
+            kind if kind.links().contains(&profile.link) => return None,
+            _ => {}
+        }
+    }
+    hinge
 }
 
 /// The difference, and the correction.
@@ -91,6 +122,7 @@ fn build(
         frame_centre: stands[0].pin.at,
         towards: Vec2::new(1.0, 0.0),
         follower,
+        roller: None,
         point: tip,
         beside: 0.0,
         direction: Vec2::new(1.0, 0.0),

@@ -3,7 +3,7 @@
 use crate::error::{RequestError, UnitsError};
 use crate::expr::context::Context;
 use crate::expr::want::Want;
-use crate::requests::all_motion;
+use crate::requests::{all_motion, all_powers};
 use crate::statements::walk;
 use crate::values::definition::Settled;
 use crate::values::typed::{Type, Typed, phrase};
@@ -36,6 +36,12 @@ pub(crate) fn finds(cx: &mut Context<'_>) {
                         cx.builder.mech.finds.push(found);
                     }
                 }
+                continue;
+            }
+            if let Some(all) = all_powers::asked(cx, item) {
+                let first = cx.builder.mech.finds.len();
+                cx.builder.mech.finds.extend(all);
+                cx.builder.mech.powers = Some((first, cx.builder.mech.finds.len()));
                 continue;
             }
             if let Some(kind) = asked_for(cx, item) {

@@ -1,6 +1,7 @@
 //! What is asked for: `find`, `expect`, functions of results, tables of variants.
 
 mod all_motion;
+mod all_powers;
 pub mod definitions;
 pub mod expect;
 pub mod expected_list;

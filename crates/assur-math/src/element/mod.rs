@@ -2,5 +2,6 @@
 
 pub mod cam;
 pub mod gear;
+pub mod geneva;
 #[doc(hidden)]
 pub mod search;

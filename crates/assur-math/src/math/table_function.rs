@@ -198,8 +198,8 @@ fn monotone(x: &[f64], y: &[f64], repeated: bool) -> Vec<f64> {
     }
     let inner = |i: usize, k: usize| mean_slope((h[i], rises[i]), (h[k], rises[k]));
     let mut slopes = vec![0.0; x.len()];
-    for i in 1..last {
-        slopes[i] = inner(i - 1, i);
+    for (i, slope) in slopes.iter_mut().enumerate().take(last).skip(1) {
+        *slope = inner(i - 1, i);
     }
     (slopes[0], slopes[last]) = if repeated {
         (inner(last - 1, 0), inner(last - 1, 0))

@@ -2,6 +2,7 @@
 
 use super::{Display, LinkId, PairId};
 use crate::element::cam::Cam;
+use crate::element::geneva::Geneva;
 use crate::math::Vec2;
 use crate::source::Span;
 
@@ -38,6 +39,8 @@ pub struct CamContact {
     pub towards: Vec2,
     /// The follower's link.
     pub follower: LinkId,
+    /// The roller, where it is a link of its own, and the pair on which it turns.
+    pub roller: Option<(LinkId, PairId)>,
     /// The point of the follower that the design places, in its frame, m: knife edge, centre of the roller, a point of a
     /// translating face, the pivot of an oscillating follower.
     pub point: Vec2,
@@ -71,4 +74,33 @@ pub struct TableEntry {
     pub display: Display,
     /// Its values, SI; not a number where there is none.
     pub values: Vec<f64>,
+}
+
+/// A pin in the slots of a Geneva wheel. Crank and wheel are hinged to the same frame.
+#[derive(Clone, Copy, Debug)]
+pub struct GenevaPair {
+    /// The pair: a slot.
+    pub pair: PairId,
+    /// The law of the wheel.
+    pub law: Geneva,
+    /// The link with the pin.
+    pub crank: LinkId,
+    /// The pin in the crank's frame, m.
+    pub pin: Vec2,
+    /// The crank's centre in its frame, m.
+    pub crank_centre: Vec2,
+    /// Unit direction from that centre to the pin, in the crank's frame.
+    pub arm: Vec2,
+    /// The link with the slots.
+    pub wheel: LinkId,
+    /// Its centre in its frame, m.
+    pub hub: Vec2,
+    /// Unit direction of the named slot from that centre outwards, in the wheel's frame.
+    pub slot: Vec2,
+    /// The link on which both turn.
+    pub frame: LinkId,
+    /// The wheel's centre in the frame's axes, m.
+    pub frame_hub: Vec2,
+    /// Unit direction from the crank's centre to the wheel's, in the frame's axes.
+    pub towards: Vec2,
 }

@@ -23,7 +23,7 @@ pub use cam_part::{CAM_PARTS, CamPart};
 pub use curve::{Curve, CurvePart};
 pub use cycle::{Cycle, CycleFunction};
 pub use display::Display;
-pub use element::{CamContact, PlateCam, Table, TableEntry};
+pub use element::{CamContact, GenevaPair, PlateCam, Table, TableEntry};
 pub use expr::{
     Axis, BinaryOp, Comparison, Expr, Function, PointRef, Quantity, Query, SubstitutionPart, Value,
 };
@@ -74,12 +74,16 @@ pub struct Mechanism {
     pub cams: Vec<PlateCam>,
     /// Their contacts with followers.
     pub cam_contacts: Vec<CamContact>,
+    /// Pins in the slots of Geneva wheels.
+    pub genevas: Vec<GenevaPair>,
     /// The file contains `ignore inertia`.
     pub ignore_inertia: bool,
     /// Quantities with one value per pose: `let` from results and named items of `find`.
     pub quantities: Vec<Quantity>,
     /// The questions.
     pub finds: Vec<Find>,
+    /// The questions among them that `find powers` asks: from which one on, and up to which.
+    pub powers: Option<(usize, usize)>,
     /// The expectations of the answer key.
     pub expects: Vec<Expect>,
     /// Whether any value comes from a curve: then every position is looked at for one that is left.
@@ -132,6 +136,12 @@ impl Mechanism {
     #[must_use]
     pub fn asks_again(&self) -> bool {
         !self.criticals.is_empty() || !self.open_sizes.is_empty()
+    }
+
+    /// Whether a law moves the links of a pair, and not the joints that stand for it: a designed cam, or a Geneva wheel.
+    #[must_use]
+    pub fn is_by_law(&self, pair: PairId) -> bool {
+        self.cam_contacts.iter().any(|c| c.pair == pair) || self.genevas.iter().any(|g| g.pair == pair)
     }
 
     /// The pair with this id.

@@ -32,6 +32,21 @@ pub(super) fn replace(mechanism: &Mechanism) -> Replaced {
     // laws speak of the joints of other pairs
     pairs().filter(|p| !is_law(p.1)).for_each(|(id, kind)| replaced.add_pair(id, kind));
     pairs().filter(|p| is_law(p.1)).for_each(|(id, kind)| replaced.add_pair(id, kind));
+    // a designed cam moves the link that carries the roller; the roller turns on that link, and moves nothing
+    for contact in &mechanism.cam_contacts {
+        let Some((roller, _)) = contact.roller else { continue };
+        let of_contact = replaced.joints.iter_mut().filter(|j| j.pair == contact.pair);
+        for joint in of_contact {
+            if let JointKind::Revolute(members) = &mut joint.kind
+                && let Some(member) = members.iter_mut().find(|m| m.0 == body(roller))
+            {
+                *member = (body(contact.follower), contact.tip);
+            }
+        }
+    }
+    for block in &mut replaced.bodies {
+        block.on_rim |= matches!(block.origin, BodyOrigin::Imaginary(pair) if mechanism.genevas.iter().any(|g| g.pair == pair));
+    }
     mark_chains(&mut replaced);
     replaced
 }

@@ -11,7 +11,9 @@ use crate::structure::{Dyad, EffortKind, EffortSource, Group, GroupKind, Structu
 
 pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan) {
     for (branch, group) in structure.motion.iter().enumerate() {
-        if let Some(step) = super::cam::step(mechanism, structure, group, branch, plan) {
+        let by_law = super::cam::step(mechanism, structure, group, branch, plan)
+            .or_else(|| super::geneva::step(mechanism, structure, group, branch, plan));
+        if let Some(step) = by_law {
             plan.motion.push(step);
             continue;
         }

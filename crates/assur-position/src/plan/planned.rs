@@ -5,6 +5,7 @@ use super::effects::Effects;
 use super::force_step::ForceStep;
 use super::friction_step::FrictionElement;
 use super::general_step::{BalanceSystem, GeneralMotion};
+use super::geneva_step::GenevaStep;
 use super::load_step::{ForceLine, LoadStep};
 use super::settings::Settings;
 use super::step::MotionStep;
@@ -25,6 +26,8 @@ pub struct Plan {
     pub motion: Vec<MotionStep>,
     /// Followers of designed cams.
     pub cams: Vec<CamStep>,
+    /// Geneva wheels.
+    pub genevas: Vec<GenevaStep>,
     /// Number of contacts of designed cams.
     pub cam_contacts: usize,
     /// Problems of the general steps.
@@ -78,6 +81,7 @@ impl Plan {
         self.general.is_empty()
             && !self.motion.iter().any(followed)
             && self.cams.is_empty()
+            && self.genevas.is_empty()
             && self.laws.is_empty()
             && self.forces.iter().all(closed)
             && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
@@ -99,7 +103,13 @@ impl Plan {
     #[must_use]
     pub fn goes_on(&self) -> bool {
         let goes_on = |step: &MotionStep| {
-            matches!(step, MotionStep::Triad { .. } | MotionStep::Train { .. } | MotionStep::General { .. })
+            matches!(
+                step,
+                MotionStep::Triad { .. }
+                    | MotionStep::Train { .. }
+                    | MotionStep::General { .. }
+                    | MotionStep::Geneva { .. }
+            )
         };
         self.motion.iter().any(goes_on)
     }

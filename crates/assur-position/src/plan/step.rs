@@ -268,6 +268,13 @@ pub enum MotionStep {
         /// Index into [`super::Plan::cams`].
         cam: usize,
     },
+    /// A Geneva wheel.
+    Geneva {
+        /// Group.
+        branch: usize,
+        /// Index into [`super::Plan::genevas`].
+        geneva: usize,
+    },
     /// Anything else, by Newton's method.
     General {
         /// Group.

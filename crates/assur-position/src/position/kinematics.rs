@@ -56,9 +56,14 @@ impl<S: Scalar + Default> Motion<S> {
     /// All at rest.
     pub(super) fn at_rest(plan: &Plan) -> Self {
         let groups = plan.motion.len();
+        let mut bodies = vec![BodyState::rest(); plan.bodies];
+        for step in &plan.genevas {
+            // a wheel that has no place yet
+            bodies[step.pair.wheel.index()].u = V2::zero();
+        }
         Self {
             inputs: vec![DriveInput::default(); plan.drives],
-            bodies: vec![BodyState::rest(); plan.bodies],
+            bodies,
             conditions: vec![S::one(); groups],
             certificates: vec![0.0; groups],
             touches: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.cam_contacts],

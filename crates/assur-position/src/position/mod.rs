@@ -21,6 +21,7 @@ mod general;
 mod general_forces;
 mod general_losses;
 mod general_work;
+mod geneva;
 mod kinematics;
 #[cfg(feature = "lanes")]
 mod lanes;

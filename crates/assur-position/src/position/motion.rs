@@ -159,6 +159,7 @@ impl<S: Scalar> State<S> {
             }
             MotionStep::Translation { branch, slides } => self.translation::<LEVEL>(*branch, slides),
             MotionStep::Cam { branch, .. }
+            | MotionStep::Geneva { branch, .. }
             | MotionStep::Train { branch, .. }
             | MotionStep::Triad { branch, .. }
             | MotionStep::General { branch, .. } => {
@@ -285,6 +286,7 @@ impl State {
         match step {
             MotionStep::Train { branch, train } => self.train::<LEVEL>(*branch, &plan.trains[*train]),
             MotionStep::Cam { branch, cam } => self.cam::<LEVEL>(*branch, &plan.cams[*cam]),
+            MotionStep::Geneva { branch, geneva } => self.geneva::<LEVEL>(*branch, &plan.genevas[*geneva]),
             MotionStep::Triad { branch, triad } => self.triad::<LEVEL>(*branch, triad, plan.settings.triad),
             MotionStep::General { branch, problem } => {
                 self.general::<LEVEL>(*branch, *problem, &plan.general[*problem], plan.settings.newton);

@@ -38,8 +38,11 @@ fn closure(model: &Model<'_>, state: &State) -> f64 {
     for step in &model.plan.cams {
         worst = worst.max(state.cam_gap(step));
     }
-    let of_cam = |pair| model.mechanism.cam_contacts.iter().any(|c| c.pair == pair);
-    for joint in model.structure.replaced.joints.iter().filter(|j| !of_cam(j.pair)) {
+    for step in &model.plan.genevas {
+        worst = worst.max(state.geneva_gap(step));
+    }
+    let by_law = |pair| model.mechanism.is_by_law(pair);
+    for joint in model.structure.replaced.joints.iter().filter(|j| !by_law(j.pair)) {
         match &joint.kind {
             JointKind::Revolute(members) => {
                 let Some(&(first, at)) = members.first() else { continue };

@@ -9,7 +9,7 @@ pub(super) fn normal(view: &PoseAnswers<'_>, pair: PairId) -> Option<(Vec2, Vec2
     match &view.mechanism.pair(pair).kind {
         PairKind::Slot(g) => {
             let p = view.body(g.slider).position(g.point);
-            Some((p, view.along(g).perp()))
+            Some((p, view.line_of(pair, g).perp()))
         }
         PairKind::Contact { first, second, internal } => view.state.touch(
             (first.link.index(), first.shape),

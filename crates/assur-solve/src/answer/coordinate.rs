@@ -34,6 +34,24 @@ impl PoseAnswers<'_> {
         guide.along.turned(self.body(guide.guide).u)
     }
 
+    /// Direction of the line on which a pair's block slides: of a Geneva wheel that of the slot the pin is in.
+    #[must_use]
+    pub fn line_of(&self, pair: PairId, guide: &Guide) -> Vec2 {
+        let by_law = self.mechanism.genevas.iter().any(|g| g.pair == pair);
+        match self.block(pair) {
+            Some(block) if by_law => self.state.motion.bodies[block.0].u,
+            _ => self.along(guide),
+        }
+    }
+
+    /// The same as far as the pair has a coordinate: the pin of a Geneva wheel has none between two slots.
+    fn coordinate_line(&self, pair: PairId, guide: &Guide) -> Vec2 {
+        match self.plan.genevas.iter().find(|step| step.pair.pair == pair) {
+            Some(step) if !self.state.is_in_slot(step) => NAN_VECTOR,
+            _ => self.line_of(pair, guide),
+        }
+    }
+
     /// First and second link of a revolute of two links.
     fn hinge(&self, pair: PairId) -> Option<(LinkId, LinkId)> {
         match &self.mechanism.pair(pair).kind {
@@ -52,7 +70,7 @@ impl PoseAnswers<'_> {
         }
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let from = self.body(g.guide).position(g.through);
-        (self.body(g.slider).position(g.point) - from).dot(self.along(&g))
+        (self.body(g.slider).position(g.point) - from).dot(self.coordinate_line(pair, &g))
     }
 
     /// The coordinate from its least value. A hinge that goes to and fro by less than a turn is followed from another place
@@ -73,7 +91,7 @@ impl PoseAnswers<'_> {
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let point = PointRef::Fixed(g.slider, g.point);
         let under = PointRef::Under(g.guide, (g.slider, g.point));
-        (self.velocity(&point) - self.velocity(&under)).dot(self.along(&g))
+        (self.velocity(&point) - self.velocity(&under)).dot(self.coordinate_line(pair, &g))
     }
 
     pub(super) fn relative_acceleration(&self, pair: PairId) -> f64 {
@@ -83,11 +101,12 @@ impl PoseAnswers<'_> {
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let point = PointRef::Fixed(g.slider, g.point);
         let under = PointRef::Under(g.guide, (g.slider, g.point));
-        (self.acceleration(&point) - self.acceleration(&under)).dot(self.along(&g))
+        (self.acceleration(&point) - self.acceleration(&under)).dot(self.coordinate_line(pair, &g))
     }
 
     pub(super) fn coriolis(&self, pair: PairId) -> Vec2 {
         let Some(g) = self.guide(pair) else { return NAN_VECTOR };
-        self.along(&g).perp() * (2.0 * self.body(g.guide).omega * self.relative_velocity(pair))
+        self.coordinate_line(pair, &g).perp()
+            * (2.0 * self.body(g.guide).omega * self.relative_velocity(pair))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::whole_cycle::WholeCycle;
 use crate::math::Vec2;
-use crate::model::{LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
+use crate::model::{CamContact, LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
 use crate::plan::Plan;
 use crate::position::{Model, State};
 use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
@@ -229,6 +229,29 @@ impl PoseAnswers<'_> {
         if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
             return self.mesh_force(pair, link);
         }
+        let Some((contact, hinge)) = self.roller_of(pair) else { return self.joint_force(pair, link) };
+        let (roller, follower) = (contact.roller.map(|r| r.0), contact.follower);
+        // the cam presses on the roller, and the roller on its pin
+        let pressed = self.joint_force(contact.pair, follower);
+        match (pair == hinge, roller == Some(link)) {
+            (false, true) => pressed,
+            (false, false) => self.joint_force(pair, link),
+            (true, true) => self.joint_force(pair, link) - pressed,
+            (true, false) => self.joint_force(pair, link) + pressed,
+        }
+    }
+
+    /// The contact of a designed cam with a roller that is a link of its own, if the pair is that contact or the roller's
+    /// hinge, and the hinge.
+    fn roller_of(&self, pair: PairId) -> Option<(&CamContact, PairId)> {
+        self.mechanism.cam_contacts.iter().find_map(|contact| {
+            let (_, hinge) = contact.roller?;
+            (contact.pair == pair || hinge == pair).then_some((contact, hinge))
+        })
+    }
+
+    /// The force on a link of all joints that stand for the pair.
+    fn joint_force(&self, pair: PairId, link: LinkId) -> Vec2 {
         let rubbing = self.friction_force(pair, link);
         self.slots(pair, link)
             .fold(rubbing, |sum, (slot, sign)| sum + self.state.forces.reactions[slot].force * sign)
@@ -276,7 +299,7 @@ impl PoseAnswers<'_> {
     }
 
     /// The imaginary block of a pin in a slot.
-    fn block(&self, pair: PairId) -> Option<BodyId> {
+    pub(super) fn block(&self, pair: PairId) -> Option<BodyId> {
         let replaced = &self.structure.replaced;
         replaced.joints_of(pair).find_map(|j| match replaced.joint(j).kind {
             JointKind::Prismatic { slider, .. } => Some(slider),
@@ -287,7 +310,7 @@ impl PoseAnswers<'_> {
     fn normal(&self, pair: PairId, link: LinkId) -> f64 {
         let force = self.reaction(pair, link);
         match &self.mechanism.pair(pair).kind {
-            PairKind::Prismatic(g) | PairKind::Slot(g) => force.dot(self.along(g).perp()),
+            PairKind::Prismatic(g) | PairKind::Slot(g) => force.dot(self.line_of(pair, g).perp()),
             PairKind::Contact { first, .. } => {
                 let Some((_, into_first)) = self.contact_normal(pair) else { return f64::NAN };
                 force.dot(if first.link == link { into_first } else { -into_first })

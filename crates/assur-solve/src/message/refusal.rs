@@ -26,6 +26,10 @@ pub(super) fn refused(model: &Model<'_>, refusal: &Refusal) -> SolveError {
             not_yet("forces through the contact of a cam in this direction", &[*pair])
         }
         Refusal::FrictionWithoutPlace(pairs) => friction_without_place(mechanism, pairs),
+        Refusal::GenevaWheel(pair) => not_yet("a Geneva wheel that its crank does not move alone", &[*pair]),
+        Refusal::GenevaForces(pair) => {
+            not_yet("a Geneva wheel whose crank is balanced through the wheel", &[*pair])
+        }
         Refusal::NeedsSpeed { drive, level, places } => needs_speed(mechanism, *drive, (*level, places)),
         Refusal::FreeRotation { roller, places } => SolveError::FreeRotation {
             name: mechanism.link(*roller).name.clone(),

@@ -3,6 +3,7 @@
 //! make of ġ.
 
 use super::cam::CamLaw;
+use super::geneva;
 use super::jet::{Jet, Moving, unit};
 use crate::math::{Double, Scalar, V2, Vec2};
 use crate::position::{BodyState, DriveInput, Model, State};
@@ -24,11 +25,11 @@ pub(super) enum Constraint<'a> {
 
 /// A point of one body measured along a direction of another.
 pub(super) struct GuideRow {
-    slider: usize,
-    point: Vec2,
-    guide: usize,
-    through: Vec2,
-    direction: V2<Double>,
+    pub slider: usize,
+    pub point: Vec2,
+    pub guide: usize,
+    pub through: Vec2,
+    pub direction: V2<Double>,
 }
 
 /// What a law speaks of.
@@ -117,8 +118,7 @@ pub(super) fn constraints<'a>(model: &Model<'a>, state: &State) -> Option<Vec<Co
     let mut all = Vec::new();
     let mut laws = model.plan.laws.iter();
     let replaced = &model.structure.replaced;
-    let of_cam = |pair| model.mechanism.cam_contacts.iter().any(|c| c.pair == pair);
-    for joint in replaced.joints.iter().filter(|j| !of_cam(j.pair)) {
+    for joint in replaced.joints.iter().filter(|j| !model.mechanism.is_by_law(j.pair)) {
         match &joint.kind {
             JointKind::Revolute(members) => {
                 let mut members = members.iter().map(|(body, at)| (body.0, *at));
@@ -156,6 +156,7 @@ pub(super) fn constraints<'a>(model: &Model<'a>, state: &State) -> Option<Vec<Co
         }
     }
     all.extend(model.plan.cams.iter().map(|step| Constraint::Cam(CamLaw::new(step))));
+    all.extend(model.plan.genevas.iter().map(|step| geneva::constraint(step, state)));
     Some(all)
 }
 

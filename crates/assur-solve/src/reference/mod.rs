@@ -17,6 +17,7 @@ mod constraint;
 mod contact;
 mod exact;
 mod forces;
+mod geneva;
 mod jet;
 mod loads;
 mod motion;

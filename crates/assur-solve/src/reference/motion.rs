@@ -1,6 +1,7 @@
 //! Newton's method on all equations at once, then velocities and accelerations from the same matrix.
 
 use super::constraint::{Constraint, constraints};
+use super::geneva;
 use super::jet::Jet;
 use crate::math::{Double, Factors, Scalar, V2, Vec2};
 use crate::plan::Level;
@@ -51,7 +52,9 @@ pub(super) fn motion<'a>(model: &Model<'a>, state: &State) -> Option<Motion<'a>>
         body.p = V2::of(input.place) - V2::of(at);
     }
     for (slot, body) in model.structure.replaced.bodies.iter().enumerate() {
-        let known = body.known || model.plan.cams.iter().any(|step| step.block == slot);
+        let known = body.known
+            || model.plan.cams.iter().any(|step| step.block == slot)
+            || model.plan.genevas.iter().any(|step| step.block == slot);
         motion.columns.push((!known).then_some(motion.count));
         motion.count += if known { 0 } else { 3 };
     }
@@ -65,6 +68,9 @@ pub(super) fn motion<'a>(model: &Model<'a>, state: &State) -> Option<Motion<'a>>
         if let Constraint::Cam(law) = constraint {
             law.place_block(bodies);
         }
+    }
+    for step in &model.plan.genevas {
+        geneva::place_block(step, state, bodies);
     }
     Some(motion)
 }

@@ -131,10 +131,10 @@ fn reactions(model: &Model<'_>, bodies: &[BodyState<D>]) -> Vec<Unknown> {
                 let block = members
                     .iter()
                     .find(|m| replaced.bodies[m.0.0].origin == BodyOrigin::Imaginary(joint.pair));
-                let of_cam = model.mechanism.cam_contacts.iter().any(|c| c.pair == joint.pair);
+                let by_law = model.mechanism.is_by_law(joint.pair);
                 let member = members.iter().find(|m| m.0 == at.body);
                 let (on, pin) =
-                    if of_cam { block } else { member }.map_or((body, Vec2::zero()), |m| (m.0.0, m.1));
+                    if by_law { block } else { member }.map_or((body, Vec2::zero()), |m| (m.0.0, m.1));
                 let p = bodies[on].position(pin);
                 for axis in [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)] {
                     let axis = V2::of(axis);

@@ -18,6 +18,10 @@ pub enum Refusal {
     CamFollower(PairId),
     /// Forces through the contact of a designed cam that no step knows.
     CamForces(PairId),
+    /// A Geneva wheel that its crank does not move by itself.
+    GenevaWheel(PairId),
+    /// Forces between the crank and the wheel of a Geneva drive that no step knows.
+    GenevaForces(PairId),
     /// Rates are asked for, and no drive has a speed, or not even a sense.
     NeedsSpeed {
         /// The first drive.

@@ -84,6 +84,8 @@ pub const CODES: &[Code] = codes! {
     "geometry" / "incomplete",
     "geometry" / "contacts_coincide",
     "geometry" / "no_group",
+    "geometry" / "geneva",
+    "geometry" / "geneva_shock",
     "geometry" / "driven_twice",
     "geometry" / "no_coordinate",
     "geometry" / "on_ground",

@@ -63,7 +63,15 @@ const PRISMATIC: &[Property] = &[
     FIT,
 ];
 
-const SLOT: &[Property] = &[FRICTION];
+const SLOT: &[Property] = &[
+    FRICTION,
+    row(
+        "slots",
+        Positive(Dimension::NUMBER),
+        "slots 4",
+        "of a Geneva wheel, of which the line is one; an arc locks the wheel in between",
+    ),
+];
 const CONTACT: &[Property] = &[FRICTION, INTERNAL];
 
 const MESH: &[Property] = &[

@@ -180,6 +180,34 @@ pub enum PairError {
         #[label("{at} and {at}")]
         span: Span,
     },
+    /// A Geneva wheel that is none.
+    #[error("{message}")]
+    #[diagnostic(code("mech::geometry::geneva"), help("{help}"))]
+    Geneva {
+        /// What is wrong.
+        message: String,
+        /// The correction.
+        help: String,
+        /// The number of its slots.
+        #[label(primary, "here")]
+        span: Span,
+    },
+    /// A pin that does not enter along the slot.
+    #[error(
+        "the pin of `{name}` enters its slot with a shock: the wheel starts at {ratio} of the crank's speed"
+    )]
+    #[diagnostic(code("mech::geometry::geneva_shock"), severity(Warning), help("{help}"))]
+    GenevaShock {
+        /// The pair.
+        name: String,
+        /// The ratio of the angular velocities.
+        ratio: String,
+        /// The proportions without a shock.
+        help: String,
+        /// The pair.
+        #[label("velocity jumps here")]
+        span: Span,
+    },
     /// A group that cannot be one.
     #[error("{message}")]
     #[diagnostic(code("mech::geometry::no_group"), help("name different moving links"))]

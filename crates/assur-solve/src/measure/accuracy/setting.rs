@@ -160,6 +160,8 @@ pub(super) fn not_closed(plan: &Plan) -> &'static str {
         "a load is evaluated at every position"
     } else if !plan.cams.is_empty() {
         "the law of a cam has several cases"
+    } else if !plan.genevas.is_empty() {
+        "a Geneva wheel has several cases"
     } else if !plan.laws.is_empty() {
         "a transmission is solved as a system"
     } else {

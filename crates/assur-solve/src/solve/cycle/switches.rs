@@ -6,8 +6,8 @@ use super::sampler::Sampler;
 use crate::answer::{Undefined, WholeCycle};
 use crate::math::{TableFunction, Vec2, root_within};
 use crate::model::{
-    Axis, BinaryOp, Expr, Function, LinkId, LoadKind, Mechanism, PairId, PairKind, Place, PointRef,
-    QuantityId, Query, Value,
+    Axis, BinaryOp, Expr, Function, GenevaPair, LinkId, LoadKind, Mechanism, PairId, PairKind, Place,
+    PointRef, QuantityId, Query, Value,
 };
 use crate::position::Model;
 
@@ -27,6 +27,7 @@ pub(super) fn breaks(
 ) -> Result<Vec<f64>, Undefined> {
     let mut switches = Switches::of(model);
     switches.expr(expr);
+    model.mechanism.genevas.iter().for_each(|pair| switches.add(entry(pair)));
     let mut all = Vec::new();
     let known =
         |sampler: &Sampler<'_>, e: &Expr| sampler.switched.iter().find(|k| k.0 == *e).map(|k| k.1.clone());
@@ -77,6 +78,15 @@ fn knots<'e>(table: &'e TableFunction, x: &'e Expr) -> impl Iterator<Item = Expr
             }
         }
     })
+}
+
+/// How far the pin of a Geneva wheel is from the wheel's centre, less what it is where it enters and leaves a slot.
+fn entry(pair: &GenevaPair) -> Expr {
+    let point = |link, at| number(Query::Position(PointRef::Fixed(link, at)));
+    let apart = difference(&point(pair.crank, pair.pin), &point(pair.wheel, pair.hub));
+    let (r, k) = ((pair.pin - pair.crank_centre).norm(), pair.law.ratio);
+    let entering = r / k * (1.0 - 2.0 * k * libm::cos(pair.law.half()) + k * k).sqrt();
+    difference(&Expr::Call(Function::Mag, vec![apart]), &Expr::number(entering))
 }
 
 impl<'a> Switches<'a> {

@@ -18,6 +18,7 @@ use crate::position::Model;
 pub fn refusals(model: &Model<'_>) -> Vec<Failure> {
     let mut found = not_supported(model.mechanism);
     found.extend(unsupported::cams(model));
+    found.extend(unsupported::genevas(model));
     found.extend(missing_speeds(model));
     found.extend(free_rotation::free_rollers(model));
     found.extend(open_places::without_position(model));

@@ -1,7 +1,7 @@
 //! Constructs that cannot be solved yet.
 
 use crate::model::Mechanism;
-use crate::plan::{contact_in, is_follower};
+use crate::plan::{contact_in, geneva_in, is_follower, is_wheel};
 use crate::position::Model;
 use crate::solve::refusal::Refusal;
 use crate::source::Span;
@@ -40,4 +40,24 @@ pub(super) fn cams(model: &Model<'_>) -> Vec<Refusal> {
         }
     }
     found
+}
+
+/// Geneva wheels that their cranks do not move, or that carry forces in a way that no step knows.
+pub(super) fn genevas(model: &Model<'_>) -> Vec<Refusal> {
+    let (mechanism, structure) = (model.mechanism, model.structure);
+    for group in &structure.motion {
+        if let Some((block, pair)) = geneva_in(mechanism, structure, group)
+            && !is_wheel(group, block, pair)
+        {
+            return vec![Refusal::GenevaWheel(pair.pair)];
+        }
+    }
+    let groups = structure.forces.iter().filter(|_| model.plan.effects.forces);
+    let found = groups.filter_map(|group| {
+        let (_, pair) = geneva_in(mechanism, structure, group)?;
+        let with_crank = group.bodies.iter().any(|b| b.0 == pair.crank.index());
+        let known = matches!(group.kind, GroupKind::Dyad(_)) && !with_crank;
+        (!known).then_some(Refusal::GenevaForces(pair.pair))
+    });
+    found.collect()
 }
