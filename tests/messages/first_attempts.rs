@@ -15,7 +15,7 @@ const CASES: &[(&str, Option<&str>, &[&str])] = &[
     ("spellings/f2", Some("mech::name::unknown"), &["`B`, `C`"]),
     ("spellings/f11", None, &[]),
     ("spellings/f22", None, &[]),
-    ("spellings/fw", Some("mech::request::not_supported_yet"), &["remove it to solve the rest of the file"]),
+    ("spellings/fw", None, &[]),
     ("spellings/g5", None, &[]),
     ("spellings/g6", None, &[]),
     ("spellings/g7", None, &[]),
