@@ -19,44 +19,59 @@ def _number(x):
 
 
 class mpf:
-    """A real number."""
-    __slots__ = ("d",)
+    """A real number; `f` keeps the nearest double once it was asked for."""
+    __slots__ = ("d", "f")
 
     def __init__(self, x=0):
         self.d = +_number(x)
 
-    def _with(self, o, f):
-        if isinstance(o, (int, float, mpf)):
-            return _made(f(self.d, _number(o)))
-        return NotImplemented
-
+    # two of the kind first: most operations are of this sort
     def __add__(self, o):
-        return self._with(o, lambda a, b: a + b)
+        if type(o) is mpf:
+            x = _new(mpf)
+            x.d = self.d + o.d
+            return x
+        return _made(self.d + _number(o)) if isinstance(o, _REAL) else _complex(self, o, "__add__")
 
     def __sub__(self, o):
-        return self._with(o, lambda a, b: a - b)
+        if type(o) is mpf:
+            x = _new(mpf)
+            x.d = self.d - o.d
+            return x
+        return _made(self.d - _number(o)) if isinstance(o, _REAL) else _complex(self, o, "__sub__")
 
     def __rsub__(self, o):
-        return self._with(o, lambda a, b: b - a)
+        return _made(_number(o) - self.d) if isinstance(o, _REAL) else _complex(self, o, "__rsub__")
 
     def __mul__(self, o):
-        return self._with(o, lambda a, b: a * b)
+        if type(o) is mpf:
+            x = _new(mpf)
+            x.d = self.d * o.d
+            return x
+        return _made(self.d * _number(o)) if isinstance(o, _REAL) else _complex(self, o, "__mul__")
 
     def __truediv__(self, o):
-        if not _number(o) if isinstance(o, (int, float, mpf)) else False:
+        if not isinstance(o, _REAL):
+            return NotImplemented
+        o = _number(o)
+        if not o:
             raise ZeroDivisionError
-        return self._with(o, lambda a, b: a / b)
+        return _made(self.d / o)
 
     def __rtruediv__(self, o):
+        if not isinstance(o, _REAL):
+            return NotImplemented
         if not self.d:
             raise ZeroDivisionError
-        return self._with(o, lambda a, b: b / a)
+        return _made(_number(o) / self.d)
 
     def __mod__(self, o):
         b = _number(o)
         return _made(self.d - b * (self.d / b).to_integral_value(decimal.ROUND_FLOOR))
 
     def __pow__(self, o):
+        if type(o) is int and o == 2:
+            return _made(self.d * self.d)
         return _made(self.d ** _number(o))
 
     def __rpow__(self, o):
@@ -72,7 +87,11 @@ class mpf:
         return _made(abs(self.d))
 
     def __float__(self):
-        return float(self.d)
+        try:
+            return self.f
+        except AttributeError:
+            self.f = float(self.d)
+            return self.f
 
     def __int__(self):
         return int(self.d)
@@ -118,10 +137,17 @@ class mpf:
         return mpf(0)
 
 
+_REAL, _new = (int, float, mpf), object.__new__
+
+
 def _made(d):
-    x = mpf.__new__(mpf)
+    x = _new(mpf)
     x.d = d
     return x
+
+
+def _complex(x, o, method):
+    return getattr(mpc(x), method)(o) if isinstance(o, (complex, mpc)) else NotImplemented
 
 
 def _epsilon():
@@ -455,18 +481,6 @@ class mpc:
         return hypot(self.real, self.imag)
 
     __radd__, __rmul__ = __add__, __mul__
-
-
-def _complex_aware(method):
-    plain = getattr(mpf, method)
-
-    def with_complex(self, o):
-        return getattr(mpc(self), method)(o) if isinstance(o, (complex, mpc)) else plain(self, o)
-    setattr(mpf, method, with_complex)
-
-
-for _method in ["__add__", "__sub__", "__mul__", "__radd__", "__rsub__", "__rmul__"]:
-    _complex_aware(_method)
 
 
 def expj(x):
