@@ -187,43 +187,58 @@ class _Pi(mpf):
         return _pi()
 
 
-def _sine(x):
-    """Series of a small angle, made small by thirds: sin 3a = 3 sin a − 4 sin³ a."""
+def _circle(x):
+    """Sine and cosine together, by the series of a small angle, made small by thirds: sin 3a = 3 sin a − 4 sin³ a,
+    cos 3a = 4 cos³ a − 3 cos a."""
+    turn = 2 * _pi()
+    x -= turn * (x / turn).to_integral_value()
     steps = 0
-    while abs(x) > Decimal("0.05"):
+    while abs(x) > Decimal("0.01"):
         x /= 3
         steps += 1
-    term, total, k, end, square = x, x, 1, _epsilon(), x * x
-    while abs(term) > end * abs(total) and term:
-        term = -term * square / ((k + 1) * (k + 2))
+    term, total, k, end, square = x, x, 1, _epsilon() * abs(x), -x * x
+    while abs(term) > end:
+        term *= square / ((k + 1) * (k + 2))
         total += term
         k += 2
+    cosine = (1 - total * total).sqrt()
     for _ in range(steps):
-        total = total * (3 - 4 * total * total)
-    return total
+        total, cosine = total * (3 - 4 * total * total), cosine * (4 * cosine * cosine - 3)
+    return total, cosine
 
 
-def _reduced(f):
+def _kept(f):
     # one angle is often taken several times in a row
     @functools.lru_cache(maxsize=256)
     def value(x, digits):
         with decimal.localcontext() as c:
             c.prec = digits + 10
             return f(x)
+    return value
+
+
+def _reduced(f):
+    value = _kept(f)
 
     def function(x):
         return _made(+value(_number(x), decimal.getcontext().prec))
     return function
 
 
-def _sin(x):
-    turn = 2 * _pi()
-    x -= turn * (x / turn).to_integral_value()
-    return _sine(x)
+_circle = _kept(_circle)
 
 
-def _cos(x):
-    return _sin(x + _pi() / 2)
+def sin(x):
+    return _made(+_circle(_number(x), decimal.getcontext().prec)[0])
+
+
+def cos(x):
+    return _made(+_circle(_number(x), decimal.getcontext().prec)[1])
+
+
+def tan(x):
+    sine, cosine = _circle(_number(x), decimal.getcontext().prec)
+    return _made(sine / cosine)
 
 
 def _atan(x):
@@ -247,8 +262,7 @@ def _asin(x):
     return (_pi() / 2).copy_sign(x) if abs(x) == 1 else _atan(x / ((1 - x) * (1 + x)).sqrt())
 
 
-sin, cos, atan, asin = _reduced(_sin), _reduced(_cos), _reduced(_atan), _reduced(_asin)
-tan = _reduced(lambda x: _sin(x) / _cos(x))
+atan, asin = _reduced(_atan), _reduced(_asin)
 acos = _reduced(lambda x: _pi() / 2 - _asin(x))
 exp = _reduced(lambda x: x.exp())
 sqrt_real = _reduced(lambda x: x.sqrt())
