@@ -19,44 +19,59 @@ def _number(x):
 
 
 class mpf:
-    """A real number."""
-    __slots__ = ("d",)
+    """A real number; `f` keeps the nearest double once it was asked for."""
+    __slots__ = ("d", "f")
 
     def __init__(self, x=0):
         self.d = +_number(x)
 
-    def _with(self, o, f):
-        if isinstance(o, (int, float, mpf)):
-            return _made(f(self.d, _number(o)))
-        return NotImplemented
-
+    # two of the kind first: most operations are of this sort
     def __add__(self, o):
-        return self._with(o, lambda a, b: a + b)
+        if type(o) is mpf:
+            x = _new(mpf)
+            x.d = self.d + o.d
+            return x
+        return _made(self.d + _number(o)) if isinstance(o, _REAL) else _complex(self, o, "__add__")
 
     def __sub__(self, o):
-        return self._with(o, lambda a, b: a - b)
+        if type(o) is mpf:
+            x = _new(mpf)
+            x.d = self.d - o.d
+            return x
+        return _made(self.d - _number(o)) if isinstance(o, _REAL) else _complex(self, o, "__sub__")
 
     def __rsub__(self, o):
-        return self._with(o, lambda a, b: b - a)
+        return _made(_number(o) - self.d) if isinstance(o, _REAL) else _complex(self, o, "__rsub__")
 
     def __mul__(self, o):
-        return self._with(o, lambda a, b: a * b)
+        if type(o) is mpf:
+            x = _new(mpf)
+            x.d = self.d * o.d
+            return x
+        return _made(self.d * _number(o)) if isinstance(o, _REAL) else _complex(self, o, "__mul__")
 
     def __truediv__(self, o):
-        if not _number(o) if isinstance(o, (int, float, mpf)) else False:
+        if not isinstance(o, _REAL):
+            return NotImplemented
+        o = _number(o)
+        if not o:
             raise ZeroDivisionError
-        return self._with(o, lambda a, b: a / b)
+        return _made(self.d / o)
 
     def __rtruediv__(self, o):
+        if not isinstance(o, _REAL):
+            return NotImplemented
         if not self.d:
             raise ZeroDivisionError
-        return self._with(o, lambda a, b: b / a)
+        return _made(_number(o) / self.d)
 
     def __mod__(self, o):
         b = _number(o)
         return _made(self.d - b * (self.d / b).to_integral_value(decimal.ROUND_FLOOR))
 
     def __pow__(self, o):
+        if type(o) is int and o == 2:
+            return _made(self.d * self.d)
         return _made(self.d ** _number(o))
 
     def __rpow__(self, o):
@@ -72,7 +87,11 @@ class mpf:
         return _made(abs(self.d))
 
     def __float__(self):
-        return float(self.d)
+        try:
+            return self.f
+        except AttributeError:
+            self.f = float(self.d)
+            return self.f
 
     def __int__(self):
         return int(self.d)
@@ -118,10 +137,17 @@ class mpf:
         return mpf(0)
 
 
+_REAL, _new = (int, float, mpf), object.__new__
+
+
 def _made(d):
-    x = mpf.__new__(mpf)
+    x = _new(mpf)
     x.d = d
     return x
+
+
+def _complex(x, o, method):
+    return getattr(mpc(x), method)(o) if isinstance(o, (complex, mpc)) else NotImplemented
 
 
 def _epsilon():
@@ -161,43 +187,58 @@ class _Pi(mpf):
         return _pi()
 
 
-def _sine(x):
-    """Series of a small angle, made small by thirds: sin 3a = 3 sin a − 4 sin³ a."""
+def _circle(x):
+    """Sine and cosine together, by the series of a small angle, made small by thirds: sin 3a = 3 sin a − 4 sin³ a,
+    cos 3a = 4 cos³ a − 3 cos a."""
+    turn = 2 * _pi()
+    x -= turn * (x / turn).to_integral_value()
     steps = 0
-    while abs(x) > Decimal("0.05"):
+    while abs(x) > Decimal("0.01"):
         x /= 3
         steps += 1
-    term, total, k, end, square = x, x, 1, _epsilon(), x * x
-    while abs(term) > end * abs(total) and term:
-        term = -term * square / ((k + 1) * (k + 2))
+    term, total, k, end, square = x, x, 1, _epsilon() * abs(x), -x * x
+    while abs(term) > end:
+        term *= square / ((k + 1) * (k + 2))
         total += term
         k += 2
+    cosine = (1 - total * total).sqrt()
     for _ in range(steps):
-        total = total * (3 - 4 * total * total)
-    return total
+        total, cosine = total * (3 - 4 * total * total), cosine * (4 * cosine * cosine - 3)
+    return total, cosine
 
 
-def _reduced(f):
+def _kept(f):
     # one angle is often taken several times in a row
     @functools.lru_cache(maxsize=256)
     def value(x, digits):
         with decimal.localcontext() as c:
             c.prec = digits + 10
             return f(x)
+    return value
+
+
+def _reduced(f):
+    value = _kept(f)
 
     def function(x):
         return _made(+value(_number(x), decimal.getcontext().prec))
     return function
 
 
-def _sin(x):
-    turn = 2 * _pi()
-    x -= turn * (x / turn).to_integral_value()
-    return _sine(x)
+_circle = _kept(_circle)
 
 
-def _cos(x):
-    return _sin(x + _pi() / 2)
+def sin(x):
+    return _made(+_circle(_number(x), decimal.getcontext().prec)[0])
+
+
+def cos(x):
+    return _made(+_circle(_number(x), decimal.getcontext().prec)[1])
+
+
+def tan(x):
+    sine, cosine = _circle(_number(x), decimal.getcontext().prec)
+    return _made(sine / cosine)
 
 
 def _atan(x):
@@ -221,8 +262,7 @@ def _asin(x):
     return (_pi() / 2).copy_sign(x) if abs(x) == 1 else _atan(x / ((1 - x) * (1 + x)).sqrt())
 
 
-sin, cos, atan, asin = _reduced(_sin), _reduced(_cos), _reduced(_atan), _reduced(_asin)
-tan = _reduced(lambda x: _sin(x) / _cos(x))
+atan, asin = _reduced(_atan), _reduced(_asin)
 acos = _reduced(lambda x: _pi() / 2 - _asin(x))
 exp = _reduced(lambda x: x.exp())
 sqrt_real = _reduced(lambda x: x.sqrt())
@@ -455,18 +495,6 @@ class mpc:
         return hypot(self.real, self.imag)
 
     __radd__, __rmul__ = __add__, __mul__
-
-
-def _complex_aware(method):
-    plain = getattr(mpf, method)
-
-    def with_complex(self, o):
-        return getattr(mpc(self), method)(o) if isinstance(o, (complex, mpc)) else plain(self, o)
-    setattr(mpf, method, with_complex)
-
-
-for _method in ["__add__", "__sub__", "__mul__", "__radd__", "__rsub__", "__rmul__"]:
-    _complex_aware(_method)
 
 
 def expj(x):

@@ -43,9 +43,21 @@ class Pair:
 
 class Revolute(Pair):
     kind = "revolute"
+    doubles = None
 
     def residuals(self, f):
-        return list(sub(f[self.b].place(self.m.point(self.b, self.pb)), f[self.a].place(self.m.point(self.a, self.pa))))
+        first, second = f[self.a], f[self.b]
+        if f.fast:
+            (x, y), (u, v) = self.doubles or self._doubles()
+            return [second.o[0] + (second.c * u - second.s * v) - (first.o[0] + (first.c * x - first.s * y)),
+                    second.o[1] + (second.s * u + second.c * v) - (first.o[1] + (first.s * x + first.c * y))]
+        return list(sub(second.place(self.m.point(self.b, self.pb)), first.place(self.m.point(self.a, self.pa))))
+
+    def _doubles(self):
+        """The two points in double precision, which the search for poses asks for again and again."""
+        ends = ((self.a, self.pa), (self.b, self.pb))
+        self.doubles = [tuple(map(float, self.m.point(*end))) for end in ends]
+        return self.doubles
 
     def coordinate(self, f):
         return f[self.b].theta - f[self.a].theta

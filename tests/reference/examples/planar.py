@@ -23,7 +23,7 @@ class Mechanism:
     def __init__(self, gravity=None):
         self.links = {"ground": Link("ground", {})}
         self.pairs, self.drives, self.loads, self.balances, self.springs = [], [], [], {}, []
-        self.sizes = {}
+        self.rows = None
         self.gravity = (mpf(0), mpf(0)) if gravity is None else gravity
         self.pins = {}
 
@@ -170,17 +170,18 @@ class Mechanism:
     def residuals(self, q, values, fast=False):
         return list(self.equations(self.frames(q, fast), values, fast).values())
 
-    def equations(self, f, values, fast=False, wanted=lambda links: True):
-        """What is left of each equation by its row; of those alone that hold for links that are `wanted`."""
-        out, row = {}, 0
-        for p in self.pairs:
-            if not wanted((p.a, p.b)):
-                row += self.sizes[p.name] if p.name in self.sizes else self._size(p, f)
+    def equations(self, f, values, fast=False, of=None):
+        """What is left of each equation by its row; with `of` of those alone that can hold for that link."""
+        out = {}
+        pairs, after = self._rows(f)
+        for p, row, links in pairs:
+            if of is None or of in links:
+                for x in p.residuals(f):
+                    out[row] = x
+                    row += 1
+        for (what, *_), value, (row, links) in zip(self.drives, values, after):
+            if of is not None and of not in links:
                 continue
-            for x in p.residuals(f):
-                out[row] = x
-                row += 1
-        for (what, *_), value in zip(self.drives, values):
             for g, v in zip(self.driven(f, what), value):
                 d = g - v
                 if fast and (what in self.links or "." not in what and self.pair(what).kind == "revolute"):
@@ -189,13 +190,22 @@ class Mechanism:
                 row += 1
             if "." in what:
                 out[row] = f[what.split(".")[0]].theta
-                row += 1
         return out
 
-    def _size(self, pair, f):
-        """The number of equations of a pair."""
-        self.sizes[pair.name] = len(pair.residuals(f))
-        return self.sizes[pair.name]
+    def _rows(self, f):
+        """Each pair with its first row and its links, and the same of each drive: found once."""
+        of = (len(self.pairs), len(self.drives))
+        if self.rows is None or self.rows[0] != of:
+            row, pairs, drives = 0, [], []
+            for p in self.pairs:
+                pairs.append((p, row, (p.a, p.b)))
+                row += len(p.residuals(f))
+            for what, *_ in self.drives:
+                name = what.split(".")[0]
+                drives.append((row, (name,) if name in self.links else (self.pair(what).a, self.pair(what).b)))
+                row += 3 if "." in what else 1
+            self.rows = (of, pairs, drives)
+        return self.rows[1:]
 
     def drive_values(self, order=0):
         """Per drive a list of plain numbers: position, speed or acceleration."""
@@ -243,17 +253,18 @@ class Mechanism:
 
     def _differences(self, q, values, r):
         """Columns of the Jacobian by differences, each as {row: value}: a link moves the equations of its own pairs alone."""
-        h, frames, columns = 1e-7, self.frames(q, True), []
-        links = {k.index: k.name for k in self.moving()}
-        for j in range(len(q)):
-            p = q[3 * (j // 3):3 * (j // 3) + 3]
-            p[j % 3] += h
-            name = links[j // 3]
-            f = Frames(frames)
-            f.fast = True
-            f[name] = Frame(*p, True)
-            moved = self.equations(f, values, True, lambda of: name in of)
-            columns.append({i: (a - r[i]) / h for i, a in moved.items() if a != r[i]})
+        h, f, columns = 1e-7, self.frames(q, True), []
+        names = {k.index: k.name for k in self.moving()}
+        for j in range(0, len(q), 3):
+            name = names[j // 3]
+            still = f[name]
+            for i in range(3):
+                p = q[j:j + 3]
+                p[i] += h
+                f[name] = Frame(*p, True)
+                moved = self.equations(f, values, True, name)
+                columns.append({i: (a - r[i]) / h for i, a in moved.items() if a != r[i]})
+            f[name] = still
         return columns
 
     def polish(self, q, values=None):
@@ -368,25 +379,27 @@ class Mechanism:
 def least_squares(columns, right):
     """The step that leaves least of the equations, in double precision; damped where they are dependent."""
     n = len(columns)
-    rows = [[0.0] * n + [sum(a * right[i] for i, a in u.items())] for u in columns]
+    # the upper half of the normal equations, from the diagonal on, with the right side behind
+    rows = []
     for i, u in enumerate(columns):
-        for j, v in enumerate(columns[:i + 1]):
-            rows[i][j] = rows[j][i] = sum(a * v[k] for k, a in u.items() if k in v)
-    scale = max((rows[i][i] for i in range(n)), default=1.0)
-    for i in range(n):
-        rows[i][i] += 1e-13 * scale
-    for k in range(n):
-        pivot = max(range(k, n), key=lambda i: abs(rows[i][k]))
-        rows[k], rows[pivot] = rows[pivot], rows[k]
-        if rows[k][k] == 0:
-            rows[k][k] = 1e-13 * scale or 1.0
-        for row in rows[k + 1:]:
-            factor = row[k] / rows[k][k]
-            if factor:
-                row[k:] = [a - factor * b for a, b in zip(row[k:], rows[k][k:])]
+        u = list(u.items())
+        row = [sum([a * v[k] for k, a in u if k in v]) for v in columns[i:]]
+        row.append(sum([a * right[k] for k, a in u]))
+        rows.append(row)
+    scale = max((row[0] for row in rows), default=1.0)
+    for row in rows:
+        row[0] += 1e-13 * scale
+    for k, head in enumerate(rows):
+        if head[0] == 0:
+            head[0] = 1e-13 * scale or 1.0
+        for i in range(1, n - k):
+            if head[i]:
+                factor = head[i] / head[0]
+                rows[k + i] = [a - factor * b for a, b in zip(rows[k + i], head[i:])]
     x = [0.0] * n
     for k in reversed(range(n)):
-        x[k] = (rows[k][n] - sum(rows[k][j] * x[j] for j in range(k + 1, n))) / rows[k][k]
+        row = rows[k]
+        x[k] = (row[-1] - sum([a * b for a, b in zip(row[1:-1], x[k + 1:])])) / row[0]
     return x
 
 

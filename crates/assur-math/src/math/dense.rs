@@ -21,12 +21,14 @@ impl Lu {
     }
 
     /// Order of the matrix.
+    #[inline]
     #[must_use]
     pub fn order(&self) -> usize {
         self.order.len()
     }
 
     /// Element in row `i`, column `j`, to be written. Before the next [`Lu::factor`] every element must be.
+    #[inline]
     pub fn at_mut(&mut self, i: usize, j: usize) -> &mut f64 {
         &mut self.factors[(i, j)]
     }

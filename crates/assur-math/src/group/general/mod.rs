@@ -94,6 +94,7 @@ impl Pose {
     }
 
     /// Moved by `shift`, m, and turned by the rational rotation of `turn`, rad: exact for small ones to third order.
+    #[inline]
     #[must_use]
     pub fn moved(&self, shift: Vec2, turn: f64) -> Self {
         let t = 0.5 * turn;

@@ -203,10 +203,12 @@ impl Plate {
     }
 
     /// The greatest coordinate in play: what rounding is relative to.
+    #[inline]
     fn size(&self, ends: &[End; 3], pose: &Pose) -> f64 {
         ends.iter().fold(pose.p.norm() + self.length, |most, end| most.max(end.place().norm()))
     }
 
+    #[inline]
     fn moved(&self, pose: &Pose, step: &[f64; 3]) -> Pose {
         pose.moved(Vec2::new(-step[0], -step[1]), -step[2] / self.length)
     }
