@@ -2,6 +2,7 @@
 
 pub mod at_rest;
 pub mod carrier;
+pub mod clutch;
 pub mod friction_torque;
 pub mod gear;
 pub mod grip;
@@ -12,4 +13,5 @@ pub mod rack;
 pub mod rope;
 pub mod shaft;
 pub mod size;
+pub mod thread;
 pub mod transmission;

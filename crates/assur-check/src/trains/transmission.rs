@@ -7,16 +7,18 @@ use crate::links::lookup::is_linkage_pair;
 use crate::names::declared::ThingKind;
 use crate::pairs::property::{phrase, shared};
 use crate::pairs::transmission::known;
-use crate::statements::lines::{braces, end_text};
+use crate::statements::lines::end_text;
 use crate::trains::carrier::carrier;
+use crate::trains::clutch::clutch;
 use crate::trains::friction_torque::friction_torque;
 use crate::trains::grip::{belt_grip, slip};
 use crate::trains::losses::losses;
 use crate::trains::meant::only_wheels;
 use crate::trains::planet::{Arms, arm, distance, is_planet};
 use crate::trains::rack::rack;
-use crate::trains::rope::{merged, rope, two_sides};
+use crate::trains::rope::{rope, two_sides};
 use crate::trains::size::label;
+use crate::trains::thread::{screw, worm};
 use crate::values::format_value::digits;
 use assur_model::model::{
     Grip, Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
@@ -24,10 +26,10 @@ use assur_model::model::{
 use assur_syntax::document::{End, Joint, JointKind, Path, Statement};
 use assur_text::language::properties_of_pair;
 use assur_text::source::Span;
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 /// Sizes may differ from what the teeth say by this part.
-const AGREES: f64 = 1e-9;
+pub(crate) const AGREES: f64 = 1e-9;
 
 /// Enters all transmissions into the mechanism.
 pub(crate) fn transmissions(cx: &mut Context<'_>) {
@@ -283,120 +285,4 @@ fn coefficients(
         ],
     });
     None
-}
-
-/// A shaft, a wheel, or a link that turns.
-fn turning(cx: &mut Context<'_>, path: &Path) -> Option<LinkId> {
-    let kinds = &[ThingKind::Shaft, ThingKind::Wheel, ThingKind::Link];
-    known(cx, &path.head, "shaft, wheel or link", kinds);
-    let link = cx.find_link(&path.head.node)?;
-    if link == LinkId::GROUND {
-        return incomplete(cx, "the ground does not turn", "name a shaft or a wheel of one", path.span());
-    }
-    Some(link)
-}
-
-/// The coordinate of what slides: a slider, or a link on a guide, with the sense in which its own line counts.
-fn sliding(cx: &mut Context<'_>, path: &Path) -> Option<(PairId, LinkId, f64)> {
-    let kinds = &[ThingKind::Slider, ThingKind::Link];
-    known(cx, &path.head, "slider or link", kinds);
-    let link = cx.find_link(&path.head.node)?;
-    let line = match &path.tail {
-        Some(part) => Some(cx.line(link, part)?),
-        None => None,
-    };
-    let guides = cx.builder.mech.pairs.iter().enumerate().filter_map(|(i, p)| match &p.kind {
-        PairKind::Prismatic(g) if g.slider == link && g.guide == LinkId::GROUND => {
-            Some((PairId::at(i), g.direction, 1.0))
-        }
-        PairKind::Prismatic(g) if g.guide == link && g.slider == LinkId::GROUND => {
-            Some((PairId::at(i), g.along, -1.0))
-        }
-        _ => None,
-    });
-    let guides: Vec<_> = guides.collect();
-    let [(pair, direction, sense)] = guides[..] else {
-        let message = format!("`{}` does not slide along one line of the ground", path.head.node);
-        let help = "name a `slider`, or a link with one prismatic pair to the ground";
-        return incomplete(cx, &message, help, path.span());
-    };
-    let sense = match line {
-        None => sense,
-        Some(line) if line.along.cross(direction).abs() <= AGREES => {
-            sense * line.along.dot(direction).signum()
-        }
-        Some(line) => {
-            let message = format!("the line `{}` is not parallel to the guide of its link", line.name);
-            return incomplete(
-                cx,
-                &message,
-                "make it parallel to the guide: the teeth of a rack lie along it",
-                path.span(),
-            );
-        }
-    };
-    Some((pair, link, sense))
-}
-
-/// Both sides have one speed.
-fn clutch(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {
-    let [first, second] = two(cx, joint)?;
-    let (a, b) = (turning(cx, first), turning(cx, second));
-    let (a, b) = (a?, b?);
-    if a == b {
-        let message = "both sides of the clutch are on the same shaft";
-        return incomplete(cx, message, "name two shafts", joint.name.span);
-    }
-    let law = Law {
-        terms: vec![(Rate::Turn(a), 1.0), (Rate::Turn(b), -1.0)],
-        constant: 0.0,
-        force: 1.0,
-        efficiency: None,
-    };
-    Some(Runs { laws: vec![law], links: vec![a, b], meeting: None })
-}
-
-/// ω of the wheel times its teeth is ω of the worm times its starts.
-fn worm(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Runs> {
-    let [first, second] = two(cx, joint)?;
-    let (worm, wheel) = (turning(cx, first), wheel(cx, second));
-    let (worm, wheel) = (worm?, wheel?);
-    let Some(teeth) = wheel.teeth else {
-        let message = format!("worm wheel `{}` needs a number of teeth", wheel.name);
-        let help = format!("write `wheel {} teeth 40`", wheel.name);
-        return incomplete(cx, &message, &help, second.span());
-    };
-    if worm == wheel.link {
-        return incomplete(
-            cx,
-            "a worm and its wheel are on the same shaft",
-            "name two shafts",
-            joint.name.span,
-        );
-    }
-    let starts = find(properties, "starts").map_or(1.0, Read::number);
-    let terms = vec![(Rate::Turn(worm), starts), (Rate::Turn(wheel.link), -teeth)];
-    let law = Law { terms, constant: 0.0, force: teeth / wheel.radius, efficiency: None };
-    Some(Runs { laws: vec![law], links: vec![worm, wheel.link], meeting: None })
-}
-
-/// v = ω lead / 2π.
-fn screw(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]) -> Option<Runs> {
-    let [first, second] = two(cx, joint)?;
-    let (spindle, nut) = (turning(cx, first), sliding(cx, second));
-    let (spindle, (pair, link, sense)) = (spindle?, nut?);
-    let Some(lead) = find(properties, "lead") else {
-        let help = format!(
-            "add the lead, with its own value: `{}`",
-            braces(&joint.properties, &["lead 5 mm"]).trim()
-        );
-        return incomplete(cx, "the lead of the screw is missing", &help, joint.name.span);
-    };
-    let lead_per_angle = lead.number() / TAU;
-    if lead_per_angle == 0.0 {
-        return incomplete(cx, "a screw without lead moves nothing", "write `lead 5 mm`", lead.span);
-    }
-    let terms = vec![(Rate::Turn(spindle), lead_per_angle), (Rate::Slide(pair), -sense)];
-    let law = Law { terms: merged(terms), constant: 0.0, force: 1.0, efficiency: None };
-    Some(Runs { laws: vec![law], links: vec![spindle, link], meeting: None })
 }
