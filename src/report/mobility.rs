@@ -49,13 +49,16 @@ impl GroupCount {
     }
 }
 
-/// Names of a group's links; imaginary ones are left out.
+/// Names of a group's links. Imaginary ones are left out; a group of such alone has the names of their pairs.
 pub(super) fn link_names(model: &Model<'_>, group: &Group) -> Vec<String> {
-    let links = group.bodies.iter().filter_map(|b| match model.structure.replaced.bodies[b.0].origin {
-        BodyOrigin::Link(id) => Some(model.mechanism.link(id).name.clone()),
-        BodyOrigin::Imaginary(_) => None,
-    });
-    links.collect()
+    let (mut links, mut pairs) = (Vec::new(), Vec::new());
+    for body in &group.bodies {
+        match model.structure.replaced.bodies[body.0].origin {
+            BodyOrigin::Link(id) => links.push(model.mechanism.link(id).name.clone()),
+            BodyOrigin::Imaginary(pair) => pairs.push(model.mechanism.pair(pair).name.clone()),
+        }
+    }
+    if links.is_empty() { pairs } else { links }
 }
 
 /// The facts in short, as shown above the answers.

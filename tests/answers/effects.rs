@@ -304,3 +304,30 @@ fn a_contact_adds_its_own_group_and_changes_no_bit_of_the_others() {
         assert_eq!(others, known);
     }
 }
+
+/// A load that depends on the motion asks for it, whatever else the file asks for.
+#[test]
+fn loads_are_computed_with_the_velocities_they_depend_on() {
+    let file = |find: &str| {
+        format!(
+            "ground {{ A (0, 0) }}
+link bar A-B 200 mm
+revolute A: ground - bar
+drive bar = 30 deg at 10 rad/s
+force R on bar at B = 14 N against motion
+torque T on bar = 5 N*m against motion
+torque D on bar = -0.2 N*m*s*omega(bar)
+brake K on bar {{ capacity 3 N*m }}
+let twice = 2*T
+find {find}
+"
+        )
+    };
+    for (find, wanted) in
+        [("T", -5.0), ("D", -2.0), ("K", -3.0), ("twice", -10.0), ("abs(K)", 3.0), ("mag(R)", 14.0)]
+    {
+        let solution = assur::solve(file(find)).expect("it is solved");
+        let found = solution.poses()[0][find].number().expect("a number");
+        assert!((found - wanted).abs() < 1e-12, "{find} = {found}, not {wanted}");
+    }
+}

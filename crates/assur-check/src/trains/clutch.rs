@@ -1,22 +1,9 @@
-//! Clutches, and what turns in them and in threads.
+//! Clutches.
 
 use crate::expr::context::Context;
-use crate::names::declared::ThingKind;
-use crate::pairs::transmission::known;
-use crate::trains::transmission::{Runs, incomplete, two};
-use assur_model::model::{Law, LinkId, Rate};
-use assur_syntax::document::{Joint, Path};
-
-/// A shaft, a wheel, or a link that turns.
-pub(crate) fn turning(cx: &mut Context<'_>, path: &Path) -> Option<LinkId> {
-    let kinds = &[ThingKind::Shaft, ThingKind::Wheel, ThingKind::Link];
-    known(cx, &path.head, "shaft, wheel or link", kinds);
-    let link = cx.find_link(&path.head.node)?;
-    if link == LinkId::GROUND {
-        return incomplete(cx, "the ground does not turn", "name a shaft or a wheel of one", path.span());
-    }
-    Some(link)
-}
+use crate::trains::ends::{Runs, incomplete, turning, two};
+use assur_model::model::{Law, Rate};
+use assur_syntax::document::Joint;
 
 /// Both sides have one speed.
 pub(crate) fn clutch(cx: &mut Context<'_>, joint: &Joint) -> Option<Runs> {

@@ -2,7 +2,7 @@
 
 use crate::expr::context::Context;
 use crate::expr::property::{Read, find};
-use crate::trains::transmission::incomplete;
+use crate::trains::ends::incomplete;
 use assur_syntax::document::Name;
 use std::f64::consts::{FRAC_PI_2, TAU};
 

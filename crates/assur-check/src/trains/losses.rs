@@ -3,9 +3,9 @@
 use crate::error::TrainError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, find};
+use crate::trains::ends::incomplete;
 use crate::trains::grip::slip;
 use crate::trains::meant::percent;
-use crate::trains::transmission::incomplete;
 use crate::values::format_value::digits;
 use assur_model::model::TransmissionKind;
 use assur_syntax::document::Joint;

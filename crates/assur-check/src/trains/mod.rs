@@ -3,6 +3,7 @@
 pub mod at_rest;
 pub mod carrier;
 pub mod clutch;
+pub mod ends;
 pub mod friction_torque;
 pub mod gear;
 pub mod grip;

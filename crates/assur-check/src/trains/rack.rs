@@ -10,7 +10,7 @@ use crate::expr::context::Context;
 use crate::names::declared::ThingKind;
 use crate::pairs::transmission::known;
 use crate::trains::carrier::mates;
-use crate::trains::transmission::{Runs, incomplete, two, wheel};
+use crate::trains::ends::{Runs, incomplete, two, wheel};
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, Law, LinkId, PairId, PairKind, Rate, Wheel};
 use assur_syntax::document::{Joint, Path};

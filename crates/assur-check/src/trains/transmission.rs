@@ -1,15 +1,14 @@
 //! Meshes, belts, chains, racks, worms and screws: each a law between rates.
 
-use crate::error::{PairError, TrainError};
+use crate::error::TrainError;
 use crate::expr::context::Context;
 use crate::expr::property::{Read, find, read};
 use crate::links::lookup::is_linkage_pair;
-use crate::names::declared::ThingKind;
 use crate::pairs::property::{phrase, shared};
-use crate::pairs::transmission::known;
 use crate::statements::lines::end_text;
 use crate::trains::carrier::carrier;
 use crate::trains::clutch::clutch;
+use crate::trains::ends::{AGREES, Runs, incomplete, two, wheel};
 use crate::trains::friction_torque::friction_torque;
 use crate::trains::grip::{belt_grip, slip};
 use crate::trains::losses::losses;
@@ -23,13 +22,9 @@ use crate::values::format_value::digits;
 use assur_model::model::{
     Grip, Law, LinkId, Meeting, Pair, PairId, PairKind, Rate, Transmission, TransmissionKind, Wheel,
 };
-use assur_syntax::document::{End, Joint, JointKind, Path, Statement};
+use assur_syntax::document::{Joint, JointKind, Statement};
 use assur_text::language::properties_of_pair;
-use assur_text::source::Span;
 use std::f64::consts::FRAC_PI_2;
-
-/// Sizes may differ from what the teeth say by this part.
-pub(crate) const AGREES: f64 = 1e-9;
 
 /// Enters all transmissions into the mechanism.
 pub(crate) fn transmissions(cx: &mut Context<'_>) {
@@ -64,13 +59,6 @@ pub(crate) fn transmissions(cx: &mut Context<'_>) {
             cx.builder.mech.pairs.push(Pair { name, span, kind, friction: None, bearing: None });
         }
     }
-}
-
-/// What runs between the ends, before losses.
-pub(crate) struct Runs {
-    pub(crate) laws: Vec<Law>,
-    pub(crate) links: Vec<LinkId>,
-    pub(crate) meeting: Option<Meeting>,
 }
 
 fn transmission(
@@ -134,47 +122,6 @@ fn pressure_angle(cx: &mut Context<'_>, properties: &[Read]) -> Option<Option<f6
         "write for example `pressure_angle 20 deg`",
         property.span,
     )
-}
-
-pub(crate) fn incomplete<T>(cx: &mut Context<'_>, message: &str, help: &str, span: Span) -> Option<T> {
-    let (message, help) = (message.to_owned(), help.to_owned());
-    cx.error(PairError::Incomplete { message, help, span, label: "here".into() });
-    None
-}
-
-/// The two ends; reports more of them.
-pub(crate) fn two<'j>(cx: &mut Context<'_>, joint: &'j Joint) -> Option<[&'j Path; 2]> {
-    let what = phrase(joint.kind.node);
-    let odd = joint.ends.iter().enumerate().find(|(i, e)| *i > 1 || !matches!(e, End::At(_)));
-    if let Some((i, end)) = odd {
-        cx.error(PairError::WrongEnds {
-            what,
-            wants: "two ends".into(),
-            got: if i > 1 { format!("{} of them", joint.ends.len()) } else { "a pulley".into() },
-            help: "write one statement for each two ends; use `over` and `under` only in a rope".into(),
-            span: end.span(),
-        });
-        return None;
-    }
-    match joint.ends.as_slice() {
-        [End::At(a), End::At(b)] => Some([a, b]),
-        _ => None,
-    }
-}
-
-impl Context<'_> {
-    /// The wheel of that name.
-    pub(crate) fn wheel(&self, name: &str) -> Option<Wheel> {
-        self.builder.mech.wheels.iter().find(|w| w.name == name).cloned()
-    }
-}
-
-pub(crate) fn wheel(cx: &mut Context<'_>, path: &Path) -> Option<Wheel> {
-    known(cx, &path.head, "wheel", &[ThingKind::Wheel]);
-    if let Some(part) = &path.tail {
-        return incomplete(cx, "a wheel has no points", "leave out the part after the dot", part.span);
-    }
-    cx.wheel(&path.head.node)
 }
 
 /// Two wheels: meshing, or joined by a belt or chain.

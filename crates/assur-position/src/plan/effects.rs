@@ -1,6 +1,6 @@
 //! The effects that a file calls for. An effect that nothing calls for has no step in the plan.
 
-use crate::model::{Expr, FindKind, Level, Mechanism, PairKind, QuantityId, Relation};
+use crate::model::{Expr, FindKind, Level, LoadId, Mechanism, PairKind, QuantityId, Query, Relation};
 
 /// What is computed at every position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -134,6 +134,8 @@ struct Wanted {
     forces: bool,
     /// The file's quantities that something asked for names: a definition alone asks for nothing.
     named: Vec<QuantityId>,
+    /// Its loads that something asked for names.
+    loads: Vec<LoadId>,
 }
 
 impl Wanted {
@@ -165,11 +167,21 @@ impl Wanted {
     }
 
     fn loads(&mut self, mechanism: &Mechanism) {
-        for load in &mechanism.loads {
-            load.expressions().for_each(|e| self.expr(mechanism, e));
-            if load.is_against_motion() {
-                self.level = self.level.max(Level::Velocities);
-            }
+        for id in 0..mechanism.loads.len() {
+            self.load(mechanism, LoadId::at(id));
+        }
+    }
+
+    /// What the value of a load depends on.
+    fn load(&mut self, mechanism: &Mechanism, id: LoadId) {
+        if self.loads.contains(&id) {
+            return;
+        }
+        self.loads.push(id);
+        let load = &mechanism.loads[id.index()];
+        load.expressions().for_each(|e| self.expr(mechanism, e));
+        if load.is_against_motion() {
+            self.level = self.level.max(Level::Velocities);
         }
     }
 
@@ -179,6 +191,9 @@ impl Wanted {
                 let facts = query.facts();
                 self.level = self.level.max(facts.level);
                 self.forces |= facts.forces;
+                if let Query::Load(id) | Query::LoadPower(id) = query {
+                    self.load(mechanism, *id);
+                }
             }
             Expr::Quantity(id) if !self.named.contains(id) => {
                 self.named.push(*id);

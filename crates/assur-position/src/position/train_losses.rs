@@ -166,6 +166,12 @@ impl State {
         -law.terms[0].1 * self.side_rates(law)[0]
     }
 
+    /// Whether power in a law has no direction, since its sides stand.
+    #[must_use]
+    pub fn stands(&self, law: &PlannedLaw) -> bool {
+        self.side_rates(law) == [0.0, 0.0]
+    }
+
     /// Rates of the two sides from the carrier.
     fn side_rates(&self, law: &PlannedLaw) -> [f64; 2] {
         let rate = |i: usize| law.terms.get(i).map_or(0.0, |t| self.site_rate(&t.0));

@@ -1,7 +1,7 @@
 //! The clauses of `assemble` that choose an assembly, as lines to paste.
 
 use super::format::length;
-use crate::position::Model;
+use crate::position::{Model, extent};
 use crate::solve::{Clause, NamedPoint};
 
 /// `assemble C left of B-D`
@@ -21,7 +21,10 @@ pub fn clause(model: &Model<'_>, clause: &Clause) -> String {
             format!("assemble {} {} 0", name(pair), if positive { ">" } else { "<" })
         }
         Clause::Near { point, place } => {
-            let (x, y) = (length(model, place.x), length(model, place.y));
+            // what is nothing but rounding is zero
+            let size = extent(model);
+            let rounded = |x: f64| if x.abs() < 1e-9 * size { 0.0 } else { x };
+            let (x, y) = (length(model, rounded(place.x)), length(model, rounded(place.y)));
             format!("assemble {} near ({x}, {y})", point_name(model, point))
         }
     }

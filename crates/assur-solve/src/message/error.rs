@@ -40,17 +40,41 @@ pub enum SolveError {
         labels: Vec<LabeledSpan>,
     },
     /// Several assemblies and no choice.
-    #[error("the mechanism has {count} assemblies{pose}, and the file chooses none")]
+    #[error("the mechanism has {count} assemblies{pose}, and {which}")]
     #[diagnostic(code(mech::assembly::ambiguous))]
     Ambiguous {
         /// How many.
         count: usize,
         /// ` at pose 3 (crank = 60 deg)`, or empty.
         pose: String,
+        /// What the file does not say.
+        which: &'static str,
         /// The lines to paste.
         #[help]
         help: String,
         /// The pairs concerned.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A mechanism that does not come back after whole turns of its drive.
+    #[error(
+        "after whole turns of the drive the mechanism is not where it began: `{link}` is elsewhere by {by}"
+    )]
+    #[diagnostic(
+        code(mech::solve::not_periodic),
+        severity(warning),
+        help(
+            "the pose at {at} is left out, and functions over the sweep take a part of the cycle: go on until all links come back, as in `0 deg .. 720 deg in 24 steps`"
+        )
+    )]
+    Elsewhere {
+        /// The link that is farthest from where it began.
+        link: String,
+        /// Distance and angle.
+        by: String,
+        /// Drive values of the position that is left out.
+        at: String,
+        /// The drives.
         #[label(collection)]
         labels: Vec<LabeledSpan>,
     },

@@ -3,7 +3,7 @@
 use super::error::SolveError;
 use super::format::{label, place};
 use super::friction_error::FrictionError;
-use crate::model::{FindKind, Friction, Mechanism, PairId, Value};
+use crate::model::{FindKind, Friction, Mechanism, PairId, PairKind, Value};
 use crate::position::{Model, Wanted};
 use crate::solve::Locking;
 use crate::units::{Dimension, significant};
@@ -13,9 +13,13 @@ use miette::LabeledSpan;
 const DIGITS: usize = 4;
 
 /// Nothing slides in a pair with friction.
-pub(super) fn no_sliding(model: &Model<'_>, pair: PairId, (pose, more): (&Wanted, usize)) -> SolveError {
-    let pair = model.mechanism.pair(pair);
+pub(super) fn no_sliding(model: &Model<'_>, pair_id: PairId, (pose, more): (&Wanted, usize)) -> SolveError {
+    let pair = model.mechanism.pair(pair_id);
     let (name, span) = (pair.name.clone(), pair.span.into());
+    if matches!(model.mechanism.pair(pair_id).kind, PairKind::Transmission(_)) {
+        return FrictionError::NoTurning { pair: name, pose: place(model, pose), more: and_more(more), span }
+            .into();
+    }
     FrictionError::NoSliding { pair: name, pose: place(model, pose), more: and_more(more), span }.into()
 }
 

@@ -58,4 +58,24 @@ pub enum FrictionError {
         #[label("no relative motion")]
         span: miette::SourceSpan,
     },
+    /// A transmission with losses that stands.
+    #[error(
+        "nothing moves in `{pair}`{pose}{more}: the power has no direction, and its losses are taken as zero"
+    )]
+    #[diagnostic(
+        code(mech::friction::no_sliding),
+        severity(warning),
+        help("for the beginning of a motion give the drive a small speed in its sense, as `at 1e-6 m/s`")
+    )]
+    NoTurning {
+        /// The transmission.
+        pair: String,
+        /// Where.
+        pose: String,
+        /// ` and at 2 more poses`, or empty.
+        more: String,
+        /// The transmission.
+        #[label("no motion")]
+        span: miette::SourceSpan,
+    },
 }

@@ -23,6 +23,7 @@ fn note(model: &Model<'_>, note: &Note) -> Option<SolveError> {
     let mechanism = model.mechanism;
     Some(match note {
         Note::Switched { group, at, from, to } => switched(model, *group, at, (from, to)),
+        Note::Elsewhere { link, off, turned, drives } => elsewhere(model, *link, (*off, *turned), drives),
         Note::SelfLocking { pose, more } => self_locking(model, (pose, *more)),
         Note::SeveralBalances { count, followed, pose, more } => {
             several(model, (*count, *followed), (pose, *more))
@@ -94,6 +95,23 @@ fn switched(model: &Model<'_>, group: usize, at: &[DriveValue], (from, to): (&st
     }
 }
 
+fn elsewhere(
+    model: &Model<'_>,
+    link: LinkId,
+    (off, turned): (f64, f64),
+    drives: &[DriveValue],
+) -> SolveError {
+    let mechanism = model.mechanism;
+    let moved = with_unit(model, off, Dimension::LENGTH);
+    let labels = mechanism.drives.iter().map(|d| label("after whole turns of this drive", d.span));
+    SolveError::Elsewhere {
+        link: mechanism.link(link).name.clone(),
+        by: format!("{moved} and {} deg", four(turned.to_degrees())),
+        at: drive_text(model, drives),
+        labels: labels.collect(),
+    }
+}
+
 fn self_locking(model: &Model<'_>, (pose, more): (&Wanted, usize)) -> SolveError {
     let lossy = model.plan.laws.iter().filter_map(|l| Some((model.mechanism.pair(l.pair), l.efficiency?)));
     let lossy: Vec<_> = lossy.collect();
@@ -102,12 +120,13 @@ fn self_locking(model: &Model<'_>, (pose, more): (&Wanted, usize)) -> SolveError
         if there == back {
             format!("`{}` has an efficiency of {}", p.name, four(*back))
         } else {
-            format!(
-                "driven backwards `{}` has an efficiency of 2 − 1/{} = {}",
-                p.name,
-                four(*there),
-                four(*back)
-            )
+            // that of a thread with friction follows from its angles
+            let formula = if *back == 2.0 - 1.0 / *there {
+                format!("2 − 1/{} = ", four(*there))
+            } else {
+                String::new()
+            };
+            format!("driven backwards `{}` has an efficiency of {formula}{}", p.name, four(*back))
         }
     });
     let back = back.collect::<Vec<_>>().join(", ");

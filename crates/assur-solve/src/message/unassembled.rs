@@ -50,10 +50,25 @@ pub(super) fn ambiguous(
     let mut marks = Vec::new();
     for (group, clauses) in groups {
         marks.extend(labels(model, &model.structure.motion[*group], "has several assemblies"));
-        sections.push(section(clauses.iter().map(|c| clause(model, c))));
+        let mut lines: Vec<String> = Vec::new();
+        for line in clauses.iter().map(|c| clause(model, c)) {
+            if !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
+        // a choice between lines that are the same is none
+        sections.extend((lines.len() > 1).then(|| section(lines.into_iter())));
     }
-    let help = format!("write one of{}", sections.join("\nand one of"));
-    SolveError::Ambiguous { count, pose, help, labels: marks }
+    let chosen = !model.mechanism.hints.is_empty();
+    let write = if chosen { "add" } else { "write" };
+    let help = if sections.is_empty() {
+        "choose with `assemble`: name a point near which a link lies, as in `assemble rod.C near (1 m, 2 m)`"
+            .to_owned()
+    } else {
+        format!("{write} one of{}", sections.join("\nand one of"))
+    };
+    let which = if chosen { "`assemble` does not choose between them" } else { "the file chooses none" };
+    SolveError::Ambiguous { count, pose, which, help, labels: marks }
 }
 
 /// No assembly fits a hint: what there is instead.

@@ -21,7 +21,17 @@ pub(super) struct FrictionNotes {
 impl FrictionNotes {
     /// Looks at the friction of a position.
     pub(super) fn look(&mut self, model: &Model<'_>, view: &PoseAnswers<'_>, pose: &Wanted) {
-        if !model.plan.effects.friction || matches!(pose.origin, PoseOrigin::Expected(_)) {
+        if matches!(pose.origin, PoseOrigin::Expected(_)) {
+            return;
+        }
+        if model.plan.effects.losses && !view.state.forces.locked {
+            for (law, force) in model.plan.laws.iter().zip(&view.state.forces.law_forces) {
+                if law.efficiency.is_some() && force.multiplier != 0.0 && view.state.stands(law) {
+                    self.stands(law.pair, pose);
+                }
+            }
+        }
+        if !model.plan.effects.friction {
             return;
         }
         for (i, pair) in model.mechanism.pairs.iter().enumerate() {
@@ -29,10 +39,7 @@ impl FrictionNotes {
                 (PairId::at(i), model.plan.friction.iter().zip(&view.state.forces.senses));
             let rubs = pair.friction.is_some_and(|f| f.is_some());
             if rubs && elements.all(|(e, sense)| e.pair != id || *sense == 0.0) {
-                match self.still.iter_mut().find(|s| s.0 == id) {
-                    Some((_, _, more)) => *more += 1,
-                    None => self.still.push((id, pose.clone(), 0)),
-                }
+                self.stands(id, pose);
             }
         }
         if view.efficiency() > 0.0 || view.efficiency().is_nan() || view.overcomes_friction_alone() {
@@ -52,6 +59,14 @@ impl FrictionNotes {
                 let finds = without_effort(view);
                 self.without_effort = (!finds.is_empty()).then(|| (finds, pose.clone(), 0));
             }
+        }
+    }
+
+    /// A pair or a transmission whose losses have no direction.
+    fn stands(&mut self, pair: PairId, pose: &Wanted) {
+        match self.still.iter_mut().find(|s| s.0 == pair) {
+            Some((_, _, more)) => *more += 1,
+            None => self.still.push((pair, pose.clone(), 0)),
         }
     }
 

@@ -5,6 +5,7 @@ mod assemble;
 mod assemblies;
 mod centre_notes;
 mod clause;
+mod come_again;
 mod cycle;
 mod digits;
 mod extremes;

@@ -18,6 +18,17 @@ pub enum Note {
         /// Name of the position after.
         to: String,
     },
+    /// After whole turns of the drive the mechanism is not where it began; that position is left out of the sweep.
+    Elsewhere {
+        /// The link that is farthest from where it began.
+        link: LinkId,
+        /// By how much its origin is elsewhere, m.
+        off: f64,
+        /// By how much it is turned, rad.
+        turned: f64,
+        /// Drive values of the position.
+        drives: Vec<DriveValue>,
+    },
     /// The load cannot drive the mechanism.
     SelfLocking {
         /// The first position.

@@ -50,6 +50,15 @@ impl Values {
         }
     }
 
+    /// The value after whole turns, at a position that is left out. `None` for a list of several values.
+    fn after_turns(&self) -> Option<DriveValue> {
+        match self {
+            Self::List(list) if list.len() == 1 => list.first().copied(),
+            Self::List(_) => None,
+            Self::Range { to, steps, count, .. } => (count == steps).then_some(DriveValue::Scalar(*to)),
+        }
+    }
+
     /// The value at a position; the last one goes on.
     fn at(&self, index: usize) -> DriveValue {
         match self {
@@ -81,6 +90,13 @@ impl Sweep {
 
     pub const fn len(&self) -> usize {
         self.len
+    }
+
+    /// The position after whole turns, which is left out since the mechanism is where it began; `None` where none is left out.
+    pub fn after_turns(&self) -> Option<Wanted> {
+        let drives = self.drives.iter().map(Values::after_turns).collect::<Option<Vec<_>>>()?;
+        let origin = PoseOrigin::Sweep(self.len);
+        (self.len > 1).then(|| Wanted { name: (self.len + 1).to_string(), origin, drives })
     }
 
     /// Drive values at a position, counted from 0.

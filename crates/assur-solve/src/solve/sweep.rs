@@ -2,6 +2,7 @@
 
 use super::assemble::assemble_from;
 use super::centre_notes::CentreNotes;
+use super::come_again::{Begin, begin};
 use super::cycle::loads_name_quantities;
 use super::extremes::statics;
 use super::failure::{Cause, Failure};
@@ -54,6 +55,8 @@ pub struct Following<'a, 's> {
     current: Option<Tracker>,
     /// Poses beside the sweep, each followed from the nearest position of the sweep that closed.
     near: VecDeque<Near>,
+    /// Where the bodies were at the first position.
+    begin: Option<Begin>,
     /// Why the first position that failed did.
     first_failure: Option<Failure>,
     cycle_notes: Vec<Note>,
@@ -95,8 +98,8 @@ impl<'a, 's> Following<'a, 's> {
             friction: FrictionNotes::default(),
             centres: CentreNotes::of(model.mechanism),
         };
-        let (next, current, first_failure) = (0, None, None);
-        Ok(Some(Self { run, sweep, next, current, near, first_failure, cycle_notes }))
+        let (next, current, begin, first_failure) = (0, None, None, None);
+        Ok(Some(Self { run, sweep, next, current, near, begin, first_failure, cycle_notes }))
     }
 
     /// How many positions there are, with the poses beside the sweep.
@@ -129,7 +132,9 @@ impl<'a, 's> Following<'a, 's> {
         if self.next < self.sweep.len() {
             let pose = self.sweep.at(self.next);
             self.next += 1;
-            return Some(self.swept_pose(pose));
+            let pose = self.swept_pose(pose);
+            self.look_after_turns();
+            return Some(pose);
         }
         if let (Some(failure), false) = (self.first_failure.take(), self.has_begun()) {
             self.near.clear();
@@ -148,6 +153,20 @@ impl<'a, 's> Following<'a, 's> {
         notes.extend(self.run.centres.into_notes());
         let (statics, positions) = (self.run.statics, self.sweep.len());
         Solution { statics, notes, unlisted, positions, ..Solution::default() }
+    }
+
+    /// Notes at the end of the sweep where the mechanism does not come back after whole turns.
+    fn look_after_turns(&mut self) {
+        let Some(tracker) = self.current.as_ref().filter(|_| self.run.closing.open == 0) else { return };
+        if self.next == 1 {
+            self.begin = Some(begin(tracker));
+        }
+        if self.next == self.sweep.len()
+            && let (Some(begin), Some(after)) = (&self.begin, self.sweep.after_turns())
+        {
+            let note = self.run.elsewhere(begin, tracker, &after);
+            self.cycle_notes.extend(note);
+        }
     }
 
     fn swept_pose(&mut self, pose: Wanted) -> Result<Pose, Failure> {
@@ -218,13 +237,13 @@ impl Near {
 }
 
 /// Why a position was not reached, and the tracker where it was before.
-struct Stuck {
+pub(super) struct Stuck {
     failure: Failure,
     back: Option<Tracker>,
 }
 
 /// How a position was reached.
-enum Arrival {
+pub(super) enum Arrival {
     /// From the one before, with the changes of assembly on the way.
     Followed(Vec<Switch>),
     /// The way does not close beyond these values, the position itself does.
@@ -296,7 +315,7 @@ impl Run<'_, '_> {
         }
     }
 
-    fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Arrival, Box<Stuck>> {
+    pub(super) fn moved(&mut self, tracker: &mut Tracker, pose: &Wanted) -> Result<Arrival, Box<Stuck>> {
         if tracker.is_too_long(self.model, &pose.drives) {
             let failure = Failure::at(pose, Cause::TooFar);
             return Err(Box::new(Stuck { failure, back: Some(tracker.clone()) }));

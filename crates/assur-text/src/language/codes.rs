@@ -225,6 +225,7 @@ pub const CODES: &[Code] = codes! {
     "solve" / "way_too_long",
     "solve" / "not_certified",
     "solve" / "contact_pulls",
+    "solve" / "not_periodic",
     "solve" / "no_extreme",
     "solve" / "no_sweep",
     "solve" / "no_flywheel",

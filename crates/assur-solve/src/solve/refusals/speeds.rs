@@ -1,7 +1,7 @@
 //! Rates, dampers and loads that depend on speeds, where no drive has one.
 
 use crate::answer::every_query;
-use crate::model::{DriveId, Expr, LoadId, Mechanism, SpringId};
+use crate::model::{DriveId, Expr, LoadId, Mechanism, Query, SpringId};
 use crate::plan::Level;
 use crate::position::Model;
 use crate::solve::note::Note;
@@ -28,7 +28,14 @@ pub(in crate::solve) fn missing_speeds(model: &Model<'_>) -> Option<Refusal> {
             places.push(span);
         }
     };
-    every_query(mechanism, &mut |query, span| ask(query.facts().level, span));
+    every_query(mechanism, &mut |query, span| {
+        ask(query.facts().level, span);
+        if let Query::Load(id) = query
+            && mechanism.loads[id.index()].is_against_motion()
+        {
+            ask(Level::Velocities, span);
+        }
+    });
     for load in mechanism.loads.iter().filter(|_| effects.forces) {
         if load.is_against_motion() {
             ask(Level::Velocities, load.span);

@@ -1,0 +1,72 @@
+//! The ends of a transmission: wheels, shafts, what turns.
+
+use crate::error::PairError;
+use crate::expr::context::Context;
+use crate::names::declared::ThingKind;
+use crate::pairs::property::phrase;
+use crate::pairs::transmission::known;
+use assur_model::model::{Law, LinkId, Meeting, Wheel};
+use assur_syntax::document::{End, Joint, Path};
+use assur_text::source::Span;
+
+/// Sizes may differ from what the teeth say by this part.
+pub(crate) const AGREES: f64 = 1e-9;
+
+/// What runs between the ends, before losses.
+pub(crate) struct Runs {
+    pub(crate) laws: Vec<Law>,
+    pub(crate) links: Vec<LinkId>,
+    pub(crate) meeting: Option<Meeting>,
+}
+
+pub(crate) fn incomplete<T>(cx: &mut Context<'_>, message: &str, help: &str, span: Span) -> Option<T> {
+    let (message, help) = (message.to_owned(), help.to_owned());
+    cx.error(PairError::Incomplete { message, help, span, label: "here".into() });
+    None
+}
+
+/// The two ends; reports more of them.
+pub(crate) fn two<'j>(cx: &mut Context<'_>, joint: &'j Joint) -> Option<[&'j Path; 2]> {
+    let what = phrase(joint.kind.node);
+    let odd = joint.ends.iter().enumerate().find(|(i, e)| *i > 1 || !matches!(e, End::At(_)));
+    if let Some((i, end)) = odd {
+        cx.error(PairError::WrongEnds {
+            what,
+            wants: "two ends".into(),
+            got: if i > 1 { format!("{} of them", joint.ends.len()) } else { "a pulley".into() },
+            help: "write one statement for each two ends; use `over` and `under` only in a rope".into(),
+            span: end.span(),
+        });
+        return None;
+    }
+    match joint.ends.as_slice() {
+        [End::At(a), End::At(b)] => Some([a, b]),
+        _ => None,
+    }
+}
+
+impl Context<'_> {
+    /// The wheel of that name.
+    pub(crate) fn wheel(&self, name: &str) -> Option<Wheel> {
+        self.builder.mech.wheels.iter().find(|w| w.name == name).cloned()
+    }
+}
+
+pub(crate) fn wheel(cx: &mut Context<'_>, path: &Path) -> Option<Wheel> {
+    known(cx, &path.head, "wheel", &[ThingKind::Wheel]);
+    if let Some(part) = &path.tail {
+        return incomplete(cx, "a wheel has no points", "leave out the part after the dot", part.span);
+    }
+    cx.wheel(&path.head.node)
+}
+
+/// A shaft, a wheel, or a link that turns.
+pub(crate) fn turning(cx: &mut Context<'_>, path: &Path) -> Option<LinkId> {
+    let kinds = &[ThingKind::Shaft, ThingKind::Wheel, ThingKind::Link];
+    known(cx, &path.head, "shaft, wheel or link", kinds);
+    let link = cx.find_link(&path.head.node)?;
+    if link == LinkId::GROUND {
+        return incomplete(cx, "the ground does not turn", "name a shaft or a wheel of one", path.span());
+    }
+    Some(link)
+}
