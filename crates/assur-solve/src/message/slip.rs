@@ -47,6 +47,8 @@ pub(super) fn slip_backwards(model: &Model<'_>, pair: PairId, pose: String) -> S
     let (first, second) =
         (ends.first().cloned().unwrap_or_default(), ends.last().cloned().unwrap_or_default());
     let (word, name) = (TransmissionKind::Belt.word(), declared.name.clone());
-    let help = format!("write the wheel that drives first: `{word} {name}: {second} - {first}`");
+    let help = format!(
+        "write the wheel that drives first, `{word} {name}: {second} - {first}`, or check the sign of the load: here it drives"
+    );
     TrainError::SlipBackwards { name, pose, driver: first, help, span: declared.span.into() }.into()
 }
