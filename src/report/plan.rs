@@ -70,6 +70,11 @@ fn motion_in_words(model: &Model<'_>, group: &Group, efforts: &[Effort], step: &
             let name = model.mechanism.cams.get(index).map_or("", |c| c.name.as_str());
             format!("the law of cam {name}")
         }
+        MotionStep::CamTurned { cam, .. } => {
+            let index = model.plan.cams.get(*cam).map_or(0, |c| c.contact.cam);
+            let name = model.mechanism.cams.get(index).map_or("", |c| c.name.as_str());
+            format!("the law of cam {name} backwards: the angle at the lift of the follower")
+        }
         MotionStep::Geneva { .. } => "the law of a Geneva wheel".to_owned(),
         MotionStep::Train { train, .. } => train_in_words(model, &model.plan.trains[*train]),
         MotionStep::General { .. } => {

@@ -89,16 +89,16 @@ fn point(name: &str, p: Vec2) -> String {
 }
 
 /// A mechanism with this cam at a random place of a frame, of which the ground is one, or one that turns itself.
-struct Build {
-    text: String,
+pub struct Build {
+    pub text: String,
     /// Direction from the cam's centre towards the follower in the frame.
-    towards: f64,
-    moving: bool,
-    omega: f64,
-    frame_omega: f64,
+    pub towards: f64,
+    pub moving: bool,
+    pub omega: f64,
+    pub frame_omega: f64,
 }
 
-fn build(random: &mut Random, cam: &Cam, friction: f64) -> Build {
+pub fn build(random: &mut Random, cam: &Cam, friction: f64) -> Build {
     let moving = random.unit() < 0.4;
     let towards = random.between(-3.0, 3.0);
     let centre = Vec2::new(random.between(-0.1, 0.1), random.between(-0.1, 0.1));

@@ -7,6 +7,7 @@
 mod mechanism;
 mod random;
 mod shaper;
+mod turned;
 
 use assur::internals::element::cam::{Cam, CamPoint, Follower, Law, Program, Quantity, Shape};
 use assur::internals::math::Vec2;

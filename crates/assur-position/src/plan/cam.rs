@@ -1,9 +1,9 @@
-//! Followers of designed cams: their motion is the cam's own law.
+//! Designed cams and their followers: either moves the other by the cam's own law.
 
 use super::cam_step::CamStep;
 use super::planned::Plan;
 use super::step::MotionStep;
-use crate::model::{CamContact, Mechanism, PairId};
+use crate::model::{CamContact, LinkId, Mechanism, PairId};
 use crate::structure::{BodyOrigin, Group, GroupKind, Structure};
 
 /// The contact of a designed cam whose block belongs to a group.
@@ -22,13 +22,22 @@ pub fn contact_in<'m>(
 
 /// Whether a group is the follower of a cam that moves already: the follower and the block, nothing else.
 pub fn is_follower(group: &Group, block: usize, contact: &CamContact) -> bool {
+    is_alone(group, block, contact.follower)
+}
+
+/// Whether a group is a cam that its follower, which moves already, turns: the cam and the block, nothing else.
+pub fn is_turned(group: &Group, block: usize, contact: &CamContact) -> bool {
+    is_alone(group, block, contact.disk)
+}
+
+fn is_alone(group: &Group, block: usize, link: LinkId) -> bool {
     let mut others = group.bodies.iter().filter(|b| b.0 != block);
     matches!(group.kind, GroupKind::Dyad(_))
-        && others.next().is_some_and(|b| b.0 == contact.follower.index())
+        && others.next().is_some_and(|b| b.0 == link.index())
         && others.next().is_none()
 }
 
-/// The step of a group that is the follower of a designed cam.
+/// The step of a group that is the follower of a designed cam, or the cam.
 pub(super) fn step(
     mechanism: &Mechanism,
     structure: &Structure,
@@ -37,10 +46,13 @@ pub(super) fn step(
     plan: &mut Plan,
 ) -> Option<MotionStep> {
     let (block, index, contact) = contact_in(mechanism, structure, group)?;
-    if !is_follower(group, block, contact) {
+    let follows = is_follower(group, block, contact);
+    if !follows && !is_turned(group, block, contact) {
         return None;
     }
     let cam = mechanism.cams.get(contact.cam)?.cam.clone();
-    plan.cams.push(CamStep { cam, contact: contact.clone(), index, block });
-    Some(MotionStep::Cam { branch, cam: plan.cams.len() - 1 })
+    let flanks = if follows { Vec::new() } else { cam.program.flanks() };
+    plan.cams.push(CamStep { cam, contact: contact.clone(), index, block, flanks });
+    let cam = plan.cams.len() - 1;
+    Some(if follows { MotionStep::Cam { branch, cam } } else { MotionStep::CamTurned { branch, cam } })
 }

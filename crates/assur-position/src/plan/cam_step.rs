@@ -1,9 +1,9 @@
-//! The step that moves the follower of a designed cam.
+//! The step that moves the follower of a designed cam, or the cam by its follower.
 
-use crate::element::cam::Cam;
+use crate::element::cam::{Cam, Flank};
 use crate::model::CamContact;
 
-/// The follower of a designed cam, with the imaginary block that stands for the contact.
+/// A designed cam with its follower, one of which moves the other, with the imaginary block that stands for the contact.
 #[derive(Clone, Debug)]
 pub struct CamStep {
     /// The cam.
@@ -14,4 +14,7 @@ pub struct CamStep {
     pub index: usize,
     /// Slot of the block.
     pub block: usize,
+    /// The flanks on which the follower can turn the cam; a branch has the number of one. Empty where the cam moves the
+    /// follower.
+    pub flanks: Vec<Flank>,
 }

@@ -151,6 +151,8 @@ pub struct Inner {
     pub pin: Vec2,
     /// The pin in the second body's frame.
     pub second_pin: Arm,
+    /// The pin goes along the rim of a cam, which is the first body: its place is that of the second body.
+    pub on_rim: bool,
     /// From the outer pins to this one in the frames of their bodies, m; of a guide nothing.
     pub arms: [ExactVec; 2],
     /// Slot of the reaction.

@@ -14,7 +14,7 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
         plan.reactions.extend(group.joints.iter().copied());
         let step = match group.kind {
             GroupKind::Driven => driven(structure, group, first),
-            GroupKind::Dyad(kind) => Some(dyad(structure, group, first, kind, &plan.motion)),
+            GroupKind::Dyad(kind) => Some(dyad(structure, group, first, kind, plan)),
             GroupKind::Translation => Some(ForceStep::Translation {
                 ways: [0, 1].map(|i| guide(structure, group.joints[i], first + i)),
             }),
@@ -78,19 +78,17 @@ fn driven(structure: &Structure, group: &Group, slot: usize) -> Option<ForceStep
     })
 }
 
-fn dyad(
-    structure: &Structure,
-    group: &Group,
-    first_slot: usize,
-    kind: Dyad,
-    steps: &[MotionStep],
-) -> ForceStep {
+fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad, plan: &Plan) -> ForceStep {
     let [first, inner, second] = [group.joints[0], group.joints[1], group.joints[2]];
     let hinge_of = |i: usize| hinge(structure, group.joints[i], first_slot + i);
     let way_of = |i: usize| guide(structure, group.joints[i], first_slot + i);
     let inner_hinge = || Inner {
         pin: pin(&structure.replaced, inner, first.body),
         second_pin: pin_arm(&structure.replaced, inner, second.body),
+        on_rim: plan.cams.iter().any(|cam| {
+            let bodies = [cam.contact.disk.index(), cam.block];
+            cam.contact.face.is_some() && bodies == [first.body.0, second.body.0]
+        }),
         arms: [first, second].map(|o| {
             ExactVec::between(pin(&structure.replaced, o, o.body), pin(&structure.replaced, inner, o.body))
         }),
@@ -98,8 +96,9 @@ fn dyad(
         sign: if inner.body == second.body { 1.0 } else { -1.0 },
     };
     // the follower of a cam is moved by its law: such a step leaves nothing behind for the forces
-    let leaves =
-        |&step: &usize| matches!(steps.get(step), Some(MotionStep::Rrr { .. } | MotionStep::Rrp { .. }));
+    let leaves = |&step: &usize| {
+        matches!(plan.motion.get(step), Some(MotionStep::Rrr { .. } | MotionStep::Rrp { .. }))
+    };
     let motion = same_motion(structure, group).filter(leaves);
     match kind {
         Dyad::Rrr => ForceStep::Rrr { outer: [hinge_of(0), hinge_of(2)], inner: inner_hinge(), motion },
@@ -149,6 +148,7 @@ fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dy
     let inner_hinge = Inner {
         pin: pin(&structure.replaced, inner, ends[0]),
         second_pin: pin_arm(&structure.replaced, inner, ends[1]),
+        on_rim: false,
         arms: [ExactVec::default(); 2],
         slot: first_slot + 1,
         sign: if inner.body == ends[1] { 1.0 } else { -1.0 },

@@ -27,7 +27,7 @@ mod triad;
 mod triad_step;
 
 pub use crate::model::Level;
-pub use cam::{contact_in, is_follower};
+pub use cam::{contact_in, is_follower, is_turned};
 pub use cam_step::CamStep;
 pub use effects::Effects;
 pub use exact_vec::ExactVec;

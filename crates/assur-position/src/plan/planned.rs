@@ -24,7 +24,7 @@ pub struct Plan {
     pub outer: Vec<(usize, Vec2, usize)>,
     /// Steps of motion.
     pub motion: Vec<MotionStep>,
-    /// Followers of designed cams.
+    /// Designed cams with their followers.
     pub cams: Vec<CamStep>,
     /// Geneva wheels.
     pub genevas: Vec<GenevaStep>,

@@ -268,6 +268,13 @@ pub enum MotionStep {
         /// Index into [`super::Plan::cams`].
         cam: usize,
     },
+    /// A designed cam that its follower turns.
+    CamTurned {
+        /// Group.
+        branch: usize,
+        /// Index into [`super::Plan::cams`].
+        cam: usize,
+    },
     /// A Geneva wheel.
     Geneva {
         /// Group.

@@ -249,8 +249,13 @@ impl<S: Scalar> State<S> {
             let Shared { r_1, second, inverse } = self.motion.shared[step];
             return (rrp::Rrp { r_1, d: second, inverse }, self.motion.conditions[step]);
         }
-        let (r_1, d) =
-            (inner.arms[0].of::<S>().turned(self.motion.bodies[outer.body].u), self.direction(guide));
+        let r_1 = if inner.on_rim {
+            let place = |body: usize, pin: &Arm| self.motion.bodies[body].pin(pin).0;
+            place(guide.body, &inner.second_pin) - place(outer.body, &outer.pin)
+        } else {
+            inner.arms[0].of::<S>().turned(self.motion.bodies[outer.body].u)
+        };
+        let d = self.direction(guide);
         (rrp::Rrp::new(r_1, d), r_1.dot(d) / r_1.norm())
     }
 

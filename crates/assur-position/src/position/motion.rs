@@ -9,7 +9,7 @@ use crate::plan::step::unit;
 use crate::plan::{Anchor, Arm, MotionStep, Plan, Slide};
 
 /// Rounding alone may leave a group at a dead centre this much short of closing, relative to its lengths, in units of ε.
-const CLOSURE: f64 = 16.0;
+pub(super) const CLOSURE: f64 = 16.0;
 
 /// Position, velocity and acceleration of a point.
 #[derive(Clone, Copy)]
@@ -159,6 +159,7 @@ impl<S: Scalar> State<S> {
             }
             MotionStep::Translation { branch, slides } => self.translation::<LEVEL>(*branch, slides),
             MotionStep::Cam { branch, .. }
+            | MotionStep::CamTurned { branch, .. }
             | MotionStep::Geneva { branch, .. }
             | MotionStep::Train { branch, .. }
             | MotionStep::Triad { branch, .. }
@@ -286,6 +287,7 @@ impl State {
         match step {
             MotionStep::Train { branch, train } => self.train::<LEVEL>(*branch, &plan.trains[*train]),
             MotionStep::Cam { branch, cam } => self.cam::<LEVEL>(*branch, &plan.cams[*cam]),
+            MotionStep::CamTurned { branch, cam } => self.cam_turned::<LEVEL>(*branch, &plan.cams[*cam]),
             MotionStep::Geneva { branch, geneva } => self.geneva::<LEVEL>(*branch, &plan.genevas[*geneva]),
             MotionStep::Triad { branch, triad } => self.triad::<LEVEL>(*branch, triad, plan.settings.triad),
             MotionStep::General { branch, problem } => {

@@ -5,7 +5,7 @@ use super::model::Model;
 use super::state::State;
 use super::wrench::Wrench;
 use crate::math::Vec2;
-use crate::structure::{BodyId, BodyRate, EffortKind, JointId, JointKind};
+use crate::structure::{BodyId, BodyOrigin, BodyRate, EffortKind, JointId, JointKind};
 
 /// How well independent equations hold, relative to the quantities in play.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -115,8 +115,14 @@ fn totals(model: &Model<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
     for (slot, joint) in model.plan.reactions.iter().enumerate() {
         let p = match &model.structure.replaced.joint(joint.joint).kind {
             JointKind::Revolute(members) => {
-                let at = members.iter().find(|m| m.0 == joint.body).map_or(Vec2::zero(), |m| m.1);
-                state.motion.bodies[joint.body.0].position(at)
+                // the block of a cam's contact has its hinge at its origin, wherever on the cam that is
+                let pair = model.structure.replaced.joint(joint.joint).pair;
+                let is_block =
+                    |b: BodyId| model.structure.replaced.bodies[b.0].origin == BodyOrigin::Imaginary(pair);
+                let block = members.iter().find(|m| model.mechanism.is_by_law(pair) && is_block(m.0));
+                let member = block.or_else(|| members.iter().find(|m| m.0 == joint.body));
+                let (on, at) = member.map_or((joint.body, Vec2::zero()), |m| *m);
+                state.motion.bodies[on.0].position(at)
             }
             JointKind::Prismatic { slider, point, .. } => state.motion.bodies[slider.0].position(*point),
             JointKind::Law(_) => continue,

@@ -18,7 +18,7 @@ pub struct Branch {
     pub root: f64,
     /// On which side of a line a round profile lies, per prismatic joint, ±1.
     pub sides: [f64; 2],
-    /// The same for a general group, one bit per round profile.
+    /// The same for a general group, one bit per round profile; of a cam that its follower turns the number of the flank.
     pub general_sides: u32,
 }
 

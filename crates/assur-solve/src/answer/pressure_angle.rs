@@ -13,7 +13,7 @@ impl PoseAnswers<'_> {
     /// point is the follower's own point or the centre of its circle, of a straight face the place of the contact. Its way is
     /// perpendicular to the arm from the hinge, or along the guide, by which the follower stands on the frame; so it is
     /// known where the follower rests too. Otherwise it is that of the velocity, and NaN where there is none. The follower
-    /// is the link that is solved later.
+    /// is the link that is solved later, or the designed one of a cam.
     pub(super) fn pressure_angle(&self, pair: PairId) -> f64 {
         let Some((place, normal)) = self.contact_normal(pair) else { return f64::NAN };
         let Some(follower) = self.follower(pair) else { return f64::NAN };
@@ -27,7 +27,9 @@ impl PoseAnswers<'_> {
             let body = BodyId(link.index());
             self.structure.motion.iter().position(|g| g.bodies.contains(&body)).map_or(0, |r| r + 1)
         };
-        self.mechanism.pair(pair).kind.links().into_iter().max_by_key(|l| rank(*l))
+        let disk = self.mechanism.cam_contacts.iter().find(|c| c.pair == pair).map(|c| c.disk);
+        let links = self.mechanism.pair(pair).kind.links().into_iter();
+        links.filter(|l| Some(*l) != disk).max_by_key(|l| rank(*l))
     }
 
     /// The follower's own point, or the centre of its circle.

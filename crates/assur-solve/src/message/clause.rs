@@ -1,6 +1,6 @@
 //! The clauses of `assemble` that choose an assembly, as lines to paste.
 
-use super::format::length;
+use super::format::{length, short};
 use crate::position::{Model, extent};
 use crate::solve::{Clause, NamedPoint};
 
@@ -19,6 +19,11 @@ pub fn clause(model: &Model<'_>, clause: &Clause) -> String {
         }
         Clause::Sign { pair, positive } => {
             format!("assemble {} {} 0", name(pair), if positive { ">" } else { "<" })
+        }
+        Clause::Between { pair, above, below } => {
+            let bound = |sign: &str, x: f64| format!("{} {sign} {} deg", name(pair), short(x.to_degrees()));
+            let bounds = [above.map(|x| bound(">", x)), below.map(|x| bound("<", x))];
+            format!("assemble {}", bounds.into_iter().flatten().collect::<Vec<_>>().join(", "))
         }
         Clause::Near { point, place } => {
             // what is nothing but rounding is zero

@@ -1,5 +1,6 @@
 //! Positions, lengths and links in words.
 
+use crate::plan::{contact_in, is_turned};
 use crate::position::{DriveValue, Model, PoseOrigin, Wanted, turns};
 use miette::LabeledSpan;
 
@@ -163,7 +164,13 @@ pub(super) fn labels(model: &Model<'_>, group: &Group, text: &str) -> Vec<Labele
 pub(super) fn stands(model: &Model<'_>, group: &Group, condition: f64) -> String {
     let links = links(model, group);
     let first = group.bodies.first().map(|&b| body(model, b));
+    let turned = contact_in(model.mechanism, model.structure, group)
+        .filter(|(block, _, contact)| is_turned(group, *block, contact))
+        .map(|(.., contact)| (model.mechanism.pair(contact.pair), model.mechanism.link(contact.disk)));
     let how = match (group.kind, first) {
+        _ if turned.is_some() => turned.map_or_else(String::new, |(contact, disk)| {
+            format!("the normal at `{}` passes through the centre of `{}`", contact.name, disk.name)
+        }),
         (GroupKind::Dyad(Dyad::Rrr), _) => format!("{links} are in line"),
         (GroupKind::Dyad(Dyad::Rrp), Some(leg)) => format!("{leg} is perpendicular to its guide"),
         (GroupKind::Dyad(Dyad::Prp | Dyad::Rpp) | GroupKind::Translation, _) => {

@@ -1,6 +1,6 @@
 //! By how much a group does not close, in words.
 
-use super::format::{body, hinge, length};
+use super::format::{body, hinge, length, short, with_unit};
 use crate::group::Gap;
 use crate::group::triad::Miss;
 use crate::model::PairKind;
@@ -8,6 +8,7 @@ use crate::plan::{DrivenJoint, DrivenLeg, MotionStep};
 use crate::position::Model;
 use crate::solve::GroupGap;
 use crate::structure::{BodyId, GroupJoint};
+use crate::units::Dimension;
 
 /// The gap with its numbers and points, and what would close it.
 pub(super) fn gap_text(model: &Model<'_>, group: usize, gap: &GroupGap) -> (String, String) {
@@ -75,6 +76,11 @@ pub(super) fn gap_text(model: &Model<'_>, group: usize, gap: &GroupGap) -> (Stri
             let links = [leg(0), leg(1), leg(2), plate];
             triad_text(mm, *miss, &links, &[0, 1, 2, 3, 4, 5].map(name))
         }
+        GroupGap::Lift { pair, lift, range, oscillates, dwell } => {
+            let dimension = if *oscillates { Dimension::ANGLE } else { Dimension::LENGTH };
+            let size = |x: f64| with_unit(model, x, dimension);
+            lift_text(&model.mechanism.pair(*pair).name, &size, *lift, *range, *dwell)
+        }
         GroupGap::Parallel => (
             "the guides are parallel".to_owned(),
             format!("turn the guide of {} or {}, so that they cross", name(0), name(group.joints.len() - 1)),
@@ -84,6 +90,39 @@ pub(super) fn gap_text(model: &Model<'_>, group: usize, gap: &GroupGap) -> (Stri
 
 /// Lengths in the author's unit.
 type Lengths<'a> = &'a dyn Fn(f64) -> String;
+
+/// The follower of a designed cam stands where the cam has no angle, or no certain one.
+fn lift_text(
+    contact: &str,
+    size: &dyn Fn(f64) -> String,
+    lift: f64,
+    [least, most]: [f64; 2],
+    dwell: Option<[f64; 2]>,
+) -> (String, String) {
+    if let Some([from, to]) = dwell.map(|angles| angles.map(|x| short(x.to_degrees()))) {
+        return (
+            format!(
+                "at `{contact}` the follower is at lift {}, where the cam dwells from {from} deg to {to} deg: any of these \
+                 cam angles fits",
+                size(lift)
+            ),
+            "drive the cam instead of the follower, or choose a position of the follower on a rise or a fall"
+                .to_owned(),
+        );
+    }
+    let (far, how) = if lift > most { (lift - most, "too high") } else { (least - lift, "too low") };
+    let way = if lift > most { "lower" } else { "raise" };
+    (
+        format!(
+            "at `{contact}` the follower is at lift {}, but the cam lifts it from {} to {}: {} {how}",
+            size(lift),
+            size(least),
+            size(most),
+            size(far)
+        ),
+        format!("{way} the follower by at least {}, or change the lift of the cam", size(far)),
+    )
+}
 
 /// Two links of these lengths from hinge to hinge that do not meet.
 fn reach(

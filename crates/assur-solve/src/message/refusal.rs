@@ -21,7 +21,9 @@ pub(super) fn refused(model: &Model<'_>, refusal: &Refusal) -> SolveError {
         Refusal::Unsupported { what, places } => {
             unsupported(what, places.iter().map(|place| label("not supported yet", *place)).collect())
         }
-        Refusal::CamFollower(pair) => not_yet("a cam that is driven by its follower", &[*pair]),
+        Refusal::CamFollower(pair) => {
+            not_yet("a cam that neither moves its follower alone nor is turned by it alone", &[*pair])
+        }
         Refusal::CamForces(pair) => {
             not_yet("forces through the contact of a cam in this direction", &[*pair])
         }

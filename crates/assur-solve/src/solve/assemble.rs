@@ -135,6 +135,9 @@ fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize)
         let found = crate::position::triad_assemblies(state, index, triad);
         return found.iter().map(|state| Assembly::of(model, state, index)).collect();
     }
+    if let MotionStep::CamTurned { cam, .. } = step {
+        return flanks(model, state, index, model.plan.cams[*cam].flanks.len());
+    }
     let roots: &[f64] = if state.has_two_roots(step) { &[1.0, -1.0] } else { &[1.0] };
     let round = radii(step).map(|r| r != 0.0);
     let sides = |round: bool| if round { vec![1.0, -1.0] } else { vec![1.0] };
@@ -149,6 +152,20 @@ fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize)
                     out.push(Assembly::of(model, state, index));
                 }
             }
+        }
+    }
+    out
+}
+
+/// The flanks of a cam that reach the lift at which its follower stands.
+fn flanks(model: &Model<'_>, state: &mut State, index: usize, count: usize) -> Vec<Assembly> {
+    let mut out = Vec::new();
+    for flank in 0..u32::try_from(count).unwrap_or(u32::MAX) {
+        state.branches[index] = Branch { general_sides: flank, ..Branch::FIRST };
+        state.motion.open = None;
+        state.step::<0>(model.plan, &model.plan.motion[index]);
+        if state.motion.open.is_none() {
+            out.push(Assembly::of(model, state, index));
         }
     }
     out

@@ -3,6 +3,7 @@
 use crate::answer::{PoseAnswers, first_angles};
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId, PairKind};
+use crate::plan::{contact_in, is_turned};
 use crate::position::{Model, SAME, State, extent};
 use crate::structure::{BodyOrigin, Dyad, Group, GroupKind, JointKind};
 
@@ -35,6 +36,15 @@ pub enum Clause {
         pair: PairId,
         /// Greater than zero, or less.
         positive: bool,
+    },
+    /// The angle of a revolute is in a range.
+    Between {
+        /// The revolute.
+        pair: PairId,
+        /// Greater than this, rad, if there is a lower bound.
+        above: Option<f64>,
+        /// Less than this, rad, if there is an upper bound.
+        below: Option<f64>,
     },
     /// A point lies near a place.
     Near {
@@ -74,6 +84,9 @@ pub(super) fn distinct<'s>(model: &Model<'_>, states: &[&'s State], group: &Grou
 
 /// A clause for every assembly: by side, order or sign where these tell them apart, else by the place of a point.
 pub(super) fn clauses(model: &Model<'_>, assemblies: &[&State], group: &Group) -> Vec<Clause> {
+    if let Some(clauses) = by_cam_angle(model, assemblies, group) {
+        return clauses;
+    }
     let mut clauses: Vec<Clause> = Vec::new();
     for state in assemblies {
         match by_kind(model, state, group) {
@@ -85,6 +98,29 @@ pub(super) fn clauses(model: &Model<'_>, assemblies: &[&State], group: &Group) -
         }
     }
     clauses
+}
+
+/// The ranges of the angle of a cam that its follower turns, bounded in the middle between two assemblies.
+fn by_cam_angle(model: &Model<'_>, assemblies: &[&State], group: &Group) -> Option<Vec<Clause>> {
+    let (block, _, contact) = contact_in(model.mechanism, model.structure, group)?;
+    if !is_turned(group, block, contact) {
+        return None;
+    }
+    if assemblies.len() < 2 {
+        return Some(near_clauses(model, assemblies, group));
+    }
+    let hinges = group.joints.iter().map(|j| model.structure.replaced.joint(j.joint).pair);
+    let pair = hinges.into_iter().find(|&p| p != contact.pair)?;
+    let angles: Vec<f64> = assemblies.iter().map(|state| coordinate(model, state, pair)).collect();
+    let mut sorted = angles.clone();
+    sorted.sort_by(f64::total_cmp);
+    let bounds: Vec<f64> = sorted.windows(2).map(|two| 0.5 * (two[0] + two[1])).collect();
+    let each = angles.iter().map(|&angle| Clause::Between {
+        pair,
+        above: bounds.iter().copied().rfind(|b| *b < angle),
+        below: bounds.iter().copied().find(|b| *b > angle),
+    });
+    Some(each.collect())
 }
 
 fn by_kind(model: &Model<'_>, state: &State, group: &Group) -> Option<Clause> {

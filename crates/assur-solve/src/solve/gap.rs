@@ -2,6 +2,7 @@
 
 use crate::group::triad::{Miss, gap};
 use crate::group::{Gap, rpr, rrp, rrr};
+use crate::model::PairId;
 use crate::plan::{Anchor, MotionStep};
 use crate::position::{Model, State};
 
@@ -39,6 +40,19 @@ pub enum GroupGap {
     Legs(Option<Miss>),
     /// Guides are parallel.
     Parallel,
+    /// The follower of a designed cam stands at a lift that the cam has not, m or rad.
+    Lift {
+        /// The contact.
+        pair: PairId,
+        /// The lift.
+        lift: f64,
+        /// The least and the greatest of the cam.
+        range: [f64; 2],
+        /// The lift is an angle.
+        oscillates: bool,
+        /// The cam angles of the dwell at this lift, rad, from and to.
+        dwell: Option<[f64; 2]>,
+    },
 }
 
 /// By how much a group does not close in a state in which its step was run.
@@ -67,6 +81,18 @@ pub(super) fn group_gap(model: &Model<'_>, state: &State, index: usize) -> Group
         }
         MotionStep::DrivenRrp { .. } => GroupGap::Driven,
         MotionStep::Triad { triad, .. } => GroupGap::Legs(gap(&triad.plate, &state.triad_ends(triad))),
+        MotionStep::CamTurned { cam, .. } => {
+            let step = &model.plan.cams[*cam];
+            let lifts = || step.flanks.iter().flat_map(|flank| flank.lifts);
+            let dwell = state.cam_dwell(step);
+            GroupGap::Lift {
+                pair: step.contact.pair,
+                lift: dwell.map_or_else(|| state.cam_lift(step).0, |d| d.0),
+                range: [lifts().fold(f64::INFINITY, f64::min), lifts().fold(f64::NEG_INFINITY, f64::max)],
+                oscillates: step.cam.follower.oscillates(),
+                dwell: dwell.map(|d| d.1),
+            }
+        }
         _ => GroupGap::Parallel,
     }
 }

@@ -14,7 +14,7 @@ pub enum Refusal {
         /// Its places.
         places: Vec<Span>,
     },
-    /// A designed cam that does not move its follower by itself.
+    /// A designed cam and its follower of which neither moves the other by itself.
     CamFollower(PairId),
     /// Forces through the contact of a designed cam that no step knows.
     CamForces(PairId),

@@ -3,6 +3,7 @@
 mod bound;
 mod design;
 mod fault;
+mod flank;
 mod follower;
 mod law;
 mod point;
@@ -10,6 +11,7 @@ mod program;
 
 pub use design::Cam;
 pub use fault::{Fault, Misfit};
+pub use flank::{Flank, Reached};
 pub use follower::{Follower, Shape};
 pub use law::{Jet, Law};
 pub use point::{CamPoint, Quantity};

@@ -1,5 +1,6 @@
 //! The motion of a follower over one turn of its cam: phases one after the other.
 
+use super::flank::Flank;
 use super::law::{Jet, Law};
 use crate::math::{Double, Scalar};
 use std::f64::consts::TAU;
@@ -127,6 +128,65 @@ impl Program {
         })
     }
 
+    /// The flanks in the order of the cam angle; one that passes the end of the turn comes last.
+    #[must_use]
+    pub fn flanks(&self) -> Vec<Flank> {
+        let still = 1e-12 * self.phases.iter().fold(0.0, |h, p| f64::max(h, p.from.abs()));
+        let mut flanks: Vec<Flank> = Vec::new();
+        let (mut dwells, mut begins_with_dwell) = (false, false);
+        let mut first = true;
+        for part in self.parts().flat_map(|part| self.without_turns(part)) {
+            let lifts = [part.from, part.to].map(|phi| self.on_part(&part, phi)[0]);
+            let rest = self.phases[part.phase].law == Law::Dwell || (lifts[1] - lifts[0]).abs() <= still;
+            if rest {
+                // a spline may turn back within rounding
+                if part.to - part.from > NEAR.sqrt() {
+                    if let Some(last) = flanks.last_mut().filter(|_| !dwells) {
+                        last.dwells[1] = true;
+                    }
+                    (dwells, begins_with_dwell) = (true, begins_with_dwell || first);
+                }
+            } else {
+                let flank = Flank::new(vec![part], lifts, [dwells, false]);
+                match flanks.pop() {
+                    Some(last) if !dwells && last.rises() == flank.rises() => flanks.push(flank.after(last)),
+                    last => flanks.extend(last.into_iter().chain([flank])),
+                }
+                dwells = false;
+            }
+            first = false;
+        }
+        self.close(flanks, dwells, begins_with_dwell)
+    }
+
+    /// Joins the flanks over the end of the turn.
+    fn close(&self, mut flanks: Vec<Flank>, ends_with_dwell: bool, begins_with_dwell: bool) -> Vec<Flank> {
+        let dwells = ends_with_dwell || begins_with_dwell;
+        if let (Some(last), true) = (flanks.last_mut(), dwells) {
+            last.dwells[1] = true;
+        }
+        if let (Some(first), true) = (flanks.first_mut(), dwells) {
+            first.dwells[0] = true;
+        }
+        let goes_on = flanks.len() > 1 && !dwells && flanks[0].rises() == flanks[flanks.len() - 1].rises();
+        if goes_on && let Some(last) = flanks.pop() {
+            let first = flanks.remove(0);
+            flanks.push(first.after(last));
+        }
+        flanks
+    }
+
+    /// A part cut where its spline turns from rising to falling or back.
+    fn without_turns(&self, part: Part) -> Vec<Part> {
+        let phase = &self.phases[part.phase];
+        let mut ends: Vec<f64> = phase.turns().map(|x| phase.start + x * phase.angle).collect();
+        ends.sort_by(f64::total_cmp);
+        ends.push(part.to);
+        let mut from = part.from;
+        let cut = ends.into_iter().map(|to| Part { from: std::mem::replace(&mut from, to), to, ..part });
+        cut.collect()
+    }
+
     /// Cam angles where the velocity jumps, with s′ before and after.
     #[must_use]
     pub fn shocks(&self) -> Vec<(f64, f64, f64)> {
@@ -148,15 +208,26 @@ impl Phase {
         let to = self.from + self.change;
         let mut places = vec![(self.start, self.from), (self.start + self.angle, to)];
         if let Law::Spline([a, b, c]) = self.law {
-            // a + 2 b x + 3 c x² = 0, both roots without cancellation
-            let root = (b * b - 3.0 * a * c).sqrt();
-            let q = -(b + root.copysign(b));
-            let inside = [q / (3.0 * c), a / q].into_iter().filter(|x| *x > 0.0 && *x < 1.0);
+            let inside = self.turns();
             places
                 .extend(inside.map(|x| (self.start + x * self.angle, self.from + x * (a + x * (b + x * c)))));
         }
         let least = places.iter().copied().fold((0.0, f64::INFINITY), |m, p| if p.1 < m.1 { p } else { m });
         (least, places.iter().fold(f64::NEG_INFINITY, |m, p| m.max(p.1)))
+    }
+
+    /// Where within the phase its spline turns from rising to falling or back, as parts of its angle.
+    fn turns(&self) -> impl Iterator<Item = f64> {
+        let roots = match self.law {
+            Law::Spline([a, b, c]) => {
+                // a + 2 b x + 3 c x² = 0, both roots without cancellation
+                let root = (b * b - 3.0 * a * c).sqrt();
+                let q = -(b + root.copysign(b));
+                [q / (3.0 * c), a / q]
+            }
+            _ => [f64::NAN; 2],
+        };
+        roots.into_iter().filter(|x| *x > 0.0 && *x < 1.0)
     }
 
     /// The way of the law in units of the follower, per radian of the cam.

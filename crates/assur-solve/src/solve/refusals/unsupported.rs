@@ -1,7 +1,7 @@
 //! Constructs that cannot be solved yet.
 
 use crate::model::Mechanism;
-use crate::plan::{contact_in, geneva_in, is_follower, is_wheel};
+use crate::plan::{contact_in, geneva_in, is_follower, is_turned, is_wheel};
 use crate::position::Model;
 use crate::solve::refusal::Refusal;
 use crate::source::Span;
@@ -20,12 +20,13 @@ pub(in crate::solve) fn not_supported(mechanism: &Mechanism) -> Vec<Refusal> {
     kinds.into_iter().map(refused).collect()
 }
 
-/// Contacts of designed cams that do not move their follower, or carry forces in a way that no step knows.
+/// Contacts of designed cams of which neither side moves the other by itself, or that carry forces in a way that no step knows.
 pub(super) fn cams(model: &Model<'_>) -> Vec<Refusal> {
     let (mechanism, structure) = (model.mechanism, model.structure);
     for group in &structure.motion {
         if let Some((block, _, contact)) = contact_in(mechanism, structure, group)
             && !is_follower(group, block, contact)
+            && !is_turned(group, block, contact)
         {
             return vec![Refusal::CamFollower(contact.pair)];
         }
@@ -33,9 +34,7 @@ pub(super) fn cams(model: &Model<'_>) -> Vec<Refusal> {
     let mut found = Vec::new();
     for group in structure.forces.iter().filter(|_| model.plan.effects.forces) {
         let Some((_, _, contact)) = contact_in(mechanism, structure, group) else { continue };
-        let with_disk = group.bodies.iter().any(|b| b.0 == contact.disk.index());
-        let general = !matches!(group.kind, GroupKind::Dyad(_));
-        if general || with_disk && contact.face.is_some() {
+        if !matches!(group.kind, GroupKind::Dyad(_)) {
             found.push(Refusal::CamForces(contact.pair));
         }
     }
