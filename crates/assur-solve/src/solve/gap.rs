@@ -83,7 +83,8 @@ pub(super) fn group_gap(model: &Model<'_>, state: &State, index: usize) -> Group
         MotionStep::Triad { triad, .. } => GroupGap::Legs(gap(&triad.plate, &state.triad_ends(triad))),
         MotionStep::CamTurned { cam, .. } => {
             let step = &model.plan.cams[*cam];
-            let lifts = || step.flanks.iter().flat_map(|flank| flank.lifts);
+            let still = || step.cam.program.phases().iter().map(|phase| phase.from);
+            let lifts = || step.flanks.iter().flat_map(|flank| flank.lifts).chain(still());
             let dwell = state.cam_dwell(step);
             GroupGap::Lift {
                 pair: step.contact.pair,
