@@ -46,7 +46,7 @@ pub(crate) fn belt_grip(cx: &mut Context<'_>, joint: &Joint, properties: &[Read]
         let message = "the ratio of the pulls at which the belt slips is not a finite number";
         return incomplete(cx, message, "check friction, wrap and groove", friction.span);
     }
-    Some(Some(Grip::Belt { ratio, pretension: of("pretension").map(Read::number) }))
+    Some(Some(Grip::Belt { wrap, ratio, pretension: of("pretension").map(Read::number) }))
 }
 
 /// The angle of contact on the smaller pulley: π − 2 asin((R − r)/a) of an open belt, π + 2 asin((R + r)/a) of a crossed one.

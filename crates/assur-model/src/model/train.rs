@@ -82,6 +82,8 @@ pub struct Transmission {
 pub enum Grip {
     /// A belt.
     Belt {
+        /// Angle of contact on the smaller pulley, rad.
+        wrap: f64,
         /// Ratio of the pulls T₁/T₂ at which it slips.
         ratio: f64,
         /// Pull on both sides at rest, N.
@@ -97,7 +99,7 @@ impl Grip {
     #[must_use]
     pub fn capacity(self) -> f64 {
         match self {
-            Self::Belt { ratio, pretension: Some(at_rest) } => {
+            Self::Belt { ratio, pretension: Some(at_rest), .. } => {
                 2.0 * at_rest * ((ratio - 1.0) / (ratio + 1.0))
             }
             Self::Belt { pretension: None, .. } => f64::NAN,

@@ -64,7 +64,7 @@ impl PoseAnswers<'_> {
             Some(Grip::Belt { pretension: Some(at_rest), .. }) => {
                 [at_rest + force / 2.0, at_rest - force / 2.0]
             }
-            Some(Grip::Belt { ratio, pretension: None }) => {
+            Some(Grip::Belt { ratio, pretension: None, .. }) => {
                 let slack = force / (ratio - 1.0);
                 [slack + force, slack]
             }

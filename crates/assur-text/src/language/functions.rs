@@ -296,6 +296,11 @@ functions! {
     )],
     SlackSide "slack_side" Train "slack_side(b)"
         [form(&[arg("b", Takes::Pair)], Number(Dimension::FORCE), "pull in the slack side of a belt")],
+    Wrap "wrap" Train "wrap(b)" [form(
+        &[arg("b", Takes::Pair)],
+        Number(Dimension::ANGLE),
+        "angle of contact of a belt with friction, on the smaller pulley",
+    )],
     Capacity "capacity" Train "capacity(k)" [form(
         &[arg("k", Takes::Pair)],
         Varies("torque or force"),

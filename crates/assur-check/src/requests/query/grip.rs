@@ -2,6 +2,8 @@
 
 use crate::expr::context::Context;
 use crate::expr::results::Call;
+use crate::names::declared::QuantityKind;
+use crate::requests::query::args::path;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{Expr, Grip, PairId, PairKind, Query, TransmissionKind};
 use assur_text::language::Function;
@@ -13,6 +15,7 @@ impl Context<'_> {
         match function {
             Function::TightSide => self.belt_pull(call, Query::TightSide),
             Function::SlackSide => self.belt_pull(call, Query::SlackSide),
+            Function::Wrap => self.wrap(call),
             Function::Capacity => self.capacity(call),
             _ => self.slips(call),
         }
@@ -33,6 +36,17 @@ impl Context<'_> {
         }
     }
 
+    /// `wrap(b)`
+    fn wrap(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let (pair, kind) = self.transmission(call, args[0])?;
+        let Some(Grip::Belt { wrap, .. }) = self.grip(pair) else {
+            self.no_grip(call, pair, kind);
+            return None;
+        };
+        Some(Typed::new(Expr::number(wrap), Type::number(Dimension::ANGLE)))
+    }
+
     /// `capacity(k)`
     fn capacity(&mut self, call: Call<'_>) -> Option<Typed> {
         let (pair, dimension) = self.gripping(call)?;
@@ -48,6 +62,13 @@ impl Context<'_> {
     /// A clutch or a belt of which the capacity is known, with the dimension of it.
     fn gripping(&mut self, call: Call<'_>) -> Option<(PairId, Dimension)> {
         let args = self.arguments(call, 1, 1)?;
+        if let Some([name]) = path(args[0]).as_deref()
+            && let Some(QuantityKind::Brake(_)) = self.names.quantities.get(&name.node).map(|d| d.what)
+        {
+            let wanted = format!("a clutch or a belt (the torque of the brake is `{}`)", name.node);
+            self.wrong_argument(call, &wanted, name.span);
+            return None;
+        }
         let (pair, kind) = self.transmission(call, args[0])?;
         match self.grip(pair) {
             Some(Grip::Clutch(_)) => Some((pair, Dimension::TORQUE)),

@@ -143,7 +143,7 @@ impl Context<'_> {
             F::TangentialForce => self.tangential_force(call),
             F::NormalForce => self.normal_force(call),
             F::Tension => self.tension(call),
-            F::TightSide | F::SlackSide | F::Capacity | F::Slips => self.by_grip(call, function),
+            F::TightSide | F::SlackSide | F::Wrap | F::Capacity | F::Slips => self.by_grip(call, function),
             F::JournalTorque => self.bearing(call, Bearing::Journal),
             F::ThrustTorque => self.bearing(call, Bearing::Thrust),
             F::BeltRatio => self.belt_ratio(call),
