@@ -81,7 +81,6 @@ fn geneva(cx: &mut Context<'_>, property: &Property, pair: PairId) -> Option<Gen
         let help = "write the line of a slot through the wheel's hinge: `line slot through C along 0 deg`";
         return refused(cx, message, help.into(), span);
     }
-    let wanted = distance * libm::sin(PI / slots);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, from 3 to 1000
     let count = slots as u32;
     let Some(law) = Geneva::new(r / distance, count).filter(|_| r > 0.0) else {
@@ -90,14 +89,14 @@ fn geneva(cx: &mut Context<'_>, property: &Property, pair: PairId) -> Option<Gen
             mm(r),
             mm(distance)
         );
-        return refused(cx, message, proportions(wanted, r, slots), span);
+        return refused(cx, message, proportions(distance, r, slots), span);
     };
     if law.shock() != 0.0 {
         let ratio = format_value(law.shock(), Dimension::NUMBER);
         cx.error(PairError::GenevaShock {
             name: name.clone(),
             ratio,
-            help: proportions(wanted, r, slots),
+            help: proportions(distance, r, slots),
             span: declared.span,
         });
     }
@@ -117,11 +116,12 @@ fn geneva(cx: &mut Context<'_>, property: &Property, pair: PairId) -> Option<Gen
     })
 }
 
-fn proportions(wanted: f64, r: f64, slots: f64) -> String {
+/// The radius of the pin as an expression: a rounded number may miss the slot.
+fn proportions(distance: f64, r: f64, slots: f64) -> String {
     format!(
-        "the pin enters along the slot where its radius is the distance of the centres times sin(180 deg/{slots}): put it \
-         {} from the crank\'s centre, or the centres {} apart",
-        mm(wanted),
+        "the pin enters along the slot where its radius is the distance of the centres times sin(180 deg/{slots}): write the \
+         radius as `{}*sin(180 deg/{slots})`, or put the centres {} apart",
+        mm(distance),
         mm(r / libm::sin(PI / slots))
     )
 }
