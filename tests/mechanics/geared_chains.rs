@@ -184,25 +184,12 @@ impl FiveBar {
     }
 }
 
-/// Gauss with the greatest pivot.
-pub(crate) fn eliminate(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
+/// The solution of a square system.
+pub(crate) fn eliminate(matrix: Vec<Vec<f64>>, right: Vec<f64>) -> Vec<f64> {
     let n = right.len();
-    for k in 0..n {
-        let pivot = (k..n).max_by(|&a, &b| matrix[a][k].abs().total_cmp(&matrix[b][k].abs())).expect("a row");
-        matrix.swap(k, pivot);
-        right.swap(k, pivot);
-        for i in k + 1..n {
-            let factor = matrix[i][k] / matrix[k][k];
-            let (above, below) = matrix.split_at_mut(i);
-            below[0].iter_mut().zip(&above[k]).skip(k).for_each(|(x, y)| *x -= factor * y);
-            right[i] -= factor * right[k];
-        }
-    }
-    for k in (0..n).rev() {
-        let sum: f64 = (k + 1..n).map(|j| matrix[k][j] * right[j]).sum();
-        right[k] = (right[k] - sum) / matrix[k][k];
-    }
-    right
+    let lu = nalgebra::DMatrix::from_fn(n, n, |i, k| matrix[i][k]).full_piv_lu();
+    let found = lu.solve(&nalgebra::DVector::from_vec(right)).expect("a regular system");
+    found.iter().copied().collect()
 }
 
 /// Driven at the crank it is a train and a dyad; driven at the coupler all links are found together.

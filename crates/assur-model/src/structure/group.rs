@@ -3,6 +3,7 @@
 use super::effort::{Effort, EffortKind};
 use super::group_joint::GroupJoint;
 use super::joint::{BodyId, JointId, JointKind, Replaced};
+use crate::model::LinkId;
 
 /// A structural group: bodies that are solved together.
 #[derive(Clone, Debug)]
@@ -229,6 +230,15 @@ impl Group {
         self.bodies = bodies;
         self.joints = joints;
         Some(dyad)
+    }
+
+    /// Whether it is a dyad of a link and a block, and nothing else.
+    #[must_use]
+    pub fn is_dyad_of(&self, link: LinkId, block: usize) -> bool {
+        let mut others = self.bodies.iter().filter(|b| b.0 != block);
+        matches!(self.kind, GroupKind::Dyad(_))
+            && others.next().is_some_and(|b| b.0 == link.index())
+            && others.next().is_none()
     }
 
     /// How many laws join the group to bodies outside it.

@@ -3,8 +3,8 @@
 use super::cam_step::CamStep;
 use super::planned::Plan;
 use super::step::MotionStep;
-use crate::model::{CamContact, LinkId, Mechanism, PairId};
-use crate::structure::{BodyOrigin, Group, GroupKind, Structure};
+use crate::model::{CamContact, Mechanism, PairId};
+use crate::structure::{BodyOrigin, Group, Structure};
 
 /// The contact of a designed cam whose block belongs to a group.
 pub fn contact_in<'m>(
@@ -22,19 +22,12 @@ pub fn contact_in<'m>(
 
 /// Whether a group is the follower of a cam that moves already: the follower and the block, nothing else.
 pub fn is_follower(group: &Group, block: usize, contact: &CamContact) -> bool {
-    is_alone(group, block, contact.follower)
+    group.is_dyad_of(contact.follower, block)
 }
 
 /// Whether a group is a cam that its follower, which moves already, turns: the cam and the block, nothing else.
 pub fn is_turned(group: &Group, block: usize, contact: &CamContact) -> bool {
-    is_alone(group, block, contact.disk)
-}
-
-fn is_alone(group: &Group, block: usize, link: LinkId) -> bool {
-    let mut others = group.bodies.iter().filter(|b| b.0 != block);
-    matches!(group.kind, GroupKind::Dyad(_))
-        && others.next().is_some_and(|b| b.0 == link.index())
-        && others.next().is_none()
+    group.is_dyad_of(contact.disk, block)
 }
 
 /// The step of a group that is the follower of a designed cam, or the cam.

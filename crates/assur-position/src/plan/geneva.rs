@@ -4,7 +4,7 @@ use super::geneva_step::GenevaStep;
 use super::planned::Plan;
 use super::step::MotionStep;
 use crate::model::{GenevaPair, Mechanism};
-use crate::structure::{BodyOrigin, Group, GroupKind, Structure};
+use crate::structure::{BodyOrigin, Group, Structure};
 
 /// The wheel whose block belongs to a group, with the block's slot.
 pub fn geneva_in<'m>(
@@ -20,10 +20,7 @@ pub fn geneva_in<'m>(
 
 /// Whether a group is a wheel that its crank moves: the wheel and the block, nothing else.
 pub fn is_wheel(group: &Group, block: usize, pair: &GenevaPair) -> bool {
-    let mut others = group.bodies.iter().filter(|b| b.0 != block);
-    matches!(group.kind, GroupKind::Dyad(_))
-        && others.next().is_some_and(|b| b.0 == pair.wheel.index())
-        && others.next().is_none()
+    group.is_dyad_of(pair.wheel, block)
 }
 
 /// The step of a group that is a wheel moved by its crank.
