@@ -3,6 +3,7 @@
 use crate::error::UnitsError;
 use crate::expr::context::Context;
 use crate::expr::number::with_unit;
+use crate::statements::walk::parts;
 use crate::statements::written::written;
 use crate::values::typed::{Dim, Type, Typed, correction, phrase};
 use assur_syntax::document::{Expr, ExprKind};
@@ -69,9 +70,28 @@ impl Context<'_> {
         if found == Dimension::NUMBER && self.bare_definition(want, expr) {
             return false;
         }
-        let help = self.in_its_place(want, found, &what, expr);
+        let help = self
+            .column_without_unit(want, found, expr)
+            .or_else(|| self.in_its_place(want, found, &what, expr));
         self.error(UnitsError::Mismatch { what, want: phrase(want), found: phrase(found), span, help });
         false
+    }
+
+    /// The header of a curve in the expression whose values have no unit, with the one that is missing.
+    fn column_without_unit(&self, want: Dimension, found: Dimension, expr: &Expr) -> Option<String> {
+        let mut bare = None;
+        parts(expr, &mut |part| {
+            if let ExprKind::Call { function, .. } = &part.kind
+                && let Some(curve) = self.values.curves.get(&function.node)
+                && curve.value == Dimension::NUMBER
+            {
+                bare.get_or_insert_with(|| function.node.clone());
+            }
+        });
+        let (name, missing) = (bare?, want.over(found));
+        missing.name()?;
+        let unit = self.values.usual_unit(missing);
+        Some(format!("the values of curve `{name}` have no unit: write it in its header, as in `[{unit}]`"))
     }
 
     /// Reports a vector where a number is due, and the like.
