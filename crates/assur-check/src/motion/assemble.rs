@@ -1,6 +1,6 @@
 //! Which of the possible poses is meant.
 
-use crate::error::MotionError;
+use crate::error::{LinkError, MotionError};
 use crate::expr::context::Context;
 use crate::expr::want::Want;
 use crate::links::lookup::{is_linkage_pair, place_of_pair};
@@ -10,6 +10,7 @@ use crate::statements::lines::text;
 use assur_model::model;
 use assur_model::model::{Hint, HintKind, LinkPoint, PairId, PairKind, Positions};
 use assur_syntax::document::{AssembleClause, CompareOp, Expr, Order, Path, Side, Statement};
+use assur_text::language::properties_of_pair;
 
 /// Enters all clauses of `assemble` into the mechanism.
 pub(crate) fn hints(cx: &mut Context<'_>) {
@@ -23,6 +24,36 @@ pub(crate) fn hints(cx: &mut Context<'_>) {
         }
     }
     near_with_dead(cx);
+}
+
+/// `k phase 40 deg`: as the property of the transmission.
+fn set_phase(cx: &mut Context<'_>, what: &Path, phase: &Expr) -> Option<()> {
+    let value = cx.scalar_constant(phase, &Want::ANGLE, "the phase of wheels");
+    let pair = cx.pair(&what.head)?;
+    let declared = cx.builder.mech.pair(pair);
+    let (span, name) = (declared.span, declared.name.clone());
+    let of_wheels = match &declared.kind {
+        PairKind::Transmission(t) => {
+            t.links.len() == 2 && properties_of_pair(t.kind.statement()).iter().any(|p| p.name == "phase")
+        }
+        _ => false,
+    };
+    if !of_wheels || what.tail.is_some() {
+        cx.error(MotionError::NoPhase { name, span: what.span(), declared: span });
+        return None;
+    }
+    let value = value?;
+    let PairKind::Transmission(transmission) = &mut cx.builder.mech.pairs[pair.index()].kind else {
+        return None;
+    };
+    let law = transmission.laws.first_mut()?;
+    if law.constant != 0.0 {
+        let again = "its phase".to_owned();
+        cx.error(LinkError::StatedTwice { what: again, again: what.span(), first: span });
+        return None;
+    }
+    law.constant = law.terms.get(1)?.1 * value;
+    Some(())
 }
 
 /// `near` holds for the first pose, which is not known where the drive begins at a dead position: that is found from the
@@ -52,6 +83,10 @@ fn hint(cx: &mut Context<'_>, clause: &AssembleClause) -> Option<HintKind> {
             let point = point(cx, what);
             let place = cx.vector_constant(at, &Want::LENGTH, "the point after `near`");
             Some(HintKind::Near { point: point?, place: place? })
+        }
+        AssembleClause::Phase { what, phase } => {
+            set_phase(cx, what, phase);
+            None
         }
         AssembleClause::Side { what, side, from, to } => {
             let points = (point(cx, what), point(cx, from), point(cx, to));

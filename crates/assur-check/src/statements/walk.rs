@@ -94,6 +94,7 @@ pub fn expressions<'a>(statement: &'a Statement, visit: &mut dyn FnMut(&'a Expr)
             for clause in &a.clauses {
                 match &clause.node {
                     AssembleClause::Near { at, .. } => visit(at),
+                    AssembleClause::Phase { phase, .. } => visit(phase),
                     AssembleClause::Sign { bound, .. } => visit(bound),
                     AssembleClause::Side { .. } | AssembleClause::Order { .. } => {}
                 }

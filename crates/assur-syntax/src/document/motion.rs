@@ -146,6 +146,13 @@ pub enum AssembleClause {
         /// A place in the ground's axes.
         at: Expr,
     },
+    /// `k phase 40 deg`
+    Phase {
+        /// A mesh, a belt or a chain.
+        what: Path,
+        /// The angle of the second wheel's link when that of the first is 0.
+        phase: Expr,
+    },
     /// `C left of B-D`
     Side {
         /// What.

@@ -105,6 +105,7 @@ impl Lower<'_> {
         let word = inner.any()?;
         Some(match rule {
             Rule::near => AssembleClause::Near { what, at: self.expr(inner.any()?)? },
+            Rule::phased => AssembleClause::Phase { what, phase: self.expr(inner.any()?)? },
             Rule::beside => {
                 inner.word(Rule::w_of);
                 let (from, to) = (self.path(inner.any()?)?, self.path(inner.any()?)?);

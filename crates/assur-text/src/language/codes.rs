@@ -99,6 +99,7 @@ pub const CODES: &[Code] = codes! {
     "geometry" / "pose_of_sweep",
     "geometry" / "no_guide",
     "geometry" / "near_with_dead",
+    "geometry" / "no_phase",
     "geometry" / "no_single_point",
     "geometry" / "no_direction",
     "geometry" / "force_without_place",

@@ -175,6 +175,7 @@ pub const CONTEXTUAL: &[Word] = &[
     small("motion", "after `against`"),
     small("over", "a rope over an idler"),
     small("periodic", "a curve that begins again after its last point"),
+    small("phase", "before the angle between two wheels"),
     small("radius", "before the radius of a circle or wheel"),
     small("smooth", "a curve with continuous second derivative"),
     small("teeth", "before the number of teeth"),

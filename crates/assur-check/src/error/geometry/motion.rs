@@ -7,6 +7,24 @@ use thiserror::Error;
 /// Errors of drives, poses and assembly.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum MotionError {
+    /// A phase of what has no wheels on two links.
+    #[error("`{name}` has no phase")]
+    #[diagnostic(
+        code("mech::geometry::no_phase"),
+        help(
+            "name a mesh, a belt or a chain: `assemble k phase 40 deg`; for links and points see `near`, `left of` and `> 0`"
+        )
+    )]
+    NoPhase {
+        /// The pair.
+        name: String,
+        /// Its place here.
+        #[label(primary, "not a mesh, a belt or a chain")]
+        span: Span,
+        /// Its declaration.
+        #[label("declared here")]
+        declared: Span,
+    },
     /// Two drives move the same thing.
     #[error("`{name}` is driven twice")]
     #[diagnostic(
