@@ -27,12 +27,7 @@ pub fn write_significant(out: &mut String, x: f64, digits: usize) {
         return;
     }
     let digits = digits.clamp(1, 17);
-    let figures = Figures::from_shortest(x, digits).unwrap_or_else(|| Figures::exact(x, digits));
-    let mut text = Text::default();
-    if x < 0.0 {
-        text.push(b"-");
-    }
-    figures.write(&mut text);
+    let text = Text::plain(x, digits).unwrap_or_else(|| Text::of_figures(x, digits));
     out.push_str(std::str::from_utf8(&text.bytes[..text.len]).unwrap_or_default());
 }
 
@@ -47,6 +42,86 @@ impl Text {
     fn push(&mut self, more: &[u8]) {
         self.bytes[self.len..self.len + more.len()].copy_from_slice(more);
         self.len += more.len();
+    }
+
+    fn of_figures(x: f64, digits: usize) -> Self {
+        let figures = Figures::from_shortest(x, digits).unwrap_or_else(|| Figures::exact(x, digits));
+        let mut text = Self::default();
+        if x < 0.0 {
+            text.push(b"-");
+        }
+        figures.write(&mut text);
+        text
+    }
+
+    /// Rounds the shortest decimal number that is read as `x` where it stands, see [`Figures::from_shortest`]. `None` where it
+    /// has an exponent before or after, or does not decide how `x` is rounded.
+    fn plain(x: f64, digits: usize) -> Option<Self> {
+        let size = x.abs();
+        if !(1e-5..1e7).contains(&size) || digits > MOST_FROM_SHORTEST {
+            return None;
+        }
+        let mut buffer = zmij::Buffer::new();
+        let shortest = buffer.format_finite(x).as_bytes();
+        let begin = usize::from(x < 0.0);
+        let end = if size < 1.0 {
+            let zeros =
+                [0.1, 0.01, 1e-3, 1e-4].iter().map(|&border| usize::from(size < border)).sum::<usize>();
+            begin + 2 + zeros + digits
+        } else {
+            let more = [10.0, 100.0, 1e3, 1e4, 1e5, 1e6].iter().map(|&border| usize::from(size >= border));
+            let before = 1 + more.sum::<usize>();
+            if digits <= before {
+                return None;
+            }
+            begin + digits + 1
+        };
+        let mut text = Self::of(shortest);
+        match shortest.get(end..) {
+            None | Some([]) => {}
+            // half way between two numbers of so many digits
+            Some([b'5']) => return None,
+            Some([next, ..]) => {
+                text.len = end;
+                if *next >= b'5' && !text.round_up(begin) {
+                    return None;
+                }
+            }
+        }
+        while text.bytes[text.len - 1] == b'0' {
+            text.len -= 1;
+        }
+        text.len -= usize::from(text.bytes[text.len - 1] == b'.');
+        Some(text)
+    }
+
+    /// Copies a text of at most 32 bytes, in pieces of a size known beforehand.
+    #[inline(always)]
+    fn of(text: &[u8]) -> Self {
+        let mut copy = Self { len: text.len(), ..Self::default() };
+        match (text.first_chunk::<16>(), text.last_chunk::<16>()) {
+            (Some(first), Some(last)) => {
+                copy.bytes[..16].copy_from_slice(first);
+                copy.bytes[text.len() - 16..text.len()].copy_from_slice(last);
+            }
+            _ => copy.bytes[..text.len()].copy_from_slice(text),
+        }
+        copy
+    }
+
+    /// Adds one to the last figure; `false` where a figure would be added before `begin`.
+    fn round_up(&mut self, begin: usize) -> bool {
+        for byte in self.bytes[begin..self.len].iter_mut().rev() {
+            match byte {
+                b'.' => {}
+                b'9' => *byte = b'0',
+                _ => {
+                    *byte += 1;
+                    return true;
+                }
+            }
+        }
+        false
     }
 }
 
