@@ -2,6 +2,7 @@
 
 mod cam;
 mod cam_step;
+mod checks;
 mod effects;
 mod exact_vec;
 mod force_step;
@@ -29,6 +30,7 @@ mod triad_step;
 pub use crate::model::Level;
 pub use cam::{contact_in, is_follower, is_turned};
 pub use cam_step::CamStep;
+pub use checks::{Checks, EffortCheck, JointCheck, ReactionCheck};
 pub use effects::Effects;
 pub use exact_vec::ExactVec;
 pub use force_step::{DrivenPart, EffortLine, ForceStep, Inner};
@@ -81,5 +83,6 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
         }
         plan.massless = plan.find_massless();
     }
+    plan.checks = checks::plan(mechanism, structure, &plan);
     plan
 }

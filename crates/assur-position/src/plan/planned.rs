@@ -1,6 +1,7 @@
 //! The plan: flat lists of steps with slots.
 
 use super::cam_step::CamStep;
+use super::checks::Checks;
 use super::effects::Effects;
 use super::force_step::ForceStep;
 use super::friction_step::FrictionElement;
@@ -58,6 +59,8 @@ pub struct Plan {
     pub pin_slots: Vec<(usize, f64)>,
     /// Number of unknown efforts.
     pub efforts: usize,
+    /// The equations by which positions are checked.
+    pub checks: Checks,
     /// The computed quantity.
     pub effects: Effects,
     /// How accurately.

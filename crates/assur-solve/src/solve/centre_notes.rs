@@ -32,6 +32,11 @@ impl CentreNotes {
         Self(asked)
     }
 
+    /// None is asked for.
+    pub(super) const fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// Looks at the answers of a position.
     pub(super) fn look(&mut self, view: &PoseAnswers<'_>, pose: &Wanted) {
         if matches!(pose.origin, PoseOrigin::Expected(_)) {
