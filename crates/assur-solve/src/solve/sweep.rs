@@ -160,7 +160,8 @@ impl<'a, 's> Following<'a, 's> {
         if let Some(ahead) = self.ahead(BLOCK) {
             let mut block = Block::default();
             ahead.solve(&mut block, 0);
-            if self.take(&mut block) > 0 {
+            self.take(&mut block);
+            if !block.poses().is_empty() {
                 if let Some(ahead) = self.last_taken() {
                     ahead.answer(&mut block, true);
                 }
@@ -214,9 +215,9 @@ impl<'a, 's> Following<'a, 's> {
     }
 
     /// Takes over the next positions as far as following them one by one comes to the same, and goes on behind them. The block
-    /// keeps these alone. Returns how many they are: where some are left, blocks behind this one have no meaning.
-    pub fn take(&mut self, block: &mut Block) -> usize {
-        let (Some(tracker), solved) = (&mut self.current, block.solved()) else { return 0 };
+    /// keeps these alone. `false` where some are left: blocks behind this one have no meaning then.
+    pub fn take(&mut self, block: &mut Block) -> bool {
+        let (Some(tracker), solved) = (&mut self.current, block.solved()) else { return false };
         let taken = tracker.take(self.run.model, block);
         self.next += taken;
         self.run.closing.swept += taken;
@@ -226,7 +227,7 @@ impl<'a, 's> Following<'a, 's> {
         if taken < solved {
             self.try_at = self.next + WAIT;
         }
-        taken
+        taken == solved
     }
 
     /// What was found over all positions.
