@@ -1,5 +1,6 @@
 //! Structure → Plan: a flat list of steps with slots, in the order of solution, with the effects that the file calls for.
 
+mod by_pair;
 mod cam;
 mod cam_step;
 mod checks;
@@ -28,6 +29,7 @@ mod triad;
 mod triad_step;
 
 pub use crate::model::Level;
+pub use by_pair::ByPair;
 pub use cam::{contact_in, is_follower, is_turned};
 pub use cam_step::CamStep;
 pub use checks::{Checks, EffortCheck, JointCheck, ReactionCheck};
@@ -51,7 +53,7 @@ pub use train_step::{
 };
 
 use crate::model::Mechanism;
-use crate::structure::{EffortKind, EffortSource, Structure};
+use crate::structure::{EffortKind, EffortSource, GroupJoint, Structure};
 
 /// Plans what the file calls for.
 #[must_use]
@@ -81,6 +83,9 @@ pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
         if plan.effects.friction {
             friction::plan(mechanism, structure, &mut plan);
         }
+        let pair_of = |joint: &GroupJoint| structure.replaced.joint(joint.joint).pair;
+        plan.reactions_of = ByPair::of(&plan.reactions.iter().map(pair_of).collect::<Vec<_>>());
+        plan.friction_of = ByPair::of(&plan.friction.iter().map(|e| e.pair).collect::<Vec<_>>());
         plan.massless = plan.find_massless();
     }
     plan.checks = checks::plan(mechanism, structure, &plan);
