@@ -36,7 +36,7 @@ pub fn positions(
         Lines::Csv(lines) => lines.reads_angles(&compiled.model()),
         Lines::Json(_) => true,
     };
-    let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() };
+    let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() }.into_bytes();
     let (begun, any, failed, texts) = (false, false, false, Vec::new());
     let mut out = Out { lines, angles, text, texts, begun, any, failed, printer, threads };
     let (solved, found) = crate::pipeline::solve_each(compiled, &mut out);
@@ -65,23 +65,23 @@ impl Lines {
     }
 
     /// Adds the line of a position.
-    fn add(&self, answers: &Answers<'_>, pose: &Pose, text: &mut String) {
+    fn add(&self, answers: &Answers<'_>, pose: &Pose, text: &mut Vec<u8>) {
         match self {
             Self::Csv(lines) => lines.add(answers, pose, text),
             Self::Json(file) => {
-                *text += &json::render_position(file, None, answers, Some(pose));
-                text.push('\n');
+                text.extend_from_slice(json::render_position(file, None, answers, Some(pose)).as_bytes());
+                text.push(b'\n');
             }
         }
     }
 
     /// Adds the line of a file without positions.
-    fn add_without_pose(&self, answers: &Answers<'_>, text: &mut String) {
+    fn add_without_pose(&self, answers: &Answers<'_>, text: &mut Vec<u8>) {
         match self {
             Self::Csv(lines) => lines.add_without_pose(answers, text),
             Self::Json(file) => {
-                *text += &json::render_position(file, None, answers, None);
-                text.push('\n');
+                text.extend_from_slice(json::render_position(file, None, answers, None).as_bytes());
+                text.push(b'\n');
             }
         }
     }
@@ -91,9 +91,9 @@ struct Out<'p, 'o> {
     lines: Lines,
     /// The lines show angles.
     angles: bool,
-    text: String,
+    text: Vec<u8>,
     /// Of blocks, until they are written.
-    texts: Vec<String>,
+    texts: Vec<Vec<u8>>,
     /// A position has a meaning.
     begun: bool,
     any: bool,
@@ -126,9 +126,9 @@ impl Sink for Out<'_, '_> {
     fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
         (self.any, self.begun) = (true, true);
         self.lines.begin(answers);
-        self.texts.resize_with(blocks.len(), String::new);
+        self.texts.resize_with(blocks.len(), Vec::new);
         let (lines, angles) = (&self.lines, self.angles);
-        let mut work: Vec<(&mut Block, &mut String)> = blocks.iter_mut().zip(&mut self.texts).collect();
+        let mut work: Vec<(&mut Block, &mut Vec<u8>)> = blocks.iter_mut().zip(&mut self.texts).collect();
         self.threads.each(&mut work, |(_, (block, text))| {
             ahead.answer(block, angles);
             text.clear();

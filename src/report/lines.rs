@@ -49,17 +49,21 @@ impl CsvLines {
     }
 
     /// Adds the line of a position, once it has [begun](CsvLines::begin).
-    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, out: &mut String) {
-        out.push_str(self.file.as_deref().unwrap_or_default());
-        write_text(&pose.name, out);
+    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, out: &mut Vec<u8>) {
+        out.extend_from_slice(self.file.as_deref().unwrap_or_default().as_bytes());
+        if pose.name.bytes().all(|b| b.is_ascii_digit()) {
+            out.extend_from_slice(pose.name.as_bytes());
+        } else {
+            out.extend_from_slice(field(&pose.name).as_bytes());
+        }
         self.columns.write_beside(answers, pose, &self.whole, (FULL, false), out);
-        out.push_str(LINE_END);
+        out.extend_from_slice(LINE_END.as_bytes());
     }
 
     /// Adds the one line of a file without positions.
-    pub fn add_without_pose(&self, answers: &Answers<'_>, out: &mut String) {
-        out.push_str(self.file.as_deref().unwrap_or_default());
-        self.columns.write_without_pose(answers, FULL, false, out);
-        out.push_str(LINE_END);
+    pub fn add_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<u8>) {
+        let mut line = self.file.clone().unwrap_or_default();
+        self.columns.write_without_pose(answers, FULL, false, &mut line);
+        out.extend_from_slice((line + LINE_END).as_bytes());
     }
 }

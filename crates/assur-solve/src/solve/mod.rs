@@ -29,7 +29,9 @@ mod track;
 mod turn;
 mod unassembled;
 
-pub use crate::answer::{CycleAnswer, FlywheelAnswer, PairFriction, PoseAnswers, WholeCycle, compare};
+pub use crate::answer::{
+    CycleAnswer, FlywheelAnswer, JointReaction, PairFriction, PoseAnswers, WholeCycle, compare,
+};
 pub use crate::position::Wanted;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub use crate::position::block_in_avx2;
