@@ -65,9 +65,9 @@ impl Lines {
     }
 
     /// Adds the line of a position.
-    fn add(&self, answers: &Answers<'_>, pose: &Pose, text: &mut Vec<u8>) {
+    fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, text: &mut Vec<u8>) {
         match self {
-            Self::Csv(lines) => lines.add(answers, pose, text),
+            Self::Csv(lines) => lines.add(answers, pose, row, text),
             Self::Json(file) => {
                 text.extend_from_slice(json::render_position(file, None, answers, Some(pose)).as_bytes());
                 text.push(b'\n');
@@ -108,7 +108,7 @@ impl Sink for Out<'_, '_> {
         self.any = true;
         self.begun |= pose.outcome.is_ok() || pose.failure().is_some();
         self.lines.begin(answers);
-        self.lines.add(answers, pose, &mut self.text);
+        self.lines.add(answers, pose, &mut Vec::new(), &mut self.text);
         if self.text.len() >= if self.begun { PIECE } else { HELD } {
             self.flush();
         }
@@ -132,7 +132,8 @@ impl Sink for Out<'_, '_> {
         self.threads.each(&mut work, |(_, (block, text))| {
             ahead.answer(block, angles);
             text.clear();
-            block.poses().iter().for_each(|pose| lines.add(answers, pose, text));
+            let mut row = Vec::new();
+            block.poses().iter().for_each(|pose| lines.add(answers, pose, &mut row, text));
         });
         self.flush();
         for text in &self.texts {

@@ -6,7 +6,8 @@ use super::reactions::moment;
 use assur_math::math::Vec2;
 use assur_model::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
 use assur_solve::solve::{
-    DriveValue, JointReaction, Model, Pose, PoseAnswers, Solved, State, unplaced_reactions,
+    DriveValue, JointReaction, Model, NumberColumns, Pose, PoseAnswers, Shown, Solved, State,
+    unplaced_reactions,
 };
 use assur_text::units::{Dimension, push_significant};
 
@@ -133,6 +134,25 @@ impl AnswerColumns {
             _ => None,
         };
         self.answers.iter().map(value).collect()
+    }
+
+    /// The same columns as numbers, with what needs no pose known. `None` where some depend on more than a state.
+    #[must_use]
+    pub fn numbers(&self, whole: &[Option<Value>]) -> Option<NumberColumns> {
+        let mut columns = NumberColumns::default();
+        for (answer, whole) in self.answers.iter().zip(whole) {
+            let shown = match &answer.content {
+                Content::Drive(i) => Shown::Drive(*i),
+                Content::Find { index, poseless: false } => Shown::Find(*index),
+                Content::Find { poseless: true, .. } => Shown::Known(*whole),
+                Content::Effort(slot) => Shown::Effort(*slot),
+                Content::Reaction(_, _, joints) if self.placed => Shown::Force(joints.clone()?),
+                Content::Moment(_, _, joints) if self.placed => Shown::Couple(joints.clone()?),
+                Content::Reaction(..) | Content::Moment(..) => return None,
+            };
+            columns.push(shown, answer.vector, &answer.display);
+        }
+        Some(columns)
     }
 
     /// As [`AnswerColumns::write`], with what needs no pose known; a text in bytes.

@@ -27,7 +27,7 @@ fn every_example_comes_out_the_same() {
         let (mut text, mut objects) = (rows.header().into_bytes(), Vec::new());
         let (solved, _) = assur::internals::solve_each(second, &mut |answers: &Answers<'_>, pose: &Pose| {
             rows.begin(answers);
-            rows.add(answers, pose, &mut text);
+            rows.add(answers, pose, &mut Vec::new(), &mut text);
             objects.push(json::render_position("a", None, answers, Some(pose)));
             true
         });
@@ -126,7 +126,7 @@ fn peak(name: &str, steps: usize) -> u64 {
             assur::internals::solve_each(compiled, &mut |answers: &Answers<'_>, pose: &Pose| {
                 text.clear();
                 rows.begin(answers);
-                rows.add(answers, pose, &mut text);
+                rows.add(answers, pose, &mut Vec::new(), &mut text);
                 lines += 1;
                 true
             });

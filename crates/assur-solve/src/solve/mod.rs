@@ -30,7 +30,8 @@ mod turn;
 mod unassembled;
 
 pub use crate::answer::{
-    CycleAnswer, FlywheelAnswer, JointReaction, PairFriction, PoseAnswers, WholeCycle, compare,
+    CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, Shown, WholeCycle,
+    compare,
 };
 pub use crate::position::Wanted;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
