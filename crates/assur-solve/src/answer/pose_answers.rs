@@ -335,7 +335,7 @@ impl PoseAnswers<'_> {
     }
 
     /// Where the resultant of a prismatic reaction crosses the guide, in the pair's coordinate, m.
-    fn line_offset(&self, pair: PairId) -> f64 {
+    pub(super) fn line_offset(&self, pair: PairId) -> f64 {
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let normal = self.reaction(pair, g.slider).dot(self.along(&g).perp());
         self.displacement(pair) + self.moment(pair, g.slider) / normal

@@ -30,8 +30,8 @@ mod turn;
 mod unassembled;
 
 pub use crate::answer::{
-    CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, Shown, WholeCycle,
-    compare,
+    Beside, CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, Shown,
+    Source, WholeCycle, compare, read_numbers,
 };
 pub use crate::position::Wanted;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]

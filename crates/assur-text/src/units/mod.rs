@@ -7,6 +7,7 @@ mod factors;
 mod lookup;
 mod number;
 mod spelling;
+mod template;
 mod unit;
 
 pub use crate::language::{Dimension, Kind};
@@ -15,4 +16,5 @@ pub use factors::{Factor, factors};
 pub use lookup::{is_unit, lookup};
 pub use number::{push_row, push_significant, significant, write_significant};
 pub use spelling::meant;
+pub use template::Template;
 pub use unit::{Conversion, Unit};
