@@ -254,6 +254,8 @@ pub const CODES: &[Code] = codes! {
     "expect" / "mismatch",
     "expect" / "pose_failed",
     "expect" / "undefined",
+    // pictures
+    "picture" / "no_position",
     // tables beside a file
     "table" / "header",
     "table" / "empty",

@@ -1,0 +1,89 @@
+//! Every picture of every example.
+
+use crate::drawn::{faults, sheets, solved};
+use assur::internals::Solved;
+use assur::internals::drawing::{Shape, Sheet, Style};
+use assur::internals::math::Vec2;
+use assur::internals::model::{LinkId, PairKind};
+use assur::internals::picture::{KINDS, Kind};
+use std::path::Path;
+
+fn examples() -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let files = crate::folder::files(&root, "mech").into_iter();
+    let texts = files.map(|path| {
+        let name = path.strip_prefix(&root).unwrap_or(&path).display().to_string();
+        (name, std::fs::read_to_string(&path).expect("an example"))
+    });
+    texts.collect()
+}
+
+#[test]
+fn labels_are_apart_and_documents_well_formed() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else {
+            wrong.push(format!("{name}: not solved"));
+            continue;
+        };
+        for kind in KINDS {
+            for sheet in sheets(&source, &solved, kind, true) {
+                count += 1;
+                let found = faults(&sheet);
+                wrong.extend(found.into_iter().take(3).map(|f| format!("{name}, {}: {f}", kind.name())));
+            }
+        }
+    }
+    assert!(count > 200, "pictures are drawn: {count}");
+    assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
+}
+
+/// The middle of the first circle of a pair.
+fn circle(sheet: &Sheet, pair: &str) -> Option<Vec2> {
+    let drawing = &sheet.drawing;
+    drawing.marks.iter().find_map(|mark| match mark.shape {
+        Shape::Circle { centre, .. } if mark.style == Style::Hinge => {
+            let group = &drawing.groups[mark.group];
+            (group.class == "pair" && group.name == pair).then_some(centre)
+        }
+        _ => None,
+    })
+}
+
+/// Distances of hinges on paper are those of the solution over the scale factor.
+fn misplaced(solved: &Solved, sheet: &Sheet, factor: f64) -> Vec<String> {
+    let mechanism = &solved.compiled.mechanism;
+    let state = solved.solution.poses.iter().find_map(|p| p.outcome.as_ref().ok()).map(|s| &s.state);
+    let Some(state) = state else { return Vec::new() };
+    let hinges = mechanism.pairs.iter().filter_map(|pair| {
+        let PairKind::Revolute(pins) = &pair.kind else { return None };
+        let pin = pins.iter().find(|p| p.link != LinkId::GROUND)?;
+        let at = state.motion.bodies[pin.link.index()].position(pin.at);
+        Some((pair.name.as_str(), at, circle(sheet, &pair.name)?))
+    });
+    let hinges: Vec<(&str, Vec2, Vec2)> = hinges.collect();
+    let Some(&(_, first, first_paper)) = hinges.first() else { return Vec::new() };
+    let off = |(name, at, paper): &(&str, Vec2, Vec2)| {
+        let wanted = Vec2::new(at.x - first.x, first.y - at.y) / factor;
+        let away = (*paper - first_paper - wanted).norm();
+        (away > 0.01).then(|| format!("{name} is {away} mm off"))
+    };
+    hinges.iter().filter_map(off).collect()
+}
+
+#[test]
+fn hinges_are_where_the_solution_says() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        for sheet in sheets(&source, &solved, Kind::Scheme, false) {
+            // as printed: `Length scale 0.005 m per mm.`
+            let Some((_, said)) = sheet.drawing.description.split_once("Length scale ") else { continue };
+            let Some(factor) = said.split(' ').next().and_then(|x| x.parse::<f64>().ok()) else { continue };
+            count += 1;
+            wrong.extend(misplaced(&solved, &sheet, factor).into_iter().map(|f| format!("{name}: {f}")));
+        }
+    }
+    assert!(count > 80, "schemes to scale: {count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
