@@ -69,8 +69,8 @@ fn said(source: &Source, stage: &str) -> String {
 
 /// What is said about the pictures of a text, of all kinds; a first line `// --pose 9` names the position.
 fn drawn(source: &Source) -> Problems {
-    let (solved, mut problems) = assur::internals::solve_source(source, &Overrides::none());
-    let Some(solved) = solved.filter(|_| !problems.has_errors()) else { return problems };
+    let (solved, mut problems) = assur::internals::pipeline::solve_drawn(source, &Overrides::none(), &KINDS);
+    let Some(solved) = solved else { return problems };
     let name = source.text.lines().next().and_then(|line| line.strip_prefix("// --pose "));
     let file = (source.name.as_str(), source.text.as_str());
     match Scene::of(solved.compiled.model(), &solved.solution, file, name) {

@@ -1,16 +1,16 @@
 //! Pictures of a text, and what holds for the marks of every picture.
 
+use assur::internals::Solved;
 use assur::internals::check::Overrides;
 use assur::internals::drawing::{Obstacle, Rect, Sheet, Style, Theme, touches};
-use assur::internals::picture::{Kind, Options, Scene, draw};
+use assur::internals::picture::{KINDS, Kind, Options, Scene, draw};
+use assur::internals::pipeline::solve_drawn;
 use assur::internals::source::Source;
-use assur::internals::{Solved, solve_source};
 
 /// A solved text; none where it has errors.
 pub fn solved(name: &str, text: &str) -> Option<(Source, Solved)> {
     let source = Source::new(name, text);
-    let (solved, problems) = solve_source(&source, &Overrides::none());
-    solved.filter(|_| !problems.has_errors()).map(|solved| (source, solved))
+    solve_drawn(&source, &Overrides::none(), &KINDS).0.map(|solved| (source, solved))
 }
 
 /// All pictures of a kind, of the first position or of all.

@@ -87,3 +87,51 @@ fn hinges_are_where_the_solution_says() {
     assert!(count > 80, "schemes to scale: {count}");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// `Scale 0.02 m/s per mm` of a description.
+fn factor(sheet: &Sheet) -> Option<f64> {
+    let said = sheet.drawing.description.split_once("Scale ")?.1;
+    said.split(' ').next()?.parse().ok()
+}
+
+/// Ends of absolute vectors are velocities and accelerations of the hinges over the scale factor.
+#[test]
+fn plans_end_where_the_solution_says() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        for (kind, letter) in [(Kind::Velocities, "v"), (Kind::Accelerations, "a")] {
+            for sheet in sheets(&source, &solved, kind, false) {
+                let Some(factor) = factor(&sheet) else { continue };
+                for pair in &solved.compiled.mechanism.pairs {
+                    let Some(end) = absolute(&sheet, &format!("{letter}_{}", pair.name)) else { continue };
+                    let Some(wanted) = rate(&solved, &pair.kind, kind) else { continue };
+                    count += 1;
+                    let away = (end - Vec2::new(wanted.x, -wanted.y) / factor).norm();
+                    if away > 0.01 {
+                        wrong.push(format!("{name}: {letter}_{} is {away} mm off", pair.name));
+                    }
+                }
+            }
+        }
+    }
+    assert!(count > 200, "ends are compared: {count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The end of a vector from the pole.
+fn absolute(sheet: &Sheet, name: &str) -> Option<Vec2> {
+    let drawing = &sheet.drawing;
+    drawing.marks.iter().find_map(|mark| match mark.shape {
+        Shape::Arrow(from, to) if from == Vec2::zero() && drawing.groups[mark.group].name == name => Some(to),
+        _ => None,
+    })
+}
+
+fn rate(solved: &Solved, kind: &PairKind, of: Kind) -> Option<Vec2> {
+    let PairKind::Revolute(pins) = kind else { return None };
+    let pin = pins.iter().find(|p| p.link != LinkId::GROUND)?;
+    let state = solved.solution.poses.iter().find_map(|p| p.outcome.as_ref().ok()).map(|s| &s.state)?;
+    let body = &state.motion.bodies[pin.link.index()];
+    Some(if of == Kind::Velocities { body.velocity(pin.at) } else { body.acceleration(pin.at) })
+}

@@ -1,5 +1,7 @@
 //! Pictures that cannot exist.
 
+use crate::scene::Scene;
+use assur_model::model::{DriveTarget, PairKind};
 use assur_solve::solve::Solution;
 use miette::Diagnostic;
 use thiserror::Error;
@@ -17,12 +19,62 @@ pub enum Missing {
         #[help]
         help: String,
     },
+    /// No drive has a speed.
+    #[error("there are no {what} to draw: {why}")]
+    #[diagnostic(code("mech::picture::no_speed"))]
+    NoSpeed {
+        /// `velocities` or `accelerations`.
+        what: &'static str,
+        /// What the file does not give.
+        why: &'static str,
+        /// What to write.
+        #[help]
+        help: String,
+    },
+    /// No link has a place.
+    #[error("no link has a position: {needs}")]
+    #[diagnostic(
+        code("mech::picture::not_placed"),
+        help(
+            "give the axes positions: `ground {{ O1 (0, 0) }}` and `shaft I {{ wheel a teeth 20 module 2 mm at O1 }}`"
+        )
+    )]
+    NotPlaced {
+        /// `a plan shows velocities of points`.
+        needs: &'static str,
+    },
 }
 
 /// The most poses that a help lists.
 const MOST: usize = 12;
 
 impl Missing {
+    /// No link has a place.
+    pub(crate) const fn nothing_placed(needs: &'static str) -> Self {
+        Self::NotPlaced { needs }
+    }
+
+    /// No drive has a speed; the help writes one behind the first.
+    pub(crate) fn no_speed(scene: &Scene<'_>, what: &'static str) -> Self {
+        let mechanism = scene.mechanism();
+        let why = match mechanism.drives.is_empty() {
+            true => "the file has no drive",
+            false if scene.model.plan.effects.moving => "no drive has a speed, only a sense",
+            false => "no drive has a speed",
+        };
+        let line = mechanism.drives.first().map_or_else(
+            || "drive crank = 45 deg at 80 rpm".to_owned(),
+            |drive| {
+                let speed = if turns(scene, drive.target) { "80 rpm" } else { "0.1 m/s" };
+                match &drive.written {
+                    Some(written) => format!("drive {} = {written} at {speed}", drive.name),
+                    None => format!("drive {} at {speed}", drive.name),
+                }
+            },
+        );
+        Self::NoSpeed { what, why, help: format!("give the drive a speed: `{line}`") }
+    }
+
     /// No position, or none of a name, is solved.
     pub(crate) fn no_position(solution: &Solution, name: Option<&str>) -> Self {
         let solved = solution.poses.iter().filter(|p| p.outcome.is_ok());
@@ -42,5 +94,13 @@ impl Missing {
                 help: "declare a link with a drive: `drive crank = 45 deg`".to_owned(),
             },
         }
+    }
+}
+
+fn turns(scene: &Scene<'_>, target: DriveTarget) -> bool {
+    match target {
+        DriveTarget::Link(_) => true,
+        DriveTarget::Pair(pair) => matches!(scene.mechanism().pair(pair).kind, PairKind::Revolute(_)),
+        DriveTarget::Point(..) => false,
     }
 }

@@ -1,19 +1,25 @@
 //! The kinds of picture, by name.
 
 use crate::error::Missing;
+use crate::motion::{accelerations, velocities};
 use crate::scene::Scene;
 use crate::scheme::{Scheme, scheme};
 use assur_drawing::Drawing;
+use assur_model::model::Level;
 
 /// A kind of picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// The kinematic scheme.
     Scheme,
+    /// The plan of velocities.
+    Velocities,
+    /// The plan of accelerations.
+    Accelerations,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 1] = [Kind::Scheme];
+pub const KINDS: [Kind; 3] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations];
 
 /// How pictures are drawn.
 #[derive(Clone, Debug, Default)]
@@ -28,6 +34,26 @@ impl Kind {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Scheme => "scheme",
+            Self::Velocities => "velocities",
+            Self::Accelerations => "accelerations",
+        }
+    }
+
+    /// How far motion must be followed for it.
+    #[must_use]
+    pub const fn level(self) -> Level {
+        match self {
+            Self::Scheme => Level::Positions,
+            Self::Velocities => Level::Velocities,
+            Self::Accelerations => Level::Accelerations,
+        }
+    }
+
+    /// Whether it shows forces.
+    #[must_use]
+    pub const fn forces(self) -> bool {
+        match self {
+            Self::Scheme | Self::Velocities | Self::Accelerations => false,
         }
     }
 
@@ -45,5 +71,7 @@ impl Kind {
 pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Drawing>, Missing> {
     match kind {
         Kind::Scheme => Ok(vec![scheme(scene, &options.scheme)]),
+        Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),
+        Kind::Accelerations => accelerations(scene, options.scheme.size).map(|plan| vec![plan]),
     }
 }

@@ -4,6 +4,7 @@ mod angles;
 mod error;
 mod frame;
 mod kind;
+mod motion;
 mod scene;
 mod scheme;
 mod shape;

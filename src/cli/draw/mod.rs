@@ -50,8 +50,8 @@ struct Page {
 
 impl Drawing<'_> {
     fn of_file(&self, source: &Source) -> Reply {
-        let (solved, mut problems) = pipeline::solve_source(source, &self.overrides);
-        let pages = match solved.filter(|_| !problems.has_errors()) {
+        let (solved, mut problems) = pipeline::solve_drawn(source, &self.overrides, &self.kinds);
+        let pages = match solved {
             Some(solved) => self.pages(source, &solved, &mut problems),
             None => Vec::new(),
         };

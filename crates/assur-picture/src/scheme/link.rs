@@ -5,7 +5,7 @@ use crate::angles::freest;
 use crate::symbol::{guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::LinkId;
+use assur_model::model::{LinkId, PairKind};
 
 /// Radius of the circle around the number of a link, and the size of its letters.
 const RING: f64 = 2.5;
@@ -102,11 +102,14 @@ impl Sketch<'_, '_> {
     /// Whether a hinge or a pin is at a point of the paper.
     fn is_joint(&self, at: Vec2) -> bool {
         self.scene.mechanism().pairs.iter().any(|pair| match &pair.kind {
-            assur_model::model::PairKind::Revolute(pins) => pins
+            PairKind::Revolute(pins) => pins
                 .iter()
                 .filter(|pin| self.scene.is_placed(pin.link))
                 .any(|pin| (self.on_paper(pin.link, pin.at) - at).norm() <= SAME),
-            assur_model::model::PairKind::Slot(g) => (self.on_paper(g.slider, g.point) - at).norm() <= SAME,
+            PairKind::Slot(g) => (self.on_paper(g.slider, g.point) - at).norm() <= SAME,
+            PairKind::Cylinder { from, to, .. } => {
+                [from, to].iter().any(|pin| (self.on_paper(pin.link, pin.at) - at).norm() <= SAME)
+            }
             _ => false,
         })
     }

@@ -45,6 +45,8 @@ impl Default for Scheme {
 
 /// What symbols and labels take beside the links, mm.
 const AROUND: Vec2 = Vec2::new(20.0, 16.0);
+/// Pairs that have room on a usual sheet.
+const USUAL: f64 = 24.0;
 /// How much taller what is taller than wide may be.
 const TALLER: f64 = 1.35;
 /// The longest scale bar, mm.
@@ -55,7 +57,8 @@ const BAR: f64 = 25.0;
 pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Drawing {
     let shapes = shapes(scene);
     let bounds = extent(scene, &shapes);
-    let fitting = Frame::fitting(&bounds, paper(&bounds, wanted.size) - AROUND);
+    let size = wanted.size * crowding(scene);
+    let fitting = Frame::fitting(&bounds, paper(&bounds, size) - AROUND);
     let frame = match (wanted.scale, fitting.scale) {
         (Some(scale), Some(_)) => Frame::new(Some(scale), fitting.origin),
         _ => fitting,
@@ -70,6 +73,12 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Drawing {
         drawing.description += &format!("Length scale {} m per mm.", scale.text());
     }
     drawing
+}
+
+/// How much larger than usual a sheet is, so that the symbols of many pairs have room.
+fn crowding(scene: &Scene<'_>) -> f64 {
+    let pairs = scene.mechanism().pairs.iter().filter(|p| p.bearing.is_none()).count();
+    (pairs as f64 / USUAL).sqrt().max(1.0)
 }
 
 /// The size for a box: what is taller than wide may be taller.

@@ -256,6 +256,8 @@ pub const CODES: &[Code] = codes! {
     "expect" / "undefined",
     // pictures
     "picture" / "no_position",
+    "picture" / "no_speed",
+    "picture" / "not_placed",
     // tables beside a file
     "table" / "header",
     "table" / "empty",
