@@ -135,3 +135,36 @@ fn rate(solved: &Solved, kind: &PairKind, of: Kind) -> Option<Vec2> {
     let body = &state.motion.bodies[pin.link.index()];
     Some(if of == Kind::Velocities { body.velocity(pin.at) } else { body.acceleration(pin.at) })
 }
+
+/// The sides of a polygon end where it began, and each begins where the one before ends.
+#[test]
+fn polygons_close() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        let drawn = sheets(&source, &solved, Kind::Forces, true);
+        for sheet in drawn.iter().filter(|s| s.drawing.id.starts_with("polygon")) {
+            let sides = sheet.drawing.marks.iter().filter_map(|mark| match mark.shape {
+                Shape::Arrow(a, b) | Shape::Line(a, b) => Some((a, b)),
+                _ => None,
+            });
+            let sides: Vec<(Vec2, Vec2)> = sides.collect();
+            let Some(&(first, mut end)) = sides.first() else { continue };
+            count += 1;
+            for (a, b) in &sides[1..] {
+                if (end - first).norm() <= 0.02 {
+                    break;
+                }
+                if (*a - end).norm() > 0.01 {
+                    wrong.push(format!("{name}: a gap of {} mm", (*a - end).norm()));
+                }
+                end = *b;
+            }
+            if (end - first).norm() > 0.02 {
+                wrong.push(format!("{name}: {} is open by {} mm", sheet.drawing.id, (end - first).norm()));
+            }
+        }
+    }
+    assert!(count > 150, "polygons are drawn: {count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

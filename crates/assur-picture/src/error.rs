@@ -31,6 +31,16 @@ pub enum Missing {
         #[help]
         help: String,
     },
+    /// No forces.
+    #[error("there are no forces to draw: {why}")]
+    #[diagnostic(code("mech::picture::no_forces"))]
+    NoForces {
+        /// What is missing.
+        why: String,
+        /// What to write.
+        #[help]
+        help: String,
+    },
     /// No link has a place.
     #[error("no link has a position: {needs}")]
     #[diagnostic(
@@ -49,6 +59,11 @@ pub enum Missing {
 const MOST: usize = 12;
 
 impl Missing {
+    /// No forces.
+    pub(crate) fn no_forces(why: &str, help: &str) -> Self {
+        Self::NoForces { why: why.to_owned(), help: help.to_owned() }
+    }
+
     /// No link has a place.
     pub(crate) const fn nothing_placed(needs: &'static str) -> Self {
         Self::NotPlaced { needs }

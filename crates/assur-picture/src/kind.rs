@@ -1,6 +1,7 @@
 //! The kinds of picture, by name.
 
 use crate::error::Missing;
+use crate::forces::forces;
 use crate::motion::{accelerations, velocities};
 use crate::scene::Scene;
 use crate::scheme::{Scheme, scheme};
@@ -16,10 +17,12 @@ pub enum Kind {
     Velocities,
     /// The plan of accelerations.
     Accelerations,
+    /// A free body and a polygon of forces per structural group.
+    Forces,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 3] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations];
+pub const KINDS: [Kind; 4] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces];
 
 /// How pictures are drawn.
 #[derive(Clone, Debug, Default)]
@@ -36,6 +39,7 @@ impl Kind {
             Self::Scheme => "scheme",
             Self::Velocities => "velocities",
             Self::Accelerations => "accelerations",
+            Self::Forces => "forces",
         }
     }
 
@@ -43,7 +47,7 @@ impl Kind {
     #[must_use]
     pub const fn level(self) -> Level {
         match self {
-            Self::Scheme => Level::Positions,
+            Self::Scheme | Self::Forces => Level::Positions,
             Self::Velocities => Level::Velocities,
             Self::Accelerations => Level::Accelerations,
         }
@@ -52,9 +56,7 @@ impl Kind {
     /// Whether it shows forces.
     #[must_use]
     pub const fn forces(self) -> bool {
-        match self {
-            Self::Scheme | Self::Velocities | Self::Accelerations => false,
-        }
+        matches!(self, Self::Forces)
     }
 
     /// The kind of a name.
@@ -73,5 +75,6 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Scheme => Ok(vec![scheme(scene, &options.scheme)]),
         Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Accelerations => accelerations(scene, options.scheme.size).map(|plan| vec![plan]),
+        Kind::Forces => forces(scene, options.scheme.size),
     }
 }

@@ -2,6 +2,7 @@
 
 mod angles;
 mod error;
+mod forces;
 mod frame;
 mod kind;
 mod motion;

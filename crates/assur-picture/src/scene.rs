@@ -3,7 +3,7 @@
 use crate::error::Missing;
 use assur_drawing::Text;
 use assur_math::math::Vec2;
-use assur_model::model::{Bearing, LinkId, Mechanism, PairId, PairKind};
+use assur_model::model::{Bearing, LinkId, Load, Mechanism, PairId, PairKind};
 use assur_solve::answer::PoseAnswers;
 use assur_solve::solve::{BodyState, Model, Pose, Solution, Solved, State};
 
@@ -114,6 +114,26 @@ impl<'a> Scene<'a> {
     pub fn link_label(&self, link: LinkId) -> &'a str {
         let link = self.mechanism().link(link);
         link.number.as_deref().unwrap_or(&link.name)
+    }
+
+    /// The name of a load, or that of the value that it has: `Fr` of `force on ram at F = Fr against motion`.
+    #[must_use]
+    pub fn load_words(&self, load: &Load) -> Option<String> {
+        load.name.clone().or_else(|| {
+            let statement = self.text.get(load.span.start..load.span.end)?;
+            let value = statement.split_once('=')?.1.trim_start();
+            let in_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+            let end = value.find(|c: char| !in_name(c)).unwrap_or(value.len());
+            let rest = value[end..].trim_start();
+            let alone = rest.is_empty() || rest.starts_with(char::is_alphabetic);
+            (alone && value.starts_with(char::is_alphabetic)).then(|| value[..end].to_owned())
+        })
+    }
+
+    /// The same as a label.
+    #[must_use]
+    pub fn load_name(&self, load: &Load) -> Option<Text> {
+        self.load_words(load).map(|name| Text::name(&name))
     }
 
     /// A letter with the number or the name of a link as its index.

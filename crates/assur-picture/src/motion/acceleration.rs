@@ -17,7 +17,7 @@ pub fn accelerations(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> 
     if !scene.model.plan.effects.timed {
         return Err(Missing::no_speed(scene, "accelerations"));
     }
-    let nodes = Nodes::of(scene);
+    let nodes = Nodes::of(scene, false);
     if nodes.nodes.is_empty() {
         return Err(Missing::nothing_placed("a plan shows accelerations of points"));
     }
@@ -32,7 +32,8 @@ pub fn accelerations(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> 
     let description = format!("Accelerations from the pole p′: {}.", said.join(", "));
     let id = crate::words::id(scene, "accelerations");
     let drawing = Drawing::new(&id, title(scene, "acceleration plan"), description);
-    let mut plan = PlanOf::new(drawing, &ends, "m/s²", size);
+    ends.extend(Nodes::extent(scene, acceleration));
+    let mut plan = PlanOf::new(drawing, &ends, &all, "m/s²", size);
     plan.pole(Text::italic("p").and("′", false, assur_drawing::Level::Base));
     for (node, a) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
         plan.absolute(Style::Acceleration, *a, Text::italic("a").sub(&node.index()));
@@ -74,6 +75,9 @@ fn parts(scene: &Scene<'_>, nodes: &Nodes) -> Vec<Part> {
             turning(scene, id, base, other, &mut parts);
         }
     }
+    for (first, second) in &nodes.centres {
+        replaced(scene, &nodes.nodes[*first.min(second)], &nodes.nodes[*first.max(second)], &mut parts);
+    }
     for sliding in &nodes.sliding {
         let (slider, guide) = (&nodes.nodes[sliding.slider], &nodes.nodes[sliding.guide]);
         let later = rank(scene, slider.link) > rank(scene, guide.link);
@@ -91,6 +95,24 @@ fn parts(scene: &Scene<'_>, nodes: &Nodes) -> Vec<Part> {
         parts.push(Part { style, from: from + coriolis, to, name: named("r", &index), end: None });
     }
     parts
+}
+
+/// Normal and tangential part of the link that replaces a contact: it joins the centres.
+fn replaced(scene: &Scene<'_>, base: &Node, other: &Node, parts: &mut Vec<Part>) {
+    let r = other.at - base.at;
+    let squared = r.dot(r);
+    if base.fixed || other.fixed || squared <= 0.0 {
+        return;
+    }
+    let omega = r.cross(other.velocity(scene) - base.velocity(scene)) / squared;
+    let (from, to) = (base.acceleration(scene), other.acceleration(scene));
+    let normal = from - r * (omega * omega);
+    let index = format!("{}{}", other.index(), base.index());
+    let n = Text::italic("n").sub(&index);
+    let style = Style::AccelerationPart;
+    parts.push(Part { style, from, to: normal, name: named("n", &index), end: Some(n) });
+    let style = Style::AccelerationTangent;
+    parts.push(Part { style, from: normal, to, name: named("t", &index), end: None });
 }
 
 /// The two points of a link between which its rotation shows: the fixed or the first one, and the one by which its group finds

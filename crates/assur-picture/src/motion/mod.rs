@@ -22,6 +22,8 @@ const POLE: f64 = 1.3;
 const SAME: f64 = 0.06;
 /// Vectors shorter than this are listed below.
 const SHORT: f64 = 0.3;
+/// Vectors less than this part of the largest are rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// A plan that is being drawn.
 struct PlanOf<'s> {
@@ -33,6 +35,8 @@ struct PlanOf<'s> {
     ends: Vec<Vec2>,
     /// Absolute vectors that are drawn.
     absolute: Vec<Vec2>,
+    /// The largest vector.
+    largest: f64,
     /// Vectors too short to be drawn, with their values.
     short: Vec<Text>,
     unit: &'s str,
@@ -40,13 +44,23 @@ struct PlanOf<'s> {
 
 impl<'s> PlanOf<'s> {
     /// A plan of vectors that fits into its size.
-    fn new(drawing: Drawing, vectors: &[Vec2], unit: &'s str, size: Vec2) -> Self {
+    fn new(drawing: Drawing, room: &[Vec2], vectors: &[Vec2], unit: &'s str, size: Vec2) -> Self {
         let mut bounds = Rect::NOTHING;
         bounds.add(Vec2::zero());
-        vectors.iter().for_each(|v| bounds.add(*v));
+        room.iter().for_each(|v| bounds.add(*v));
         let frame = Frame::new(Frame::fitting(&bounds, size - AROUND).scale, Vec2::zero());
         let ends = vectors.iter().map(|v| frame.point(*v)).collect();
-        Self { drawing, frame, dots: Vec::new(), ends, absolute: Vec::new(), short: Vec::new(), unit }
+        let largest = room.iter().map(|v| v.norm()).fold(0.0, f64::max);
+        Self {
+            drawing,
+            frame,
+            dots: Vec::new(),
+            ends,
+            absolute: Vec::new(),
+            largest,
+            short: Vec::new(),
+            unit,
+        }
     }
 
     /// The end of a vector from the pole.
@@ -72,7 +86,8 @@ impl<'s> PlanOf<'s> {
     fn vector(&mut self, style: Style, (from, to): (Vec2, Vec2), name: Text, value: f64) {
         let (a, b) = (self.end(from), self.end(to));
         if (b - a).norm() < SHORT {
-            if value > 0.0 && self.frame.scale.is_some() {
+            // what rounding leaves is nothing
+            if value > ROUNDING * self.largest && self.frame.scale.is_some() {
                 let text = format!(" = {} {}", significant(value), self.unit);
                 self.short.push(name.and(&text, false, Level::Base));
             }

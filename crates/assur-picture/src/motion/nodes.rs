@@ -3,7 +3,7 @@
 use crate::scene::Scene;
 use assur_drawing::Text;
 use assur_math::math::Vec2;
-use assur_model::model::{Guide, LinkId, PairKind};
+use assur_model::model::{Guide, LinkId, PairId, PairKind, Profile, ProfileShape};
 use assur_solve::solve::BodyState;
 
 /// A point of a link whose velocity and acceleration have an image.
@@ -41,6 +41,8 @@ pub struct Nodes {
     pub nodes: Vec<Node>,
     /// Sliding between moving links.
     pub sliding: Vec<Sliding>,
+    /// Centres of profiles in contact, which the link that replaces the contact joins: indices of nodes.
+    pub centres: Vec<(usize, usize)>,
 }
 
 /// When the motion of a link is known: 0 for the ground.
@@ -51,7 +53,7 @@ pub fn rank(scene: &Scene<'_>, link: LinkId) -> usize {
 
 impl Nodes {
     /// The joints of a mechanism at a position.
-    pub fn of(scene: &Scene<'_>) -> Self {
+    pub fn of(scene: &Scene<'_>, contacts: bool) -> Self {
         let mut nodes = Self::default();
         let pairs = &scene.mechanism().pairs;
         for pair in pairs {
@@ -76,13 +78,62 @@ impl Nodes {
                 nodes.slide(scene, &pair.name, g);
             }
         }
+        for (i, pair) in pairs.iter().enumerate() {
+            if let PairKind::Contact { first, second, .. } = &pair.kind {
+                nodes.touch(scene, (PairId::at(i), &pair.name), [first, second], contacts);
+            }
+        }
         // those known first first
         let mut order: Vec<usize> = (0..nodes.nodes.len()).collect();
         order.sort_by_key(|i| (nodes.nodes[*i].rank, *i));
         let place = |old: usize| order.iter().position(|i| *i == old).unwrap_or(old);
         let sliding =
             nodes.sliding.iter().map(|s| Sliding { slider: place(s.slider), guide: place(s.guide) });
-        Self { sliding: sliding.collect(), nodes: order.iter().map(|i| nodes.nodes[*i].clone()).collect() }
+        let centres = nodes.centres.iter().map(|(a, b)| (place(*a), place(*b)));
+        Self {
+            sliding: sliding.collect(),
+            centres: centres.collect(),
+            nodes: order.iter().map(|i| nodes.nodes[*i].clone()).collect(),
+        }
+    }
+
+    /// Centres of round profiles; of others the place of contact on both links.
+    fn touch(
+        &mut self,
+        scene: &Scene<'_>,
+        (id, name): (PairId, &str),
+        profiles: [&Profile; 2],
+        contacts: bool,
+    ) {
+        let centre = |profile: &Profile| match profile.shape {
+            ProfileShape::Point(at) | ProfileShape::Circle(at, _) => Some(at),
+            ProfileShape::Line(..) | ProfileShape::Rim(_) => None,
+        };
+        let round = profiles.map(|p| centre(p).map(|at| self.centre(scene, p, at)));
+        if let [Some(first), Some(second)] = round {
+            self.centres.push((first, second));
+            return;
+        }
+        let Some((at, _)) = scene.view().contact_normal(id).filter(|_| contacts) else { return };
+        let ends = profiles.map(|p| (p.link, self.add(scene, name, vec![p.link], at)));
+        for (link, node) in ends {
+            self.nodes[node].sub = Some(scene.link_label(link).to_owned());
+        }
+        let moving = ends.iter().all(|(link, _)| *link != LinkId::GROUND);
+        if moving {
+            self.sliding.push(Sliding { slider: ends[0].1, guide: ends[1].1 });
+        }
+    }
+
+    fn centre(&mut self, scene: &Scene<'_>, profile: &Profile, local: Vec2) -> usize {
+        let at = scene.at(profile.link, local);
+        let near = 1e-7 * assur_solve::solve::extent(&scene.model);
+        let there =
+            self.nodes.iter().position(|n| n.links.contains(&profile.link) && (n.at - at).norm() <= near);
+        let named =
+            scene.mechanism().link(profile.link).points.iter().find(|p| (p.at - local).norm() <= near);
+        let name = named.map_or(profile.name.as_str(), |p| p.name.as_str());
+        there.unwrap_or_else(|| self.add(scene, name, vec![profile.link], at))
     }
 
     fn add(&mut self, scene: &Scene<'_>, name: &str, links: Vec<LinkId>, at: Vec2) -> usize {
@@ -110,6 +161,16 @@ impl Nodes {
         let guide = self.add(scene, &name, vec![g.guide], at);
         self.nodes[guide].sub = Some(scene.link_label(g.guide).to_owned());
         self.sliding.push(Sliding { slider, guide });
+    }
+
+    /// Vectors of all points that links name: what a plan must have room for.
+    pub fn extent(scene: &Scene<'_>, of: fn(&BodyState, Vec2) -> Vec2) -> Vec<Vec2> {
+        let links = scene.mechanism().links.iter().enumerate().skip(1);
+        let links = links.map(|(i, link)| (LinkId::at(i), link));
+        let placed = links.filter(|(id, _)| scene.is_placed(*id) && !scene.is_in_cylinder(*id));
+        placed
+            .flat_map(|(id, link)| link.points.iter().map(move |p| of(scene.body(id), scene.at(id, p.at))))
+            .collect()
     }
 
     /// The points of a link.

@@ -16,7 +16,7 @@ pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     if !scene.model.plan.effects.moving {
         return Err(Missing::no_speed(scene, "velocities"));
     }
-    let nodes = Nodes::of(scene);
+    let nodes = Nodes::of(scene, true);
     if nodes.nodes.is_empty() {
         return Err(Missing::nothing_placed("a plan shows velocities of points"));
     }
@@ -29,7 +29,9 @@ pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     let description = format!("Velocities from the pole p{ratios}: {}.", said.join(", "));
     let id = crate::words::id(scene, "velocities");
     let drawing = Drawing::new(&id, title(scene, "velocity plan"), description);
-    let mut plan = PlanOf::new(drawing, &all, "m/s", size);
+    let mut room = Nodes::extent(scene, velocity);
+    room.extend(&all);
+    let mut plan = PlanOf::new(drawing, &room, &all, "m/s", size);
     plan.pole(Text::italic("p"));
     let is_of = |n: &Node| !n.fixed;
     for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| is_of(n)) {
@@ -57,6 +59,14 @@ fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf<'_>) {
         for other in others {
             let ends = (base.velocity(scene), other.velocity(scene));
             let name = Text::italic("v").sub(&format!("{}{}", other.index(), base.index()));
+            plan.vector(Style::VelocityPart, ends, name, (ends.1 - ends.0).norm());
+        }
+    }
+    for (first, second) in &nodes.centres {
+        let (a, b) = (&nodes.nodes[*first.min(second)], &nodes.nodes[*first.max(second)]);
+        if !a.fixed && !b.fixed {
+            let ends = (a.velocity(scene), b.velocity(scene));
+            let name = Text::italic("v").sub(&format!("{}{}", b.index(), a.index()));
             plan.vector(Style::VelocityPart, ends, name, (ends.1 - ends.0).norm());
         }
     }

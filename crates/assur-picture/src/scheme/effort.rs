@@ -5,9 +5,7 @@ use crate::angles::{flipped, wrapped};
 use crate::symbol::{arrow, guide, hinge};
 use assur_drawing::{Drawing, Label, Role, Shape, Style, Text};
 use assur_math::math::Vec2;
-use assur_model::model::{
-    BalanceKind, Drive, DriveTarget, Load, LoadId, LoadKind, PairId, PairKind, Query, Value,
-};
+use assur_model::model::{BalanceKind, Drive, DriveTarget, LoadId, LoadKind, PairId, PairKind, Query, Value};
 use std::f64::consts::TAU;
 
 /// Length of the arrow of a load, mm.
@@ -163,7 +161,7 @@ impl Sketch<'_, '_> {
         let scene = self.scene;
         let mut named = Vec::new();
         for (i, load) in scene.mechanism().loads.iter().enumerate() {
-            let name = load.name.clone().or_else(|| self.written(load)).unwrap_or_default();
+            let name = scene.load_words(load).unwrap_or_default();
             drawing.begin("load", &name);
             let value = scene.view().query(&Query::Load(LoadId::at(i)));
             let (force, couple) = (Text::name(or(&name, "F")), Text::name(or(&name, "M")));
@@ -365,19 +363,6 @@ impl Sketch<'_, '_> {
         }
         let on_hinge = self.labelled.iter().any(|l| (*l - at).norm() < 0.05);
         if on_hinge { hinge::RADIUS + 0.2 } else { 0.0 }
-    }
-}
-
-impl Sketch<'_, '_> {
-    /// The name of a value that a load without a name of its own has: `Fr` of `force on ram at F = Fr against motion`.
-    fn written(&self, load: &Load) -> Option<String> {
-        let statement = self.scene.text.get(load.span.start..load.span.end)?;
-        let value = statement.split_once('=')?.1.trim_start();
-        let end =
-            value.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == '\'')).unwrap_or(value.len());
-        let rest = value[end..].trim_start();
-        let alone = rest.is_empty() || rest.starts_with(char::is_alphabetic);
-        (alone && value.starts_with(char::is_alphabetic)).then(|| value[..end].to_owned())
     }
 }
 

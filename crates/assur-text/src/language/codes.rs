@@ -258,6 +258,7 @@ pub const CODES: &[Code] = codes! {
     "picture" / "no_position",
     "picture" / "no_speed",
     "picture" / "not_placed",
+    "picture" / "no_forces",
     // tables beside a file
     "table" / "header",
     "table" / "empty",
