@@ -41,6 +41,13 @@ pub enum Missing {
         #[help]
         help: String,
     },
+    /// No shafts.
+    #[error("there is no train to draw: no shaft or slider is declared without a position")]
+    #[diagnostic(
+        code("mech::picture::no_train"),
+        help("draw the `scheme`, or declare shafts: `shaft I {{ wheel a teeth 20 }}`")
+    )]
+    NoTrain,
     /// No link has a place.
     #[error("no link has a position: {needs}")]
     #[diagnostic(

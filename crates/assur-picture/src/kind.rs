@@ -5,8 +5,9 @@ use crate::forces::forces;
 use crate::motion::{accelerations, velocities};
 use crate::scene::Scene;
 use crate::scheme::{Scheme, scheme};
+use crate::train::train;
 use assur_drawing::Drawing;
-use assur_model::model::Level;
+use assur_model::model::{Level, LinkId};
 
 /// A kind of picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -19,10 +20,12 @@ pub enum Kind {
     Accelerations,
     /// A free body and a polygon of forces per structural group.
     Forces,
+    /// Shafts in section.
+    Train,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 4] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces];
+pub const KINDS: [Kind; 5] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces, Kind::Train];
 
 /// How pictures are drawn.
 #[derive(Clone, Debug, Default)]
@@ -40,6 +43,7 @@ impl Kind {
             Self::Velocities => "velocities",
             Self::Accelerations => "accelerations",
             Self::Forces => "forces",
+            Self::Train => "train",
         }
     }
 
@@ -47,7 +51,7 @@ impl Kind {
     #[must_use]
     pub const fn level(self) -> Level {
         match self {
-            Self::Scheme | Self::Forces => Level::Positions,
+            Self::Scheme | Self::Forces | Self::Train => Level::Positions,
             Self::Velocities => Level::Velocities,
             Self::Accelerations => Level::Accelerations,
         }
@@ -72,9 +76,16 @@ impl Kind {
 /// What the file does not declare.
 pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Drawing>, Missing> {
     match kind {
-        Kind::Scheme => Ok(vec![scheme(scene, &options.scheme)]),
+        Kind::Scheme => scheme_or_section(scene, options).map(|scheme| vec![scheme]),
+        Kind::Train => train(scene).map(|section| vec![section]),
         Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Accelerations => accelerations(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Forces => forces(scene, options.scheme.size),
     }
+}
+
+/// The scheme; of shafts that have no place the section.
+fn scheme_or_section(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Missing> {
+    let placed = (1..scene.mechanism().links.len()).any(|i| scene.is_placed(LinkId::at(i)));
+    if placed { Ok(scheme(scene, &options.scheme)) } else { train(scene) }
 }

@@ -10,6 +10,7 @@ mod scene;
 mod scheme;
 mod shape;
 mod symbol;
+mod train;
 mod words;
 
 pub use error::Missing;

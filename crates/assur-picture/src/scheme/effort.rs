@@ -118,6 +118,9 @@ impl Sketch<'_, '_> {
     fn driven_pair(&mut self, drawing: &mut Drawing, drive: &Drive, pair: PairId) {
         let Some(forward) = self.sense(drive) else { return };
         let pair = self.scene.mechanism().pair(pair);
+        if pair.kind.links().iter().any(|l| !self.scene.is_placed(*l)) {
+            return;
+        }
         match &pair.kind {
             PairKind::Revolute(pins) => {
                 let [first, second] = pins.as_slice() else { return };
