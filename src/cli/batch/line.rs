@@ -63,13 +63,18 @@ pub fn write_row<'f>(
         Ok(input) => input,
         Err((number, fault)) => return written.fault(number, fault),
     };
-    let found = catch_unwind(AssertUnwindSafe(|| family.solve(&input.row)));
-    let Ok((solved, problems)) = found else {
+    let (written_before, key_before) = (written.out.len(), written.key_out.len());
+    let found = catch_unwind(AssertUnwindSafe(|| {
+        let (solved, problems) = family.solve_in_place(&input.row);
+        written.row(&input, solved, problems)
+    }));
+    found.unwrap_or_else(|_| {
         // what the last row left behind is not to be used again
         *family = job.family();
-        return written.panicked(&input);
-    };
-    written.row(&input, solved.as_ref(), problems)
+        written.out.truncate(written_before);
+        written.key_out.truncate(key_before);
+        written.panicked(&input)
+    })
 }
 
 impl Written<'_> {

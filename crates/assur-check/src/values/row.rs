@@ -74,6 +74,16 @@ impl Row {
         self.columns.iter().zip(self.cells.iter().copied())
     }
 
+    /// The number in the column of this index.
+    pub(crate) fn value(&self, column: usize) -> Option<f64> {
+        self.cells.get(column).map(|cell| cell.value)
+    }
+
+    /// Its columns.
+    pub(crate) const fn columns(&self) -> &Arc<[RowColumn]> {
+        &self.columns
+    }
+
     /// The number of a column that is no label.
     pub(crate) fn find(&self, name: &str) -> Option<(&RowColumn, RowCell)> {
         self.entries().find(|(column, _)| column.what != ColumnUse::Label && column.name == name)

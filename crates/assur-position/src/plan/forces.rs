@@ -13,26 +13,33 @@ pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
         let first = plan.reactions.len();
         plan.reactions.extend(group.joints.iter().copied());
         let step = match group.kind {
-            GroupKind::Driven => driven(structure, group, first),
-            GroupKind::Dyad(kind) => Some(dyad(structure, group, first, kind, plan)),
-            GroupKind::Translation => Some(ForceStep::Translation {
-                ways: [0, 1].map(|i| guide(structure, group.joints[i], first + i)),
-            }),
-            GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
             GroupKind::Triad | GroupKind::General if group.laws.is_empty() => {
                 super::triad::forces(structure, group, first)
             }
-            GroupKind::Triad | GroupKind::General => None,
             GroupKind::Train => {
                 plan.train_forces.push(super::train::forces(structure, group, first, plan));
                 Some(ForceStep::Train { train: plan.train_forces.len() - 1 })
             }
+            _ => closed(structure, group, first, plan),
         };
         let step = step.unwrap_or_else(|| {
             plan.balance_systems.push(super::general::balance_system(structure, group, first, plan));
             ForceStep::General { system: plan.balance_systems.len() - 1 }
         });
         plan.forces.push(step);
+    }
+}
+
+/// The step of a group that has a closed form and no memory of its own; its reactions begin at slot `first`.
+pub(super) fn closed(structure: &Structure, group: &Group, first: usize, plan: &Plan) -> Option<ForceStep> {
+    match group.kind {
+        GroupKind::Driven => driven(structure, group, first),
+        GroupKind::Dyad(kind) => Some(dyad(structure, group, first, kind, plan)),
+        GroupKind::Translation => Some(ForceStep::Translation {
+            ways: [0, 1].map(|i| guide(structure, group.joints[i], first + i)),
+        }),
+        GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
+        GroupKind::Triad | GroupKind::Train | GroupKind::General => None,
     }
 }
 

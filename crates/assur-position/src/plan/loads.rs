@@ -11,9 +11,10 @@ use crate::model::{
 use crate::structure::{Effort, EffortKind, EffortSource, Structure};
 
 /// The lines of the unknown forces.
-pub(super) fn lines(mechanism: &Mechanism, structure: &Structure) -> Vec<ForceLine> {
+pub(super) fn lines(mechanism: &Mechanism, structure: &Structure, lines: &mut Vec<ForceLine>) {
     let efforts = structure.efforts.iter().enumerate();
-    efforts.filter_map(|(effort, e)| line(mechanism, effort, e)).collect()
+    lines.clear();
+    lines.extend(efforts.filter_map(|(effort, e)| line(mechanism, effort, e)));
 }
 
 fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine> {
@@ -30,8 +31,8 @@ fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine
     Some(ForceLine { effort: slot, body, at, along: *along, frame: frame.map(|f| f.index()) })
 }
 
-pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
-    let mut steps = Vec::new();
+pub(super) fn plan(mechanism: &Mechanism, effects: &Effects, steps: &mut Vec<LoadStep>) {
+    steps.clear();
     let gravity = mechanism.gravity.filter(|_| effects.gravity).map_or(Vec2::zero(), |g| g.acceleration);
     for (body, link) in mechanism.links.iter().enumerate().skip(1) {
         if let Some(m) = &link.mass
@@ -82,7 +83,6 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
         free_length: s.free_length,
         damping: (s.damping > 0.0).then_some(s.damping),
     }));
-    steps
 }
 
 /// Whether a link is a slider on a rope: its weight pulls along its way, in the sense in which the rope pays out.

@@ -22,12 +22,17 @@ pub struct Residuals {
 /// velocities.
 #[must_use]
 pub fn residuals(model: &Model<'_>, state: &State) -> Residuals {
+    residuals_in(model, state, &mut Vec::new())
+}
+
+/// As [`residuals`], with memory for the sums of forces on the bodies.
+pub fn residuals_in(model: &Model<'_>, state: &State, totals: &mut Vec<Wrench>) -> Residuals {
     // a locked mechanism has none
     let forces = model.plan.effects.forces && !model.plan.forces.is_empty() && !state.forces.locked;
     let velocities = model.plan.effects.level >= crate::plan::Level::Velocities;
     Residuals {
         closure: closure(model, state),
-        equilibrium: forces.then(|| equilibrium(model, state)),
+        equilibrium: forces.then(|| equilibrium(model, state, totals)),
         power: (forces && velocities).then(|| power(model, state)),
     }
 }
@@ -101,8 +106,8 @@ fn slider_place(model: &Model<'_>, state: &State, joint: JointId) -> f64 {
 }
 
 /// Sums of all forces on every body, from the reactions as they are reported.
-fn totals(model: &Model<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
-    let mut total = state.forces.applied.clone();
+fn totals(model: &Model<'_>, state: &State, total: &mut Vec<Wrench>) -> (f64, f64) {
+    total.clone_from(&state.forces.applied);
     let (mut most_force, mut most_moment) = (f64::MIN_POSITIVE, f64::MIN_POSITIVE);
     let mut add = |body: usize, p: Vec2, force: Vec2, couple: f64| {
         let r = p - state.motion.bodies[body].p;
@@ -174,13 +179,13 @@ fn totals(model: &Model<'_>, state: &State) -> (Vec<Wrench>, f64, f64) {
         most_force = most_force.max(w.force.norm());
         most_moment = most_moment.max(w.moment.abs());
     }
-    (total, most_force, most_moment)
+    (most_force, most_moment)
 }
 
-fn equilibrium(model: &Model<'_>, state: &State) -> f64 {
-    let (total, most_force, most_moment) = totals(model, state);
+fn equilibrium(model: &Model<'_>, state: &State, total: &mut Vec<Wrench>) -> f64 {
+    let (most_force, most_moment) = totals(model, state, total);
     let mut worst = 0.0_f64;
-    for (body, w) in model.structure.replaced.bodies.iter().zip(&total) {
+    for (body, w) in model.structure.replaced.bodies.iter().zip(total) {
         if !body.known {
             worst = worst.max(w.force.norm() / most_force).max(w.moment.abs() / most_moment);
         }
