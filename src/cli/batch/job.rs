@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::BufReader;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
@@ -37,8 +37,10 @@ const LARGEST_CHUNK: usize = 8192;
 const SHORT: Duration = Duration::from_millis(40);
 /// Rows of one table to read.
 const TABLE_CHUNK: usize = 1000;
-/// Rows that one thread takes at a time.
+/// Rows that one thread takes at a time, at least.
 const PIECE: usize = 32;
+/// In so many parts a large chunk is divided.
+const PIECES: usize = 64;
 /// The number of rows that are explained of those that fail for one reason; the others are named.
 const EXPLAINED: usize = 3;
 const BUFFER: usize = 1 << 17;
@@ -273,11 +275,26 @@ struct Piece {
     whole: bool,
 }
 
+/// Solvers that no thread uses at the moment: what one has found out about the rows serves the next.
+#[derive(Default)]
+struct Idle<'r>(Mutex<Vec<VariantSolver<'r>>>);
+
+impl<'r> Idle<'r> {
+    fn take(&self) -> Option<VariantSolver<'r>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).pop()
+    }
+
+    fn give(&self, solver: VariantSolver<'r>) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(solver);
+    }
+}
+
 impl<'r> Run<'r> {
     /// Solves all rows in parallel and writes them in order.
     pub fn all(&self, out: &mut Sink, key_out: &mut Option<Sink>) -> Result<Tally, CliError> {
         let mut tally = Tally::default();
         let mut progress = None;
+        let idle = Idle::default();
         let places = self.layout.places(self.job);
         let key_places = self.key.and_then(|key| key.places(self.job));
         let name = &self.job.source.name;
@@ -286,7 +303,7 @@ impl<'r> Run<'r> {
             let progress = progress.get_or_insert_with(|| Progress::new(name, total));
             let mut shown = String::new();
             let mut whole = true;
-            for piece in self.chunk(chunk) {
+            for piece in self.chunk(chunk, &idle) {
                 let lines = match (&places, self.format) {
                     (Some(places), format) if format.is_read() || format == Format::Csv => {
                         self.layout.placed(&piece.out, places, name)
@@ -324,11 +341,17 @@ impl<'r> Run<'r> {
         Ok(tally)
     }
 
-    fn chunk(&self, chunk: &Chunk<'_>) -> Vec<Piece> {
+    fn chunk(&self, chunk: &Chunk<'_>, idle: &Idle<'r>) -> Vec<Piece> {
+        let size = (chunk.len() / PIECES).max(PIECE);
         let pieces: Vec<Range<usize>> =
-            (0..chunk.len()).step_by(PIECE).map(|start| start..(start + PIECE).min(chunk.len())).collect();
-        let all = pieces.into_par_iter();
-        all.map_init(|| self.job.family(), |family, range| self.piece(family, chunk, range)).collect()
+            (0..chunk.len()).step_by(size).map(|start| start..(start + size).min(chunk.len())).collect();
+        let solved = |range| {
+            let mut family = idle.take().unwrap_or_else(|| self.job.family());
+            let piece = self.piece(&mut family, chunk, range);
+            idle.give(family);
+            piece
+        };
+        pieces.into_par_iter().map(solved).collect()
     }
 
     fn piece(&self, family: &mut VariantSolver<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece {
