@@ -4,7 +4,7 @@ use super::answers::{Answers, with_unit};
 use super::csv;
 use super::reactions::moment;
 use assur_math::math::Vec2;
-use assur_model::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
+use assur_model::model::{Bearing, Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
 use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, Solved, State, unplaced_reactions};
 use assur_text::units::{Dimension, write_significant};
 
@@ -85,7 +85,9 @@ impl AnswerColumns {
         if blank.wants_reactions() && !model.plan.reactions.is_empty() {
             all_reactions(model, of_transmissions, &mut answers);
         }
-        Self { drives, answers, placed: false }
+        // without transmissions and open bearings nothing is left open
+        let open = mechanism.pairs.iter().any(|pair| pair.bearing == Some(Bearing::Open));
+        Self { drives, answers, placed: !open && model.plan.laws.is_empty() }
     }
 
     /// Those of one file alone: without the reactions that depend on a place that the file leaves open.

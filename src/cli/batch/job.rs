@@ -148,7 +148,7 @@ impl Job {
         let mut family = self.family();
         let mut found = None;
         self.each_chunk(FIRST_CHUNK, None, &mut |chunk, _| {
-            let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, &self.columns).ok());
+            let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, &self.columns, None).ok());
             found =
                 inputs.filter_map(|i| family.compile(&i.row).0).map(|c| AnswerColumns::of(&c.model())).next();
             Ok(found.is_none() && !stop::wanted())
@@ -356,13 +356,12 @@ impl<'r> Run<'r> {
 
     fn piece(&self, family: &mut VariantSolver<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece {
         let mut piece = Piece { whole: true, ..Piece::default() };
+        let (mut head, mut old) = (String::new(), None);
         for index in range {
             if stop::wanted() {
                 piece.whole = false;
                 break;
             }
-            let input = chunk.get(index, &self.job.columns);
-            let number = input.as_ref().map_or_else(|(number, _)| *number, |input| input.number);
             let mut written = Written {
                 job: self.job,
                 format: self.format,
@@ -370,9 +369,15 @@ impl<'r> Run<'r> {
                 key: self.key,
                 out: &mut piece.out,
                 key_out: &mut piece.key,
+                head: &mut head,
             };
-            let said = write_row(self.job, &mut written, family, input);
-            piece.said.push((number, said));
+            piece.said.push(match chunk.get(index, &self.job.columns, old.take()) {
+                Ok(input) => {
+                    let said = write_row(self.job, &mut written, family, &input);
+                    (old.insert(input).number, said)
+                }
+                Err((number, fault)) => (number, written.fault(number, fault)),
+            });
         }
         piece
     }
@@ -381,6 +386,10 @@ impl<'r> Run<'r> {
     fn tell(&self, said: Vec<(usize, Said)>, tally: &mut Tally, progress: &Progress) {
         for (number, said) in said {
             said.reached.iter().for_each(|reached| tally.reached(reached));
+            if said.is_nothing() {
+                tally.solved();
+                continue;
+            }
             let fails = said.failed.is_some();
             let failed = said.failed.iter().map(|code| (Kind::Failed, code.clone()));
             let all = failed.chain(said.unmet.then(|| (Kind::Unmet, String::new())));

@@ -35,6 +35,8 @@ pub struct Written<'a> {
     pub out: &'a mut String,
     /// The lines of the key.
     pub key_out: &'a mut String,
+    /// Memory for the cells before the answers.
+    pub head: &'a mut String,
 }
 
 /// The messages about a row.
@@ -52,28 +54,31 @@ pub struct Said {
     pub problems: Option<(Option<Source>, Problems)>,
 }
 
+impl Said {
+    /// Whether there are none.
+    pub const fn is_nothing(&self) -> bool {
+        self.failed.is_none() && !self.unmet && self.warned.is_empty()
+    }
+}
+
 /// Solves a row and writes its lines: one per pose, and one without answers where there are none.
 pub fn write_row<'f>(
     job: &'f Job,
     written: &mut Written<'_>,
     family: &mut VariantSolver<'f>,
-    input: Result<Input<'_>, (usize, Fault)>,
+    input: &Input<'_>,
 ) -> Said {
-    let input = match input {
-        Ok(input) => input,
-        Err((number, fault)) => return written.fault(number, fault),
-    };
     let (written_before, key_before) = (written.out.len(), written.key_out.len());
     let found = catch_unwind(AssertUnwindSafe(|| {
         let (solved, problems) = family.solve_in_place(&input.row);
-        written.row(&input, solved, problems)
+        written.row(input, solved, problems)
     }));
     found.unwrap_or_else(|_| {
         // what the last row left behind is not to be used again
         *family = job.family();
         written.out.truncate(written_before);
         written.key_out.truncate(key_before);
-        written.panicked(&input)
+        written.panicked(input)
     })
 }
 
@@ -94,9 +99,10 @@ impl Written<'_> {
         }
         if let Some(key) = self.key {
             let columns = self.job.answers();
-            let mut line = Line { head: String::new(), columns, digits: key.digits, key: true };
+            let mut line = Line { head: std::mem::take(self.head), columns, digits: key.digits, key: true };
             line.head(self.job, input);
             line.all(answers.as_ref(), None, self.key_out);
+            *self.head = line.head;
         }
         if !problems.is_empty() {
             let words = input.row.words();
@@ -112,7 +118,8 @@ impl Written<'_> {
 
     fn lines(&mut self, input: &Input<'_>, answers: Option<&Answers<'_>>, error: &str) {
         let columns = self.job.answers();
-        let mut line = Line { head: String::new(), columns, digits: self.layout.digits, key: false };
+        let head = std::mem::take(self.head);
+        let mut line = Line { head, columns, digits: self.layout.digits, key: false };
         line.head(self.job, input);
         for (i, column) in self.job.givens() {
             line.head.push(',');
@@ -128,6 +135,7 @@ impl Written<'_> {
             }
         }
         line.all(answers, Some(error), self.out);
+        *self.head = line.head;
     }
 
     fn json(&mut self, input: &Input<'_>, answers: Option<&Answers<'_>>, problems: &Problems) {
@@ -140,7 +148,7 @@ impl Written<'_> {
     }
 
     /// A row of a table that cannot be read.
-    fn fault(&mut self, number: usize, (source, error): Fault) -> Said {
+    pub fn fault(&mut self, number: usize, (source, error): Fault) -> Said {
         let mut problems = Problems::new();
         problems.push(*error);
         let mut said = sorted(&problems);
@@ -188,6 +196,7 @@ struct Line<'a> {
 
 impl Line<'_> {
     fn head(&mut self, job: &Job, input: &Input<'_>) {
+        self.head.clear();
         // writing to a String does not fail
         let _ = write!(self.head, "{}", input.number);
         if job.label().is_some() {
@@ -232,9 +241,11 @@ impl Line<'_> {
 fn end(error: Option<&str>, out: &mut String) {
     if let Some(error) = error {
         out.push(',');
-        // a cell does not go over the end of its line
-        let one_line = error.split_whitespace().collect::<Vec<_>>().join(" ");
-        write_text(&one_line, out);
+        if !error.is_empty() {
+            // a cell does not go over the end of its line
+            let one_line = error.split_whitespace().collect::<Vec<_>>().join(" ");
+            write_text(&one_line, out);
+        }
     }
     out.push_str(LINE_END);
 }

@@ -63,6 +63,21 @@ impl Row {
         Self { columns, cells }
     }
 
+    /// Begins another row in the memory of this one, without a cell yet.
+    pub fn begin(&mut self, columns: &Arc<[RowColumn]>) {
+        if !Arc::ptr_eq(&self.columns, columns) {
+            self.columns = columns.clone();
+        }
+        self.cells.clear();
+    }
+
+    /// Adds the next cell, as [`Row::new`] does.
+    pub fn push(&mut self, cell: RowCell) {
+        if let Some(column) = self.columns.get(self.cells.len()) {
+            self.cells.push(RowCell { value: column.set.unwrap_or(cell.value), ..cell });
+        }
+    }
+
     /// Whether it replaces nothing.
     #[must_use]
     pub fn is_empty(&self) -> bool {
