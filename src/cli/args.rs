@@ -138,6 +138,9 @@ pub struct Solve {
     /// Show residuals and condition of every pose; without it the worst of all poses in one line
     #[arg(long)]
     pub accuracy: bool,
+    /// Number of threads for long sweeps [default: all processors]
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
 }
 
 /// Arguments of `accuracy`.

@@ -19,6 +19,7 @@ pub mod screen;
 mod solve;
 mod stream;
 mod test;
+mod threads;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

@@ -5,6 +5,7 @@ use super::files;
 use super::reply::{Printer, Reply, Status, for_each_input};
 use super::screen::Screen;
 use super::stream;
+use super::threads::Threads;
 use crate::pipeline::{Compiled, Solved};
 use crate::pipeline::{FileVariants, SolvedRow, compile_document, file_row_words, is_long};
 use crate::report::document::{Block, Column, Report, Section, Table};
@@ -22,7 +23,8 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
     let overrides = args.problem.overrides();
     let inputs = files::expand(&args.problem.files);
     let several = inputs.len() > 1;
-    let answers = Printing { args, screen, several };
+    let threads = Threads::new(args.threads);
+    let answers = Printing { args, screen, several, threads };
     let mut printer = Printer::new(screen, args.format.apart());
     let work = |source: &Source, printer: &mut Printer<'_>| answers.of_file(source, &overrides, printer);
     let status = for_each_input(inputs, &mut printer, work);
@@ -37,6 +39,7 @@ struct Printing<'a> {
     screen: &'a Screen,
     /// The command line names several files.
     several: bool,
+    threads: Threads,
 }
 
 impl Printing<'_> {
@@ -58,8 +61,8 @@ impl Printing<'_> {
         let compiled = match compiled {
             Some(compiled) if !problems.has_errors() && self.by_position(&compiled) => {
                 let file = self.several.then_some(source.name.as_str());
-                let format = self.args.format;
-                return stream::positions((format, file), source, compiled, problems, self.screen, printer);
+                let (form, to) = ((self.args.format, file), (printer, &self.threads));
+                return stream::positions(form, source, compiled, problems, self.screen, to);
             }
             compiled => compiled,
         };

@@ -13,7 +13,7 @@ mod variant_solver;
 
 pub use compile::{Compiled, Origin, check_source, compile, compile_document};
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
-pub use followed::{Each, Followed, SizeError, is_long, most_positions};
+pub use followed::{Followed, Sink, SizeError, is_long, most_positions};
 pub use open_sizes::OpenSizeError;
 pub use solved::{Solved, solve, solve_each, solve_source, solve_within};
 pub use test::{diagnose, test_document, test_source, test_text};

@@ -13,7 +13,7 @@ pub struct CsvLines {
     /// The file's name as a cell with its comma, where every line begins with it.
     file: Option<String>,
     /// The answers that need no pose, once known.
-    whole: Option<Vec<Option<Value>>>,
+    whole: Vec<Option<Value>>,
 }
 
 impl CsvLines {
@@ -21,7 +21,7 @@ impl CsvLines {
     #[must_use]
     pub fn of(model: &Model<'_>, file: Option<&str>) -> Self {
         let cell = |file: &str| field(file).into_owned() + ",";
-        Self { columns: AnswerColumns::of_file(model), file: file.map(cell), whole: None }
+        Self { columns: AnswerColumns::of_file(model), file: file.map(cell), whole: Vec::new() }
     }
 
     /// The first line.
@@ -35,12 +35,24 @@ impl CsvLines {
         line + LINE_END
     }
 
-    /// Adds the line of a position.
-    pub fn add(&mut self, answers: &Answers<'_>, pose: &Pose, out: &mut String) {
-        let whole = self.whole.get_or_insert_with(|| self.columns.whole(answers));
+    /// Finds the answers that need no pose.
+    pub fn begin(&mut self, answers: &Answers<'_>) {
+        if self.whole.is_empty() {
+            self.whole = self.columns.whole(answers);
+        }
+    }
+
+    /// Whether a column shows the angle of a link or of a hinge.
+    #[must_use]
+    pub fn reads_angles(&self, model: &Model<'_>) -> bool {
+        self.columns.reads_angles(model)
+    }
+
+    /// Adds the line of a position, once it has [begun](CsvLines::begin).
+    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, out: &mut String) {
         out.push_str(self.file.as_deref().unwrap_or_default());
         write_text(&pose.name, out);
-        self.columns.write_beside(answers, pose, whole, (FULL, false), out);
+        self.columns.write_beside(answers, pose, &self.whole, (FULL, false), out);
         out.push_str(LINE_END);
     }
 

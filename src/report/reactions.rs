@@ -2,7 +2,7 @@
 
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
-use super::symbols;
+use super::symbols::Symbols;
 use assur_math::math::Vec2;
 use assur_model::model::{Display, Guide, LinkId, Mechanism, PairId, PairKind, Query, Value};
 use assur_solve::solve::{PoseAnswers, Solved, unplaced_reactions};
@@ -197,7 +197,8 @@ impl<'a> Forces<'a> {
     /// One table: a row per pose and pair.
     fn of_all(&self, poses: &Poses<'_>) -> Table {
         let mechanism = self.answers.model.mechanism;
-        let symbol = |entry: &ReactionEntry| symbols::reaction(mechanism, entry.from, entry.on);
+        let symbols = Symbols::of(mechanism);
+        let symbol = |entry: &ReactionEntry| symbols.reaction(entry.from, entry.on);
         let with_symbols = poses.iter().flat_map(|p| &p.1).any(|entry| symbol(entry).is_some());
         let mut columns = heads(poses);
         columns.extend(with_symbols.then(|| Column::words("symbol")));
@@ -218,6 +219,7 @@ impl<'a> Forces<'a> {
     /// A section per pair: a row per pose.
     fn of_pairs(&self, poses: &Poses<'_>) -> Vec<Section> {
         let mechanism = self.answers.model.mechanism;
+        let symbols = Symbols::of(mechanism);
         // a locked pose has no reactions, all others have the same
         let pattern = poses.iter().map(|p| &p.1).find(|entries| !entries.is_empty());
         let of_pair = |(i, entry): (usize, &ReactionEntry)| {
@@ -227,7 +229,7 @@ impl<'a> Forces<'a> {
                 let cells = entries.get(i).map(|entry| self.cells(entry));
                 cells.into_iter().for_each(|c| table.row([vec![(*pose).to_owned()], c].concat()));
             }
-            let symbol = symbols::reaction(mechanism, entry.from, entry.on);
+            let symbol = symbols.reaction(entry.from, entry.on);
             let symbol = symbol.map_or_else(String::new, |symbol| format!(", {symbol}"));
             let [from, on] = [entry.from, entry.on].map(|link| &mechanism.link(link).name);
             let name = &mechanism.pair(entry.pair).name;

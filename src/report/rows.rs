@@ -142,6 +142,21 @@ impl AnswerColumns {
         self.each_value(from, answers, pose, whole, |answer, value| answer.write(value, digits, out));
     }
 
+    /// Whether a column shows the angle of a link or of a hinge, or a quantity does that it may show.
+    #[must_use]
+    pub fn reads_angles(&self, model: &Model<'_>) -> bool {
+        let mechanism = model.mechanism;
+        let finds = mechanism.finds.iter().filter_map(|find| match &find.kind {
+            FindKind::Value { expr, .. } => Some(expr),
+            FindKind::Reactions | FindKind::Table(_) => None,
+        });
+        let mut reads = false;
+        for expr in finds.chain(mechanism.quantities.iter().map(|q| &q.expr)) {
+            expr.queries(&mut |query| reads |= query.facts().continuous.is_some());
+        }
+        reads
+    }
+
     /// The names of the answers, drives first.
     pub fn names(&self) -> impl Iterator<Item = String> {
         self.answers.iter().map(|a| a.name.clone())

@@ -124,6 +124,8 @@ pub struct Names<'a> {
     pub numbers: IndexMap<String, Span>,
     /// What belongs to each link, by its id.
     pub inside: Vec<Inside>,
+    /// The links that declare a point of a name.
+    pub bearers: IndexMap<String, Vec<LinkId>>,
     /// Poses.
     pub poses: IndexMap<String, Span>,
     /// Names that stand in statements that could not be read.
@@ -131,6 +133,15 @@ pub struct Names<'a> {
 }
 
 impl Names<'_> {
+    /// Enters a point of a link by its name alone.
+    pub fn add_bearer(&mut self, point: &str, link: LinkId) {
+        match self.bearers.get_mut(point) {
+            Some(links) if links.last() == Some(&link) => {}
+            Some(links) => links.push(link),
+            None => _ = self.bearers.insert(point.to_owned(), vec![link]),
+        }
+    }
+
     /// Enters a link, without its parts, into the mechanism.
     pub fn add_link(
         &mut self,

@@ -5,24 +5,24 @@ use assur_model::model::{LinkId, Mechanism, PairId, PairKind, Pin};
 use indexmap::{IndexMap, IndexSet};
 
 /// A point of a link as a key: equal for equal places.
-type Key = (LinkId, [u64; 2]);
+pub(crate) type PlaceKey = (LinkId, [u64; 2]);
 
 /// The hinges at each point of a link.
 #[derive(Default)]
-pub(crate) struct Hinges(IndexMap<Key, Vec<PairId>>);
+pub(crate) struct Hinges(IndexMap<PlaceKey, Vec<PairId>>);
 
 impl Hinges {
     /// Enters the pins of a pair.
     pub(crate) fn enter(&mut self, kind: &PairKind, pair: PairId) {
         let PairKind::Revolute(pins) = kind else { return };
         for pin in pins {
-            self.0.entry(key((pin.link, pin.at))).or_default().push(pair);
+            self.0.entry(place_key((pin.link, pin.at))).or_default().push(pair);
         }
     }
 
     /// The hinges that share a point with these pins, in the order written.
     pub(crate) fn near(&self, pins: &[Pin]) -> Vec<PairId> {
-        let found = pins.iter().filter_map(|pin| self.0.get(&key((pin.link, pin.at))));
+        let found = pins.iter().filter_map(|pin| self.0.get(&place_key((pin.link, pin.at))));
         let mut found = found.flatten().copied().collect::<Vec<_>>();
         found.sort_unstable();
         found.dedup();
@@ -32,13 +32,13 @@ impl Hinges {
     /// This point and all that pins join with it.
     pub fn joined_with(&self, mech: &Mechanism, point: (LinkId, Vec2)) -> Vec<(LinkId, Vec2)> {
         let mut joined = vec![point];
-        let mut seen = IndexSet::from([key(point)]);
+        let mut seen = IndexSet::from([place_key(point)]);
         let mut next = 0;
         while let Some(&at) = joined.get(next) {
             next += 1;
-            for pair in self.0.get(&key(at)).into_iter().flatten() {
+            for pair in self.0.get(&place_key(at)).into_iter().flatten() {
                 let PairKind::Revolute(pins) = &mech.pair(*pair).kind else { continue };
-                let new = pins.iter().map(|p| (p.link, p.at)).filter(|p| seen.insert(key(*p)));
+                let new = pins.iter().map(|p| (p.link, p.at)).filter(|p| seen.insert(place_key(*p)));
                 joined.extend(new);
             }
         }
@@ -47,6 +47,6 @@ impl Hinges {
 }
 
 /// Adding zero makes one of both zeros.
-fn key((link, at): (LinkId, Vec2)) -> Key {
+pub(crate) fn place_key((link, at): (LinkId, Vec2)) -> PlaceKey {
     (link, [at.x, at.y].map(|x| (x + 0.0).to_bits()))
 }

@@ -4,6 +4,7 @@
 mod add_effort;
 mod add_pair;
 mod assertion;
+mod chains;
 mod class;
 mod count;
 mod decompose;

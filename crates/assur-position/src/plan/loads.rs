@@ -9,6 +9,7 @@ use crate::model::{
     BalanceKind, Bearing, Expr, LoadId, LoadKind, Mechanism, PairKind, Place, SpringId, Value,
 };
 use crate::structure::{Effort, EffortKind, EffortSource, Structure};
+use std::collections::HashSet;
 
 /// The lines of the unknown forces.
 pub(super) fn lines(mechanism: &Mechanism, structure: &Structure, lines: &mut Vec<ForceLine>) {
@@ -34,11 +35,12 @@ fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine
 pub(super) fn plan(mechanism: &Mechanism, effects: &Effects, steps: &mut Vec<LoadStep>) {
     steps.clear();
     let gravity = mechanism.gravity.filter(|_| effects.gravity).map_or(Vec2::zero(), |g| g.acceleration);
+    let hanging = hanging(mechanism);
     for (body, link) in mechanism.links.iter().enumerate().skip(1) {
         if let Some(m) = &link.mass
             && (effects.gravity || effects.inertia)
         {
-            let gravity = if hangs(mechanism, body) { Vec2::new(gravity.norm(), 0.0) } else { gravity };
+            let gravity = if hanging.contains(&body) { Vec2::new(gravity.norm(), 0.0) } else { gravity };
             steps.push(LoadStep::Mass {
                 body,
                 centre: arm(m.centre),
@@ -85,9 +87,12 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects, steps: &mut Vec<Loa
     }));
 }
 
-/// Whether a link is a slider on a rope: its weight pulls along its way, in the sense in which the rope pays out.
-fn hangs(mechanism: &Mechanism, link: usize) -> bool {
-    mechanism.pairs.iter().any(|p| {
-        matches!(&p.kind, PairKind::Prismatic(g) if p.bearing == Some(Bearing::Open) && g.slider.index() == link)
-    })
+/// Links that are sliders on a rope: their weights pull along their ways, in the sense in which the rope pays out.
+fn hanging(mechanism: &Mechanism) -> HashSet<usize> {
+    let open = mechanism.pairs.iter().filter(|p| p.bearing == Some(Bearing::Open));
+    let sliders = open.filter_map(|p| match &p.kind {
+        PairKind::Prismatic(g) => Some(g.slider.index()),
+        _ => None,
+    });
+    sliders.collect()
 }

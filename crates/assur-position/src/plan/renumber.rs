@@ -46,14 +46,24 @@ impl Plan {
                 self.motion[branch] = step;
             }
         }
-        if !self.effects.forces {
-            return;
+        if self.effects.forces {
+            self.renumber_forces(mechanism, structure);
         }
+        let mut checks = std::mem::take(&mut self.checks);
+        checks.renumber(mechanism, structure, self);
+        self.checks = checks;
+    }
+
+    fn renumber_forces(&mut self, mechanism: &Mechanism, structure: &Structure) {
         loads::plan(mechanism, &self.effects, &mut self.loads);
         loads::lines(mechanism, structure, &mut self.lines);
         let mut first = 0;
         for (index, group) in structure.forces.iter().enumerate() {
-            if let Some(step) = forces::closed(structure, group, first, self) {
+            let moved_by = match &self.forces[index] {
+                ForceStep::Rrr { motion, .. } | ForceStep::Rrp { motion, .. } => *motion,
+                _ => None,
+            };
+            if let Some(step) = forces::closed(structure, group, first, self, moved_by) {
                 self.forces[index] = step;
             }
             first += group.joints.len();

@@ -266,7 +266,7 @@ impl PoseAnswers<'_> {
     /// The couple on a link in a pair about the pair's reference point; NaN where it is not determined.
     #[must_use]
     pub fn moment(&self, pair: PairId, link: LinkId) -> f64 {
-        if self.structure.undetermined_couples.contains(&pair) {
+        if self.structure.undetermined_couples.binary_search(&pair).is_ok() {
             return f64::NAN;
         }
         if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
@@ -288,10 +288,9 @@ impl PoseAnswers<'_> {
             Some((pin, block)) if pin == link => block,
             _ => BodyId(link.index()),
         };
-        self.plan.reactions.iter().enumerate().filter_map(move |(slot, joint)| {
-            if self.structure.replaced.joint(joint.joint).pair != pair
-                || in_slot.is_some() && !joint.prismatic
-            {
+        self.plan.reactions_of.places(pair).iter().filter_map(move |&slot| {
+            let joint = &self.plan.reactions[slot];
+            if in_slot.is_some() && !joint.prismatic {
                 return None;
             }
             if joint.body == body {

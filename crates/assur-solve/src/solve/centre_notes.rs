@@ -32,7 +32,7 @@ impl CentreNotes {
         Self(asked)
     }
 
-    /// Whether none is asked for.
+    /// None is asked for.
     pub(super) const fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

@@ -4,6 +4,7 @@
 mod again;
 mod assemble;
 mod assemblies;
+mod block;
 mod centre_notes;
 mod clause;
 mod come_again;
@@ -43,6 +44,7 @@ pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
 pub use again::Again;
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
+pub use block::{Ahead, BLOCK, Block};
 pub use clause::{Clause, NamedPoint};
 pub use cycle::over_cycle;
 pub use failure::{Cause, Failure, GroupId, Lost};

@@ -96,6 +96,12 @@ impl Sweep {
         self.drives.iter().map(|d| d.at(index)).collect()
     }
 
+    /// As [`Sweep::values`], in the memory of others.
+    pub fn write_values(&self, index: usize, out: &mut Vec<DriveValue>) {
+        out.clear();
+        out.extend(self.drives.iter().map(|d| d.at(index)));
+    }
+
     pub fn at(&self, index: usize) -> Wanted {
         let origin = PoseOrigin::Sweep(index);
         Wanted { name: (index + 1).to_string(), origin, drives: self.values(index) }

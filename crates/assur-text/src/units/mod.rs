@@ -13,6 +13,6 @@ pub use crate::language::{Dimension, Kind};
 pub use error::UnitError;
 pub use factors::{Factor, factors};
 pub use lookup::{is_unit, lookup};
-pub use number::{significant, write_significant};
+pub use number::{push_significant, significant, write_significant};
 pub use spelling::meant;
 pub use unit::Unit;
