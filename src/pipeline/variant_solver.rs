@@ -93,6 +93,12 @@ impl<'a> VariantSolver<'a> {
         }
     }
 
+    /// Looks at once for what rows like this one have in common; whether they differ in numbers alone.
+    pub fn prepare(&mut self, row: &Row) -> bool {
+        self.quick = self.found_quick(row);
+        matches!(self.quick, Quick::Rows(_))
+    }
+
     /// Looks for what rows have in common once there are some.
     fn look_for_quick(&mut self, row: &Row) {
         let Quick::After(rows) = &mut self.quick else { return };
