@@ -27,13 +27,28 @@ pub trait Sink {
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool;
 
     /// How many blocks of positions are solved at once where none depends on another.
-    fn blocks(&self) -> usize;
+    fn blocks(&self) -> usize {
+        1
+    }
 
     /// Solves blocks of positions: on several threads if there are.
-    fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]);
+    fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+        blocks.iter_mut().enumerate().for_each(|(i, block)| ahead.solve(block, i * BLOCK));
+    }
 
     /// Takes blocks of positions whose quantities and angles are not known yet, see [`Ahead::answer`].
-    fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool;
+    fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
+        blocks.iter_mut().all(|block| {
+            ahead.answer(block, true);
+            block.poses().iter().all(|pose| self.add(answers, pose))
+        })
+    }
+}
+
+impl<F: FnMut(&Answers<'_>, &Pose) -> bool> Sink for F {
+    fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool {
+        self(answers, pose)
+    }
 }
 
 /// The solution with all that is to be said of it; `None` where it was stopped; else what makes all positions meaningless.

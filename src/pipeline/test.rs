@@ -2,13 +2,12 @@
 
 use super::compile::compile_document;
 use super::file_variants::FileVariants;
-use super::followed::Sink;
 use super::other_assembly::in_other_assembly;
 use super::solved::{Solved, solve_each};
 use crate::exercise;
 use crate::report::Answers;
 use assur_check::Overrides;
-use assur_solve::solve::{Ahead, Block, Pose};
+use assur_solve::solve::Pose;
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::{self, Problems};
@@ -54,7 +53,7 @@ pub fn test_document(
 ) -> (Option<Solved>, Problems) {
     let (compiled, mut problems) = compile_document(source, document, found, overrides);
     let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
-    let (solved, found) = solve_each(compiled, &mut Forgotten);
+    let (solved, found) = solve_each(compiled, &mut |_: &Answers<'_>, _: &Pose| true);
     problems.append(found);
     let solved = solved.ok();
     if let Some(solved) = &solved {
@@ -64,25 +63,6 @@ pub fn test_document(
         problems.extend(in_other_assembly(solved, (source, document), overrides, failed));
     }
     (solved, problems)
-}
-
-/// Positions that are solved for what is expected of them, and for nothing else.
-struct Forgotten;
-
-impl Sink for Forgotten {
-    fn add(&mut self, _: &Answers<'_>, _: &Pose) -> bool {
-        true
-    }
-
-    fn blocks(&self) -> usize {
-        0
-    }
-
-    fn solve(&self, _: &Ahead<'_>, _: &mut [Block]) {}
-
-    fn add_blocks(&mut self, _: &Answers<'_>, _: &Ahead<'_>, _: &mut [Block]) -> bool {
-        true
-    }
 }
 
 /// The diagnostics of a text, failed expectations included, without colour, 100 columns wide; empty where there are none.

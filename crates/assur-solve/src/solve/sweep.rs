@@ -114,6 +114,12 @@ impl<'a, 's> Following<'a, 's> {
         }))
     }
 
+    /// The same with every position found from the one before, whatever the plan.
+    #[must_use]
+    pub fn one_by_one(self) -> Self {
+        Self { free: false, ..self }
+    }
+
     /// How many positions there are, with the poses beside the sweep.
     #[must_use]
     pub fn positions(&self) -> usize {
@@ -204,7 +210,10 @@ impl<'a, 's> Following<'a, 's> {
     /// Takes over the next positions as far as following them one by one comes to the same, and goes on behind them. The block
     /// keeps these alone. `false` where some are left: blocks behind this one have no meaning then.
     pub fn take(&mut self, block: &mut Block) -> bool {
-        let (Some(tracker), solved) = (&mut self.current, block.solved()) else { return false };
+        let (Some(tracker), solved) = (&mut self.current, block.solved()) else {
+            block.keep(0);
+            return false;
+        };
         let taken = tracker.take(self.run.model, block);
         self.next += taken;
         self.run.closing.swept += taken;

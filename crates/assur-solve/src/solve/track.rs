@@ -303,6 +303,7 @@ impl Tracker {
     /// they are.
     pub(super) fn take(&mut self, model: &Model<'_>, block: &mut Block) -> usize {
         if !keeps_its_assembly(model, &self.state) {
+            block.keep(0);
             return 0;
         }
         let bodies = self.state.motion.bodies.len();
