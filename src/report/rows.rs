@@ -119,9 +119,12 @@ impl AnswerColumns {
         self.write_beside(answers, pose, &self.whole(answers), (digits, key), out);
     }
 
-    /// The answers that need no pose.
+    /// The answers that need no pose; nothing where there are none.
     #[must_use]
     pub fn whole(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
+        if !self.answers.iter().any(|a| matches!(a.content, Content::Find { poseless: true, .. })) {
+            return Vec::new();
+        }
         let value = |answer: &Answer| match answer.content {
             Content::Find { index, poseless: true } => self.without_pose(answers, index),
             _ => None,
@@ -194,12 +197,12 @@ impl AnswerColumns {
                 && !unplaced.get(pair.index()).copied().unwrap_or(false);
             view.as_ref().filter(|_| known)
         };
-        let value = |(answer, whole): (&Answer, &Option<Value>)| match &answer.content {
+        let value = |(i, answer): (usize, &Answer)| match &answer.content {
             Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
             Content::Find { index, poseless: false } => {
                 view.as_ref().and_then(|view| found(answers, view, *index))
             }
-            Content::Find { poseless: true, .. } => *whole,
+            Content::Find { poseless: true, .. } => whole.get(from + i).copied().flatten(),
             Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
             Content::Reaction(pair, on) => {
                 pressing(*pair).map(|view| Value::Vector(view.reaction(*pair, *on)))
@@ -208,8 +211,8 @@ impl AnswerColumns {
                 pressing(*pair).and_then(|view| moment(view, *pair, *on)).map(Value::Scalar)
             }
         };
-        for pair in shown.iter().zip(&whole[from..]) {
-            each(pair.0, value(pair));
+        for (i, answer) in shown.iter().enumerate() {
+            each(answer, value((i, answer)));
         }
     }
 
