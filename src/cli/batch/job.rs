@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::io::BufReader;
 use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
@@ -12,6 +12,7 @@ use super::super::args::Format;
 use super::super::error::CliError;
 use super::super::reply::Status;
 use super::super::screen::Screen;
+use super::idle::Idle;
 use super::layout::{ERROR, Layout};
 use super::line::{Said, Written, write_row};
 use super::progress::Progress;
@@ -39,7 +40,7 @@ const SHORT: Duration = Duration::from_millis(40);
 const TABLE_CHUNK: usize = 1000;
 /// Rows that one thread takes at a time, at least.
 const PIECE: usize = 32;
-/// In so many parts a large chunk is divided.
+/// The number of pieces of a large chunk.
 const PIECES: usize = 64;
 /// The number of rows that are explained of those that fail for one reason; the others are named.
 const EXPLAINED: usize = 3;
@@ -273,20 +274,6 @@ struct Piece {
     key: String,
     said: Vec<(usize, Said)>,
     whole: bool,
-}
-
-/// Solvers that no thread uses at the moment: what one has found out about the rows serves the next.
-#[derive(Default)]
-struct Idle<'r>(Mutex<Vec<VariantSolver<'r>>>);
-
-impl<'r> Idle<'r> {
-    fn take(&self) -> Option<VariantSolver<'r>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).pop()
-    }
-
-    fn give(&self, solver: VariantSolver<'r>) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(solver);
-    }
 }
 
 impl<'r> Run<'r> {

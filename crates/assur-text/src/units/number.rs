@@ -38,7 +38,7 @@ struct Text {
     len: usize,
 }
 
-impl std::fmt::Write for Text {
+impl Write for Text {
     fn write_str(&mut self, more: &str) -> std::fmt::Result {
         if self.len + more.len() > self.bytes.len() {
             return Err(std::fmt::Error);
