@@ -8,15 +8,20 @@
 
 use crate::expr::context::Context;
 use crate::names::declared::QuantityKind;
+use crate::requests::tolerance::MOST as MOST_OF_VALUE;
 use crate::row_places::{Asked, depends, is_plain, places};
 use crate::row_program::{Compiled, Program, Register};
 use crate::template::Template;
 use crate::values::definition::Settled;
 use crate::values::row::{ColumnUse, Row, RowCell, RowColumn};
-use crate::values::typed::Typed;
+use crate::values::typed::{Type, Typed};
 use assur_math::math::Vec2;
-use assur_model::model::{Expr, FindKind, LinkId, Mechanism};
+use assur_model::model::{Expr, FindKind, LinkId, Mechanism, Value};
+use assur_syntax::document;
+use assur_syntax::document::ExprKind;
+use assur_text::units::Dimension;
 use indexmap::IndexSet;
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// Rows that are checked beside the first one.
@@ -161,6 +166,8 @@ impl RowPatches {
             Asked::Nothing | Asked::Direction => true,
             Asked::Positive => values[*register] > 0.0,
             Asked::NotNegative => values[*register] >= 0.0,
+            Asked::NotZero => values[*register] != 0.0,
+            Asked::LessThanHalf => values[*register] < PI,
         };
         self.asked.iter().all(fits)
             && self.fixed.iter().all(|(register, value)| is_same(values[*register], *value))
@@ -233,7 +240,11 @@ fn compiled(cx: &mut Context<'_>, row: &Row) -> Option<(Program, Vec<(Register, 
     let mut program = Program::new(cx.builder.mech.quantities.len());
     let names = symbols(cx, row, &mut program)?;
     let mut all = Vec::new();
-    for (expr, asked) in places(cx.doc, &names)? {
+    let places = places(cx.doc, &names)?;
+    for (value, within) in places.expected {
+        expected(cx, row, &mut program, &mut all, (value, within))?;
+    }
+    for (expr, asked) in places.found {
         let read = cx.quietly(|cx| cx.read(expr))?;
         match (program.compile(&read.expr)?, asked) {
             (_, Asked::Nothing) => {}
@@ -245,11 +256,49 @@ fn compiled(cx: &mut Context<'_>, row: &Row) -> Option<(Program, Vec<(Register, 
     Some((program, all))
 }
 
+/// A value of the answer key that goes with the row, and its tolerance: a share of it as written, or one that follows from
+/// the digits of a column.
+fn expected(
+    cx: &mut Context<'_>,
+    row: &Row,
+    program: &mut Program,
+    all: &mut Vec<(Register, Asked)>,
+    (value, within): (&document::Expr, Option<&document::Expr>),
+) -> Option<()> {
+    let read = cx.quietly(|cx| cx.read(value))?;
+    let Compiled::Number(register) = program.compile(&read.expr)? else { return None };
+    let (share, digit) = match within {
+        Some(within) => {
+            let share = cx.quietly(|cx| cx.read(within))?;
+            (share.ty.dimension() == Dimension::NUMBER).then_some(())?;
+            let Some(Value::Scalar(share)) = share.value() else { return None };
+            (share, None)
+        }
+        None => {
+            let ExprKind::Name(name) = &value.kind else { return None };
+            let is = |c: &RowColumn| c.what != ColumnUse::Label && c.set.is_none() && c.name == *name;
+            (MOST_OF_VALUE, Some(row.columns().iter().position(is)?))
+        }
+    };
+    let size = program.share(share, register, digit);
+    all.push((register, Asked::NotZero));
+    // angles do not differ by more
+    if read.ty.dimension().is_dimensionless() {
+        all.push((size, Asked::LessThanHalf));
+    }
+    Some(())
+}
+
 /// Lets a register stand for each definition that goes with the row; gives their names.
 fn symbols(cx: &mut Context<'_>, row: &Row, program: &mut Program) -> Option<IndexSet<String>> {
-    let keys = row.entries().filter(|(column, _)| column.what == ColumnUse::Key);
-    let mut names: IndexSet<String> = keys.map(|(column, _)| column.name.clone()).collect();
     let columns = row.columns().clone();
+    let mut names = IndexSet::new();
+    for (index, column) in columns.iter().enumerate().filter(|(_, c)| c.what == ColumnUse::Key) {
+        let register = program.cell(index);
+        let key = Typed::new(program.symbol(register), Type::number(column.dimension));
+        cx.values.outside.keys.insert(column.name.clone(), key);
+        names.insert(column.name.clone());
+    }
     for name in cx.values.definitions.order.clone() {
         let Some(QuantityKind::Given(expr) | QuantityKind::Let(expr)) =
             cx.names.quantities.get(&name).map(|d| d.what)

@@ -3,8 +3,8 @@
 
 use crate::statements::walk::{children, parts};
 use assur_syntax::document::{
-    AssembleClause, Bar, Body, Document, DrivePosition, Expr, ExprKind, JointKind, LineDirection, Member,
-    Place, Property, Sensed, Setting, Site, Statement,
+    AssembleClause, Bar, Body, Document, DrivePosition, Expect, ExpectAt, Expr, ExprKind, JointKind,
+    LineDirection, Member, Place, Property, Sensed, Setting, Site, Statement,
 };
 use indexmap::IndexSet;
 
@@ -17,6 +17,10 @@ pub(crate) enum Asked {
     Positive,
     /// It is not less than zero.
     NotNegative,
+    /// It is not zero.
+    NotZero,
+    /// It is less than half a turn.
+    LessThanHalf,
     /// It is an angle, of which the direction is kept.
     Direction,
 }
@@ -29,18 +33,20 @@ const PLAIN: [&str; 12] =
 pub(crate) struct Places<'d> {
     /// Names whose values go with the row.
     names: &'d IndexSet<String>,
-    found: Vec<(&'d Expr, Asked)>,
+    pub(crate) found: Vec<(&'d Expr, Asked)>,
+    /// Values of the answer key, with their tolerance where one is written.
+    pub(crate) expected: Vec<(&'d Expr, Option<&'d Expr>)>,
 }
 
 /// All places of a document where these names are used; `None` where one of them may change more than numbers.
-pub(crate) fn places<'d>(doc: &'d Document, names: &'d IndexSet<String>) -> Option<Vec<(&'d Expr, Asked)>> {
+pub(crate) fn places<'d>(doc: &'d Document, names: &'d IndexSet<String>) -> Option<Places<'d>> {
     let filled = |text: &str| text.contains('{');
     if doc.notes.iter().any(|note| filled(&note.node)) || doc.title().is_some_and(|t| filled(&t.node)) {
         return None;
     }
-    let mut places = Places { names, found: Vec::new() };
+    let mut places = Places { names, found: Vec::new(), expected: Vec::new() };
     doc.statements.iter().try_for_each(|s| places.statement(&s.node))?;
-    Some(places.found)
+    Some(places)
 }
 
 /// Whether an expression uses one of these names.
@@ -134,16 +140,7 @@ impl<'d> Places<'d> {
                 self.none(&item.steps)?;
                 self.add(&item.value, Asked::Nothing)
             }),
-            // a tolerance follows from values and from their digits
-            Statement::Expect(expect) => {
-                self.none(expect.values.iter().chain(&expect.within).chain([&expect.what]))?;
-                match &expect.at {
-                    Some(assur_syntax::document::ExpectAt::Settings(all)) => {
-                        self.none(all.iter().map(|s| &s.value.value))
-                    }
-                    _ => Some(()),
-                }
-            }
+            Statement::Expect(expect) => self.expect(expect),
             Statement::Shaft(_)
             | Statement::Slider(_)
             | Statement::Brake(_)
@@ -188,6 +185,18 @@ impl<'d> Places<'d> {
                 Member::Inertia(inertia) => self.add(&inertia.value, Asked::NotNegative)?,
                 Member::Wheel(_) | Member::Profile(_) | Member::Bad(_) => return None,
             }
+        }
+        Some(())
+    }
+
+    fn expect(&mut self, expect: &'d Expect) -> Option<()> {
+        self.none(expect.within.iter().chain([&expect.what]))?;
+        if let Some(ExpectAt::Settings(all)) = &expect.at {
+            self.none(all.iter().map(|s| &s.value.value))?;
+        }
+        for value in expect.values.iter().filter(|value| depends(self.names, value)) {
+            is_plain(self.names, value).then_some(())?;
+            self.expected.push((value, expect.within.as_ref()));
         }
         Some(())
     }

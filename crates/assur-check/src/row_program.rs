@@ -16,6 +16,8 @@ enum Operation {
     Number(f64),
     /// The value in a column of the row.
     Cell(usize),
+    /// One unit in the last digit of it.
+    Digit(usize),
     Negate(Register),
     Add(Register, Register),
     Subtract(Register, Register),
@@ -62,6 +64,16 @@ impl Program {
         self.push(Operation::Cell(column))
     }
 
+    /// A share of the magnitude of a number, or one unit in the last digit of a column where that is less.
+    pub(crate) fn share(&mut self, share: f64, of: Register, digit: Option<usize>) -> Register {
+        let magnitude = self.push(Operation::Call(Function::Abs, of, of));
+        let share = self.number(share);
+        let part = self.push(Operation::Multiply(share, magnitude));
+        let Some(column) = digit else { return part };
+        let digit = self.push(Operation::Digit(column));
+        self.push(Operation::Call(Function::Min, digit, part))
+    }
+
     /// The direction of an angle.
     pub(crate) fn direction(&mut self, angle: Register) {
         self.push(Operation::Direction(angle, Axis::X));
@@ -85,7 +97,8 @@ impl Program {
             let r = &self.registers;
             let value = match *operation {
                 Operation::Number(x) => x,
-                Operation::Cell(column) => row.value(column).unwrap_or(f64::NAN),
+                Operation::Cell(column) => row.cell(column).map_or(f64::NAN, |cell| cell.value),
+                Operation::Digit(column) => row.cell(column).map_or(f64::NAN, |cell| cell.digit),
                 Operation::Negate(a) => -r[a],
                 Operation::Add(a, b) => r[a] + r[b],
                 Operation::Subtract(a, b) => r[a] - r[b],

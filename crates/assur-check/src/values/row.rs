@@ -89,9 +89,9 @@ impl Row {
         self.columns.iter().zip(self.cells.iter().copied())
     }
 
-    /// The number in the column of this index.
-    pub(crate) fn value(&self, column: usize) -> Option<f64> {
-        self.cells.get(column).map(|cell| cell.value)
+    /// The cell in the column of this index.
+    pub(crate) fn cell(&self, column: usize) -> Option<RowCell> {
+        self.cells.get(column).copied()
     }
 
     /// Its columns.
