@@ -164,7 +164,7 @@ impl RowPatches {
         let values = self.program.values();
         let fits = |(register, asked): &(Register, Asked)| match asked {
             Asked::Nothing | Asked::Direction => true,
-            Asked::Positive => values[*register] > 0.0,
+            Asked::Positive | Asked::Weight => values[*register] > 0.0,
             Asked::NotNegative => values[*register] >= 0.0,
             Asked::NotZero => values[*register] != 0.0,
             Asked::LessThanHalf => values[*register] < PI,
@@ -249,7 +249,13 @@ fn compiled(cx: &mut Context<'_>, row: &Row) -> Option<(Program, Vec<(Register, 
         match (program.compile(&read.expr)?, asked) {
             (_, Asked::Nothing) => {}
             (Compiled::Number(register), Asked::Direction) => program.direction(register),
-            (Compiled::Number(register), asked) => all.push((register, asked)),
+            (Compiled::Number(register), asked) => {
+                if let (Asked::Weight, Some(gravity)) = (asked, cx.builder.mech.gravity) {
+                    let g = gravity.acceleration;
+                    program.mass(register, libm::hypot(g.x, g.y));
+                }
+                all.push((register, asked));
+            }
             _ => return None,
         }
     }
@@ -266,7 +272,11 @@ fn expected(
     (value, within): (&document::Expr, Option<&document::Expr>),
 ) -> Option<()> {
     let read = cx.quietly(|cx| cx.read(value))?;
-    let Compiled::Number(register) = program.compile(&read.expr)? else { return None };
+    let register = match program.compile(&read.expr)? {
+        Compiled::Number(register) => register,
+        Compiled::Vector(x, y) => program.magnitude(x, y),
+        Compiled::Constant(_) | Compiled::Result => return None,
+    };
     let (share, digit) = match within {
         Some(within) => {
             let share = cx.quietly(|cx| cx.read(within))?;

@@ -21,6 +21,8 @@ pub(crate) enum Asked {
     NotZero,
     /// It is less than half a turn.
     LessThanHalf,
+    /// It is a weight, of which the mass is kept.
+    Weight,
     /// It is an angle, of which the direction is kept.
     Direction,
 }
@@ -164,6 +166,7 @@ impl<'d> Places<'d> {
             Member::Mass(at) | Member::Weight(at) => self.depends(&at.value),
             _ => false,
         });
+        let has_mass = body.iter().any(|m| matches!(m.node, Member::Mass(_) | Member::Weight(_)));
         self.all(bar.map(|bar| &bar.length), Asked::Positive)?;
         for member in body {
             match &member.node {
@@ -176,9 +179,10 @@ impl<'d> Places<'d> {
                     LineDirection::To(_) => (!moved).then_some(())?,
                 },
                 Member::Circle(circle) => self.add(&circle.radius, Asked::Positive)?,
-                Member::Mass(at) | Member::Weight(at) => self.add(&at.value, Asked::Positive)?,
+                Member::Mass(at) => self.add(&at.value, Asked::Positive)?,
+                Member::Weight(at) => self.add(&at.value, Asked::Weight)?,
                 // less the part of the mass, by its distance
-                Member::Inertia(inertia) if inertia.about.is_some() => {
+                Member::Inertia(inertia) if inertia.about.is_some() && has_mass => {
                     (!moved && !heavier).then_some(())?;
                     self.none([&inertia.value])?;
                 }

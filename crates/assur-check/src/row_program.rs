@@ -74,6 +74,17 @@ impl Program {
         self.push(Operation::Call(Function::Min, digit, part))
     }
 
+    /// The mass of a weight.
+    pub(crate) fn mass(&mut self, weight: Register, gravity: f64) {
+        let gravity = self.number(gravity);
+        self.push(Operation::Divide(weight, gravity));
+    }
+
+    /// The magnitude of a vector.
+    pub(crate) fn magnitude(&mut self, x: Register, y: Register) -> Register {
+        self.push(Operation::Call(Function::Mag, x, y))
+    }
+
     /// The direction of an angle.
     pub(crate) fn direction(&mut self, angle: Register) {
         self.push(Operation::Direction(angle, Axis::X));
