@@ -138,7 +138,7 @@ fn a_row_of_variants_allocates_nothing() {
     let mut lines = Lines::default();
     table.lines(200, &mut lines).expect("read");
     let mut solver = VariantSolver::new(&document, &none);
-    let (mut read, mut answers, mut out) = (Read::default(), None, String::with_capacity(1 << 20));
+    let (mut read, mut answers, mut out) = (Read::default(), None, Vec::with_capacity(1 << 20));
     let mut solve = |i: usize| {
         let raw = lines.get(i).expect("a row");
         raw.read_in("rows.csv", &columns, table.separator, &mut read).unwrap_or_else(|_| panic!("numbers"));
@@ -149,7 +149,8 @@ fn a_row_of_variants_allocates_nothing() {
         let solved = solved.expect("the row closes").answers(Precision::READABLE);
         assert!(problems.is_empty());
         let written = answers.get_or_insert_with(|| AnswerColumns::of(&solved.model));
-        solved.poses().for_each(|pose| written.write(&solved, pose, 15, false, &mut out));
+        let whole = written.whole(&solved);
+        solved.poses().for_each(|pose| written.write_beside(&solved, pose, &whole, (15, false), &mut out));
     };
     (0..20).for_each(&mut solve);
     let counted = allocation_counter::measure(|| (20..200).for_each(&mut solve));

@@ -6,8 +6,9 @@ use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
 use super::threads::Threads;
 use crate::pipeline::{Compiled, Sink, Solved};
+use crate::report::json::JsonLines;
 use crate::report::lines::CsvLines;
-use crate::report::{Answers, Precision, json};
+use crate::report::{Answers, Precision};
 use assur_solve::solve::{Ahead, BLOCK, Block, Pose};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -30,13 +31,13 @@ pub fn positions(
 ) -> Reply {
     let lines = match format {
         Format::Csv => Lines::Csv(CsvLines::of(&compiled.model(), file)),
-        _ => Lines::Json(source.name.clone()),
+        _ => Lines::Json(JsonLines::of(source.name.clone())),
     };
     let angles = match &lines {
         Lines::Csv(lines) => lines.reads_angles(&compiled.model()),
         Lines::Json(_) => true,
     };
-    let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() };
+    let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() }.into_bytes();
     let (begun, any, failed, texts) = (false, false, false, Vec::new());
     let mut out = Out { lines, angles, text, texts, begun, any, failed, printer, threads };
     let (solved, found) = crate::pipeline::solve_each(compiled, &mut out);
@@ -53,36 +54,32 @@ pub fn positions(
 /// The lines of one form.
 enum Lines {
     Csv(CsvLines),
-    /// The name of the file.
-    Json(String),
+    Json(JsonLines),
 }
 
 impl Lines {
-    fn begin(&mut self, answers: &Answers<'_>) {
-        if let Self::Csv(lines) = self {
-            lines.begin(answers);
+    /// What is found once: of a position, where there is one.
+    fn begin(&mut self, answers: &Answers<'_>, pose: Option<&Pose>) {
+        match (self, pose) {
+            (Self::Csv(lines), _) => lines.begin(answers),
+            (Self::Json(lines), Some(pose)) => lines.begin(answers, pose),
+            (Self::Json(_), None) => {}
         }
     }
 
     /// Adds the line of a position.
-    fn add(&self, answers: &Answers<'_>, pose: &Pose, text: &mut String) {
+    fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, text: &mut Vec<u8>) {
         match self {
-            Self::Csv(lines) => lines.add(answers, pose, text),
-            Self::Json(file) => {
-                *text += &json::render_position(file, None, answers, Some(pose));
-                text.push('\n');
-            }
+            Self::Csv(lines) => lines.add(answers, pose, row, text),
+            Self::Json(lines) => lines.add(answers, pose, row, text),
         }
     }
 
     /// Adds the line of a file without positions.
-    fn add_without_pose(&self, answers: &Answers<'_>, text: &mut String) {
+    fn add_without_pose(&self, answers: &Answers<'_>, text: &mut Vec<u8>) {
         match self {
             Self::Csv(lines) => lines.add_without_pose(answers, text),
-            Self::Json(file) => {
-                *text += &json::render_position(file, None, answers, None);
-                text.push('\n');
-            }
+            Self::Json(lines) => lines.add_without_pose(answers, text),
         }
     }
 }
@@ -91,9 +88,9 @@ struct Out<'p, 'o> {
     lines: Lines,
     /// The lines show angles.
     angles: bool,
-    text: String,
+    text: Vec<u8>,
     /// Of blocks, until they are written.
-    texts: Vec<String>,
+    texts: Vec<Vec<u8>>,
     /// A position has a meaning.
     begun: bool,
     any: bool,
@@ -107,8 +104,8 @@ impl Sink for Out<'_, '_> {
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool {
         self.any = true;
         self.begun |= pose.outcome.is_ok() || pose.failure().is_some();
-        self.lines.begin(answers);
-        self.lines.add(answers, pose, &mut self.text);
+        self.lines.begin(answers, Some(pose));
+        self.lines.add(answers, pose, &mut Vec::new(), &mut self.text);
         if self.text.len() >= if self.begun { PIECE } else { HELD } {
             self.flush();
         }
@@ -125,14 +122,18 @@ impl Sink for Out<'_, '_> {
 
     fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
         (self.any, self.begun) = (true, true);
-        self.lines.begin(answers);
-        self.texts.resize_with(blocks.len(), String::new);
+        if let Some(first) = blocks.first_mut() {
+            ahead.answer(first, self.angles);
+            self.lines.begin(answers, first.poses().first());
+        }
+        self.texts.resize_with(blocks.len(), Vec::new);
         let (lines, angles) = (&self.lines, self.angles);
-        let mut work: Vec<(&mut Block, &mut String)> = blocks.iter_mut().zip(&mut self.texts).collect();
+        let mut work: Vec<(&mut Block, &mut Vec<u8>)> = blocks.iter_mut().zip(&mut self.texts).collect();
         self.threads.each(&mut work, |(_, (block, text))| {
             ahead.answer(block, angles);
             text.clear();
-            block.poses().iter().for_each(|pose| lines.add(answers, pose, text));
+            let mut row = Vec::new();
+            block.poses().iter().for_each(|pose| lines.add(answers, pose, &mut row, text));
         });
         self.flush();
         for text in &self.texts {
@@ -147,7 +148,7 @@ impl Out<'_, '_> {
     fn end(&mut self, solved: &Solved) {
         if !self.any {
             let answers = solved.answers(Precision::READABLE);
-            self.lines.begin(&answers);
+            self.lines.begin(&answers, None);
             self.lines.add_without_pose(&answers, &mut self.text);
         }
         self.flush();

@@ -5,8 +5,11 @@ use super::csv;
 use super::reactions::moment;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
-use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, Solved, State, unplaced_reactions};
-use assur_text::units::{Dimension, write_significant};
+use assur_solve::solve::{
+    DriveValue, JointReaction, Model, NumberColumns, Pose, PoseAnswers, Shown, Solved, State,
+    unplaced_reactions,
+};
+use assur_text::units::{Dimension, push_significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
 pub const FULL: usize = 15;
@@ -15,10 +18,14 @@ pub const FULL: usize = 15;
 #[derive(Clone, Debug)]
 enum Content {
     Drive(usize),
-    Find { index: usize, poseless: bool },
+    Find {
+        index: usize,
+        poseless: bool,
+    },
     Effort(usize),
-    Reaction(PairId, LinkId),
-    Moment(PairId, LinkId),
+    /// With its joints, where they alone make it up.
+    Reaction(PairId, LinkId, Option<JointReaction>),
+    Moment(PairId, LinkId, Option<JointReaction>),
 }
 
 #[derive(Clone, Debug)]
@@ -42,7 +49,14 @@ impl AnswerColumns {
     /// Those of a file, whatever the values of its givens.
     #[must_use]
     pub fn of(model: &Model<'_>) -> Self {
-        Self::with_moments(model, false)
+        let mut columns = Self::with_moments(model, false);
+        // with other values a reaction may be made up of others, as where nothing rubs any more
+        for answer in &mut columns.answers {
+            if let Content::Reaction(_, _, joints) | Content::Moment(_, _, joints) = &mut answer.content {
+                *joints = None;
+            }
+        }
+        columns
     }
 
     /// With the moments of transmissions, or without.
@@ -96,7 +110,7 @@ impl AnswerColumns {
         let unplaced = unplaced_reactions(model);
         let mut columns = Self::with_moments(model, true);
         columns.answers.retain(|answer| match answer.content {
-            Content::Reaction(pair, _) | Content::Moment(pair, _) => !unplaced[pair.index()],
+            Content::Reaction(pair, ..) | Content::Moment(pair, ..) => !unplaced[pair.index()],
             _ => true,
         });
         Self { placed: true, ..columns }
@@ -116,7 +130,9 @@ impl AnswerColumns {
 
     /// Writes the answers at a pose, each with a comma before it; empty where there is none.
     pub fn write(&self, answers: &Answers<'_>, pose: &Pose, digits: usize, key: bool, out: &mut String) {
-        self.write_beside(answers, pose, &self.whole(answers), (digits, key), out);
+        let mut line = Vec::new();
+        self.write_beside(answers, pose, &self.whole(answers), (digits, key), &mut line);
+        out.push_str(std::str::from_utf8(&line).unwrap_or_default());
     }
 
     /// The answers that need no pose; nothing where there are none.
@@ -132,14 +148,33 @@ impl AnswerColumns {
         self.answers.iter().map(value).collect()
     }
 
-    /// As [`AnswerColumns::write`], with what needs no pose known.
+    /// The same columns as numbers, with what needs no pose known. `None` where some depend on more than a state.
+    #[must_use]
+    pub fn numbers(&self, whole: &[Option<Value>]) -> Option<NumberColumns> {
+        let mut columns = NumberColumns::default();
+        for (answer, whole) in self.answers.iter().zip(whole) {
+            let shown = match &answer.content {
+                Content::Drive(i) => Shown::Drive(*i),
+                Content::Find { index, poseless: false } => Shown::Find(*index),
+                Content::Find { poseless: true, .. } => Shown::Known(*whole),
+                Content::Effort(slot) => Shown::Effort(*slot),
+                Content::Reaction(_, _, joints) if self.placed => Shown::Force(joints.clone()?),
+                Content::Moment(_, _, joints) if self.placed => Shown::Couple(joints.clone()?),
+                Content::Reaction(..) | Content::Moment(..) => return None,
+            };
+            columns.push(shown, answer.vector, &answer.display);
+        }
+        Some(columns)
+    }
+
+    /// As [`AnswerColumns::write`], with what needs no pose known; a text in bytes.
     pub fn write_beside(
         &self,
         answers: &Answers<'_>,
         pose: &Pose,
         whole: &[Option<Value>],
         (digits, key): (usize, bool),
-        out: &mut String,
+        out: &mut Vec<u8>,
     ) {
         let from = if key { self.drives } else { 0 };
         self.each_value(from, answers, pose, whole, |answer, value| answer.write(value, digits, out));
@@ -204,12 +239,18 @@ impl AnswerColumns {
             }
             Content::Find { poseless: true, .. } => whole.get(from + i).copied().flatten(),
             Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
-            Content::Reaction(pair, on) => {
-                pressing(*pair).map(|view| Value::Vector(view.reaction(*pair, *on)))
-            }
-            Content::Moment(pair, on) => {
-                pressing(*pair).and_then(|view| moment(view, *pair, *on)).map(Value::Scalar)
-            }
+            Content::Reaction(pair, on, joints) => pressing(*pair).map(|view| {
+                Value::Vector(match joints {
+                    Some(joints) => joints.force(view.state),
+                    None => view.reaction(*pair, *on),
+                })
+            }),
+            Content::Moment(pair, on, joints) => pressing(*pair)
+                .and_then(|view| match joints {
+                    Some(joints) => Some(joints.couple(view.state)).filter(|x| x.is_finite()),
+                    None => moment(view, *pair, *on),
+                })
+                .map(Value::Scalar),
         };
         for (i, answer) in shown.iter().enumerate() {
             each(answer, value((i, answer)));
@@ -218,19 +259,21 @@ impl AnswerColumns {
 
     /// Writes what needs no pose, for a file that has none.
     pub fn write_without_pose(&self, answers: &Answers<'_>, digits: usize, key: bool, out: &mut String) {
+        let mut line = Vec::new();
         for answer in &self.answers[if key { self.drives } else { 0 }..] {
             let value = match answer.content {
                 Content::Find { index, poseless: true } => self.without_pose(answers, index),
                 _ => None,
             };
-            answer.write(value, digits, out);
+            answer.write(value, digits, &mut line);
         }
+        out.push_str(std::str::from_utf8(&line).unwrap_or_default());
     }
 
     /// Writes no answers: a comma each.
     pub fn write_none(&self, key: bool, out: &mut String) {
         for answer in &self.answers[if key { self.drives } else { 0 }..] {
-            answer.write(None, 0, out);
+            out.push_str(if answer.vector { ",," } else { "," });
         }
     }
 
@@ -258,11 +301,13 @@ fn all_reactions(model: &Model<'_>, of_transmissions: bool, answers: &mut Vec<An
         for &on in links.iter().skip(1) {
             let name = |what: &str| format!("{what}({}, {})", pair.name, mechanism.link(on).name);
             let display = mechanism.display_of(Dimension::FORCE);
-            let content = Content::Reaction(id, on);
+            let joints = || JointReaction::of(model, id, on);
+            let content = Content::Reaction(id, on, joints());
             answers.push(Answer { name: name("reaction"), content, vector: true, display });
             if couple {
                 let display = mechanism.display_of(Dimension::TORQUE);
-                let content = Content::Moment(id, on);
+                let determined = !model.structure.undetermined_couples.contains(&id);
+                let content = Content::Moment(id, on, if determined { joints() } else { None });
                 answers.push(Answer { name: name("moment"), content, vector: false, display });
             }
         }
@@ -281,11 +326,12 @@ fn effort(solved: &Solved, slot: usize) -> Option<Value> {
 }
 
 impl Answer {
-    fn write(&self, value: Option<Value>, digits: usize, out: &mut String) {
-        let number = |x: f64, out: &mut String| {
-            out.push(',');
+    #[inline]
+    fn write(&self, value: Option<Value>, digits: usize, out: &mut Vec<u8>) {
+        let number = |x: f64, out: &mut Vec<u8>| {
+            out.push(b',');
             if x.is_finite() {
-                write_significant(out, self.display.of_si(x), digits);
+                push_significant(out, self.display.of_si(x), digits);
             }
         };
         match (value, self.vector) {
@@ -294,9 +340,11 @@ impl Answer {
                 number(y, out);
             }
             (Some(Value::Scalar(x)), false) => number(x, out),
-            (Some(Value::Bool(truth)), false) => out.push_str(if truth { ",true" } else { ",false" }),
-            (_, true) => out.push_str(",,"),
-            (_, false) => out.push(','),
+            (Some(Value::Bool(truth)), false) => {
+                out.extend_from_slice(if truth { b",true" } else { b",false" });
+            }
+            (_, true) => out.extend_from_slice(b",,"),
+            (_, false) => out.push(b','),
         }
     }
 }

@@ -343,7 +343,7 @@ impl<'r> Run<'r> {
 
     fn piece(&self, family: &mut VariantSolver<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece {
         let mut piece = Piece { whole: true, ..Piece::default() };
-        let (mut head, mut old) = (String::new(), None);
+        let (mut head, mut cells, mut old) = (String::new(), Vec::new(), None);
         for index in range {
             if stop::wanted() {
                 piece.whole = false;
@@ -357,6 +357,7 @@ impl<'r> Run<'r> {
                 out: &mut piece.out,
                 key_out: &mut piece.key,
                 head: &mut head,
+                cells: &mut cells,
             };
             piece.said.push(match chunk.get(index, &self.job.columns, old.take()) {
                 Ok(input) => {

@@ -37,6 +37,8 @@ pub struct Written<'a> {
     pub key_out: &'a mut String,
     /// Memory for the cells before the answers.
     pub head: &'a mut String,
+    /// Memory for the answers of a line.
+    pub cells: &'a mut Vec<u8>,
 }
 
 /// The messages about a row.
@@ -101,7 +103,7 @@ impl Written<'_> {
             let columns = self.job.answers();
             let mut line = Line { head: std::mem::take(self.head), columns, digits: key.digits, key: true };
             line.head(self.job, input);
-            line.all(answers.as_ref(), None, self.key_out);
+            line.all(answers.as_ref(), None, (self.key_out, self.cells));
             *self.head = line.head;
         }
         if !problems.is_empty() {
@@ -134,7 +136,7 @@ impl Written<'_> {
                 }
             }
         }
-        line.all(answers, Some(error), self.out);
+        line.all(answers, Some(error), (self.out, self.cells));
         *self.head = line.head;
     }
 
@@ -177,11 +179,15 @@ impl Written<'_> {
             let cells = usize::from(self.job.label().is_some()) + self.job.givens().count();
             let head = number.to_string() + &",".repeat(cells);
             let line = Line { head, columns: self.job.answers(), digits: 0, key: false };
-            line.all(None, Some(error), self.out);
+            line.all(None, Some(error), (self.out, self.cells));
         }
         if self.key.is_some() {
             let head = number.to_string() + if self.job.label().is_some() { "," } else { "" };
-            Line { head, columns: self.job.answers(), digits: 0, key: true }.all(None, None, self.key_out);
+            Line { head, columns: self.job.answers(), digits: 0, key: true }.all(
+                None,
+                None,
+                (self.key_out, self.cells),
+            );
         }
     }
 }
@@ -206,13 +212,21 @@ impl Line<'_> {
     }
 
     /// One line per pose.
-    fn all(&self, answers: Option<&Answers<'_>>, error: Option<&str>, out: &mut String) {
+    fn all(
+        &self,
+        answers: Option<&Answers<'_>>,
+        error: Option<&str>,
+        (out, cells): (&mut String, &mut Vec<u8>),
+    ) {
+        let whole = self.columns.zip(answers).map(|(columns, answers)| columns.whole(answers));
         let mut poses = 0;
         for pose in answers.iter().flat_map(|a| a.poses()) {
             poses += 1;
             self.begin(&pose.name, out);
-            if let (Some(columns), Some(answers)) = (self.columns, answers) {
-                columns.write(answers, pose, self.digits, self.key, out);
+            if let (Some(columns), Some(answers), Some(whole)) = (self.columns, answers, &whole) {
+                cells.clear();
+                columns.write_beside(answers, pose, whole, (self.digits, self.key), cells);
+                out.push_str(std::str::from_utf8(cells).unwrap_or_default());
             }
             let own = answers.zip(pose.outcome.as_ref().err());
             let own = own.map(|(answers, why)| failure(&answers.model, why).to_string());

@@ -11,7 +11,9 @@ impl<S: Scalar> State<S> {
     #[inline(always)]
     pub(super) fn gaps(&self, checks: &Checks) -> (S, S) {
         let bodies = &self.motion.bodies;
-        let (mut worst, mut size) = (S::zero(), S::of(f64::MIN_POSITIVE));
+        // the root of the greatest square is the greatest root
+        let (mut worst, mut size) = (S::zero(), S::zero());
+        let (mut apart, mut far) = (S::zero(), S::zero());
         for joint in &checks.joints {
             match joint {
                 JointCheck::Hinge(members) => {
@@ -19,8 +21,8 @@ impl<S: Scalar> State<S> {
                     let p = bodies[first].position(at);
                     for &(body, at) in members {
                         let q = bodies[body].position(at);
-                        worst = worst.max((q - p).norm());
-                        size = size.max(q.norm()).max(bodies[body].p.norm());
+                        apart = apart.max(square(q - p));
+                        far = far.max(square(q)).max(square(bodies[body].p));
                     }
                 }
                 JointCheck::Guide { slider, direction, guide, along, offset } => {
@@ -34,7 +36,7 @@ impl<S: Scalar> State<S> {
                 }
             }
         }
-        (worst, size)
+        (worst.max(apart.sqrt()), size.max(far.sqrt()).max(S::of(f64::MIN_POSITIVE)))
     }
 
     /// Virtual power of the loads and efforts on all moving bodies, and of what bodies of given motion put in through their
@@ -82,22 +84,26 @@ impl<S: Scalar> State<S> {
     pub(super) fn most_power(&self, checks: &Checks) -> S {
         let (mut force, mut moment, mut speed, mut turn) = (S::zero(), S::zero(), S::zero(), S::zero());
         for w in &self.forces.applied {
-            force = force.max(w.force.norm());
+            force = force.max(square(w.force));
             moment = moment.max(w.moment.abs());
         }
         for r in &self.forces.reactions {
-            force = force.max(r.force.norm());
+            force = force.max(square(r.force));
         }
         for e in &self.forces.efforts {
             moment = moment.max(e.abs());
         }
         for &(slot, at) in &checks.moving {
             let body = &self.motion.bodies[slot];
-            speed = speed.max(body.velocity(at).norm());
+            speed = speed.max(square(body.velocity(at)));
             turn = turn.max(body.omega.abs());
         }
-        (force * speed + moment * turn).max(S::of(f64::MIN_POSITIVE))
+        (force.sqrt() * speed.sqrt() + moment * turn).max(S::of(f64::MIN_POSITIVE))
     }
+}
+
+fn square<S: Scalar>(v: V2<S>) -> S {
+    v.dot(v)
 }
 
 /// Sums of all forces on every body, with the greatest force, N, and moment, N m, among them.
@@ -147,13 +153,18 @@ impl<S: Scalar + Default> Sums<S> {
     /// Adds a force at a place in ground axes, and a couple.
     #[inline(always)]
     pub fn add(&mut self, state: &State<S>, body: usize, p: V2<S>, force: V2<S>, couple: S) {
+        self.add_known(state, body, p, (force, force.norm()), couple);
+    }
+
+    #[inline(always)]
+    fn add_known(&mut self, state: &State<S>, body: usize, p: V2<S>, (force, norm): (V2<S>, S), couple: S) {
         let r = p - state.motion.bodies[body].p;
         let moment = r.cross(force) + couple;
         let total = &mut self.total[body];
         total.force += force;
         total.moment = total.moment + moment;
-        self.most_force = self.most_force.max(force.norm());
-        self.most_moment = self.most_moment.max(r.norm() * force.norm()).max(couple.abs());
+        self.most_force = self.most_force.max(norm);
+        self.most_moment = self.most_moment.max(r.norm() * norm).max(couple.abs());
     }
 
     /// Adds all reactions.
@@ -163,8 +174,9 @@ impl<S: Scalar + Default> Sums<S> {
             let Some(at) = reaction else { continue };
             let p = state.motion.bodies[at.at.0].position(at.at.1);
             let reaction = state.forces.reactions[slot];
-            self.add(state, at.body, p, reaction.force, reaction.couple);
-            self.add(state, at.base, p, -reaction.force, -reaction.couple);
+            let norm = reaction.force.norm();
+            self.add_known(state, at.body, p, (reaction.force, norm), reaction.couple);
+            self.add_known(state, at.base, p, (-reaction.force, norm), -reaction.couple);
         }
     }
 

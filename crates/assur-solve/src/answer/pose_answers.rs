@@ -249,7 +249,7 @@ impl PoseAnswers<'_> {
 
     /// The contact of a designed cam with a roller that is a link of its own, if the pair is that contact or the roller's
     /// hinge, and the hinge.
-    fn roller_of(&self, pair: PairId) -> Option<(&CamContact, PairId)> {
+    pub(super) fn roller_of(&self, pair: PairId) -> Option<(&CamContact, PairId)> {
         self.mechanism.cam_contacts.iter().find_map(|contact| {
             let (_, hinge) = contact.roller?;
             (contact.pair == pair || hinge == pair).then_some((contact, hinge))
@@ -278,7 +278,7 @@ impl PoseAnswers<'_> {
     }
 
     /// Slots of reactions that act on a link in a pair, with their signs.
-    fn slots(&self, pair: PairId, link: LinkId) -> impl Iterator<Item = (usize, f64)> + '_ {
+    pub(super) fn slots(&self, pair: PairId, link: LinkId) -> impl Iterator<Item = (usize, f64)> + '_ {
         // of a pin in a slot: what the block that stands for it exchanges with the slot, without an effort along it
         let in_slot = match &self.mechanism.pair(pair).kind {
             PairKind::Slot(g) => self.block(pair).map(|block| (g.slider, block)),
@@ -341,7 +341,7 @@ impl PoseAnswers<'_> {
     }
 
     /// Where the resultant of a prismatic reaction crosses the guide, in the pair's coordinate, m.
-    fn line_offset(&self, pair: PairId) -> f64 {
+    pub(super) fn line_offset(&self, pair: PairId) -> f64 {
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let normal = self.reaction(pair, g.slider).dot(self.along(&g).perp());
         self.displacement(pair) + self.moment(pair, g.slider) / normal

@@ -14,7 +14,6 @@ use crate::answer::{PoseAnswers, WholeCycle};
 use crate::model::PairKind;
 use crate::plan::Numbers;
 use crate::position::{Branch, Model, PoseOrigin, Residuals, State, Together};
-use std::fmt::Write;
 
 /// The most positions of a block.
 pub const BLOCK: usize = 64;
@@ -71,8 +70,7 @@ impl Ahead<'_> {
         for (i, (pose, state)) in block.poses.iter_mut().zip(&mut block.states).enumerate() {
             let index = self.first + from + i;
             pose.name.clear();
-            // writing to a String does not fail
-            let _ = write!(pose.name, "{}", index + 1);
+            pose.name.push_str(itoa::Buffer::new().format(index + 1));
             pose.origin = PoseOrigin::Sweep(index);
             self.sweep.write_values(index, &mut pose.drives);
             self.rates.at(&pose.drives, &mut state.motion.inputs);

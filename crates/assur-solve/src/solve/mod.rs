@@ -30,7 +30,10 @@ mod track;
 mod turn;
 mod unassembled;
 
-pub use crate::answer::{CycleAnswer, FlywheelAnswer, PairFriction, PoseAnswers, WholeCycle, compare};
+pub use crate::answer::{
+    Beside, CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, Shown,
+    Source, WholeCycle, compare, read_numbers,
+};
 pub use crate::position::Wanted;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub use crate::position::block_in_avx2;
