@@ -112,3 +112,48 @@ fn a_train_allocates_nothing() {
     let mechanism = mechanism.unwrap_or_else(|| panic!("{problems:?}"));
     assert_eq!(allocations(&mechanism), 0);
 }
+
+/// Rows of variants, read from a table, solved and written.
+#[test]
+fn a_row_of_variants_allocates_nothing() {
+    use assur::internals::check::{Overrides, columns};
+    use assur::internals::exercise::table::{Lines, Read, Table};
+    use assur::internals::pipeline::VariantSolver;
+    use assur::internals::report::{Precision, rows::AnswerColumns};
+    use std::fmt::Write;
+    use std::sync::Arc;
+
+    let text = include_str!("../examples/variants/crank-slider.mech");
+    let source = assur::internals::source::Source::new("crank-slider.mech", text);
+    let document = Arc::new(assur::internals::syntax::parse(&source).0);
+    let none = Overrides::none();
+    let mut table = "r [mm],l [mm],n [rpm],phi [deg],P [N]\n".to_owned();
+    for i in 0..200 {
+        writeln!(table, "{},{},{},{},{}", 80 + i % 40, 300 + i % 77, 500 + i, 7 * i % 360, i)
+            .expect("written");
+    }
+    let mut table =
+        Table::open("rows.csv", table.as_bytes()).expect("read").unwrap_or_else(|_| panic!("a header"));
+    let columns: Arc<[_]> = columns(&document, &none, &table.columns).0.expect("columns that fit").into();
+    let mut lines = Lines::default();
+    table.lines(200, &mut lines).expect("read");
+    let mut solver = VariantSolver::new(&document, &none);
+    let (mut read, mut answers, mut out) = (Read::default(), None, Vec::with_capacity(1 << 20));
+    let mut solve = |i: usize| {
+        let raw = lines.get(i).expect("a row");
+        raw.read_in("rows.csv", &columns, table.separator, &mut read).unwrap_or_else(|_| panic!("numbers"));
+        if i == 0 {
+            assert!(solver.prepare(&read.row));
+        }
+        let (solved, problems) = solver.solve_in_place(&read.row);
+        let solved = solved.expect("the row closes").answers(Precision::READABLE);
+        assert!(problems.is_empty());
+        let written = answers.get_or_insert_with(|| AnswerColumns::of(&solved.model));
+        let whole = written.whole(&solved);
+        solved.poses().for_each(|pose| written.write_beside(&solved, pose, &whole, (15, false), &mut out));
+    };
+    (0..20).for_each(&mut solve);
+    let counted = allocation_counter::measure(|| (20..200).for_each(&mut solve));
+    assert_eq!(counted.count_total, 0);
+    assert!(out.len() > 20_000);
+}

@@ -7,6 +7,7 @@ mod file_variants;
 mod followed;
 mod open_sizes;
 mod other_assembly;
+mod quick_rows;
 mod solved;
 mod test;
 mod variant_solver;

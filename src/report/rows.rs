@@ -4,7 +4,7 @@ use super::answers::{Answers, with_unit};
 use super::csv;
 use super::reactions::moment;
 use assur_math::math::Vec2;
-use assur_model::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
+use assur_model::model::{Bearing, Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
 use assur_solve::solve::{
     DriveValue, JointReaction, Model, NumberColumns, Pose, PoseAnswers, Shown, Solved, State,
     unplaced_reactions,
@@ -49,7 +49,14 @@ impl AnswerColumns {
     /// Those of a file, whatever the values of its givens.
     #[must_use]
     pub fn of(model: &Model<'_>) -> Self {
-        Self::with_moments(model, false)
+        let mut columns = Self::with_moments(model, false);
+        // with other values a reaction may be made up of others, as where nothing rubs any more
+        for answer in &mut columns.answers {
+            if let Content::Reaction(_, _, joints) | Content::Moment(_, _, joints) = &mut answer.content {
+                *joints = None;
+            }
+        }
+        columns
     }
 
     /// With the moments of transmissions, or without.
@@ -92,7 +99,9 @@ impl AnswerColumns {
         if blank.wants_reactions() && !model.plan.reactions.is_empty() {
             all_reactions(model, of_transmissions, &mut answers);
         }
-        Self { drives, answers, placed: false }
+        // without transmissions and open bearings nothing is left open
+        let open = mechanism.pairs.iter().any(|pair| pair.bearing == Some(Bearing::Open));
+        Self { drives, answers, placed: !open && model.plan.laws.is_empty() }
     }
 
     /// Those of one file alone: without the reactions that depend on a place that the file leaves open.
@@ -126,9 +135,12 @@ impl AnswerColumns {
         out.push_str(std::str::from_utf8(&line).unwrap_or_default());
     }
 
-    /// The answers that need no pose.
+    /// The answers that need no pose; nothing where there are none.
     #[must_use]
     pub fn whole(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
+        if !self.answers.iter().any(|a| matches!(a.content, Content::Find { poseless: true, .. })) {
+            return Vec::new();
+        }
         let value = |answer: &Answer| match answer.content {
             Content::Find { index, poseless: true } => self.without_pose(answers, index),
             _ => None,
@@ -220,12 +232,12 @@ impl AnswerColumns {
                 && !unplaced.get(pair.index()).copied().unwrap_or(false);
             view.as_ref().filter(|_| known)
         };
-        let value = |(answer, whole): (&Answer, &Option<Value>)| match &answer.content {
+        let value = |(i, answer): (usize, &Answer)| match &answer.content {
             Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
             Content::Find { index, poseless: false } => {
                 view.as_ref().and_then(|view| found(answers, view, *index))
             }
-            Content::Find { poseless: true, .. } => *whole,
+            Content::Find { poseless: true, .. } => whole.get(from + i).copied().flatten(),
             Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
             Content::Reaction(pair, on, joints) => pressing(*pair).map(|view| {
                 Value::Vector(match joints {
@@ -240,8 +252,8 @@ impl AnswerColumns {
                 })
                 .map(Value::Scalar),
         };
-        for pair in shown.iter().zip(&whole[from..]) {
-            each(pair.0, value(pair));
+        for (i, answer) in shown.iter().enumerate() {
+            each(answer, value((i, answer)));
         }
     }
 

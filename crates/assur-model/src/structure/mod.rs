@@ -27,6 +27,7 @@ mod leave_out;
 #[doc(hidden)]
 pub mod matching;
 mod names;
+mod renumber;
 mod repeated;
 mod replace;
 mod result;

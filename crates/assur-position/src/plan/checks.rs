@@ -110,6 +110,36 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &Plan) ->
     }
 }
 
+impl Checks {
+    /// Takes over the numbers of a mechanism without cams and Geneva wheels that differs in nothing else.
+    pub(super) fn renumber(&mut self, mechanism: &Mechanism, structure: &Structure, plan: &Plan) {
+        self.moving.clear();
+        for (check, joint) in self.joints.iter_mut().zip(&structure.replaced.joints) {
+            match (check, &joint.kind) {
+                (JointCheck::Hinge(points), JointKind::Revolute(members)) => {
+                    points.iter_mut().zip(members).for_each(|(point, member)| point.1 = member.1);
+                    self.moving.extend_from_slice(points);
+                }
+                (
+                    JointCheck::Guide { slider, direction, guide, along, .. },
+                    JointKind::Prismatic { point, direction: lies, through, along: runs, .. },
+                ) => {
+                    (slider.1, guide.1, *direction, *along) = (*point, *through, *lies, *runs);
+                    self.moving.extend([*slider, *guide]);
+                }
+                _ => {}
+            }
+        }
+        for (slot, check) in self.reactions.iter_mut().enumerate() {
+            *check = reaction(mechanism, structure, plan, slot);
+        }
+        let places = structure.efforts.iter().enumerate();
+        let places = places.flat_map(|(slot, effort)| effort.places().map(move |kind| (slot, kind)));
+        self.efforts.clear();
+        self.efforts.extend(places.filter_map(|(slot, kind)| Some((slot, effort(structure, kind)?))));
+    }
+}
+
 fn reaction(mechanism: &Mechanism, structure: &Structure, plan: &Plan, slot: usize) -> Option<ReactionCheck> {
     let replaced = &structure.replaced;
     let reaction = &plan.reactions[slot];

@@ -12,9 +12,10 @@ use crate::structure::{Effort, EffortKind, EffortSource, Structure};
 use std::collections::HashSet;
 
 /// The lines of the unknown forces.
-pub(super) fn lines(mechanism: &Mechanism, structure: &Structure) -> Vec<ForceLine> {
+pub(super) fn lines(mechanism: &Mechanism, structure: &Structure, lines: &mut Vec<ForceLine>) {
     let efforts = structure.efforts.iter().enumerate();
-    efforts.filter_map(|(effort, e)| line(mechanism, effort, e)).collect()
+    lines.clear();
+    lines.extend(efforts.filter_map(|(effort, e)| line(mechanism, effort, e)));
 }
 
 fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine> {
@@ -31,8 +32,8 @@ fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine
     Some(ForceLine { effort: slot, body, at, along: *along, frame: frame.map(|f| f.index()) })
 }
 
-pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
-    let mut steps = Vec::new();
+pub(super) fn plan(mechanism: &Mechanism, effects: &Effects, steps: &mut Vec<LoadStep>) {
+    steps.clear();
     let gravity = mechanism.gravity.filter(|_| effects.gravity).map_or(Vec2::zero(), |g| g.acceleration);
     let hanging = hanging(mechanism);
     for (body, link) in mechanism.links.iter().enumerate().skip(1) {
@@ -84,7 +85,6 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
         free_length: s.free_length,
         damping: (s.damping > 0.0).then_some(s.damping),
     }));
-    steps
 }
 
 /// Links that are sliders on a rope: their weights pull along their ways, in the sense in which the rope pays out.

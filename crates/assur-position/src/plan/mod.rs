@@ -20,6 +20,7 @@ mod load_step;
 mod loads;
 mod motion;
 mod planned;
+mod renumber;
 mod settings;
 pub mod step;
 mod train;
@@ -82,8 +83,8 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
     plan.laws = train::laws(mechanism, structure);
     motion::plan(mechanism, structure, &mut plan);
     if plan.effects.forces && structure.force_defect.is_none() {
-        plan.loads = loads::plan(mechanism, &plan.effects);
-        plan.lines = loads::lines(mechanism, structure);
+        loads::plan(mechanism, &plan.effects, &mut plan.loads);
+        loads::lines(mechanism, structure, &mut plan.lines);
         forces::plan(structure, &mut plan);
         if plan.effects.friction {
             friction::plan(mechanism, structure, &mut plan);

@@ -115,10 +115,16 @@ pub(super) struct Sums<S> {
 }
 
 impl<S: Scalar + Default> Sums<S> {
-    /// Of the loads alone.
-    pub fn of(applied: &[Wrench<S>]) -> Self {
-        let tiny = S::of(f64::MIN_POSITIVE);
-        Self { total: applied.to_vec(), most_force: tiny, most_moment: tiny }
+    /// Of the loads alone, in the memory of a list.
+    pub fn of(applied: &[Wrench<S>], total: Vec<Wrench<S>>) -> Self {
+        let mut sums = Self { total, most_force: S::zero(), most_moment: S::zero() };
+        sums.restart(applied);
+        sums
+    }
+
+    /// The list.
+    pub fn into_memory(self) -> Vec<Wrench<S>> {
+        self.total
     }
 
     /// The same in the memory of other sums.

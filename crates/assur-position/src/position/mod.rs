@@ -60,7 +60,7 @@ pub use lanes::{Batch, Place, WIDTH, instructions};
 pub use model::turns;
 pub use model::{Model, extent};
 pub use precise::{Edge, in_scalar, precise};
-pub use residual::{Residuals, residuals};
+pub use residual::{Residuals, residuals, residuals_in};
 pub use scratch::Scratch;
 pub use state::{Branch, State};
 pub use state::{DEAD, SAME};

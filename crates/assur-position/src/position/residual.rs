@@ -4,6 +4,7 @@
 use super::check::Sums;
 use super::model::Model;
 use super::state::State;
+use super::wrench::Wrench;
 use crate::math::Vec2;
 use crate::structure::{BodyRate, JointId, JointKind};
 
@@ -22,12 +23,17 @@ pub struct Residuals {
 /// velocities.
 #[must_use]
 pub fn residuals(model: &Model<'_>, state: &State) -> Residuals {
+    residuals_in(model, state, &mut Vec::new())
+}
+
+/// As [`residuals`], with memory for the sums of forces on the bodies.
+pub fn residuals_in(model: &Model<'_>, state: &State, totals: &mut Vec<Wrench>) -> Residuals {
     // a locked mechanism has none
     let forces = model.plan.effects.forces && !model.plan.forces.is_empty() && !state.forces.locked;
     let velocities = model.plan.effects.level >= crate::plan::Level::Velocities;
     Residuals {
         closure: closure(model, state),
-        equilibrium: forces.then(|| equilibrium(model, state)),
+        equilibrium: forces.then(|| equilibrium(model, state, totals)),
         power: (forces && velocities).then(|| power(model, state)),
     }
 }
@@ -76,8 +82,8 @@ fn slider_place(model: &Model<'_>, state: &State, joint: JointId) -> f64 {
 }
 
 /// Worst equilibrium of a body, from the reactions as they are reported, over the greatest force or moment.
-fn equilibrium(model: &Model<'_>, state: &State) -> f64 {
-    let mut sums = Sums::of(&state.forces.applied);
+fn equilibrium(model: &Model<'_>, state: &State, totals: &mut Vec<Wrench>) -> f64 {
+    let mut sums = Sums::of(&state.forces.applied, std::mem::take(totals));
     let checks = &model.plan.checks;
     sums.reactions(checks, state);
     let mut add = |body: usize, p: Vec2, force: Vec2, couple: f64| sums.add(state, body, p, force, couple);
@@ -97,7 +103,9 @@ fn equilibrium(model: &Model<'_>, state: &State) -> f64 {
         }
     }
     sums.efforts(checks, state);
-    sums.worst(checks, state)
+    let worst = sums.worst(checks, state);
+    *totals = sums.into_memory();
+    worst
 }
 
 /// Virtual power: the loads and efforts on all moving bodies, with what known bodies put in through their joints, over the

@@ -59,7 +59,13 @@ impl<'a> PoseAnswers<'a> {
     /// that none is evaluated twice, however long the chain.
     #[must_use]
     pub fn all_quantities(&self) -> Vec<Value> {
-        let mut done = Vec::with_capacity(self.mechanism.quantities.len());
+        self.all_quantities_in(Vec::with_capacity(self.mechanism.quantities.len()))
+    }
+
+    /// As [`PoseAnswers::all_quantities`], in the memory of a list.
+    #[must_use]
+    pub fn all_quantities_in(&self, mut done: Vec<Value>) -> Vec<Value> {
+        done.clear();
         for quantity in &self.mechanism.quantities {
             let value = PoseAnswers { quantities: &done, ..*self }.value(&quantity.expr);
             done.push(value);

@@ -43,6 +43,16 @@ impl Assembly {
         Self { branch: state.branches[index], conditioning, certificate, bodies, work }
     }
 
+    /// Takes over how the group of a state without general groups stands.
+    pub(super) fn take(&mut self, model: &Model<'_>, state: &State, index: usize) {
+        self.branch = state.branches[index];
+        (self.conditioning, self.certificate) =
+            (state.motion.conditions[index], state.motion.certificates[index]);
+        self.bodies.clear();
+        self.bodies.extend(model.structure.motion[index].bodies.iter().map(|b| state.motion.bodies[b.0]));
+        self.work = None;
+    }
+
     /// Puts the group of a state this way.
     pub(super) fn put(&self, model: &Model<'_>, state: &mut State, index: usize) {
         state.branches[index] = self.branch;
@@ -172,7 +182,7 @@ fn flanks(model: &Model<'_>, state: &mut State, index: usize, count: usize) -> V
 }
 
 /// The coordinate of a cylinder is a distance: what would turn rod against barrel is no assembly.
-fn cylinders_are_positive(model: &Model<'_>, state: &State, index: usize) -> bool {
+pub(super) fn cylinders_are_positive(model: &Model<'_>, state: &State, index: usize) -> bool {
     let pairs = model.structure.motion[index]
         .joints
         .iter()
@@ -184,7 +194,7 @@ fn cylinders_are_positive(model: &Model<'_>, state: &State, index: usize) -> boo
 }
 
 /// Radii of the round profiles of a step's prismatic joints.
-fn radii(step: &MotionStep) -> [f64; 2] {
+pub(super) fn radii(step: &MotionStep) -> [f64; 2] {
     match step {
         MotionStep::Rrp { slide, .. } | MotionStep::Rpr { slide, .. } => [slide.radius, 0.0],
         MotionStep::Prp { slides, .. } | MotionStep::Translation { slides, .. } => {
@@ -196,7 +206,7 @@ fn radii(step: &MotionStep) -> [f64; 2] {
 }
 
 /// The hints that are settled with each group, by their indices: those that speak of links of no later one.
-fn hints_by_group(model: &Model<'_>) -> Vec<Vec<usize>> {
+pub(super) fn hints_by_group(model: &Model<'_>) -> Vec<Vec<usize>> {
     let mut settled = vec![None; model.structure.replaced.bodies.len()];
     for (i, group) in model.structure.motion.iter().enumerate() {
         group.bodies.iter().for_each(|b| settled[b.0] = Some(i));
@@ -279,7 +289,7 @@ fn choose(
     Ok(next)
 }
 
-fn fits(model: &Model<'_>, state: &State, hint: &HintKind) -> bool {
+pub(super) fn fits(model: &Model<'_>, state: &State, hint: &HintKind) -> bool {
     let at = |p: &(LinkId, Vec2)| state.motion.bodies[p.0.index()].position(p.1);
     match hint {
         HintKind::Side { point, from, to, left } => {

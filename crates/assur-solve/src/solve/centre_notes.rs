@@ -6,7 +6,7 @@ use crate::model::{Expr, FindKind, LinkId, Mechanism, Query};
 use crate::position::{PoseOrigin, Wanted};
 
 /// The instant centres that are asked for, and where they have no value.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct CentreNotes(Vec<Asked>);
 
 #[derive(Debug)]

@@ -1,6 +1,7 @@
 //! Plan × positions → Solution.
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
+mod again;
 mod assemble;
 mod assemblies;
 mod block;
@@ -44,6 +45,7 @@ pub use crate::position::{
 };
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
+pub use again::Again;
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
 pub use block::{Ahead, BLOCK, Block};
 pub use clause::{Clause, NamedPoint};

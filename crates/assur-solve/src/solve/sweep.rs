@@ -18,7 +18,7 @@ use super::track::{Switch, Tracker};
 use super::unassembled::does_not_close;
 use crate::answer::WholeCycle;
 use crate::model::{LoadId, Value};
-use crate::position::{DriveValue, Model, STARTS, Searched, State, Wanted};
+use crate::position::{DriveValue, Model, STARTS, Searched, State, Wanted, Wrench};
 use std::collections::VecDeque;
 
 /// Fewer positions are not worth to be solved side by side.
@@ -93,22 +93,9 @@ impl<'a, 's> Following<'a, 's> {
         let cycle_notes =
             super::cycle::cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
         let near = beside(model, &statics, &sweep.at(0)).into_iter().map(Near::new).collect();
-        let run = Run {
-            model,
-            rates: Rates::of(model, &statics),
-            statics,
-            evaluated: Vec::new(),
-            loads_name_quantities: loads_name_quantities(model.mechanism),
-            memory: None,
-            before: None,
-            last: None,
-            searched: 0,
-            consistent_searched: Searched::default(),
-            closing: Closing::default(),
-            notes: Notes::default(),
-            friction: FrictionNotes::default(),
-            centres: CentreNotes::of(model.mechanism),
-        };
+        let rates = Rates::of(model, &statics);
+        let mut run = Run::new(model, rates, statics, loads_name_quantities(model.mechanism));
+        run.centres = CentreNotes::of(model.mechanism);
         let free = is_free(model) && run.centres.is_empty();
         let (next, current, begin, first_failure) = (0, None, None, None);
         let (try_at, ahead) = (1, VecDeque::new());
@@ -354,6 +341,12 @@ pub(super) struct Run<'a, 's> {
     pub loads_name_quantities: bool,
     /// Memory for the steps at one position.
     pub memory: Option<State>,
+    /// Memory for what is carried from group to group.
+    pub carried: Vec<f64>,
+    /// Memory for the sums of forces on the bodies.
+    pub totals: Vec<Wrench>,
+    /// A position that is not looked at any more: memory for the next.
+    pub kept: Option<Solved>,
     /// Memory for the place before a step of the sweep.
     before: Option<Tracker>,
     /// Name and drive values of the position before.
@@ -368,6 +361,36 @@ pub(super) struct Run<'a, 's> {
     pub notes: Notes,
     pub friction: FrictionNotes,
     pub centres: CentreNotes,
+}
+
+impl<'a, 's> Run<'a, 's> {
+    /// No position yet, and no instant centre that is looked at.
+    pub(super) fn new(
+        model: &'s Model<'a>,
+        rates: Rates,
+        statics: WholeCycle,
+        loads_name_quantities: bool,
+    ) -> Self {
+        Self {
+            model,
+            rates,
+            statics,
+            evaluated: Vec::new(),
+            loads_name_quantities,
+            memory: None,
+            carried: Vec::new(),
+            totals: Vec::new(),
+            kept: None,
+            before: None,
+            last: None,
+            searched: 0,
+            consistent_searched: Searched::default(),
+            closing: Closing::default(),
+            notes: Notes::default(),
+            friction: FrictionNotes::default(),
+            centres: CentreNotes::default(),
+        }
+    }
 }
 
 impl Run<'_, '_> {

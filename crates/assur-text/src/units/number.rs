@@ -1,5 +1,7 @@
 //! Numbers in decimal figures.
 
+use std::fmt::Write;
+
 /// The most figures that a number is rounded to here. Of more the shortest ones say too little.
 const MOST_FROM_SHORTEST: usize = 15;
 
@@ -44,6 +46,16 @@ pub fn push_row(out: &mut Vec<u8>, numbers: &[f64], digits: usize) {
 struct Text {
     bytes: [u8; 32],
     len: usize,
+}
+
+impl Write for Text {
+    fn write_str(&mut self, more: &str) -> std::fmt::Result {
+        if self.len + more.len() > self.bytes.len() {
+            return Err(std::fmt::Error);
+        }
+        self.push(more.as_bytes());
+        Ok(())
+    }
 }
 
 impl Text {
@@ -239,8 +251,11 @@ impl Figures {
     /// From all digits of `x`.
     #[cold]
     fn exact(x: f64, digits: usize) -> Self {
-        let text = format!("{:.*e}", digits - 1, x.abs());
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        let mut all = Text::default();
+        // at most 17 digits with an exponent: that fits
+        let _ = write!(all, "{:.*e}", digits - 1, x.abs());
+        let text = std::str::from_utf8(&all.bytes[..all.len]).unwrap_or("0");
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
         let mut found = Self { figures: [b'0'; 17], count: 0, power: exponent.parse().unwrap_or(0) };
         for digit in mantissa.bytes().filter(u8::is_ascii_digit).take(17) {
             found.figures[found.count] = digit;
@@ -294,7 +309,8 @@ impl Figures {
                     out.push(&figures[1..]);
                 }
                 out.push(b"e");
-                out.push(power.to_string().as_bytes());
+                // three digits and a sign
+                let _ = write!(out, "{power}");
             }
         }
     }
