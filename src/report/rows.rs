@@ -152,11 +152,11 @@ impl AnswerColumns {
     #[must_use]
     pub fn numbers(&self, whole: &[Option<Value>]) -> Option<NumberColumns> {
         let mut columns = NumberColumns::default();
-        for (answer, whole) in self.answers.iter().zip(whole) {
+        for (i, answer) in self.answers.iter().enumerate() {
             let shown = match &answer.content {
                 Content::Drive(i) => Shown::Drive(*i),
                 Content::Find { index, poseless: false } => Shown::Find(*index),
-                Content::Find { poseless: true, .. } => Shown::Known(*whole),
+                Content::Find { poseless: true, .. } => Shown::Known(whole.get(i).copied().flatten()),
                 Content::Effort(slot) => Shown::Effort(*slot),
                 Content::Reaction(_, _, joints) if self.placed => Shown::Force(joints.clone()?),
                 Content::Moment(_, _, joints) if self.placed => Shown::Couple(joints.clone()?),
