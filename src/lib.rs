@@ -38,8 +38,10 @@ pub mod internals {
     };
     pub use crate::{exercise, pipeline, report};
     pub use assur_check as check;
+    pub use assur_drawing as drawing;
     pub use assur_math::{element, force, group, math};
     pub use assur_model::{model, structure};
+    pub use assur_picture as picture;
     pub use assur_position::{plan, position};
     pub use assur_solve::{answer, measure, measure::accuracy, message, reference, solve};
     pub use assur_syntax as syntax;

@@ -8,6 +8,7 @@ use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Problems, Style, render};
 use assur::internals::exercise::grade::{LeftOut, Rules, Sheet, grade};
 use assur::internals::exercise::table::{Fault, Lines, Table};
+use assur::internals::picture::{KINDS, Options, Scene};
 use assur::internals::source::Source;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::Path;
@@ -59,10 +60,27 @@ fn said(source: &Source, stage: &str) -> String {
         return render(&problems, source, Style::PLAIN);
     }
     let problems = match stage {
+        "picture" => drawn(source),
         "name" | "unit" | "geometry" => assur::internals::check_source(source, &overrides).1,
         _ => assur::internals::test_source(source, &overrides).1,
     };
     render(&problems, source, Style::PLAIN)
+}
+
+/// What is said about the pictures of a text, of all kinds; a first line `// --pose 9` names the position.
+fn drawn(source: &Source) -> Problems {
+    let (solved, mut problems) = assur::internals::pipeline::solve_drawn(source, &Overrides::none(), &KINDS);
+    let Some(solved) = solved else { return problems };
+    let name = source.text.lines().next().and_then(|line| line.strip_prefix("// --pose "));
+    let file = (source.name.as_str(), source.text.as_str());
+    match Scene::of(solved.compiled.model(), &solved.solution, file, name) {
+        Ok(scene) => {
+            let drawn = KINDS.map(|kind| assur::internals::picture::draw(kind, &scene, &Options::default()));
+            problems.extend(drawn.into_iter().filter_map(Result::err));
+        }
+        Err(missing) => problems.push(missing),
+    }
+    problems
 }
 
 /// What is said about the tables that a first line names: `// --variants table.csv`, `// grade key.csv answers.csv`.

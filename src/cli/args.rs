@@ -1,8 +1,10 @@
 //! The manual of the command line.
 
+mod draw;
 mod format;
 mod pages;
 
+pub use draw::{Draw, LoadsArg, ThemeArg};
 pub use format::{Format, ProfileFormat};
 pub use pages::{Explain, Help, New, StartKind};
 
@@ -44,6 +46,7 @@ Examples:
   assur accuracy engine.mech --plot a.svg   computing time of each accuracy
   assur test 'homework/**/*.mech'           compare with the answer key
   assur profile cam.mech --format dxf       a cam as a drawing
+  assur draw engine.mech -o engine.svg      the kinematic scheme, to scale
   assur batch engine.mech --variants T.csv --out answers.csv
   assur batch homework --key key.csv        solve an exercise set and write its answer key
   assur grade key.csv answers.csv           grade answers
@@ -76,6 +79,8 @@ pub enum Command {
     Accuracy(Accuracy),
     /// Print the profile of a cam, for other programs
     Profile(Profile),
+    /// Draw a mechanism: its scheme and what the course draws next to it, as SVG
+    Draw(Draw),
     /// Explain a diagnostic by its code
     Explain(Explain),
     /// Write a file to start from

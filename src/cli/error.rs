@@ -59,6 +59,13 @@ pub enum CliError {
         /// The drawing.
         name: String,
     },
+    /// Several pictures, one place.
+    #[error("`{name}` can contain one picture only, but there are several")]
+    #[diagnostic(help("write them to a folder: `-o pictures/`"))]
+    OnePicture {
+        /// The place.
+        name: String,
+    },
     /// No cam, or several and no choice.
     #[error("{message}")]
     NoCam {

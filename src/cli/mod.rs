@@ -5,6 +5,7 @@ pub mod args;
 mod batch;
 mod check;
 mod clock;
+mod draw;
 mod error;
 mod explain;
 mod files;
@@ -49,6 +50,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Grade(args) => grade::run(&args, &screen),
         Command::Accuracy(args) => accuracy::run(&args, &screen),
         Command::Profile(args) => profile::run(&args, &screen),
+        Command::Draw(args) => draw::run(&args, &screen),
         Command::Explain(args) => explain::run(&args, &screen),
         Command::New(args) => new::run(&args, &screen),
         Command::Help(args) => help::run(&args, &screen),

@@ -11,7 +11,7 @@ pub struct Threads {
 }
 
 impl Threads {
-    /// So many, or one for every processor.
+    /// This number of them, or one for every processor.
     #[must_use]
     pub fn new(count: Option<usize>) -> Self {
         let all = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);

@@ -2,6 +2,7 @@
 
 mod compile;
 mod critical;
+mod drawn;
 mod file_variants;
 mod followed;
 mod open_sizes;
@@ -12,6 +13,7 @@ mod test;
 mod variant_solver;
 
 pub use compile::{Compiled, Origin, check_source, compile, compile_document};
+pub use drawn::solve_drawn;
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
 pub use followed::{Followed, Sink, SizeError, is_long, most_positions};
 pub use open_sizes::OpenSizeError;

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 const LONGEST: usize = 5;
 
 /// The folders whose files are judged.
-const FOLDERS: [&str; 8] = [
+const FOLDERS: [&str; 10] = [
     "crates/assur-text/src",
     "crates/assur-math/src",
     "crates/assur-syntax/src",
@@ -17,6 +17,8 @@ const FOLDERS: [&str; 8] = [
     "crates/assur-check/src",
     "crates/assur-position/src",
     "crates/assur-solve/src",
+    "crates/assur-drawing/src",
+    "crates/assur-picture/src",
     "src",
 ];
 

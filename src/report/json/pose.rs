@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::super::answers::Answers;
 use super::super::reactions::{ReactionEntry, reactions};
 use super::entries::{Entries, Number, Pair, Reading};
-use super::train::{PartView, ShaftView, SliderView, elements, is_element, transmissions};
+use super::train::{PartView, ShaftView, SliderView, are_elements, elements, transmissions};
 use assur_math::math::Vec2;
 use assur_model::model::{DriveTarget, Link, LinkId};
 use assur_position::plan::{Effects, Level};
@@ -162,13 +162,15 @@ impl ErrorView {
 /// The moving links whose rotation is known: not those driven at a point only, and no free rollers.
 pub(super) fn turning_links<'a>(answers: &Answers<'a>) -> impl Iterator<Item = (LinkId, &'a Link)> + use<'a> {
     let model = answers.model;
-    let outer = move |id: LinkId| {
-        model.mechanism.drives.iter().any(|d| matches!(d.target, DriveTarget::Point(link, _) if link == id))
-    };
+    let mut left_out = are_elements(model.mechanism);
+    for drive in &model.mechanism.drives {
+        if let DriveTarget::Point(link, _) = drive.target {
+            left_out[link.index()] = true;
+        }
+    }
+    model.structure.passive.iter().for_each(|link| left_out[link.index()] = true);
     let links = model.mechanism.links.iter().enumerate().skip(1).map(|(i, l)| (LinkId::at(i), l));
-    links.filter(move |(id, _)| {
-        !outer(*id) && !model.structure.passive.contains(id) && !is_element(model.mechanism, *id)
-    })
+    links.filter(move |(id, _)| !left_out[id.index()])
 }
 
 fn links(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, LinkView)> {

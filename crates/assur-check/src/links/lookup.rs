@@ -246,10 +246,19 @@ impl Context<'_> {
     }
 
     /// All points of a name, with their links.
-    pub(crate) fn bearers(&self, name: &str) -> Vec<(LinkId, Vec2)> {
-        let mut links = self.names.bearers.get(name).cloned().unwrap_or_default();
-        links.sort_unstable();
-        links.into_iter().filter_map(|link| Some((link, self.place_of_point(link, name)?))).collect()
+    fn bearers(&self, name: &str) -> Vec<(LinkId, Vec2)> {
+        let mut bearers = self.bearers_as_declared(name).collect::<Vec<_>>();
+        bearers.sort_unstable_by_key(|b| b.0);
+        bearers
+    }
+
+    /// As [`Self::bearers`], in the order declared.
+    pub(crate) fn bearers_as_declared<'c>(
+        &'c self,
+        name: &'c str,
+    ) -> impl Iterator<Item = (LinkId, Vec2)> + use<'c> {
+        let links = self.names.bearers.get(name).into_iter().flatten();
+        links.filter_map(move |&link| Some((link, self.place_of_point(link, name)?)))
     }
 
     fn no_point(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {

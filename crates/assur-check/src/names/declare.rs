@@ -44,6 +44,9 @@ pub fn declare(cx: &mut Scope<'_, '_>) {
                     }
                 }
             }
+            Statement::Expect(expect) => {
+                cx.names.expected.entry(&expect.text).or_default().push(expect);
+            }
             Statement::Pose(pose) => {
                 if let Some(&first) = cx.names.poses.get(&pose.name.node) {
                     cx.pose_taken(pose, first);

@@ -1,7 +1,7 @@
 //! Declared names: what they are and where.
 
 use assur_model::model::{BalanceId, Link, LinkId, LoadId, Mechanism, PairId};
-use assur_syntax::document::{Balance, Column, Curve, Expr, FindItem, JointKind, Load};
+use assur_syntax::document::{Balance, Column, Curve, Expect, Expr, FindItem, JointKind, Load};
 use assur_text::source::Span;
 use indexmap::{IndexMap, IndexSet};
 
@@ -128,6 +128,8 @@ pub struct Names<'a> {
     pub bearers: IndexMap<String, Vec<LinkId>>,
     /// Poses.
     pub poses: IndexMap<String, Span>,
+    /// The answer key by what it speaks of, as written.
+    pub expected: IndexMap<&'a str, Vec<&'a Expect>>,
     /// Names that stand in statements that could not be read.
     pub bad: IndexSet<String>,
 }

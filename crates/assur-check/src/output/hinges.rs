@@ -1,4 +1,4 @@
-//! Which hinges stand at a point of a link.
+//! Which hinges stand at a point of a link, and which pairs guide a link.
 
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Mechanism, PairId, PairKind, Pin};
@@ -7,22 +7,36 @@ use indexmap::{IndexMap, IndexSet};
 /// A point of a link as a key: equal for equal places.
 pub(crate) type PlaceKey = (LinkId, [u64; 2]);
 
-/// The hinges at each point of a link.
+/// The hinges at each point of a link, and the prismatic pairs of each slider.
 #[derive(Default)]
-pub(crate) struct Hinges(IndexMap<PlaceKey, Vec<PairId>>);
+pub(crate) struct Hinges {
+    at: IndexMap<PlaceKey, Vec<PairId>>,
+    guided: IndexMap<LinkId, Vec<PairId>>,
+}
 
 impl Hinges {
     /// Enters the pins of a pair.
     pub(crate) fn enter(&mut self, kind: &PairKind, pair: PairId) {
         let PairKind::Revolute(pins) = kind else { return };
         for pin in pins {
-            self.0.entry(place_key((pin.link, pin.at))).or_default().push(pair);
+            self.at.entry(place_key((pin.link, pin.at))).or_default().push(pair);
         }
+    }
+
+    /// Enters the slider of a pair.
+    pub(crate) fn enter_guide(&mut self, kind: &PairKind, pair: PairId) {
+        let PairKind::Prismatic(guide) = kind else { return };
+        self.guided.entry(guide.slider).or_default().push(pair);
+    }
+
+    /// The prismatic pairs in which a link slides, in the order written.
+    pub(crate) fn guided(&self, link: LinkId) -> &[PairId] {
+        self.guided.get(&link).map_or(&[], Vec::as_slice)
     }
 
     /// The hinges that share a point with these pins, in the order written.
     pub(crate) fn near(&self, pins: &[Pin]) -> Vec<PairId> {
-        let found = pins.iter().filter_map(|pin| self.0.get(&place_key((pin.link, pin.at))));
+        let found = pins.iter().filter_map(|pin| self.at.get(&place_key((pin.link, pin.at))));
         let mut found = found.flatten().copied().collect::<Vec<_>>();
         found.sort_unstable();
         found.dedup();
@@ -36,7 +50,7 @@ impl Hinges {
         let mut next = 0;
         while let Some(&at) = joined.get(next) {
             next += 1;
-            for pair in self.0.get(&place_key(at)).into_iter().flatten() {
+            for pair in self.at.get(&place_key(at)).into_iter().flatten() {
                 let PairKind::Revolute(pins) = &mech.pair(*pair).kind else { continue };
                 let new = pins.iter().map(|p| (p.link, p.at)).filter(|p| seen.insert(place_key(*p)));
                 joined.extend(new);

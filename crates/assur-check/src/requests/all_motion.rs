@@ -86,7 +86,7 @@ fn points(cx: &Context<'_>) -> Vec<(String, PointRef)> {
             }
             let joined = cx.builder.joined_with(here);
             let grounded = joined.iter().any(|(link, _)| *link == LinkId::GROUND);
-            let alone = cx.bearers(&point.name).iter().all(|other| joined.contains(other));
+            let alone = cx.bearers_as_declared(&point.name).all(|other| joined.contains(&other));
             seen.extend(joined.into_iter().map(place_key));
             if grounded {
                 continue;

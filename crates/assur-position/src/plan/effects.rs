@@ -32,6 +32,17 @@ impl Effects {
         Self::wanted(mechanism, wanted)
     }
 
+    /// What the file calls for, and at least this much where the file declares it: for a picture that shows more than it asks.
+    #[must_use]
+    pub fn at_least(mechanism: &Mechanism, level: Level, forces: bool) -> Self {
+        let mut wanted = Wanted::default();
+        wanted.requests(mechanism);
+        Self::wanted(
+            mechanism,
+            Wanted { level: wanted.level.max(level), forces: wanted.forces || forces, ..wanted },
+        )
+    }
+
     /// What would be computed if everything were asked for that the file declares.
     #[must_use]
     pub fn declared(mechanism: &Mechanism) -> Self {

@@ -59,7 +59,12 @@ use crate::structure::{EffortKind, EffortSource, GroupJoint, Structure};
 /// Plans what the file calls for.
 #[must_use]
 pub fn plan(mechanism: &Mechanism, structure: &Structure) -> Plan {
-    let effects = Effects::of(mechanism);
+    plan_with(mechanism, structure, Effects::of(mechanism))
+}
+
+/// Plans these effects.
+#[must_use]
+pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects) -> Plan {
     let mut plan = Plan {
         bodies: structure.replaced.bodies.len(),
         drives: mechanism.drives.len(),

@@ -95,6 +95,12 @@ impl Plan {
             && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
     }
 
+    /// Whether forces are wanted and there is something to solve for them.
+    #[must_use]
+    pub const fn has_forces(&self) -> bool {
+        self.effects.forces && !self.forces.is_empty()
+    }
+
     /// What [`Plan::massless`] is for the loads and forces planned. The closed forms do not ask what the ground carries: where
     /// all is closed it is among them only if a load acts on it.
     pub fn find_massless(&self) -> Vec<usize> {

@@ -4,7 +4,7 @@
 use super::state::State;
 use super::wrench::Wrench;
 use crate::math::{Scalar, V2};
-use crate::plan::{Checks, EffortCheck, JointCheck};
+use crate::plan::{Checks, EffortCheck, JointCheck, Plan};
 
 impl<S: Scalar> State<S> {
     /// Greatest distance between what a joint joins, m, and the extent of the mechanism, m.
@@ -138,10 +138,11 @@ impl<S: Scalar + Default> Sums<S> {
     /// The residuals of a state whose plan has neither laws nor friction: closure, equilibrium, power. The last two have a
     /// meaning where forces are solved.
     #[inline(always)]
-    pub fn residuals(&mut self, checks: &Checks, state: &State<S>, forces: bool) -> [S; 3] {
+    pub fn residuals(&mut self, plan: &Plan, state: &State<S>) -> [S; 3] {
+        let checks = &plan.checks;
         let (worst, size) = state.gaps(checks);
         let closure = worst / size;
-        if !forces {
+        if !plan.has_forces() {
             return [closure, S::zero(), S::zero()];
         }
         self.restart(&state.forces.applied);

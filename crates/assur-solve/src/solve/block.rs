@@ -6,7 +6,7 @@
 //! it than from following: not a bit, not a note.
 
 use super::inputs::Rates;
-use super::lost::{not_finite, out_of_scale};
+use super::lost::{all_finite, out_of_scale};
 use super::positions::Sweep;
 use super::solution::{Pose, Solved};
 use super::track::CAREFUL;
@@ -173,7 +173,7 @@ fn is_regular(model: &Model<'_>, state: &State, residuals: &Residuals) -> bool {
         && keeps_its_assembly(model, state)
         && state.motion.conditions.iter().all(|c| c.abs() > NO_NOTE)
         && state.forces.conditions.iter().all(|c| c.abs() > NO_NOTE)
-        && not_finite(model, state).is_none()
+        && all_finite(state)
         && out_of_scale(residuals).is_none()
 }
 

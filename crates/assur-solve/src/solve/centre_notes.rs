@@ -20,11 +20,11 @@ struct Asked {
 impl CentreNotes {
     pub(super) fn of(mechanism: &Mechanism) -> Self {
         let mut asked: Vec<Asked> = Vec::new();
-        let finds = mechanism.finds.iter().enumerate().filter(|_| is_asked(mechanism));
-        for (find, item) in finds {
+        let finds = if is_asked(mechanism) { mechanism.finds.as_slice() } else { &[] };
+        for (find, item) in finds.iter().enumerate() {
             let FindKind::Value { expr, .. } = &item.kind else { continue };
             each(mechanism, expr, &mut |links| {
-                if !asked.iter().any(|a| a.find == find && a.links == links) {
+                if !asked.iter().rev().take_while(|a| a.find == find).any(|a| a.links == links) {
                     asked.push(Asked { find, links, without: None });
                 }
             });

@@ -254,6 +254,12 @@ pub const CODES: &[Code] = codes! {
     "expect" / "mismatch",
     "expect" / "pose_failed",
     "expect" / "undefined",
+    // pictures
+    "picture" / "no_position",
+    "picture" / "no_speed",
+    "picture" / "not_placed",
+    "picture" / "no_forces",
+    "picture" / "no_train",
     // tables beside a file
     "table" / "header",
     "table" / "empty",

@@ -1,0 +1,27 @@
+//! Pictures without mechanics: marks in millimetres of paper, x to the right and y down, labels that never overlap, SVG.
+
+mod drawing;
+mod geometry;
+mod glyph;
+mod grid;
+mod label;
+mod mark;
+mod outside;
+mod palette;
+mod placement;
+mod scale;
+mod style;
+mod svg;
+mod text;
+mod widths;
+
+pub use drawing::{Caption, Drawing, Group, Placed, Sheet};
+pub use geometry::{Rect, Segment};
+pub use grid::touches;
+pub use label::{Anchor, Label};
+pub use mark::{Mark, Obstacle, Shape, on_circle};
+pub use palette::{Palette, Role, Theme};
+pub use scale::{SERIES, Scale, plain, round_length};
+pub use style::{Paint, STYLES, Style};
+pub use svg::{escaped, number};
+pub use text::{Level, Run, Set, Text};

@@ -1,0 +1,253 @@
+//! Places for labels: candidates around the anchor, the cheapest free one for each in a fixed order, then rounds in which
+//! each moves to something cheaper or takes the place of one neighbour where both together gain. What finds no place is put
+//! outside by `outside`. Nothing is random, so that the same labels come to the same places.
+
+use crate::geometry::{Rect, Segment};
+use crate::grid::{Grid, bounds, pieces, touches};
+use crate::label::{Anchor, Label};
+use crate::mark::{Mark, Obstacle};
+use assur_math::math::Vec2;
+use std::f64::consts::TAU;
+
+/// Directions around a point.
+const DIRECTIONS: usize = 24;
+/// Distances from the anchor, mm.
+const DISTANCES: [f64; 7] = [0.5, 1.0, 1.7, 2.6, 4.0, 6.0, 9.0];
+/// Places along a line.
+const ALONG: [f64; 7] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75];
+/// What is kept free around a label, mm.
+pub(crate) const APART: f64 = 0.35;
+/// Rounds of improvement.
+const ROUNDS: usize = 8;
+/// How far labels may be from what is drawn, mm.
+const MARGIN: f64 = 30.0;
+/// Price of a radian away from the best direction, and of a millimetre of thin line inside, in millimetres of distance.
+const PER_RADIAN: f64 = 1.1;
+const PER_LINE: f64 = 0.9;
+/// Price of the ends of a line against its middle.
+const PER_PART: f64 = 4.0;
+
+/// A place that a label may take.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    bounds: Rect,
+    cost: f64,
+}
+
+/// The boxes of all labels, in their order; none for those that found no place.
+pub fn place(marks: &[Mark], labels: &[Label]) -> Vec<Option<Rect>> {
+    let mut all = Rect::NOTHING;
+    marks.iter().for_each(|mark| all.join(&mark.shape.bounds()));
+    labels.iter().for_each(|label| match label.anchor {
+        Anchor::Point(p, _) => all.add(p),
+        Anchor::Line(a, b) => {
+            all.add(a);
+            all.add(b);
+        }
+    });
+    if all.is_nothing() {
+        return vec![None; labels.len()];
+    }
+    let around = all.grown(MARGIN);
+    let ground = Ground::of(marks, &around);
+    let candidates: Vec<Vec<Candidate>> = labels.iter().map(|label| ground.candidates(label)).collect();
+    let mut order: Vec<usize> = (0..labels.len()).collect();
+    order.sort_by_key(|i| (labels[*i].rank, candidates[*i].len(), *i));
+    let mut board = Board::new(labels, &candidates, &around);
+    for &label in &order {
+        board.take_cheapest(label);
+    }
+    for _ in 0..ROUNDS {
+        let mut changed = false;
+        for &label in &order {
+            changed |= board.improve(label);
+        }
+        if !changed {
+            break;
+        }
+    }
+    board.chosen.iter().zip(&candidates).map(|(chosen, all)| chosen.map(|c| all[c].bounds)).collect()
+}
+
+/// What is drawn.
+struct Ground {
+    solid: Grid<Obstacle>,
+    thin: Grid<Segment>,
+}
+
+impl Ground {
+    fn of(marks: &[Mark], around: &Rect) -> Self {
+        let mut ground = Self { solid: Grid::over(around), thin: Grid::over(around) };
+        for mark in marks {
+            if mark.style.is_solid() {
+                for obstacle in mark.shape.obstacles(mark.style.half_width()) {
+                    match obstacle {
+                        Obstacle::Stroke(segment, half) => {
+                            for piece in pieces(&segment) {
+                                let piece = Obstacle::Stroke(piece, half);
+                                ground.solid.add(piece, &bounds(&piece).grown(APART));
+                            }
+                        }
+                        disc @ Obstacle::Disc(..) => ground.solid.add(disc, &bounds(&disc).grown(APART)),
+                    }
+                }
+            } else if mark.style.paint().stroke.is_some() {
+                for segment in mark.shape.segments() {
+                    pieces(&segment).for_each(|piece| ground.thin.add(piece, &piece.bounds()));
+                }
+            }
+        }
+        ground
+    }
+
+    /// The free places of a label, the cheapest first.
+    fn candidates(&self, label: &Label) -> Vec<Candidate> {
+        let half = label.half();
+        let mut all = Vec::new();
+        let best = label.towards.and_then(Vec2::unit);
+        let mut offer = |from: Vec2, direction: Vec2, distance: f64, extra: f64| {
+            let bounds = beyond(from, direction, distance, half);
+            let away = best.unwrap_or(Vec2::new(0.707, -0.707));
+            let turned = libm::atan2(away.cross(direction).abs(), away.dot(direction));
+            let weight =
+                if best.is_some() || matches!(label.anchor, Anchor::Point(..)) { PER_RADIAN } else { 0.3 };
+            all.push(Candidate { bounds, cost: distance + weight * turned + extra });
+        };
+        match label.anchor {
+            Anchor::Point(p, radius) => {
+                for distance in DISTANCES {
+                    for i in 0..DIRECTIONS {
+                        let direction = Vec2::direction(TAU * i as f64 / DIRECTIONS as f64);
+                        offer(p + direction * radius, direction, distance, 0.0);
+                    }
+                }
+            }
+            Anchor::Line(a, b) => {
+                let along = (b - a).unit().unwrap_or(Vec2::new(1.0, 0.0));
+                for part in ALONG {
+                    let from = a + (b - a) * part;
+                    for normal in [along.perp(), -along.perp()] {
+                        for distance in DISTANCES {
+                            offer(from, normal, distance, PER_PART * (part - 0.5).abs());
+                        }
+                    }
+                }
+            }
+        }
+        let round = label.ring.is_some_and(|r| half.x <= r);
+        all.retain(|c| !self.solid.any(&c.bounds, |o| touches(&c.bounds, round, o, APART)));
+        for candidate in &mut all {
+            let mut inside = 0.0;
+            self.thin.any(&candidate.bounds, |s| {
+                inside += candidate.bounds.inside(s).unwrap_or(0.0);
+                false
+            });
+            candidate.cost += PER_LINE * inside;
+        }
+        all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        all
+    }
+}
+
+/// The box that lies beyond a point in a direction: its side or its corner has the distance.
+fn beyond(from: Vec2, direction: Vec2, distance: f64, half: Vec2) -> Rect {
+    let largest = direction.x.abs().max(direction.y.abs());
+    let near = from + direction * distance;
+    let centre = near + Vec2::new(half.x * direction.x / largest, half.y * direction.y / largest);
+    Rect::around(centre, half)
+}
+
+/// Who sits where.
+struct Board<'a> {
+    candidates: &'a [Vec<Candidate>],
+    chosen: Vec<Option<usize>>,
+    /// Labels by the cells of the places that they have.
+    taken: Grid<usize>,
+    ranks: Vec<u8>,
+}
+
+/// What it costs to have no place inside, mm.
+const OUTSIDE: f64 = 60.0;
+
+impl<'a> Board<'a> {
+    fn new(labels: &[Label], candidates: &'a [Vec<Candidate>], around: &Rect) -> Self {
+        let taken = Grid::knowing((0..labels.len()).collect(), around);
+        let ranks = labels.iter().map(|l| l.rank).collect();
+        Self { candidates, chosen: vec![None; candidates.len()], taken, ranks }
+    }
+
+    fn cost(&self, label: usize) -> f64 {
+        match self.chosen[label] {
+            Some(number) => self.candidates[label][number].cost,
+            None => OUTSIDE - f64::from(self.ranks[label]),
+        }
+    }
+
+    /// Moves a label to another place, or to none.
+    fn choose(&mut self, label: usize, number: Option<usize>) {
+        let all = &self.candidates[label];
+        if let Some(old) = self.chosen[label] {
+            self.taken.put(label, &all[old].bounds, false);
+        }
+        if let Some(new) = number {
+            self.taken.put(label, &all[new].bounds, true);
+        }
+        self.chosen[label] = number;
+    }
+
+    /// The labels whose boxes overlap a place; more than two are not listed.
+    fn in_the_way(&self, label: usize, bounds: &Rect) -> Vec<usize> {
+        let wanted = bounds.grown(APART);
+        let mut found = Vec::new();
+        self.taken.any(&wanted, |&other| {
+            let place = self.chosen[other].map(|number| self.candidates[other][number].bounds);
+            if other != label && !found.contains(&other) && place.is_some_and(|p| p.overlaps(&wanted)) {
+                found.push(other);
+            }
+            found.len() > 1
+        });
+        found
+    }
+
+    fn take_cheapest(&mut self, label: usize) {
+        let number = self.cheapest(label, f64::INFINITY);
+        self.choose(label, number);
+    }
+
+    /// The cheapest place that is free and costs less.
+    fn cheapest(&self, label: usize, below: f64) -> Option<usize> {
+        let all = &self.candidates[label];
+        (0..all.len())
+            .take_while(|number| all[*number].cost < below)
+            .find(|number| self.in_the_way(label, &all[*number].bounds).is_empty())
+    }
+
+    /// Moves a label to a cheaper place, where needed by moving one neighbour; whether anything changed.
+    fn improve(&mut self, label: usize) -> bool {
+        let own = self.cost(label);
+        let free = self.cheapest(label, own - 1e-9);
+        let reached = free.map_or(own, |number| self.candidates[label][number].cost);
+        for number in 0..self.candidates[label].len() {
+            let candidate = self.candidates[label][number];
+            if candidate.cost >= reached - 1e-9 {
+                break;
+            }
+            let [neighbour] = self.in_the_way(label, &candidate.bounds)[..] else { continue };
+            let before = self.cost(neighbour);
+            let (old, old_neighbour) = (self.chosen[label], self.chosen[neighbour]);
+            self.choose(neighbour, None);
+            self.choose(label, Some(number));
+            let most = reached - candidate.cost + before;
+            if let Some(moved) = self.cheapest(neighbour, most - 1e-9) {
+                self.choose(neighbour, Some(moved));
+                return true;
+            }
+            self.choose(label, old);
+            self.choose(neighbour, old_neighbour);
+        }
+        if free.is_some() {
+            self.choose(label, free);
+        }
+        free.is_some()
+    }
+}

@@ -1,0 +1,190 @@
+//! Kinds of stroke. Colour never stands alone: widths, dashes and hatching tell apart what colours tell apart.
+
+use crate::palette::Role;
+
+/// How a mark is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Style {
+    /// A link.
+    Link,
+    /// Outlines of symbols.
+    Medium,
+    /// Hatching, arcs of angles, dimensions, leader lines.
+    Thin,
+    /// Another pose.
+    Ghost,
+    /// Lines of a grid.
+    Grid,
+    /// An axis.
+    Axis,
+    /// A dashed line of the construction.
+    Dashed,
+    /// The path of a point.
+    Way,
+    /// A hinge, filled with paper.
+    Hinge,
+    /// The circle of a mass centre.
+    Centre,
+    /// Filled with ink.
+    Solid,
+    /// A block, filled with paper.
+    Block,
+    /// A link with three joints and more, a cam: outline and tint.
+    Plate,
+    /// An absolute velocity.
+    Velocity,
+    /// A relative velocity.
+    VelocityPart,
+    /// An absolute acceleration.
+    Acceleration,
+    /// A normal or a Coriolis part.
+    AccelerationPart,
+    /// A tangential or a sliding part.
+    AccelerationTangent,
+    /// A load.
+    Force,
+    /// An unknown effort or reaction.
+    Unknown,
+    /// A part of it.
+    UnknownPart,
+    /// A drive.
+    Drive,
+    /// A friction circle.
+    FrictionCircle,
+    /// An area of want.
+    Want,
+    /// An area of surplus.
+    Surplus,
+    /// The circle around the number of a link.
+    Number,
+}
+
+/// All of them, in the order of their rules.
+pub const STYLES: [Style; 26] = [
+    Style::Link,
+    Style::Medium,
+    Style::Thin,
+    Style::Ghost,
+    Style::Grid,
+    Style::Axis,
+    Style::Dashed,
+    Style::Way,
+    Style::Hinge,
+    Style::Centre,
+    Style::Solid,
+    Style::Block,
+    Style::Plate,
+    Style::Velocity,
+    Style::VelocityPart,
+    Style::Acceleration,
+    Style::AccelerationPart,
+    Style::AccelerationTangent,
+    Style::Force,
+    Style::Unknown,
+    Style::UnknownPart,
+    Style::Drive,
+    Style::FrictionCircle,
+    Style::Want,
+    Style::Surplus,
+    Style::Number,
+];
+
+/// What a style comes to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Paint {
+    /// The class in the document.
+    pub class: &'static str,
+    /// Colour and width of the stroke, mm.
+    pub stroke: Option<(Role, f64)>,
+    /// Colour inside.
+    pub fill: Option<Role>,
+    /// Dashes and gaps, mm.
+    pub dashes: &'static str,
+    /// Less than all of its colour.
+    pub faint: bool,
+}
+
+const fn stroke(class: &'static str, role: Role, width: f64) -> Paint {
+    Paint { class, stroke: Some((role, width)), fill: None, dashes: "", faint: false }
+}
+
+const fn filled(class: &'static str, role: Role, width: f64, fill: Role) -> Paint {
+    Paint { fill: Some(fill), ..stroke(class, role, width) }
+}
+
+const fn area(class: &'static str, fill: Role) -> Paint {
+    Paint { class, stroke: None, fill: Some(fill), dashes: "", faint: false }
+}
+
+const fn dashed(class: &'static str, role: Role, width: f64, dashes: &'static str) -> Paint {
+    Paint { dashes, ..stroke(class, role, width) }
+}
+
+impl Style {
+    /// Colours, widths and dashes.
+    #[must_use]
+    pub const fn paint(self) -> Paint {
+        match self {
+            Self::Link => stroke("l", Role::Ink, 0.7),
+            Self::Medium => stroke("m", Role::Ink, 0.45),
+            Self::Thin => stroke("t", Role::Ink, 0.22),
+            Self::Ghost => Paint { faint: true, ..stroke("g", Role::Grey, 0.3) },
+            Self::Grid => Paint { faint: true, ..stroke("gr", Role::Grey, 0.18) },
+            Self::Axis => dashed("ax", Role::Grey, 0.2, "5 1 1 1"),
+            Self::Dashed => dashed("da", Role::Ink, 0.28, "1.6 1"),
+            Self::Way => dashed("pa", Role::Grey, 0.3, "2.2 1"),
+            Self::Hinge => filled("h", Role::Ink, 0.45, Role::Paper),
+            Self::Centre => filled("c", Role::Ink, 0.3, Role::Paper),
+            Self::Solid => area("k", Role::Ink),
+            Self::Block => filled("b", Role::Ink, 0.5, Role::Paper),
+            Self::Plate => filled("tern", Role::Ink, 0.6, Role::Tint),
+            Self::Velocity => stroke("v", Role::Blue, 0.5),
+            Self::VelocityPart => stroke("v2", Role::Blue, 0.3),
+            Self::Acceleration => stroke("a", Role::Vermilion, 0.5),
+            Self::AccelerationPart => stroke("a3", Role::Vermilion, 0.3),
+            Self::AccelerationTangent => dashed("a2", Role::Vermilion, 0.32, "1.8 .9"),
+            Self::Force => stroke("f", Role::Ink, 0.5),
+            Self::Unknown => stroke("r", Role::Green, 0.6),
+            Self::UnknownPart => dashed("r2", Role::Green, 0.32, "1.8 .9"),
+            Self::Drive => stroke("dr", Role::Blue, 0.45),
+            Self::FrictionCircle => {
+                Paint { dashes: "1.2 .7", ..filled("fc", Role::Vermilion, 0.35, Role::VermilionTint) }
+            }
+            Self::Want => area("A1", Role::BlueTint),
+            Self::Surplus => area("A2", Role::VermilionTint),
+            Self::Number => filled("n0", Role::Ink, 0.22, Role::Paper),
+        }
+    }
+
+    /// What no label may touch: links, hinges, outlines, vectors. Labels may cross the rest at a price.
+    #[must_use]
+    pub const fn is_solid(self) -> bool {
+        !matches!(
+            self,
+            Self::Thin
+                | Self::Ghost
+                | Self::Grid
+                | Self::Axis
+                | Self::Dashed
+                | Self::Way
+                | Self::Want
+                | Self::Surplus
+                | Self::Number
+        )
+    }
+
+    /// Half the width of its stroke, mm.
+    #[must_use]
+    pub fn half_width(self) -> f64 {
+        self.paint().stroke.map_or(0.0, |(_, width)| 0.5 * width)
+    }
+
+    /// The colour of what is written about it.
+    #[must_use]
+    pub const fn text_role(self) -> Role {
+        match self.paint().stroke {
+            Some((role, _)) => role,
+            None => Role::Ink,
+        }
+    }
+}

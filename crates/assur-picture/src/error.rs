@@ -1,0 +1,128 @@
+//! Pictures that cannot exist.
+
+use crate::scene::Scene;
+use assur_model::model::{DriveTarget, PairKind};
+use assur_solve::solve::Solution;
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// Why there is no picture.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum Missing {
+    /// No position is solved.
+    #[error("there is no position to draw{named}")]
+    #[diagnostic(code("mech::picture::no_position"))]
+    NoPosition {
+        /// `: no solved pose is named `9``, or empty.
+        named: String,
+        /// What to write.
+        #[help]
+        help: String,
+    },
+    /// No drive has a speed.
+    #[error("there are no {what} to draw: {why}")]
+    #[diagnostic(code("mech::picture::no_speed"))]
+    NoSpeed {
+        /// `velocities` or `accelerations`.
+        what: &'static str,
+        /// What the file does not give.
+        why: &'static str,
+        /// What to write.
+        #[help]
+        help: String,
+    },
+    /// No forces.
+    #[error("there are no forces to draw: {why}")]
+    #[diagnostic(code("mech::picture::no_forces"))]
+    NoForces {
+        /// What is missing.
+        why: String,
+        /// What to write.
+        #[help]
+        help: String,
+    },
+    /// No shafts.
+    #[error("there is no train to draw: no shaft or slider is declared without a position")]
+    #[diagnostic(
+        code("mech::picture::no_train"),
+        help("draw the `scheme`, or declare shafts: `shaft I {{ wheel a teeth 20 }}`")
+    )]
+    NoTrain,
+    /// No link has a place.
+    #[error("no link has a position: {needs}")]
+    #[diagnostic(
+        code("mech::picture::not_placed"),
+        help(
+            "give the axes positions: `ground {{ O1 (0, 0) }}` and `shaft I {{ wheel a teeth 20 module 2 mm at O1 }}`"
+        )
+    )]
+    NotPlaced {
+        /// `a plan shows velocities of points`.
+        needs: &'static str,
+    },
+}
+
+/// The most poses that a help lists.
+const MOST: usize = 12;
+
+impl Missing {
+    /// No forces.
+    pub(crate) fn no_forces(why: &str, help: &str) -> Self {
+        Self::NoForces { why: why.to_owned(), help: help.to_owned() }
+    }
+
+    /// No link has a place.
+    pub(crate) const fn nothing_placed(needs: &'static str) -> Self {
+        Self::NotPlaced { needs }
+    }
+
+    /// No drive has a speed; the help writes one behind the first.
+    pub(crate) fn no_speed(scene: &Scene<'_>, what: &'static str) -> Self {
+        let mechanism = scene.mechanism();
+        let why = match mechanism.drives.is_empty() {
+            true => "the file has no drive",
+            false if scene.model.plan.effects.moving => "no drive has a speed, only a sense",
+            false => "no drive has a speed",
+        };
+        let line = mechanism.drives.first().map_or_else(
+            || "drive crank = 45 deg at 80 rpm".to_owned(),
+            |drive| {
+                let speed = if turns(scene, drive.target) { "80 rpm" } else { "0.1 m/s" };
+                match &drive.written {
+                    Some(written) => format!("drive {} = {written} at {speed}", drive.name),
+                    None => format!("drive {} at {speed}", drive.name),
+                }
+            },
+        );
+        Self::NoSpeed { what, why, help: format!("give the drive a speed: `{line}`") }
+    }
+
+    /// No position, or none of a name, is solved.
+    pub(crate) fn no_position(solution: &Solution, name: Option<&str>) -> Self {
+        let solved = solution.poses.iter().filter(|p| p.outcome.is_ok());
+        let known: Vec<String> = solved.map(|p| format!("`{}`", p.name)).collect();
+        match name {
+            Some(name) if !known.is_empty() => {
+                let listed = known[..known.len().min(MOST)].join(", ");
+                let more = known.len().saturating_sub(MOST);
+                let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+                Self::NoPosition {
+                    named: format!(": no solved pose is named `{name}`"),
+                    help: format!("the poses are {listed}{more}"),
+                }
+            }
+            _ => Self::NoPosition {
+                named: String::new(),
+                help: "declare a link with a drive: `drive crank = 45 deg`".to_owned(),
+            },
+        }
+    }
+}
+
+fn turns(scene: &Scene<'_>, target: DriveTarget) -> bool {
+    match target {
+        DriveTarget::Link(_) => true,
+        DriveTarget::Pair(pair) => matches!(scene.mechanism().pair(pair).kind, PairKind::Revolute(_)),
+        DriveTarget::Point(..) => false,
+    }
+}

@@ -1,0 +1,224 @@
+//! A part of the mechanism freed from the rest, with all that acts on it, and the arms of forces about the inner hinge.
+
+use super::acting::{Acting, Acts, Force};
+use super::polygon::split;
+use super::{Part, figure, names};
+use crate::angles::{flipped, freest};
+use crate::frame::Frame;
+use crate::scene::Scene;
+use crate::scheme::length_scale;
+use crate::shape::{Outline, shapes};
+use crate::symbol::{arrow, guide, hinge, mass};
+use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text};
+use assur_math::math::Vec2;
+use assur_model::model::{LinkId, PairKind};
+
+/// Lengths of arrows, mm: the least, and what the greatest force adds.
+const ARROW: (f64, f64) = (9.0, 8.0);
+/// Radius and angle of a couple's arrow.
+const COUPLE: (f64, f64) = (5.5, 1.75);
+/// What arrows and names take, mm.
+const AROUND: Vec2 = Vec2::new(50.0, 44.0);
+/// Sizes of letters.
+const LETTERS: f64 = 4.0;
+const POINT: f64 = 4.4;
+/// Arms shorter than this are not drawn, mm; the most of them.
+const ARM: f64 = 3.0;
+const ARMS: usize = 4;
+
+/// The free body.
+pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, size: Vec2) -> Drawing {
+    let all = shapes(scene);
+    let mut bounds = Rect::NOTHING;
+    for link in &part.links {
+        all[link.index()].extent(scene, *link, &mut bounds);
+    }
+    acting.forces.iter().for_each(|f| bounds.add(f.at));
+    let frame = Frame::fitting(&bounds, size - AROUND);
+    let links = names(scene, part);
+    let said: Vec<String> =
+        acting.forces.iter().map(|f| format!("{} {} N", f.name.plain(), figure(f.force.norm()))).collect();
+    let couples: Vec<String> =
+        acting.couples.iter().map(|c| format!("{} {} N·m", c.0.plain(), figure(c.3))).collect();
+    let couples =
+        if couples.is_empty() { String::new() } else { format!(" Couples: {}.", couples.join(", ")) };
+    let title =
+        format!("{}: links {links} freed{}", crate::words::title(scene), crate::words::at_position(scene));
+    let id = format!("{}-{}", crate::words::id(scene, "free-body"), links.replace(", ", "-"));
+    let description = format!("Forces on links {links}: {}.{couples}", said.join(", "));
+    let mut drawing = Drawing::new(&id, title, description);
+    let mut outlines = Vec::new();
+    for link in &part.links {
+        let body = scene.body(*link);
+        outlines.push((*link, all[link.index()].outline(&frame, &|at| body.position(at))));
+    }
+    bodies(scene, &mut drawing, &frame, &outlines, part);
+    let arrows = arrows(scene, part, acting);
+    vectors(&mut drawing, &frame, &arrows);
+    turning(&mut drawing, &frame, acting);
+    arms(scene, part, acting, &frame, &mut drawing);
+    if let Some(scale) = frame.scale {
+        drawing.captions.push(length_scale(&scale));
+    }
+    drawing
+}
+
+fn bodies(
+    scene: &Scene<'_>,
+    drawing: &mut Drawing,
+    frame: &Frame,
+    outlines: &[(LinkId, Outline)],
+    part: &Part,
+) {
+    blocks(scene, drawing, frame, part);
+    for (link, outline) in outlines {
+        drawing.begin("link", &scene.mechanism().link(*link).name);
+        for plate in &outline.plates {
+            drawing.mark(Style::Plate, Shape::polygon(plate.clone()));
+        }
+        for (a, b) in &outline.arms {
+            drawing.line(Style::Medium, *a, *b);
+        }
+        for (a, b) in &outline.bars {
+            drawing.line(Style::Link, *a, *b);
+        }
+        let longest = outline.bars.iter().max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));
+        if let (Some((a, b)), Some(number)) = (longest, &scene.mechanism().link(*link).number) {
+            drawing.label(Label::along(Text::upright(number), 3.7, *a, *b).ringed(2.5).ranked(3));
+        }
+        drawing.end();
+    }
+    let mut done: Vec<Vec2> = Vec::new();
+    for pair in &scene.mechanism().pairs {
+        let PairKind::Revolute(pins) = &pair.kind else { continue };
+        let Some(pin) = pins.iter().find(|p| part.links.contains(&p.link)) else { continue };
+        let at = frame.point(scene.at(pin.link, pin.at));
+        drawing.begin("pair", &pair.name);
+        hinge::moving(drawing, at);
+        if done.iter().all(|d| (*d - at).norm() > 0.05) {
+            let lines: Vec<Vec2> = lines_at(outlines, at);
+            let label = Label::at(Text::name(&pair.name), POINT, at, hinge::RADIUS).ranked(1);
+            drawing.label(freest(&lines).map_or(label.clone(), |d| label.towards(d)));
+        }
+        done.push(at);
+        drawing.end();
+    }
+    for link in &part.links {
+        let declared = scene.mechanism().link(*link);
+        if let Some(at) =
+            declared.mass.filter(|m| m.mass > 0.0).map(|m| frame.point(scene.at(*link, m.centre)))
+            && done.iter().all(|d| (*d - at).norm() > 0.4)
+        {
+            mass::centre(drawing, at);
+            let near =
+                |p: &&assur_model::model::Point| (frame.point(scene.at(*link, p.at)) - at).norm() < 0.4;
+            if let Some(point) = declared.points.iter().find(near) {
+                drawing.label(Label::at(Text::name(&point.name), POINT, at, mass::RADIUS).ranked(2));
+            }
+        }
+    }
+}
+
+fn lines_at(outlines: &[(LinkId, Outline)], at: Vec2) -> Vec<Vec2> {
+    let bars = outlines.iter().flat_map(|(_, o)| o.bars.iter());
+    let near = bars.filter(|(a, b)| Segment { a: *a, b: *b }.distance(at) < 0.3);
+    near.flat_map(|(a, b)| [*a - at, *b - at]).filter(|d| d.norm() > 1.0).collect()
+}
+
+fn blocks(scene: &Scene<'_>, drawing: &mut Drawing, frame: &Frame, part: &Part) {
+    for pair in &scene.mechanism().pairs {
+        let PairKind::Prismatic(g) = &pair.kind else { continue };
+        if part.links.contains(&g.slider) {
+            let along = flipped(g.along.turned(scene.body(g.guide).u));
+            let at = frame.point(scene.at(g.slider, g.point));
+            let half = if g.guide == LinkId::GROUND { guide::BLOCK } else { guide::SLEEVE };
+            guide::block(drawing, at, along, (-half.x, half.x), half.y);
+        }
+    }
+}
+
+/// What is drawn as arrows: unknown reactions of hinges in their two parts.
+fn arrows(scene: &Scene<'_>, part: &Part, acting: &Acting) -> Vec<(Text, Vec2, Vec2, Style)> {
+    let mut all = Vec::new();
+    for force in &acting.forces {
+        let unknown = matches!(force.acts, Acts::Reaction { known: false, .. } | Acts::Effort);
+        let style = if unknown { Style::Unknown } else { Style::Force };
+        match split(scene, part, force) {
+            Some(parts) => {
+                for (kind, value) in ["n", "t"].into_iter().zip(parts) {
+                    let mut name = force.name.clone();
+                    let index = name.runs.pop();
+                    name = name.sup(kind);
+                    name.runs.extend(index);
+                    all.push((name, force.at, value, style));
+                }
+            }
+            None => all.push((force.name.clone(), force.at, force.force, style)),
+        }
+    }
+    all
+}
+
+fn vectors(drawing: &mut Drawing, frame: &Frame, arrows: &[(Text, Vec2, Vec2, Style)]) {
+    let largest = arrows.iter().map(|a| a.2.norm()).fold(0.0, f64::max);
+    let mut taken: Vec<(Vec2, Vec2)> = Vec::new();
+    for (name, at, force, style) in arrows {
+        let Some(along) = flipped(*force).unit().filter(|_| force.norm() > 1e-9 * largest) else { continue };
+        let mut from = frame.point(*at);
+        let length = ARROW.0 + ARROW.1 * force.norm() / largest;
+        // two forces from one point in one direction are side by side
+        while taken.iter().any(|(p, d)| (*p - from).norm() < 1.0 && d.dot(along) > 0.97) {
+            from += along.perp() * 1.9;
+        }
+        taken.push((from, along));
+        drawing.begin("vector", &name.plain());
+        drawing.mark(*style, Shape::Arrow(from, from + along * length));
+        let label =
+            Label::along(name.clone(), LETTERS, from + along * (0.5 * length), from + along * (length + 1.5));
+        drawing.label(label.coloured(style.text_role()).ranked(2));
+        drawing.end();
+    }
+}
+
+fn turning(drawing: &mut Drawing, frame: &Frame, acting: &Acting) {
+    for (i, (name, _, at, m, unknown)) in acting.couples.iter().enumerate() {
+        let style = if *unknown { Style::Unknown } else { Style::Force };
+        let at = frame.point(*at);
+        let middle = -1.9 + 2.1 * i as f64;
+        let radius = COUPLE.0 + 1.2 * (i / 3) as f64;
+        drawing.begin("couple", &name.plain());
+        arrow::turn(drawing, style, at, radius, (middle, COUPLE.1), *m > 0.0);
+        let tip = arrow::middle(at, radius, middle);
+        let label = Label::at(name.clone(), LETTERS, tip, 0.4).towards(tip - at).ranked(2);
+        drawing.label(label.coloured(style.text_role()));
+        drawing.end();
+    }
+}
+
+/// The arms of known forces about the inner hinge of a dyad: from the hinge to the foot on the line of the force.
+fn arms(scene: &Scene<'_>, part: &Part, acting: &Acting, frame: &Frame, drawing: &mut Drawing) {
+    let Some(inner) = part.inner else { return };
+    let PairKind::Revolute(pins) = &scene.mechanism().pair(inner).kind else { return };
+    let Some(pin) = pins.iter().find(|p| part.links.contains(&p.link)) else { return };
+    let centre = frame.point(scene.at(pin.link, pin.at));
+    let known = |f: &&Force| matches!(f.acts, Acts::Load | Acts::Reaction { known: true, .. });
+    let mut drawn = 0;
+    for force in acting.forces.iter().filter(known) {
+        let at = frame.point(force.at);
+        let Some(along) = flipped(force.force).unit() else { continue };
+        let foot = at + along * (centre - at).dot(along);
+        if (foot - centre).norm() < ARM || drawn == ARMS {
+            continue;
+        }
+        drawn += 1;
+        drawing.begin("arm", &force.name.plain());
+        drawing.line(Style::Dashed, at, foot);
+        drawing.line(Style::Thin, centre, foot);
+        let lowered = force.name.runs.iter().filter(|r| r.level == Level::Sub);
+        let index: String = lowered.map(|r| r.letters.as_str()).collect();
+        let index = if index.is_empty() { force.name.plain() } else { index };
+        let name = Text::italic("h").sub(&index);
+        drawing.label(Label::along(name, 3.4, centre, foot).coloured(Role::Grey).ranked(5));
+        drawing.end();
+    }
+}

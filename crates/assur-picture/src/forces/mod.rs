@@ -1,0 +1,104 @@
+//! Forces per structural group, the last first: the group freed from the others, and its polygon.
+
+mod acting;
+mod free_body;
+mod polygon;
+
+use crate::error::Missing;
+use crate::scene::Scene;
+use acting::{Acting, Acts};
+use assur_drawing::Drawing;
+use assur_math::math::Vec2;
+use assur_model::model::{LinkId, PairId};
+use assur_solve::solve::Model;
+use assur_text::units::significant;
+
+/// What is freed at once: a group, or one link of a group that is solved as a whole.
+pub struct Part {
+    /// Its links.
+    pub links: Vec<LinkId>,
+    /// The pair between the two links of a dyad.
+    pub inner: Option<PairId>,
+}
+
+/// Free bodies and polygons at a position.
+///
+/// # Errors
+/// There are no forces: nothing loads the mechanism, they are not determined, or friction locks it.
+pub fn forces(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+    let model = &scene.model;
+    if let Some(defect) = &model.structure.force_defect {
+        return Err(Missing::no_forces(
+            &defect.to_string(),
+            "declare what holds it: `balance torque Mb on crank`",
+        ));
+    }
+    if scene.solved.state.forces.locked {
+        let help = "draw another pose, or lower the friction";
+        return Err(Missing::no_forces("friction locks the mechanism", help));
+    }
+    if !model.plan.effects.forces || !is_loaded(model) {
+        let help =
+            "declare a load: `force P on ram at Q = 100 N @ 180 deg`, or `gravity 9.81 m/s^2` and masses";
+        return Err(Missing::no_forces("nothing loads the mechanism", help));
+    }
+    let mut drawings = Vec::new();
+    for part in parts(scene) {
+        let Some(acting) = Acting::on(scene, &part) else { continue };
+        if acting.forces.is_empty() {
+            continue;
+        }
+        drawings.push(free_body::draw(scene, &part, &acting, size));
+        drawings.extend(polygon::draw(scene, &part, &acting, size));
+    }
+    if drawings.is_empty() {
+        return Err(Missing::nothing_placed("forces act at points"));
+    }
+    Ok(drawings)
+}
+
+fn is_loaded(model: &Model<'_>) -> bool {
+    let effects = &model.plan.effects;
+    let mechanism = model.mechanism;
+    !mechanism.loads.is_empty() || effects.inertia || effects.gravity || effects.springs
+}
+
+/// The groups in the order in which forces are found; of those that are not dyads every link alone.
+fn parts(scene: &Scene<'_>) -> Vec<Part> {
+    use assur_model::structure::{BodyOrigin, GroupKind};
+    let structure = scene.model.structure;
+    let mut parts = Vec::new();
+    for group in &structure.forces {
+        let links = group.bodies.iter().filter_map(|b| match structure.replaced.bodies[b.0].origin {
+            BodyOrigin::Link(link) => Some(link),
+            BodyOrigin::Imaginary(_) => None,
+        });
+        let links: Vec<LinkId> = links
+            .filter(|l| scene.is_placed(*l) && *l != LinkId::GROUND && !scene.is_in_cylinder(*l))
+            .collect();
+        match group.kind {
+            GroupKind::Dyad(_) if links.len() == 2 => {
+                let inner =
+                    group.joints.iter().find(|j| j.inner).map(|j| structure.replaced.joint(j.joint).pair);
+                parts.push(Part { links, inner });
+            }
+            _ => parts.extend(links.into_iter().map(|link| Part { links: vec![link], inner: None })),
+        }
+    }
+    parts
+}
+
+/// `2, 3`
+fn names(scene: &Scene<'_>, part: &Part) -> String {
+    part.links.iter().map(|l| scene.link_label(*l)).collect::<Vec<_>>().join(", ")
+}
+
+/// Five digits with a true minus.
+fn figure(x: f64) -> String {
+    significant(x, 5).replace('-', "−")
+}
+
+/// What a force is, in the order of the polygon.
+const fn is_unknown(acts: &Acts) -> bool {
+    matches!(acts, Acts::Reaction { .. } | Acts::Effort)
+}

@@ -1,0 +1,91 @@
+//! The kinds of picture, by name.
+
+use crate::error::Missing;
+use crate::forces::forces;
+use crate::motion::{accelerations, velocities};
+use crate::scene::Scene;
+use crate::scheme::{Scheme, scheme};
+use crate::train::train;
+use assur_drawing::Drawing;
+use assur_model::model::{Level, LinkId};
+
+/// A kind of picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// The kinematic scheme.
+    Scheme,
+    /// The plan of velocities.
+    Velocities,
+    /// The plan of accelerations.
+    Accelerations,
+    /// A free body and a polygon of forces per structural group.
+    Forces,
+    /// Shafts in section.
+    Train,
+}
+
+/// All kinds.
+pub const KINDS: [Kind; 5] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces, Kind::Train];
+
+/// How pictures are drawn.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// The scheme.
+    pub scheme: Scheme,
+}
+
+impl Kind {
+    /// Its name on the command line and in file names.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Scheme => "scheme",
+            Self::Velocities => "velocities",
+            Self::Accelerations => "accelerations",
+            Self::Forces => "forces",
+            Self::Train => "train",
+        }
+    }
+
+    /// How far motion must be followed for it.
+    #[must_use]
+    pub const fn level(self) -> Level {
+        match self {
+            Self::Scheme | Self::Forces | Self::Train => Level::Positions,
+            Self::Velocities => Level::Velocities,
+            Self::Accelerations => Level::Accelerations,
+        }
+    }
+
+    /// Whether it shows forces.
+    #[must_use]
+    pub const fn forces(self) -> bool {
+        matches!(self, Self::Forces)
+    }
+
+    /// The kind of a name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        KINDS.into_iter().find(|kind| kind.name() == name)
+    }
+}
+
+/// The pictures of a kind at a position.
+///
+/// # Errors
+/// What the file does not declare.
+pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Drawing>, Missing> {
+    match kind {
+        Kind::Scheme => scheme_or_section(scene, options).map(|scheme| vec![scheme]),
+        Kind::Train => train(scene).map(|section| vec![section]),
+        Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),
+        Kind::Accelerations => accelerations(scene, options.scheme.size).map(|plan| vec![plan]),
+        Kind::Forces => forces(scene, options.scheme.size),
+    }
+}
+
+/// The scheme; of shafts that have no place the section.
+fn scheme_or_section(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Missing> {
+    let placed = (1..scene.mechanism().links.len()).any(|i| scene.is_placed(LinkId::at(i)));
+    if placed { Ok(scheme(scene, &options.scheme)) } else { train(scene) }
+}

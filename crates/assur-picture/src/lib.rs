@@ -1,0 +1,20 @@
+//! Pictures of a solved problem. Nothing is computed here: a picture shows a [`Scene`], one position of a solution.
+
+mod angles;
+mod error;
+mod forces;
+mod frame;
+mod kind;
+mod motion;
+mod scene;
+mod scheme;
+mod shape;
+mod symbol;
+mod train;
+mod words;
+
+pub use error::Missing;
+pub use frame::Frame;
+pub use kind::{KINDS, Kind, Options, draw};
+pub use scene::Scene;
+pub use scheme::{Loads, Scheme, scheme};

@@ -1,0 +1,213 @@
+//! Plans of velocities and accelerations: vectors from a pole to the images of points, and between these.
+
+mod acceleration;
+mod nodes;
+mod velocity;
+
+pub use acceleration::accelerations;
+pub use velocity::velocities;
+
+use crate::frame::Frame;
+use crate::scene::Scene;
+use crate::symbol::mass;
+use assur_drawing::{Drawing, Label, Level, Rect, Role, Style, Text};
+use assur_math::math::Vec2;
+
+/// Sizes of letters at points and at vectors.
+const POINT: f64 = 4.4;
+const VECTOR: f64 = 4.0;
+/// Radius of the circle of the pole, and of a point.
+const POLE: f64 = 1.3;
+/// Points nearer than this are one, mm.
+const SAME: f64 = 0.06;
+/// Vectors shorter than this are listed below.
+const SHORT: f64 = 0.3;
+/// Vectors less than this part of the largest are rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// A plan that is being drawn.
+struct PlanOf<'s> {
+    drawing: Drawing,
+    frame: Frame,
+    /// Points that have a dot, with their names.
+    dots: Vec<(Vec2, Vec<Text>)>,
+    /// Ends of all vectors on paper.
+    ends: Vec<Vec2>,
+    /// Absolute vectors that are drawn.
+    absolute: Vec<Vec2>,
+    /// The largest vector.
+    largest: f64,
+    /// Vectors too short to be drawn, with their values.
+    short: Vec<Text>,
+    unit: &'s str,
+}
+
+impl<'s> PlanOf<'s> {
+    /// A plan of vectors that fits into its size.
+    fn new(drawing: Drawing, room: &[Vec2], vectors: &[Vec2], unit: &'s str, size: Vec2) -> Self {
+        let mut bounds = Rect::NOTHING;
+        bounds.add(Vec2::zero());
+        room.iter().for_each(|v| bounds.add(*v));
+        let frame = Frame::new(Frame::fitting(&bounds, size - AROUND).scale, Vec2::zero());
+        let ends = vectors.iter().map(|v| frame.point(*v)).collect();
+        let largest = room.iter().map(|v| v.norm()).fold(0.0, f64::max);
+        Self {
+            drawing,
+            frame,
+            dots: Vec::new(),
+            ends,
+            absolute: Vec::new(),
+            largest,
+            short: Vec::new(),
+            unit,
+        }
+    }
+
+    /// The end of a vector from the pole.
+    fn end(&self, v: Vec2) -> Vec2 {
+        self.frame.point(v)
+    }
+
+    fn pole(&mut self, name: Text) {
+        self.dots.push((Vec2::zero(), vec![name]));
+    }
+
+    /// A point with its name; points that coincide share a dot.
+    fn dot(&mut self, v: Vec2, name: Text) {
+        let at = self.end(v);
+        match self.dots.iter_mut().find(|(p, _)| (*p - at).norm() <= SAME) {
+            Some((_, names)) if names.contains(&name) => {}
+            Some((_, names)) => names.push(name),
+            None => self.dots.push((at, vec![name])),
+        }
+    }
+
+    /// A vector between the ends of two others, with its name.
+    fn vector(&mut self, style: Style, (from, to): (Vec2, Vec2), name: Text, value: f64) {
+        let (a, b) = (self.end(from), self.end(to));
+        if (b - a).norm() < SHORT {
+            // what rounding leaves is nothing
+            if value > ROUNDING * self.largest && self.frame.scale.is_some() {
+                let text = format!(" = {} {}", significant(value), self.unit);
+                self.short.push(name.and(&text, false, Level::Base));
+            }
+            return;
+        }
+        self.drawing.begin("vector", &name.plain());
+        self.drawing.mark(style, assur_drawing::Shape::Arrow(a, b));
+        self.drawing.label(Label::along(name, VECTOR, a, b).coloured(style.text_role()).ranked(2));
+        self.drawing.end();
+    }
+
+    /// A vector from the pole; one that is there already is not drawn again. Its name is beside the part that no other covers.
+    fn absolute(&mut self, style: Style, v: Vec2, name: Text) {
+        let end = self.end(v);
+        if end.norm() < SHORT || self.absolute.iter().any(|p| (*p - end).norm() <= SAME) {
+            return;
+        }
+        let along = end / end.norm();
+        let covered =
+            |p: &Vec2| p.cross(along).abs() < 0.5 && p.dot(along) > 0.0 && p.dot(along) < end.norm() - 4.0;
+        let from = self.ends.iter().filter(|p| covered(p)).map(|p| p.dot(along)).fold(0.0, f64::max);
+        self.drawing.begin("vector", &name.plain());
+        self.drawing.mark(style, assur_drawing::Shape::Arrow(Vec2::zero(), end));
+        self.drawing
+            .label(Label::along(name, VECTOR, along * from, end).coloured(style.text_role()).ranked(2));
+        self.drawing.end();
+        self.absolute.push(end);
+    }
+
+    /// Whether a vector is drawn along a line.
+    fn is_covered(&self, a: Vec2, b: Vec2) -> bool {
+        self.drawing.marks.iter().any(|mark| match mark.shape {
+            assur_drawing::Shape::Arrow(from, to) => {
+                let line = assur_drawing::Segment { a: from, b: to };
+                line.distance(a) < 0.1 && line.distance(b) < 0.1
+            }
+            _ => false,
+        })
+    }
+
+    /// Dots with their names, the pole, the scale.
+    fn finish(mut self, symbol: &str, role: Role) -> Drawing {
+        let dots = std::mem::take(&mut self.dots);
+        for (i, (at, names)) in dots.into_iter().enumerate() {
+            self.drawing.begin("point", &names.iter().map(Text::plain).collect::<Vec<_>>().join(" = "));
+            if i == 0 {
+                self.drawing.mark(Style::Hinge, assur_drawing::Shape::Circle { centre: at, radius: POLE });
+            } else {
+                mass::point(&mut self.drawing, at);
+            }
+            let radius = if i == 0 { POLE } else { mass::POINT };
+            let label = Label::at(joined(names), POINT, at, radius).ranked(1);
+            let label = if i == 0 { self.away_from_vectors(label) } else { label.towards(at) };
+            self.drawing.label(label);
+            self.drawing.end();
+        }
+        if let Some(scale) = self.frame.scale {
+            let text = Text::italic("μ").and(symbol, true, Level::Sub);
+            let text = text.and(&format!(" = {} ({})/mm", scale.text(), self.unit), false, Level::Base);
+            self.drawing.caption(text);
+            self.drawing.description += &format!(" Scale {} {} per mm.", scale.text(), self.unit);
+        } else {
+            let what = if role == Role::Blue { "velocities" } else { "accelerations" };
+            self.drawing.caption(Text::upright(&format!(
+                "All {what} are zero at this position: the plan is a point."
+            )));
+        }
+        for line in self.short.chunks(4) {
+            let mut text = Text::upright("Too short to draw: ");
+            for (i, short) in line.iter().enumerate() {
+                if i > 0 {
+                    text = text.and(", ", false, Level::Base);
+                }
+                text.runs.extend(short.runs.iter().cloned());
+            }
+            self.drawing.caption(text);
+        }
+        self.drawing
+    }
+
+    /// The pole's name is where no vector goes.
+    fn away_from_vectors(&self, label: Label) -> Label {
+        match crate::angles::freest(&self.absolute) {
+            Some(direction) => label.towards(direction),
+            None => label,
+        }
+    }
+}
+
+/// What names of points and vectors take, mm.
+const AROUND: Vec2 = Vec2::new(24.0, 20.0);
+
+/// `a₂ = a₃`
+fn joined(names: Vec<Text>) -> Text {
+    let mut all = Text::default();
+    for (i, name) in names.into_iter().enumerate() {
+        if i > 0 {
+            all = all.and(" = ", false, Level::Base);
+        }
+        all.runs.extend(name.runs);
+        all.full = all.full.or(name.full);
+    }
+    all
+}
+
+/// Five digits.
+fn significant(x: f64) -> String {
+    assur_text::units::significant(x, 5).replace('-', "−")
+}
+
+/// The name of a point in small letters.
+fn small(name: &str, sub: Option<&str>) -> Text {
+    let lower: String = name.to_lowercase();
+    match sub {
+        Some(sub) => Text::name(&lower).sub(sub),
+        None => Text::name(&lower),
+    }
+}
+
+/// The title of a plan.
+fn title(scene: &Scene<'_>, what: &str) -> String {
+    format!("{}: {what}{}", crate::words::title(scene), crate::words::at_position(scene))
+}

@@ -1,0 +1,115 @@
+//! The plan of velocities.
+
+use super::nodes::{Node, Nodes, velocity};
+use super::{PlanOf, significant, title};
+use crate::error::Missing;
+use crate::scene::Scene;
+use assur_drawing::{Drawing, Role, Style, Text};
+use assur_math::math::Vec2;
+use assur_model::model::LinkId;
+
+/// The plan of velocities at a position.
+///
+/// # Errors
+/// No drive has a speed; no link has a place.
+pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+    if !scene.model.plan.effects.moving {
+        return Err(Missing::no_speed(scene, "velocities"));
+    }
+    let nodes = Nodes::of(scene, true);
+    if nodes.nodes.is_empty() {
+        return Err(Missing::nothing_placed("a plan shows velocities of points"));
+    }
+    let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.velocity(scene)).collect();
+    let mut said: Vec<String> = Vec::new();
+    for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
+        said.push(format!("v_{} = {} m/s", node.index(), significant(v.norm())));
+    }
+    let ratios = if scene.model.plan.effects.timed { "" } else { " for a unit speed of the drive" };
+    let description = format!("Velocities from the pole p{ratios}: {}.", said.join(", "));
+    let id = crate::words::id(scene, "velocities");
+    let drawing = Drawing::new(&id, title(scene, "velocity plan"), description);
+    let mut room = Nodes::extent(scene, velocity);
+    room.extend(&all);
+    let mut plan = PlanOf::new(drawing, &room, &all, "m/s", size);
+    plan.pole(Text::italic("p"));
+    let is_of = |n: &Node| !n.fixed;
+    for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| is_of(n)) {
+        plan.absolute(Style::Velocity, *v, Text::italic("v").sub(&node.index()));
+    }
+    relative(scene, &nodes, &mut plan);
+    for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| is_of(n)) {
+        plan.dot(*v, node.image());
+    }
+    images(scene, &nodes, &mut plan, velocity);
+    if !scene.model.plan.effects.timed {
+        plan.drawing.caption(Text::upright("For a unit speed of the drive: the file gives its sense alone."));
+    }
+    Ok(plan.finish("v", Role::Blue))
+}
+
+/// Velocities of points of one link against each other, and of sliding.
+fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf<'_>) {
+    for link in 1..scene.mechanism().links.len() {
+        let on = nodes.on(LinkId::at(link));
+        let Some((base, others)) = on.split_first() else { continue };
+        if on.iter().any(|n| n.fixed) {
+            continue;
+        }
+        for other in others {
+            let ends = (base.velocity(scene), other.velocity(scene));
+            let name = Text::italic("v").sub(&format!("{}{}", other.index(), base.index()));
+            plan.vector(Style::VelocityPart, ends, name, (ends.1 - ends.0).norm());
+        }
+    }
+    for (first, second) in &nodes.centres {
+        let (a, b) = (&nodes.nodes[*first.min(second)], &nodes.nodes[*first.max(second)]);
+        if !a.fixed && !b.fixed {
+            let ends = (a.velocity(scene), b.velocity(scene));
+            let name = Text::italic("v").sub(&format!("{}{}", b.index(), a.index()));
+            plan.vector(Style::VelocityPart, ends, name, (ends.1 - ends.0).norm());
+        }
+    }
+    for sliding in &nodes.sliding {
+        let (slider, guide) = (&nodes.nodes[sliding.slider], &nodes.nodes[sliding.guide]);
+        // from the one that is known first
+        let later = super::nodes::rank(scene, slider.link) > super::nodes::rank(scene, guide.link);
+        let (known, found) = if later { (guide, slider) } else { (slider, guide) };
+        let ends = (known.velocity(scene), found.velocity(scene));
+        let name = Text::italic("v").sub(&format!("{}{}", found.index(), known.index()));
+        plan.vector(Style::VelocityPart, ends, name, (ends.1 - ends.0).norm());
+    }
+}
+
+/// Images of further points of links, by similarity.
+pub fn images(
+    scene: &Scene<'_>,
+    nodes: &Nodes,
+    plan: &mut PlanOf<'_>,
+    of: fn(&assur_solve::solve::BodyState, Vec2) -> Vec2,
+) {
+    let near = 1e-7 * assur_solve::solve::extent(&scene.model);
+    for (i, link) in scene.mechanism().links.iter().enumerate().skip(1) {
+        let id = LinkId::at(i);
+        if !scene.is_placed(id) || scene.is_in_cylinder(id) {
+            continue;
+        }
+        let on = nodes.on(id);
+        for point in &link.points {
+            let at = scene.at(id, point.at);
+            if on.iter().any(|n| (n.at - at).norm() <= near) {
+                continue;
+            }
+            let v = of(scene.body(id), at);
+            // the image of the link, as far as the point is not on it
+            for node in on.iter().take(2) {
+                let from = of(scene.body(id), node.at);
+                let (a, b) = (plan.end(from), plan.end(v));
+                if (b - a).norm() > 1.0 && !plan.is_covered(a, b) {
+                    plan.drawing.line(Style::Ghost, a, b);
+                }
+            }
+            plan.dot(v, super::small(&point.name, None));
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! What a picture is made from: one position of a solved problem, and the positions before and behind it.
+
+use crate::error::Missing;
+use assur_drawing::Text;
+use assur_math::math::Vec2;
+use assur_model::model::{Bearing, LinkId, Load, Mechanism, PairId, PairKind};
+use assur_solve::answer::PoseAnswers;
+use assur_solve::solve::{BodyState, Model, Pose, Solution, Solved, State};
+
+/// One position of a solved problem.
+#[derive(Clone, Copy)]
+pub struct Scene<'a> {
+    /// The mechanism with its structure and its plan.
+    pub model: Model<'a>,
+    /// All positions.
+    pub solution: &'a Solution,
+    /// The one that is shown.
+    pub pose: &'a Pose,
+    /// Its state.
+    pub solved: &'a Solved,
+    /// The name of the file.
+    pub file: &'a str,
+    /// Its text.
+    pub text: &'a str,
+}
+
+impl<'a> Scene<'a> {
+    /// The first position that is solved, or that of a name.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn of(
+        model: Model<'a>,
+        solution: &'a Solution,
+        (file, text): (&'a str, &'a str),
+        name: Option<&str>,
+    ) -> Result<Self, Missing> {
+        let wanted = |pose: &&Pose| name.is_none_or(|name| pose.name == name);
+        let found = solution.poses.iter().filter(wanted).find_map(|pose| {
+            let solved = pose.outcome.as_ref().ok()?;
+            Some(Self { model, solution, pose, solved, file, text })
+        });
+        found.ok_or_else(|| Missing::no_position(solution, name))
+    }
+
+    /// The mechanism.
+    #[must_use]
+    pub const fn mechanism(&self) -> &'a Mechanism {
+        self.model.mechanism
+    }
+
+    /// The position, seen from the language.
+    #[must_use]
+    pub fn view(&self) -> PoseAnswers<'a> {
+        self.solved.view(&self.model, &self.solution.statics)
+    }
+
+    /// All positions of the sweep that are solved.
+    pub fn states(&self) -> impl Iterator<Item = &'a State> {
+        self.solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok()).map(|s| &s.state)
+    }
+
+    /// A link.
+    #[must_use]
+    pub fn body(&self, link: LinkId) -> &'a BodyState {
+        &self.solved.state.motion.bodies[link.index()]
+    }
+
+    /// A point of a link in ground axes, m.
+    #[must_use]
+    pub fn at(&self, link: LinkId, point: Vec2) -> Vec2 {
+        self.body(link).position(point)
+    }
+
+    /// Whether a link has a place: shafts may have none, and what stands on them has none either.
+    #[must_use]
+    pub fn is_placed(&self, link: LinkId) -> bool {
+        link == LinkId::GROUND
+            || !self
+                .mechanism()
+                .pairs
+                .iter()
+                .any(|p| p.bearing == Some(Bearing::Open) && owner(&p.kind) == link)
+    }
+
+    /// Whether it is the barrel or the rod of a cylinder.
+    #[must_use]
+    pub fn is_in_cylinder(&self, link: LinkId) -> bool {
+        let is = |kind: &PairKind| matches!(kind, PairKind::Cylinder { barrel, rod, .. } if *barrel == link || *rod == link);
+        self.mechanism().pairs.iter().any(|p| is(&p.kind))
+    }
+
+    /// The coordinates that a pair takes on, m: least and greatest of all positions.
+    #[must_use]
+    pub fn way(&self, pair: PairId) -> (f64, f64) {
+        let here = self.coordinate(pair, &self.solved.state);
+        self.states().fold((here, here), |(least, greatest), state| {
+            let s = self.coordinate(pair, state);
+            (least.min(s), greatest.max(s))
+        })
+    }
+
+    fn coordinate(&self, pair: PairId, state: &State) -> f64 {
+        let (PairKind::Prismatic(g) | PairKind::Slot(g)) = &self.mechanism().pair(pair).kind else {
+            return 0.0;
+        };
+        let bodies = &state.motion.bodies;
+        let guide = &bodies[g.guide.index()];
+        (bodies[g.slider.index()].position(g.point) - guide.position(g.through)).dot(g.along.turned(guide.u))
+    }
+
+    /// The number of a link as written, or its name.
+    #[must_use]
+    pub fn link_label(&self, link: LinkId) -> &'a str {
+        let link = self.mechanism().link(link);
+        link.number.as_deref().unwrap_or(&link.name)
+    }
+
+    /// The name of a load, or that of the value that it has: `Fr` of `force on ram at F = Fr against motion`.
+    #[must_use]
+    pub fn load_words(&self, load: &Load) -> Option<String> {
+        load.name.clone().or_else(|| {
+            let statement = self.text.get(load.span.start..load.span.end)?;
+            let value = statement.split_once('=')?.1.trim_start();
+            let in_name = |c: char| c.is_alphanumeric() || c == '_' || c == '\'';
+            let end = value.find(|c: char| !in_name(c)).unwrap_or(value.len());
+            let rest = value[end..].trim_start();
+            let alone = rest.is_empty() || rest.starts_with(char::is_alphabetic);
+            (alone && value.starts_with(char::is_alphabetic)).then(|| value[..end].to_owned())
+        })
+    }
+
+    /// The same as a label.
+    #[must_use]
+    pub fn load_name(&self, load: &Load) -> Option<Text> {
+        self.load_words(load).map(|name| Text::name(&name))
+    }
+
+    /// A letter with the number or the name of a link as its index.
+    #[must_use]
+    pub fn indexed(&self, letter: &str, link: LinkId) -> Text {
+        Text::italic(letter).sub(self.link_label(link))
+    }
+}
+
+/// The link that a pair of a shaft or a slider brings along.
+fn owner(kind: &PairKind) -> LinkId {
+    match kind {
+        PairKind::Revolute(pins) => pins.last().map_or(LinkId::GROUND, |p| p.link),
+        PairKind::Prismatic(g) => g.slider,
+        _ => LinkId::GROUND,
+    }
+}

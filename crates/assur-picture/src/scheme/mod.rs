@@ -1,0 +1,200 @@
+//! The kinematic scheme: the mechanism at one position, to scale.
+
+mod effort;
+mod label;
+mod link;
+mod pair;
+mod profile;
+
+use crate::frame::Frame;
+use crate::scene::Scene;
+use crate::shape::{LinkShape, Outline, shapes};
+use crate::words;
+use assur_drawing::{Caption, Drawing, Rect, Scale, Text, plain, round_length};
+use assur_math::math::Vec2;
+use assur_model::model::LinkId;
+
+/// Which loads a scheme shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Loads {
+    /// Loads, weights, unknown efforts.
+    #[default]
+    All,
+    /// Not the unknown efforts.
+    Given,
+    /// None.
+    None,
+}
+
+/// What a scheme shows, and how large.
+#[derive(Clone, Debug)]
+pub struct Scheme {
+    /// Loads.
+    pub loads: Loads,
+    /// The most that the mechanism takes, mm.
+    pub size: Vec2,
+    /// Its scale, where it is wanted.
+    pub scale: Option<Scale>,
+}
+
+impl Default for Scheme {
+    fn default() -> Self {
+        Self { loads: Loads::All, size: Vec2::new(180.0, 120.0), scale: None }
+    }
+}
+
+/// What symbols and labels take beside the links, mm.
+const AROUND: Vec2 = Vec2::new(20.0, 16.0);
+/// Pairs that have room on a usual sheet.
+const USUAL: f64 = 24.0;
+/// How much taller what is taller than wide may be.
+const TALLER: f64 = 1.35;
+/// The longest scale bar, mm.
+const BAR: f64 = 25.0;
+
+/// The scheme of a position.
+#[must_use]
+pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Drawing {
+    let shapes = shapes(scene);
+    let bounds = extent(scene, &shapes);
+    let size = wanted.size * crowding(scene);
+    let fitting = Frame::fitting(&bounds, paper(&bounds, size) - AROUND);
+    let frame = match (wanted.scale, fitting.scale) {
+        (Some(scale), Some(_)) => Frame::new(Some(scale), fitting.origin),
+        _ => fitting,
+    };
+    let title = format!("{}: kinematic scheme{}", words::title(scene), words::at_position(scene));
+    let mut drawing = Drawing::new(&words::id(scene, "scheme"), title, String::new());
+    let mut sketch = Sketch::new(scene, &shapes, &frame);
+    sketch.draw(&mut drawing, wanted);
+    drawing.description = words::mechanism(scene) + &sketch.said;
+    if let Some(scale) = frame.scale {
+        drawing.captions.push(length_scale(&scale));
+        drawing.description += &format!("Length scale {} m per mm.", scale.text());
+    }
+    drawing
+}
+
+/// How much larger than usual a sheet is, so that the symbols of many pairs have room.
+fn crowding(scene: &Scene<'_>) -> f64 {
+    let pairs = scene.mechanism().pairs.iter().filter(|p| p.bearing.is_none()).count();
+    (pairs as f64 / USUAL).sqrt().max(1.0)
+}
+
+/// The size for a box: what is taller than wide may be taller.
+fn paper(bounds: &Rect, size: Vec2) -> Vec2 {
+    let extent = bounds.size();
+    if extent.y > extent.x { Vec2::new(size.x, size.y * TALLER) } else { size }
+}
+
+/// The line below a picture with lengths: scale factor and bar.
+#[must_use]
+pub fn length_scale(scale: &Scale) -> Caption {
+    let text = Text::italic("μ").and("l", true, assur_drawing::Level::Sub);
+    let text = text.and(&format!(" = {} m/mm", scale.text()), false, assur_drawing::Level::Base);
+    let (mantissa, exponent) = round_length(scale, BAR);
+    let length = mantissa * libm::pow(10.0, f64::from(exponent)) / scale.factor();
+    let words = match exponent {
+        -1.. => format!("{} m", plain(mantissa, exponent)),
+        -4..=-2 => format!("{} mm", plain(mantissa, exponent + 3)),
+        -7..=-5 => format!("{} µm", plain(mantissa, exponent + 6)),
+        _ => format!("{} m", plain(mantissa, exponent)),
+    };
+    Caption { text, bar: Some((length, Text::upright(&words))) }
+}
+
+/// All that the scheme must contain, m.
+fn extent(scene: &Scene<'_>, shapes: &[LinkShape]) -> Rect {
+    let mut bounds = Rect::NOTHING;
+    let mechanism = scene.mechanism();
+    for (i, shape) in shapes.iter().enumerate() {
+        let link = LinkId::at(i);
+        if link == LinkId::GROUND {
+            shape.joints.iter().for_each(|at| bounds.add(*at));
+        } else if scene.is_placed(link) && !scene.is_in_cylinder(link) {
+            shape.extent(scene, link, &mut bounds);
+        }
+    }
+    profile::extent(scene, &mut bounds);
+    pair::extent(scene, &mut bounds);
+    for spring in &mechanism.springs {
+        for (link, at) in [spring.from, spring.to] {
+            bounds.add(scene.at(link, at));
+        }
+    }
+    bounds
+}
+
+/// A scheme that is being drawn.
+struct Sketch<'a, 's> {
+    scene: &'s Scene<'a>,
+    shapes: &'s [LinkShape],
+    frame: &'s Frame,
+    /// Lines of the links on paper; none for those that have their own symbol.
+    outlines: Vec<Outline>,
+    /// Sentences on loads and drives.
+    said: String,
+    /// Where arrows of loads begin, so that none lies on another.
+    taken: Vec<(Vec2, Vec2)>,
+    /// Blocks on paper: middle, direction, half sizes.
+    blocks: Vec<(LinkId, Vec2, Vec2, Vec2)>,
+    /// Named points that have a label.
+    labelled: Vec<Vec2>,
+    /// Hinges on the ground.
+    supports: Vec<Vec2>,
+}
+
+impl<'a, 's> Sketch<'a, 's> {
+    fn new(scene: &'s Scene<'a>, shapes: &'s [LinkShape], frame: &'s Frame) -> Self {
+        let outline = |(i, shape): (usize, &LinkShape)| {
+            let link = LinkId::at(i);
+            if link == LinkId::GROUND || !scene.is_placed(link) || scene.is_in_cylinder(link) {
+                return Outline::default();
+            }
+            let body = scene.body(link);
+            shape.outline(frame, &|at| body.position(at))
+        };
+        let outlines = shapes.iter().enumerate().map(outline).collect();
+        let (said, taken, blocks) = (String::new(), Vec::new(), Vec::new());
+        let (labelled, supports) = (Vec::new(), Vec::new());
+        Self { scene, shapes, frame, outlines, said, taken, blocks, labelled, supports }
+    }
+
+    /// From the back to the front.
+    fn draw(&mut self, drawing: &mut Drawing, wanted: &Scheme) {
+        self.rails(drawing);
+        self.wheels(drawing);
+        self.profiles(drawing);
+        self.plates(drawing);
+        self.draw_blocks(drawing);
+        self.bars(drawing);
+        self.slots(drawing);
+        self.cylinders(drawing);
+        self.springs(drawing);
+        self.hinges(drawing);
+        self.rollers(drawing);
+        self.points(drawing);
+        self.numbers(drawing);
+        self.drives(drawing);
+        if wanted.loads != Loads::None {
+            self.loads(drawing);
+        }
+        if wanted.loads == Loads::All {
+            self.balances(drawing);
+        }
+    }
+
+    /// A point of a link on paper.
+    fn on_paper(&self, link: LinkId, at: Vec2) -> Vec2 {
+        self.frame.point(self.scene.at(link, at))
+    }
+
+    /// A direction of a link on paper.
+    fn direction(&self, link: LinkId, along: Vec2) -> Vec2 {
+        crate::angles::flipped(along.turned(self.scene.body(link).u))
+    }
+
+    fn link_name(&self, link: LinkId) -> &'a str {
+        &self.scene.mechanism().link(link).name
+    }
+}

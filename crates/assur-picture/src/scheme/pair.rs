@@ -1,0 +1,221 @@
+//! Pairs: hinges, rails, blocks, slots, cylinders; springs.
+
+use super::{LinkId, Sketch};
+use crate::scene::Scene;
+use crate::shape::{Form, SLOT_END, form};
+use crate::symbol::{cylinder, guide, hinge, spring};
+use assur_drawing::{Drawing, Label, Rect, Segment, Shape, Style, Text};
+use assur_math::math::Vec2;
+use assur_model::model::{Guide, PairId, PairKind};
+
+/// How far a rail goes beyond all places of its block, mm.
+const BEYOND: f64 = 9.0;
+/// Half the part of a bar that passes over a hinge in its middle.
+const OVER: f64 = 3.5;
+/// A point that is nearer to the end of a bar is its end, mm.
+const END: f64 = 1.0;
+
+/// The places of pins in slots of the ground, and ways on its rails, m.
+pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
+    for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
+        if let PairKind::Prismatic(g) | PairKind::Slot(g) = &pair.kind
+            && g.guide == LinkId::GROUND
+            && scene.is_placed(g.slider)
+        {
+            let (from, to) = scene.way(PairId::at(i));
+            for s in [from, to] {
+                bounds.add(g.through + g.along * s);
+            }
+        }
+    }
+}
+
+impl<'a> Sketch<'a, '_> {
+    /// Sliding pairs with their guides, those of shafts and sliders without a place left out.
+    fn guides(&self) -> impl Iterator<Item = (PairId, &'a str, &'a Guide, Form)> + use<'a, '_> {
+        let (scene, shapes) = (self.scene, self.shapes);
+        let pairs = scene.mechanism().pairs.iter().enumerate();
+        pairs.filter_map(move |(i, pair)| match &pair.kind {
+            PairKind::Prismatic(g) if pair.bearing.is_none() => {
+                Some((PairId::at(i), pair.name.as_str(), g, form(scene, shapes, g)))
+            }
+            _ => None,
+        })
+    }
+
+    /// Rails of the ground with their axes.
+    pub(super) fn rails(&self, drawing: &mut Drawing) {
+        for (id, name, g, form) in self.guides() {
+            if form != Form::Rail {
+                continue;
+            }
+            drawing.begin("pair", name);
+            let at = self.frame.point(g.through);
+            let along = crate::angles::flipped(g.along);
+            let (least, greatest) = self.scene.way(id);
+            let (low, high) = (self.frame.length(least), self.frame.length(greatest));
+            let ends = self.along_block(g, along);
+            let (from, to) = (low + ends.0 - BEYOND, high + ends.1 + BEYOND);
+            drawing.line(Style::Axis, at + along * (from - 4.0), at + along * (to + 4.0));
+            guide::rail(drawing, at, along, (from, to));
+            let end = at + along * to + guide::below(along) * (guide::BLOCK.y + 2.6);
+            self.ground_number(drawing, end);
+            drawing.end();
+        }
+    }
+
+    /// The ends of a block along its guide, from its point: longer where mass centre or loads are beside it on the guide.
+    fn along_block(&self, g: &Guide, along: Vec2) -> (f64, f64) {
+        let middle = self.on_paper(g.slider, g.point);
+        let shape = &self.shapes[g.slider.index()];
+        let (mut from, mut to) = (0.0_f64, 0.0_f64);
+        for point in shape.attached.iter().chain(&shape.joints) {
+            let d = self.on_paper(g.slider, *point) - middle;
+            if d.cross(along).abs() < 1.0 && d.dot(along).abs() < 25.0 {
+                (from, to) = (from.min(d.dot(along)), to.max(d.dot(along)));
+            }
+        }
+        (from - guide::BLOCK.x, to + guide::BLOCK.x)
+    }
+
+    pub(super) fn draw_blocks(&mut self, drawing: &mut Drawing) {
+        let guides: Vec<_> = self.guides().collect();
+        for (_, name, g, form) in guides {
+            drawing.begin("pair", name);
+            let along = self.direction(g.guide, g.along);
+            let slider = self.on_paper(g.slider, g.point);
+            match form {
+                Form::Rail => {
+                    let ends = self.along_block(g, along);
+                    guide::block(drawing, slider, along, ends, guide::BLOCK.y);
+                    let half = Vec2::new((ends.1 - ends.0) / 2.0, guide::BLOCK.y);
+                    let middle = slider + along * ((ends.0 + ends.1) / 2.0);
+                    self.blocks.push((g.slider, middle, along, half));
+                }
+                Form::Block | Form::FixedSleeve => {
+                    self.sleeve(drawing, g.slider, slider, along);
+                }
+                Form::Sleeve => {
+                    let at = self.on_paper(g.guide, g.through);
+                    self.sleeve(drawing, g.guide, at, along);
+                }
+            }
+            drawing.end();
+        }
+    }
+
+    fn sleeve(&mut self, drawing: &mut Drawing, link: LinkId, at: Vec2, along: Vec2) {
+        guide::block(drawing, at, along, (-guide::SLEEVE.x, guide::SLEEVE.x), guide::SLEEVE.y);
+        if link == LinkId::GROUND {
+            guide::fixed(drawing, at, along);
+        }
+        self.blocks.push((link, at, along, guide::SLEEVE));
+    }
+
+    pub(super) fn slots(&self, drawing: &mut Drawing) {
+        for (i, pair) in self.scene.mechanism().pairs.iter().enumerate() {
+            let PairKind::Slot(g) = &pair.kind else { continue };
+            drawing.begin("pair", &pair.name);
+            let (least, greatest) = self.scene.way(PairId::at(i));
+            let at = self.on_paper(g.guide, g.through);
+            let along = self.direction(g.guide, g.along);
+            let ends = (self.frame.length(least) - SLOT_END, self.frame.length(greatest) + SLOT_END);
+            guide::slot(drawing, at, along, ends, g.guide == LinkId::GROUND);
+            let pin = self.on_paper(g.slider, g.point);
+            drawing.mark(Style::Hinge, Shape::Circle { centre: pin, radius: hinge::PIN });
+            drawing.end();
+        }
+    }
+
+    pub(super) fn cylinders(&self, drawing: &mut Drawing) {
+        for pair in &self.scene.mechanism().pairs {
+            let PairKind::Cylinder { from, to, .. } = &pair.kind else { continue };
+            drawing.begin("pair", &pair.name);
+            let ends = [from, to].map(|pin| self.on_paper(pin.link, pin.at));
+            let least = self.scene.states().map(|state| {
+                let [a, b] = [from, to].map(|pin| state.motion.bodies[pin.link.index()].position(pin.at));
+                self.frame.length((b - a).norm())
+            });
+            let least = least.fold((ends[1] - ends[0]).norm(), f64::min);
+            cylinder::cylinder(drawing, ends[0], ends[1], least);
+            for (pin, at) in [from, to].into_iter().zip(ends) {
+                if pin.link == LinkId::GROUND {
+                    hinge::support(drawing, at);
+                }
+                hinge::moving(drawing, at);
+            }
+            let label = Label::along(Text::name(&pair.name), super::link::POINT, ends[0], ends[1]);
+            drawing.label(label.ranked(3));
+            drawing.end();
+        }
+    }
+
+    pub(super) fn springs(&self, drawing: &mut Drawing) {
+        for item in &self.scene.mechanism().springs {
+            let [a, b] = [item.from, item.to].map(|(link, at)| self.on_paper(link, at));
+            drawing.begin("spring", &item.name);
+            spring::spring(drawing, a, b);
+            if item.from.0 == LinkId::GROUND {
+                hinge::support(drawing, a);
+            }
+            if item.to.0 == LinkId::GROUND {
+                hinge::support(drawing, b);
+            }
+            drawing.label(Label::along(Text::name(&item.name), super::link::POINT, a, b).ranked(3));
+            drawing.end();
+        }
+    }
+
+    /// Hinges, with the bars in whose middle they are drawn over them.
+    pub(super) fn hinges(&mut self, drawing: &mut Drawing) {
+        let scene = self.scene;
+        for pair in &scene.mechanism().pairs {
+            let PairKind::Revolute(pins) = &pair.kind else { continue };
+            let Some(pin) = pins.iter().find(|p| p.link != LinkId::GROUND && scene.is_placed(p.link)) else {
+                continue;
+            };
+            if pins.iter().any(|p| !scene.is_placed(p.link)) {
+                continue;
+            }
+            drawing.begin("pair", &pair.name);
+            let at = self.on_paper(pin.link, pin.at);
+            let fixed = pins.iter().any(|p| p.link == LinkId::GROUND);
+            if fixed {
+                hinge::support(drawing, at);
+                self.supports.push(at);
+            }
+            hinge::moving(drawing, at);
+            if fixed {
+                self.ground_number(drawing, at + Vec2::new(4.0, 5.5));
+            }
+            for pin in pins {
+                self.over(drawing, pin.link, at);
+            }
+            let label = Label::at(Text::name(&pair.name), super::link::POINT, at, hinge::RADIUS).ranked(1);
+            let mut lines = self.lines_at(at);
+            if fixed {
+                lines.extend([Vec2::new(-0.5, 0.86), Vec2::new(0.5, 0.86)]);
+            }
+            let label = match crate::angles::freest(&lines) {
+                Some(direction) => label.towards(direction),
+                None => label,
+            };
+            if !self.labelled.iter().any(|l| (*l - at).norm() < 0.05) {
+                drawing.label(label);
+            }
+            self.labelled.push(at);
+            drawing.end();
+        }
+    }
+
+    /// The bar of a link over a hinge in its middle.
+    fn over(&self, drawing: &mut Drawing, link: LinkId, at: Vec2) {
+        for (a, b) in &self.outlines[link.index()].bars {
+            let segment = Segment { a: *a, b: *b };
+            let inside = (at - *a).norm() > END + hinge::RADIUS && (at - *b).norm() > END + hinge::RADIUS;
+            if let (true, Some(along)) = (inside && segment.distance(at) < 0.1, (*b - *a).unit()) {
+                drawing.line(Style::Link, at - along * OVER, at + along * OVER);
+            }
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! Profiles that touch: circles, lines, points, designed cams; wheels seen from the front.
+
+use super::Sketch;
+use crate::scene::Scene;
+use crate::symbol::{hinge, mass};
+use assur_drawing::{Drawing, Rect, Shape, Style};
+use assur_math::math::Vec2;
+use assur_model::model::{LinkId, PairId, PairKind, Profile, ProfileShape, TransmissionKind, Wheel};
+
+/// How far a flat face goes beyond its contact, mm.
+const FACE: f64 = 7.0;
+/// A circle of less than this is a roller, mm.
+const LEAST: f64 = 0.6;
+/// Steps of a cam's profile.
+const STEPS: u32 = 360;
+
+/// What profiles and wheels take, m.
+pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
+    let mut round = |centre: Vec2, radius: f64| {
+        bounds.add(centre - Vec2::new(radius, radius));
+        bounds.add(centre + Vec2::new(radius, radius));
+    };
+    for pair in &scene.mechanism().pairs {
+        let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
+        for profile in [first, second] {
+            match profile.shape {
+                ProfileShape::Circle(centre, radius) => round(scene.at(profile.link, centre), radius),
+                ProfileShape::Rim(contact) => {
+                    let Some(contact) = scene.mechanism().cam_contacts.get(contact) else { continue };
+                    let Some(plate) = scene.mechanism().cams.get(contact.cam) else { continue };
+                    let centre = scene.at(contact.disk, contact.centre);
+                    let greatest =
+                        (0..STEPS).step_by(6).map(|i| plate.cam.at(f64::from(i).to_radians()).contact.norm());
+                    round(centre, greatest.fold(0.0, f64::max));
+                }
+                ProfileShape::Point(_) | ProfileShape::Line(..) => {}
+            }
+        }
+    }
+    for wheel in front(scene) {
+        if let Some(centre) = wheel.centre {
+            round(scene.at(wheel.link, centre), wheel.radius);
+        }
+    }
+}
+
+/// The wheels whose place and size are known.
+fn front<'a>(scene: &Scene<'a>) -> impl Iterator<Item = &'a Wheel> {
+    let mechanism = scene.mechanism();
+    let open = |wheel: &Wheel| mechanism.open_sizes.iter().any(|o| o.wheel == wheel.name);
+    let placed: Vec<bool> = (0..mechanism.links.len()).map(|i| scene.is_placed(LinkId::at(i))).collect();
+    mechanism.wheels.iter().filter(move |w| w.centre.is_some() && placed[w.link.index()] && !open(w))
+}
+
+impl Sketch<'_, '_> {
+    /// Pitch circles.
+    pub(super) fn wheels(&self, drawing: &mut Drawing) {
+        for wheel in front(self.scene) {
+            let Some(centre) = wheel.centre else { continue };
+            drawing.begin("wheel", &wheel.name);
+            let at = self.on_paper(wheel.link, centre);
+            drawing
+                .mark(Style::Medium, Shape::Circle { centre: at, radius: self.frame.length(wheel.radius) });
+            drawing.end();
+        }
+        self.racks(drawing);
+    }
+
+    /// The pitch lines of racks.
+    fn racks(&self, drawing: &mut Drawing) {
+        for pair in &self.scene.mechanism().pairs {
+            let PairKind::Transmission(t) = &pair.kind else { continue };
+            if t.kind != TransmissionKind::Rack {
+                continue;
+            }
+            let Some(meeting) = &t.meeting else { continue };
+            let _ = meeting;
+            drawing.begin("pair", &pair.name);
+            drawing.end();
+        }
+    }
+
+    /// Cams, discs, faces.
+    pub(super) fn profiles(&self, drawing: &mut Drawing) {
+        for (i, pair) in self.scene.mechanism().pairs.iter().enumerate() {
+            let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
+            for profile in [first, second] {
+                drawing.begin("profile", &profile.name);
+                match profile.shape {
+                    ProfileShape::Circle(centre, radius) if !self.is_roller(profile, centre) => {
+                        let centre = self.on_paper(profile.link, centre);
+                        drawing
+                            .mark(Style::Plate, Shape::Circle { centre, radius: self.frame.length(radius) });
+                    }
+                    ProfileShape::Line(at, along) => self.face(drawing, PairId::at(i), profile, at, along),
+                    ProfileShape::Rim(contact) => self.rim(drawing, contact),
+                    ProfileShape::Circle(..) | ProfileShape::Point(_) => {}
+                }
+                drawing.end();
+            }
+        }
+    }
+
+    /// Whether a circle is the roller at the end of a link, and not a disc that turns about another point.
+    fn is_roller(&self, profile: &Profile, centre: Vec2) -> bool {
+        let joints = &self.shapes[profile.link.index()].joints;
+        let apart = |a: Vec2, b: Vec2| self.frame.length((a - b).norm()) > LEAST;
+        let hinged = self.scene.mechanism().pairs.iter().filter_map(|p| match &p.kind {
+            PairKind::Revolute(pins) => pins.iter().find(|pin| pin.link == profile.link).map(|pin| pin.at),
+            _ => None,
+        });
+        let radius = if let ProfileShape::Circle(_, r) = profile.shape { r } else { 0.0 };
+        let inside = |at: Vec2| (at - centre).norm() < radius;
+        // a disc has its hinge inside
+        let disc = hinged.clone().any(|at| apart(at, centre) && inside(at));
+        !disc && joints.iter().any(|j| apart(*j, centre))
+            || hinged.clone().count() == 1 && !hinged.clone().any(|at| apart(at, centre))
+    }
+
+    /// Rollers, over the links that carry them.
+    pub(super) fn rollers(&self, drawing: &mut Drawing) {
+        for pair in &self.scene.mechanism().pairs {
+            let PairKind::Contact { first, second, .. } = &pair.kind else { continue };
+            for profile in [first, second] {
+                let ProfileShape::Circle(at, radius) = profile.shape else { continue };
+                if !self.is_roller(profile, at) {
+                    continue;
+                }
+                drawing.begin("profile", &profile.name);
+                let centre = self.on_paper(profile.link, at);
+                drawing.mark(Style::Medium, Shape::Circle { centre, radius: self.frame.length(radius) });
+                hinge::moving(drawing, centre);
+                drawing.end();
+            }
+            if let Some((at, _)) = self.scene.view().contact_normal(self.id(pair)) {
+                drawing.begin("pair", &pair.name);
+                mass::point(drawing, self.frame.point(at));
+                drawing.end();
+            }
+        }
+    }
+
+    fn id(&self, pair: &assur_model::model::Pair) -> PairId {
+        let pairs = &self.scene.mechanism().pairs;
+        PairId::at(pairs.iter().position(|p| std::ptr::eq(p, pair)).unwrap_or(0))
+    }
+
+    /// A flat face around its contact, joined to the rest of its link.
+    fn face(&self, drawing: &mut Drawing, pair: PairId, profile: &Profile, at: Vec2, along: Vec2) {
+        let on_paper = |p: Vec2| self.on_paper(profile.link, p);
+        let start = on_paper(at);
+        let along_paper = self.direction(profile.link, along);
+        let touch = self.scene.view().contact_normal(pair).map_or(start, |(p, _)| self.frame.point(p));
+        let (mut from, mut to) = ((touch - start).dot(along_paper), (touch - start).dot(along_paper));
+        let joints = self.shapes[profile.link.index()].joints.iter().map(|j| on_paper(*j));
+        let mut feet = Vec::new();
+        for joint in joints {
+            let s = (joint - start).dot(along_paper);
+            let foot = start + along_paper * s;
+            (from, to) = (from.min(s), to.max(s));
+            if (joint - foot).norm() > 0.3 {
+                feet.push((joint, foot));
+            }
+        }
+        if profile.link == LinkId::GROUND {
+            let (a, b) = (start + along_paper * (from - FACE), start + along_paper * (to + FACE));
+            drawing.line(Style::Link, a, b);
+            hinge::hatch(drawing, a, b, crate::symbol::guide::below(along_paper));
+            return;
+        }
+        drawing.line(Style::Link, start + along_paper * (from - FACE), start + along_paper * (to + FACE));
+        for (joint, foot) in feet {
+            drawing.line(Style::Link, joint, foot);
+        }
+    }
+
+    /// The profile of a designed cam, its base circle, and the path of a roller's centre.
+    fn rim(&self, drawing: &mut Drawing, contact: usize) {
+        let mechanism = self.scene.mechanism();
+        let Some(contact) = mechanism.cam_contacts.get(contact) else { return };
+        let Some(plate) = mechanism.cams.get(contact.cam) else { return };
+        let place = |v: Vec2| self.on_paper(contact.disk, contact.centre + v);
+        let around = |of: &dyn Fn(f64) -> Vec2| {
+            (0..STEPS).map(|i| place(of(f64::from(i).to_radians()))).collect::<Vec<_>>()
+        };
+        let cam = &plate.cam;
+        let rim = around(&|phi| cam.in_cam(cam.at(phi).contact, phi));
+        drawing.mark(Style::Plate, Shape::polygon(rim));
+        let centre = place(Vec2::zero());
+        if cam.follower.shape().radius() > 0.0 {
+            let pitch = around(&|phi| cam.in_cam(cam.at(phi).tip, phi));
+            drawing.mark(Style::Way, Shape::polygon(pitch));
+        }
+        let radius = self.frame.length(cam.base_radius);
+        drawing.mark(Style::Axis, Shape::Circle { centre, radius });
+    }
+}

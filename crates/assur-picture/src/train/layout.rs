@@ -1,0 +1,311 @@
+//! Where shafts, wheels and sliders are in the section. Levels grow upwards, mm; y of paper is their negative.
+
+use crate::scene::Scene;
+use assur_math::math::Vec2;
+use assur_model::model::{Bearing, LinkId, Mechanism, PairKind, Rate, Transmission, TransmissionKind};
+
+/// Radius of the largest wheel, and the least that is drawn.
+const LARGEST: f64 = 24.0;
+const LEAST: f64 = 5.0;
+/// From column to column.
+pub const COLUMN: f64 = 22.0;
+/// What a shaft is longer than its wheels, on the side of its bearing and on the other.
+const LONG: f64 = 15.0;
+const SHORT: f64 = 4.5;
+/// Between two wheels of a belt, and between shafts that nothing joins.
+const GAP: f64 = 16.0;
+
+/// A shaft.
+#[derive(Clone, Debug)]
+pub struct Shaft {
+    /// Its link.
+    pub link: LinkId,
+    /// The link on which it turns.
+    pub on: LinkId,
+    /// Height of its axis.
+    pub level: f64,
+    /// Where it begins and ends.
+    pub ends: (f64, f64),
+    /// Its bearing is at the right end.
+    pub right: bool,
+}
+
+/// A wheel in the section.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// Index into the mechanism's wheels.
+    pub wheel: usize,
+    /// Its radius, mm.
+    pub radius: f64,
+    /// Its column.
+    pub x: f64,
+    /// Height of its axis.
+    pub level: f64,
+    /// The wheel lies within this one; where they touch.
+    pub ring_at: Option<f64>,
+}
+
+/// All places.
+#[derive(Clone, Debug, Default)]
+pub struct Layout {
+    /// Shafts.
+    pub shafts: Vec<Shaft>,
+    /// Wheels.
+    pub wheels: Vec<Drawn>,
+    /// Sliders with the middle of their blocks, on paper.
+    pub sliders: Vec<(LinkId, Vec2)>,
+}
+
+/// Two wheels that run on each other.
+struct Run {
+    wheels: [usize; 2],
+    internal: bool,
+    apart: bool,
+}
+
+impl Layout {
+    /// The section of a mechanism.
+    pub fn of(scene: &Scene<'_>) -> Self {
+        let mechanism = scene.mechanism();
+        let drawn: Vec<usize> = (0..mechanism.wheels.len())
+            .filter(|i| {
+                let wheel = &mechanism.wheels[*i];
+                !scene.is_placed(wheel.link) || wheel.centre.is_none()
+            })
+            .collect();
+        let runs = runs(mechanism, &drawn);
+        let mut layout = Self { shafts: shafts(mechanism), ..Self::default() };
+        let radii = radii(mechanism, &drawn);
+        let columns = columns(&drawn, &runs);
+        for (i, wheel) in drawn.iter().enumerate() {
+            let x = COLUMN * columns[i] as f64;
+            layout.wheels.push(Drawn { wheel: *wheel, radius: radii[i], x, level: 0.0, ring_at: None });
+        }
+        let levels = layout.levels(mechanism, &runs);
+        for (shaft, level) in layout.shafts.iter_mut().zip(&levels) {
+            shaft.level = level.unwrap_or(0.0);
+        }
+        for wheel in &mut layout.wheels {
+            let link = mechanism.wheels[wheel.wheel].link;
+            wheel.level = layout.shafts.iter().find(|s| s.link == link).map_or(0.0, |s| s.level);
+        }
+        layout.rings(mechanism, &runs);
+        layout.ends(mechanism);
+        layout.place_sliders(mechanism);
+        layout
+    }
+
+    /// Heights of the shafts, each from one that it meshes with.
+    fn levels(&self, mechanism: &Mechanism, runs: &[Run]) -> Vec<Option<f64>> {
+        let mut levels: Vec<Option<f64>> = vec![None; self.shafts.len()];
+        let shaft_of = |link: LinkId| self.shafts.iter().position(|s| s.link == link);
+        let of_wheel = |i: usize| shaft_of(mechanism.wheels[self.wheels[i].wheel].link);
+        let carrier = |shaft: usize| shaft_of(self.shafts[shaft].on);
+        let mut next = 0.0;
+        loop {
+            let mut changed = false;
+            for run in runs {
+                for [a, b] in [run.wheels, [run.wheels[1], run.wheels[0]]] {
+                    let (Some(from), Some(to)) = (of_wheel(a), of_wheel(b)) else { continue };
+                    let (Some(level), None) = (levels[from], levels[to]) else { continue };
+                    let (r_a, r_b) = (self.wheels[a].radius, self.wheels[b].radius);
+                    let coaxial = carrier(from).and_then(|c| levels[c]);
+                    levels[to] = Some(match coaxial {
+                        // a central wheel of a planet is on the axis of its carrier
+                        Some(axis) if carrier(to).is_none() => axis,
+                        _ if run.internal => level + r_a - r_b,
+                        _ if run.apart => level + r_a + r_b + GAP,
+                        _ => level + r_a + r_b,
+                    });
+                    if let Some(c) = carrier(to).filter(|c| levels[*c].is_none()) {
+                        levels[c] = Some(level);
+                    }
+                    changed = true;
+                }
+            }
+            for (shaft, on) in clutches(mechanism) {
+                let (Some(a), Some(b)) = (shaft_of(shaft), shaft_of(on)) else { continue };
+                match (levels[a], levels[b]) {
+                    (Some(level), None) => (levels[b], changed) = (Some(level), true),
+                    (None, Some(level)) => (levels[a], changed) = (Some(level), true),
+                    _ => {}
+                }
+            }
+            if changed {
+                continue;
+            }
+            // a planet starts no row of its own where its carrier or another shaft is left
+            let free = |i: &usize| levels[*i].is_none();
+            let first = (0..levels.len()).filter(free).min_by_key(|i| (carrier(*i).is_some(), *i));
+            let Some(first) = first else { return levels };
+            let highest = levels.iter().flatten().copied().fold(f64::NEG_INFINITY, f64::max);
+            next = if highest.is_finite() { highest + 2.0 * LARGEST + GAP } else { next };
+            levels[first] = Some(next);
+        }
+    }
+
+    /// Where rings touch their inner wheels.
+    fn rings(&mut self, mechanism: &Mechanism, runs: &[Run]) {
+        for run in runs.iter().filter(|r| r.internal) {
+            let [a, b] = run.wheels;
+            let (ring, inner) = if self.wheels[a].radius >= self.wheels[b].radius { (a, b) } else { (b, a) };
+            let touch = self.wheels[inner].level + self.wheels[inner].radius;
+            self.wheels[ring].ring_at = Some(touch);
+            if mechanism.wheels[self.wheels[ring].wheel].link == LinkId::GROUND {
+                self.wheels[ring].level = self.wheels[inner].level;
+            }
+        }
+    }
+
+    /// Begins and ends of the shafts; the first on an axis has its bearing on the left, others on the right.
+    fn ends(&mut self, mechanism: &Mechanism) {
+        let mut used: Vec<(f64, f64, f64)> = Vec::new();
+        let widest = self.wheels.iter().map(|w| w.x).fold(0.0, f64::max);
+        for i in 0..self.shafts.len() {
+            let shaft = self.shafts[i].clone();
+            let own = |w: &&Drawn| mechanism.wheels[w.wheel].link == shaft.link;
+            let of_planets = |w: &&Drawn| {
+                let link = mechanism.wheels[w.wheel].link;
+                self.shafts.iter().any(|s| s.link == link && s.on == shaft.link)
+            };
+            let xs: Vec<f64> = self.wheels.iter().filter(own).map(|w| w.x).collect();
+            let arms: Vec<f64> = self.wheels.iter().filter(of_planets).map(|w| w.x + COLUMN / 2.0).collect();
+            let bell = self.wheels.iter().filter(own).any(|w| w.ring_at.is_some());
+            let all = xs.iter().map(|x| if bell { x + 8.0 } else { *x }).chain(arms.iter().copied());
+            let (low, high) = all.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+            let (low, high) = if low > high { (widest + COLUMN, widest + COLUMN) } else { (low, high) };
+            let planet = shaft.on != LinkId::GROUND;
+            let clash = |from: f64, to: f64| {
+                used.iter().any(|(l, a, b)| (l - shaft.level).abs() < 4.0 && from < *b + 1.0 && *a < to + 1.0)
+            };
+            let left = (low - LONG, high + if arms.is_empty() { SHORT } else { 0.0 });
+            let right = (low - if arms.is_empty() && !bell { SHORT } else { 0.0 }, high + LONG);
+            let is_right = !planet && (bell || !arms.is_empty() || clash(left.0, left.1));
+            self.shafts[i].right = is_right;
+            self.shafts[i].ends = if planet {
+                (low - SHORT, high + COLUMN / 2.0)
+            } else if is_right {
+                right
+            } else {
+                left
+            };
+            used.push((shaft.level, self.shafts[i].ends.0, self.shafts[i].ends.1));
+        }
+    }
+
+    /// Sliders hang below the wheels, side by side.
+    fn place_sliders(&mut self, mechanism: &Mechanism) {
+        let wheels = self.wheels.iter().map(|w| w.level - w.radius);
+        let lowest = wheels.chain(self.shafts.iter().map(|s| s.level - 6.0)).fold(0.0, f64::min);
+        let start = self.wheels.iter().map(|w| w.x).fold(-COLUMN, f64::max) + COLUMN;
+        let open = mechanism.pairs.iter().filter(|p| p.bearing == Some(Bearing::Open));
+        let sliders = open.filter_map(|p| match &p.kind {
+            PairKind::Prismatic(g) => Some(g.slider),
+            _ => None,
+        });
+        for (i, link) in sliders.enumerate() {
+            let below = self.rope_wheel(mechanism, link).map_or(start + COLUMN * i as f64, |w| w.x + 3.5);
+            let taken = |x: f64| self.sliders.iter().any(|(_, at)| (at.x - x).abs() < 14.0);
+            let x = (0..).map(|n| below + 15.0 * f64::from(n)).find(|x| !taken(*x)).unwrap_or(below);
+            self.sliders.push((link, Vec2::new(x, -lowest + 14.0)));
+        }
+    }
+
+    /// The wheel from which the rope of a slider hangs.
+    fn rope_wheel(&self, mechanism: &Mechanism, slider: LinkId) -> Option<&Drawn> {
+        mechanism.pairs.iter().find_map(|pair| {
+            let PairKind::Transmission(t) = &pair.kind else { return None };
+            let name = &mechanism.link(slider).name;
+            let hangs = t.kind == TransmissionKind::Rope && t.ends.len() == 2 && t.ends.contains(name);
+            let ends = t.ends.iter().filter(|_| hangs);
+            ends.filter_map(|end| {
+                wheel_named(mechanism, end.trim_start_matches("over(").trim_end_matches(')'))
+            })
+            .find_map(|wheel| self.wheel(wheel))
+        })
+    }
+
+    /// The wheel of an index of the mechanism.
+    pub fn wheel(&self, index: usize) -> Option<&Drawn> {
+        self.wheels.iter().find(|w| w.wheel == index)
+    }
+}
+
+fn shafts(mechanism: &Mechanism) -> Vec<Shaft> {
+    let open = mechanism.pairs.iter().filter(|p| p.bearing == Some(Bearing::Open));
+    let shafts = open.filter_map(|p| match &p.kind {
+        PairKind::Revolute(pins) => Some((pins.first()?.link, pins.last()?.link)),
+        _ => None,
+    });
+    shafts.map(|(on, link)| Shaft { link, on, level: 0.0, ends: (0.0, 0.0), right: false }).collect()
+}
+
+/// Shafts that a clutch joins.
+fn clutches(mechanism: &Mechanism) -> Vec<(LinkId, LinkId)> {
+    let transmissions = mechanism.pairs.iter().filter_map(|p| match &p.kind {
+        PairKind::Transmission(t) if t.kind == TransmissionKind::Clutch => Some(t),
+        _ => None,
+    });
+    transmissions.filter_map(|t| Some((*t.links.first()?, *t.links.get(1)?))).collect()
+}
+
+/// The index of a wheel by the name of an end.
+pub fn wheel_named(mechanism: &Mechanism, end: &str) -> Option<usize> {
+    let bare = end.rsplit('.').next().unwrap_or(end);
+    mechanism.wheels.iter().position(|w| w.name == bare || w.name == end)
+}
+
+fn runs(mechanism: &Mechanism, drawn: &[usize]) -> Vec<Run> {
+    let mut runs = Vec::new();
+    for pair in &mechanism.pairs {
+        let PairKind::Transmission(t) = &pair.kind else { continue };
+        let apart = matches!(t.kind, TransmissionKind::Belt | TransmissionKind::Chain);
+        if !apart && !matches!(t.kind, TransmissionKind::Mesh | TransmissionKind::Worm) {
+            continue;
+        }
+        let [first, second] = t.ends.as_slice() else { continue };
+        let place = |end: &str| drawn.iter().position(|i| Some(*i) == wheel_named(mechanism, end));
+        if let (Some(a), Some(b)) = (place(first), place(second)) {
+            let links = [a, b].map(|i| mechanism.wheels[drawn[i]].link);
+            let internal = t.kind == TransmissionKind::Mesh && is_internal(t, links);
+            runs.push(Run { wheels: [a, b], internal, apart });
+        }
+    }
+    runs
+}
+
+/// Whether one wheel lies within the other: then both turn in one sense, seen from their carrier.
+fn is_internal(t: &Transmission, links: [LinkId; 2]) -> bool {
+    if let Some(meeting) = &t.meeting {
+        return meeting.internal;
+    }
+    let Some(law) = t.laws.first() else { return false };
+    let term = |link: LinkId| law.terms.iter().find(|(r, _)| *r == Rate::Turn(link)).map(|t| t.1);
+    match links.map(term) {
+        [Some(a), Some(b)] => a * b < 0.0,
+        [Some(own), None] | [None, Some(own)] => {
+            let other = law.terms.iter().find(|(r, _)| r.turning().is_some_and(|l| !links.contains(&l)));
+            other.is_some_and(|(_, c)| c * own > 0.0)
+        }
+        [None, None] => false,
+    }
+}
+
+fn radii(mechanism: &Mechanism, drawn: &[usize]) -> Vec<f64> {
+    let largest = drawn.iter().map(|i| mechanism.wheels[*i].radius).fold(0.0, f64::max);
+    let radius = |i: &usize| (LARGEST * mechanism.wheels[*i].radius / largest).max(LEAST);
+    drawn.iter().map(|i| if largest > 0.0 { radius(i) } else { LARGEST / 2.0 }).collect()
+}
+
+/// Wheels that run on each other share a column; columns are in the order of the wheels.
+fn columns(drawn: &[usize], runs: &[Run]) -> Vec<usize> {
+    let mut same: Vec<usize> = (0..drawn.len()).collect();
+    for run in runs {
+        let [a, b] = run.wheels.map(|i| same[i]);
+        same.iter_mut().filter(|s| **s == a.max(b)).for_each(|s| *s = a.min(b));
+    }
+    let mut order: Vec<usize> = same.clone();
+    order.sort_unstable();
+    order.dedup();
+    same.iter().map(|s| order.iter().position(|o| o == s).unwrap_or(0)).collect()
+}

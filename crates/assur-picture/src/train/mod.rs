@@ -1,0 +1,216 @@
+//! Shafts without places: the half section of the schoolbook, laid out in order of the meshes. Sizes are relative.
+
+mod layout;
+mod wheels;
+
+use crate::error::Missing;
+use crate::scene::Scene;
+use crate::symbol::{arrow, hinge};
+use assur_drawing::{Drawing, Label, Shape, Style, Text};
+use assur_math::math::Vec2;
+use assur_model::model::{BalanceKind, DriveTarget, LinkId, LoadId, LoadKind, PairId, Query, Value};
+use layout::{Layout, Shaft};
+use std::f64::consts::FRAC_PI_2;
+
+/// Sizes of letters.
+const NAME: f64 = 3.8;
+const LETTERS: f64 = 4.2;
+/// Half the length of a bearing, and its distance from the shaft.
+const BEARING: Vec2 = Vec2::new(3.0, 1.6);
+/// From the end of a shaft to its bearing.
+const TO_BEARING: f64 = 6.0;
+/// Radius and angle of the arrow of a turning shaft.
+const TURN: (f64, f64) = (3.4, 2.4);
+/// Half the height of a block, and its half length.
+const BLOCK: Vec2 = Vec2::new(5.0, 3.4);
+
+/// Whether a file has shafts or sliders without a place.
+pub fn has_train(scene: &Scene<'_>) -> bool {
+    (1..scene.mechanism().links.len()).any(|i| !scene.is_placed(LinkId::at(i)))
+}
+
+/// The section of all shafts without a place.
+///
+/// # Errors
+/// There are none.
+pub fn train(scene: &Scene<'_>) -> Result<Drawing, Missing> {
+    if !has_train(scene) {
+        return Err(Missing::NoTrain);
+    }
+    let layout = Layout::of(scene);
+    let mechanism = scene.mechanism();
+    let title =
+        format!("{}: train in section{}", crate::words::title(scene), crate::words::at_position(scene));
+    let mut drawing = Drawing::new(&crate::words::id(scene, "train"), title, said(scene));
+    for shaft in &layout.shafts {
+        drawing.begin("link", &mechanism.link(shaft.link).name);
+        draw_shaft(scene, &layout, shaft, &mut drawing);
+        drawing.end();
+    }
+    wheels::draw(scene, &layout, &mut drawing);
+    wheels::transmissions(scene, &layout, &mut drawing);
+    sliders(scene, &layout, &mut drawing);
+    efforts(scene, &layout, &mut drawing);
+    let note = if mechanism.open_sizes.is_empty() {
+        "Section, not to scale: axial places and small wheels are chosen for the drawing."
+    } else {
+        "Section, not to scale: sizes that the file leaves open are assumed."
+    };
+    drawing.caption(Text::upright(note));
+    Ok(drawing)
+}
+
+fn said(scene: &Scene<'_>) -> String {
+    let mechanism = scene.mechanism();
+    let wheels = mechanism.wheels.iter().map(|w| {
+        let teeth = w.teeth.map(|z| format!(", {z} teeth")).unwrap_or_default();
+        format!("{} on {}{teeth}", w.name, mechanism.link(w.link).name)
+    });
+    let wheels: Vec<String> = wheels.collect();
+    let mut said = crate::words::mechanism(scene);
+    if !wheels.is_empty() {
+        said += &format!("Wheels: {}. ", wheels.join("; "));
+    }
+    let speeds = (1..mechanism.links.len()).filter_map(|i| {
+        let omega = scene.body(LinkId::at(i)).omega;
+        let turns = omega != 0.0 && omega.is_finite();
+        turns.then(|| {
+            format!("ω of {} {} rad/s", mechanism.links[i].name, assur_text::units::significant(omega, 5))
+        })
+    });
+    let speeds: Vec<String> = speeds.collect();
+    if !speeds.is_empty() {
+        said += &format!("{}.", speeds.join(", "));
+    }
+    said
+}
+
+/// A shaft with its bearing and its name; of one on a carrier the arm of the carrier ends at it.
+fn draw_shaft(scene: &Scene<'_>, layout: &Layout, shaft: &Shaft, drawing: &mut Drawing) {
+    let at = |x: f64| Vec2::new(x, -shaft.level);
+    let (from, to) = shaft.ends;
+    drawing.line(Style::Link, at(from), at(to));
+    let end = if shaft.right { to } else { from };
+    if shaft.on == LinkId::GROUND {
+        let middle = if shaft.right { to - TO_BEARING } else { from + TO_BEARING };
+        bearing(drawing, at(middle));
+    } else if let Some(carrier) = layout.shafts.iter().find(|s| s.link == shaft.on) {
+        // the arm, from the axis of the carrier
+        drawing.line(Style::Link, at(to), Vec2::new(to, -carrier.level));
+        let small = at((from + to) / 2.0 + 6.0);
+        for side in [-1.6, 1.6] {
+            let line = Vec2::new(2.2, 0.0);
+            let middle = Vec2::new(small.x, small.y + side);
+            drawing.line(Style::Medium, middle - line, middle + line);
+        }
+    }
+    let out = if shaft.right { Vec2::new(1.0, -0.4) } else { Vec2::new(-1.0, -0.4) };
+    let text = Text::upright(scene.link_label(shaft.link));
+    drawing.label(Label::at(text, NAME, at(end), 0.6).towards(out).ranked(2));
+}
+
+fn bearing(drawing: &mut Drawing, at: Vec2) {
+    for side in [-1.0, 1.0] {
+        let middle = at + Vec2::new(0.0, side * BEARING.y);
+        let line = Vec2::new(BEARING.x, 0.0);
+        drawing.line(Style::Medium, middle - line, middle + line);
+        hinge::hatch(drawing, middle - line, middle + line, Vec2::new(0.0, side));
+    }
+}
+
+/// Sliders as blocks.
+fn sliders(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
+    for (link, at) in &layout.sliders {
+        drawing.begin("link", &scene.mechanism().link(*link).name);
+        let corner = |x: f64, y: f64| *at + Vec2::new(x * BLOCK.x, y * BLOCK.y);
+        let corners = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        drawing.mark(Style::Block, Shape::polygon(corners));
+        let text = Text::upright(scene.link_label(*link));
+        drawing.label(Label::at(text, NAME, *at, BLOCK.x).towards(Vec2::new(1.0, 0.0)).ranked(2));
+        drawing.end();
+    }
+}
+
+/// Arrows at the ends of shafts and at sliders, none on another.
+struct Arrows<'l> {
+    layout: &'l Layout,
+    taken: Vec<LinkId>,
+}
+
+impl Arrows<'_> {
+    fn draw(&mut self, drawing: &mut Drawing, link: LinkId, style: Style, positive: bool, name: Text) {
+        let count = self.taken.iter().filter(|t| **t == link).count();
+        self.taken.push(link);
+        let label = if let Some(shaft) = self.layout.shafts.iter().find(|s| s.link == link) {
+            let (end, inward) =
+                if shaft.right { (shaft.ends.1 - 1.5, -1.0) } else { (shaft.ends.0 + 1.5, 1.0) };
+            let inside = if count == 0 { 0.0 } else { 9.0 + 3.5 * count as f64 };
+            let at = Vec2::new(end + inward * inside, -shaft.level);
+            arrow::turn(drawing, style, at, TURN.0, (FRAC_PI_2, TURN.1), positive);
+            let top = at - Vec2::new(0.0, TURN.0);
+            Label::at(name, LETTERS, top, 0.5).towards(Vec2::new(0.0, -1.0))
+        } else if let Some((_, at)) = self.layout.sliders.iter().find(|s| s.0 == link) {
+            let way = if positive { Vec2::new(0.0, -1.0) } else { Vec2::new(0.0, 1.0) };
+            // beside the rope
+            let from = *at + Vec2::new(2.2 * (count + 1) as f64, way.y * (BLOCK.y + 0.4));
+            drawing.mark(style, Shape::Arrow(from, from + way * 11.0));
+            Label::along(name, LETTERS, from + way * 5.0, from + way * 12.0)
+        } else {
+            return;
+        };
+        drawing.label(label.coloured(style.text_role()).ranked(1));
+    }
+}
+
+/// The moving link of a pair.
+fn moving(scene: &Scene<'_>, pair: PairId) -> LinkId {
+    let links = scene.mechanism().pair(pair).kind.links();
+    links.into_iter().find(|l| *l != LinkId::GROUND).unwrap_or(LinkId::GROUND)
+}
+
+/// Drives, loads and unknown efforts.
+fn efforts(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
+    let mechanism = scene.mechanism();
+    let mut arrows = Arrows { layout, taken: Vec::new() };
+    for drive in &mechanism.drives {
+        let link = match drive.target {
+            DriveTarget::Link(link) => link,
+            DriveTarget::Pair(pair) => moving(scene, pair),
+            DriveTarget::Point(..) => continue,
+        };
+        let speed = drive.speed.as_ref().map(|e| scene.view().scalar(e)).or(drive.sense).unwrap_or(1.0);
+        let slides = layout.sliders.iter().any(|s| s.0 == link);
+        drawing.begin("drive", &drive.name);
+        let name = scene.indexed(if slides { "v" } else { "ω" }, link);
+        arrows.draw(drawing, link, Style::Drive, speed > 0.0, name);
+        drawing.end();
+    }
+    for (i, load) in mechanism.loads.iter().enumerate() {
+        let Some(link) = load.link().filter(|l| !scene.is_placed(*l)) else { continue };
+        let fallback = if matches!(load.kind, LoadKind::Torque { .. }) { "M" } else { "F" };
+        let name = scene.load_name(load).unwrap_or_else(|| Text::italic(fallback));
+        let positive = match scene.view().query(&Query::Load(LoadId::at(i))) {
+            Value::Scalar(x) if x != 0.0 => x > 0.0,
+            Value::Vector(v) if v.norm() > 0.0 => v.x + v.y > 0.0,
+            _ => continue,
+        };
+        drawing.begin("load", &name.plain());
+        arrows.draw(drawing, link, Style::Force, positive, name);
+        drawing.end();
+    }
+    for balance in &mechanism.balances {
+        for place in balance.kind.places() {
+            let link = match place {
+                BalanceKind::Torque(link) => *link,
+                BalanceKind::Force { on, .. } => *on,
+                BalanceKind::InPair(pair) => moving(scene, *pair),
+                BalanceKind::Several(_) => continue,
+            };
+            if !scene.is_placed(link) {
+                drawing.begin("balance", &balance.name);
+                arrows.draw(drawing, link, Style::Unknown, true, Text::name(&balance.name));
+                drawing.end();
+            }
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! Wheels in section, and what runs between them.
+
+use super::NAME;
+use super::layout::{Drawn, Layout, wheel_named};
+use crate::scene::Scene;
+use crate::symbol::hinge;
+use assur_drawing::{Drawing, Label, Shape, Style, Text};
+use assur_math::math::Vec2;
+use assur_model::model::{LinkId, Mechanism, PairKind, Transmission, TransmissionKind};
+
+/// Half the width of a wheel's face.
+const FACE: f64 = 3.5;
+/// Half the gap between the faces of two wheels that mesh.
+const GAP: f64 = 0.55;
+/// How far a ring goes beyond its teeth, and beside them.
+const RING: Vec2 = Vec2::new(8.0, 4.5);
+/// Radius of the pulley of a rope that has no wheel.
+const PULLEY: f64 = 4.0;
+
+/// All wheels.
+pub fn draw(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
+    for drawn in &layout.wheels {
+        let wheel = &scene.mechanism().wheels[drawn.wheel];
+        drawing.begin("wheel", &wheel.name);
+        let face = |drawing: &mut Drawing, level: f64| {
+            let at = Vec2::new(drawn.x, -level);
+            drawing.line(Style::Link, at - Vec2::new(FACE, 0.0), at + Vec2::new(FACE, 0.0));
+        };
+        let top = match drawn.ring_at {
+            Some(touch) => {
+                face(drawing, touch + GAP);
+                ring(drawing, drawn, touch + GAP, wheel.link);
+                touch + GAP
+            }
+            None => {
+                let reach = drawn.radius - GAP;
+                let (low, high) = (drawn.level - reach, drawn.level + reach);
+                drawing.line(Style::Link, Vec2::new(drawn.x, -low), Vec2::new(drawn.x, -high));
+                face(drawing, low);
+                face(drawing, high);
+                high
+            }
+        };
+        let at = Vec2::new(drawn.x + FACE, -top);
+        let towards = Vec2::new(1.0, 0.3);
+        drawing.label(Label::at(Text::name(&wheel.name), NAME, at, 0.4).towards(towards).ranked(3));
+        drawing.end();
+    }
+}
+
+/// The rim of a ring: hatched where it is of the ground, else a bell down to its shaft.
+fn ring(drawing: &mut Drawing, drawn: &Drawn, touch: f64, link: LinkId) {
+    let (x, top) = (drawn.x, touch + RING.y);
+    drawing.line(Style::Link, Vec2::new(x, -touch), Vec2::new(x, -top));
+    if link == LinkId::GROUND {
+        let (a, b) = (Vec2::new(x - 6.0, -top), Vec2::new(x + 6.0, -top));
+        drawing.line(Style::Medium, a, b);
+        hinge::hatch(drawing, a, b, Vec2::new(0.0, -1.0));
+    } else {
+        let (corner, foot) = (Vec2::new(x + RING.x, -top), Vec2::new(x + RING.x, -drawn.level));
+        drawing.line(Style::Link, Vec2::new(x, -top), corner);
+        drawing.line(Style::Link, corner, foot);
+    }
+}
+
+/// Belts, chains, ropes, racks, worms, screws, clutches.
+pub fn transmissions(scene: &Scene<'_>, layout: &Layout, drawing: &mut Drawing) {
+    let mechanism = scene.mechanism();
+    for pair in &mechanism.pairs {
+        let PairKind::Transmission(t) = &pair.kind else { continue };
+        if t.links.iter().all(|l| scene.is_placed(*l)) {
+            continue;
+        }
+        drawing.begin("pair", &pair.name);
+        let middle = match t.kind {
+            TransmissionKind::Mesh => None,
+            TransmissionKind::Belt | TransmissionKind::Chain => belt(mechanism, layout, t, drawing),
+            TransmissionKind::Rope | TransmissionKind::Rack => rope(mechanism, layout, t, drawing),
+            TransmissionKind::Worm => worm(mechanism, layout, t, drawing),
+            TransmissionKind::Screw => screw(layout, t, drawing),
+            TransmissionKind::Clutch => clutch(layout, t, drawing),
+        };
+        if let Some(at) = middle {
+            let words = format!("{} ({})", pair.name, t.kind.word());
+            drawing.label(Label::at(Text::upright(&words), 3.3, at, 0.6).ranked(5));
+        }
+        drawing.end();
+    }
+}
+
+fn of_end<'l>(mechanism: &Mechanism, layout: &'l Layout, end: &str) -> Option<&'l Drawn> {
+    layout.wheel(wheel_named(mechanism, end)?)
+}
+
+fn belt(mechanism: &Mechanism, layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
+    let [first, second] = t.ends.as_slice() else { return None };
+    let (a, b) = (of_end(mechanism, layout, first)?, of_end(mechanism, layout, second)?);
+    let (low, high) = if a.level <= b.level { (a, b) } else { (b, a) };
+    for side in [-2.0, 2.0] {
+        let from = Vec2::new(low.x + side, -(low.level + low.radius));
+        let to = Vec2::new(high.x + side, -(high.level - high.radius));
+        drawing.line(Style::Medium, from, to);
+    }
+    Some(Vec2::new(low.x + 2.0, -(low.level + low.radius + high.level - high.radius) / 2.0))
+}
+
+/// A rope from end to end over what it runs.
+fn rope(mechanism: &Mechanism, layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
+    let mut points: Vec<Vec2> = Vec::new();
+    let count = t.ends.len();
+    for (i, end) in t.ends.iter().enumerate() {
+        let bare = end.trim_start_matches("over(").trim_start_matches("under(").trim_end_matches(')');
+        let slider = layout.sliders.iter().find(|(link, _)| mechanism.link(*link).name == bare);
+        if let Some(drawn) = of_end(mechanism, layout, bare) {
+            points.push(Vec2::new(drawn.x + FACE, -(drawn.level - drawn.radius + GAP)));
+        } else if let Some((_, at)) = slider {
+            if end.starts_with("under(") {
+                let pulley = *at - Vec2::new(0.0, 12.0);
+                drawing.mark(Style::Hinge, Shape::Circle { centre: pulley, radius: PULLEY });
+                drawing.line(Style::Link, pulley + Vec2::new(0.0, PULLEY), *at - Vec2::new(0.0, 3.4));
+                points.push(pulley);
+            } else {
+                points.push(*at - Vec2::new(0.0, 3.4));
+            }
+        } else {
+            // the ground, or an idler: above the others
+            let x = layout.sliders.first().map_or(0.0, |s| s.1.x) + 11.0 * (i as f64 - count as f64 / 2.0);
+            let at = Vec2::new(x, layout.sliders.first().map_or(0.0, |s| s.1.y) - 30.0);
+            if bare == "ground" || bare.starts_with("ground.") {
+                let line = Vec2::new(4.0, 0.0);
+                drawing.line(Style::Medium, at - line, at + line);
+                hinge::hatch(drawing, at - line, at + line, Vec2::new(0.0, -1.0));
+            } else {
+                drawing.mark(Style::Hinge, Shape::Circle { centre: at, radius: PULLEY });
+            }
+            points.push(at);
+        }
+    }
+    points.windows(2).for_each(|w| drawing.line(Style::Medium, w[0], w[1]));
+    let [a, b, ..] = points.as_slice() else { return None };
+    Some((*a + *b) * 0.5)
+}
+
+/// The screw of a worm across its wheel.
+fn worm(mechanism: &Mechanism, layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
+    let wheel = t.ends.iter().find_map(|end| of_end(mechanism, layout, end));
+    let shaft = layout.shafts.iter().find(|s| t.links.contains(&s.link));
+    let at = match (wheel, shaft) {
+        (Some(w), _) => Vec2::new(w.x, -(w.level - w.radius - 3.5)),
+        (None, Some(s)) => Vec2::new(s.ends.1 + 8.0, -s.level),
+        (None, None) => return None,
+    };
+    spindle(drawing, at, 7.0);
+    // the worm's own shaft leads to it
+    for link in &t.links {
+        let own = layout
+            .shafts
+            .iter()
+            .find(|s| s.link == *link && wheel.is_none_or(|w| mechanism.wheels[w.wheel].link != *link));
+        if let Some(shaft) = own {
+            let end = Vec2::new(if shaft.right { shaft.ends.0 } else { shaft.ends.1 }, -shaft.level);
+            drawing.line(Style::Axis, end, at);
+        }
+    }
+    Some(at + Vec2::new(7.0, 0.0))
+}
+
+/// A spindle with its nut.
+fn screw(layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
+    let shaft = layout.shafts.iter().find(|s| t.links.contains(&s.link))?;
+    let end = if shaft.right { shaft.ends.0 } else { shaft.ends.1 };
+    let way = if shaft.right { -1.0 } else { 1.0 };
+    let at = Vec2::new(end + way * 10.0, -shaft.level);
+    spindle(drawing, at, 10.0);
+    if let Some((_, block)) = layout.sliders.iter().find(|(link, _)| t.links.contains(link)) {
+        drawing.line(Style::Axis, at, *block);
+    }
+    Some(at)
+}
+
+/// A line with the turns of a thread.
+fn spindle(drawing: &mut Drawing, at: Vec2, half: f64) {
+    let count = 8;
+    let point = |i: i32| {
+        let x = at.x - half + 2.0 * half * f64::from(i) / f64::from(count);
+        Vec2::new(x, at.y + if i % 2 == 0 { 2.2 } else { -2.2 })
+    };
+    drawing.mark(Style::Medium, Shape::Lines { points: (0..=count).map(point).collect(), closed: false });
+    drawing.line(Style::Medium, at - Vec2::new(half, 0.0), at + Vec2::new(half, 0.0));
+}
+
+/// Two discs that face each other.
+fn clutch(layout: &Layout, t: &Transmission, drawing: &mut Drawing) -> Option<Vec2> {
+    let shafts: Vec<_> = layout.shafts.iter().filter(|s| t.links.contains(&s.link)).collect();
+    let level = shafts.first()?.level;
+    let x = match shafts.as_slice() {
+        [a, b, ..] => (a.ends.1.min(b.ends.1) + a.ends.0.max(b.ends.0)) / 2.0,
+        _ => shafts[0].ends.1 + 3.0,
+    };
+    for side in [-0.8, 0.8] {
+        drawing.line(Style::Link, Vec2::new(x + side, -level - 4.5), Vec2::new(x + side, -level + 4.5));
+    }
+    Some(Vec2::new(x, -level - 4.5))
+}

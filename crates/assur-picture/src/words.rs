@@ -1,0 +1,106 @@
+//! What a picture shows, in words.
+
+use crate::scene::Scene;
+use assur_model::model::{LinkId, PairKind, Value};
+use assur_solve::solve::{DriveValue, PoseOrigin};
+
+/// Digits of numbers in a description.
+const DIGITS: usize = 5;
+
+/// Where the drives are: `crank = 45 deg`.
+pub fn drives(scene: &Scene<'_>) -> String {
+    let mechanism = scene.mechanism();
+    let said = mechanism.drives.iter().zip(&scene.pose.drives).filter_map(|(drive, value)| {
+        let value = match value {
+            DriveValue::Scalar(x) => Value::Scalar(*x),
+            DriveValue::Point(p) => Value::Vector(*p),
+            DriveValue::None => return None,
+        };
+        let text = mechanism.drive_display(drive.target).text(value, DIGITS);
+        Some(format!("{} = {}", drive.name, text))
+    });
+    said.collect::<Vec<_>>().join(", ")
+}
+
+/// The title of the problem, or the name of its file.
+pub fn title(scene: &Scene<'_>) -> String {
+    let title = &scene.mechanism().title;
+    if title.is_empty() { scene.file.to_owned() } else { title.clone() }
+}
+
+/// The position in words; nothing where there is one alone and no drive has a value.
+pub fn position(scene: &Scene<'_>) -> String {
+    let drives = drives(scene);
+    let named = match scene.pose.origin {
+        PoseOrigin::Sweep(_) if scene.solution.positions == 1 => None,
+        PoseOrigin::Expected(_) => None,
+        _ => Some(format!("pose {}", scene.pose.name)),
+    };
+    match (named, drives.is_empty()) {
+        (Some(named), true) => named,
+        (Some(named), false) => format!("{named}, {drives}"),
+        (None, _) => drives,
+    }
+}
+
+/// ` at crank = 45 deg`
+pub fn at_position(scene: &Scene<'_>) -> String {
+    let position = position(scene);
+    if position.is_empty() { position } else { format!(" at {position}") }
+}
+
+/// The begin of the ids of a picture.
+pub fn id(scene: &Scene<'_>, kind: &str) -> String {
+    let stem = scene.file.rsplit(['/', '\\']).next().unwrap_or_default();
+    let stem = stem.trim_end_matches(".mech");
+    format!("{kind}-{stem}-{}", scene.pose.name)
+}
+
+/// Sentences about links and pairs.
+pub fn mechanism(scene: &Scene<'_>) -> String {
+    let mechanism = scene.mechanism();
+    let links = mechanism.links.iter().skip(1).map(|link| match &link.number {
+        Some(number) if *number != link.name => format!("{number} {}", link.name),
+        _ => link.name.clone(),
+    });
+    let links: Vec<String> = links.collect();
+    let pairs = mechanism.pairs.iter().filter(|p| p.bearing.is_none()).map(|pair| {
+        let mut joined = pair.kind.links();
+        joined.dedup();
+        let names: Vec<&str> = joined.iter().map(|l| name(scene, *l)).collect();
+        format!("{} ({} {})", pair.name, kind(&pair.kind), names.join("–"))
+    });
+    let pairs: Vec<String> = pairs.collect();
+    let mut said = String::new();
+    if !links.is_empty() {
+        said += &format!("Links: {}. ", listed(&links));
+    }
+    if !pairs.is_empty() {
+        said += &format!("Pairs: {}. ", listed(&pairs));
+    }
+    said
+}
+
+/// A list that does not become too long.
+fn listed(all: &[String]) -> String {
+    const MOST: usize = 40;
+    if all.len() <= MOST {
+        return all.join(", ");
+    }
+    format!("{} and {} more", all[..MOST].join(", "), all.len() - MOST)
+}
+
+fn name<'a>(scene: &Scene<'a>, link: LinkId) -> &'a str {
+    &scene.mechanism().link(link).name
+}
+
+const fn kind(kind: &PairKind) -> &'static str {
+    match kind {
+        PairKind::Revolute(_) => "hinge",
+        PairKind::Prismatic(_) => "slider",
+        PairKind::Slot(_) => "pin in slot",
+        PairKind::Contact { .. } => "contact",
+        PairKind::Cylinder { .. } => "cylinder",
+        PairKind::Transmission(t) => t.kind.word(),
+    }
+}

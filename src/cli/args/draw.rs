@@ -1,0 +1,100 @@
+//! Arguments of `draw`.
+
+use super::setting;
+use assur_check::Overrides;
+use assur_drawing::Theme;
+use assur_picture::{Kind, Loads};
+use clap::ValueEnum;
+
+/// Arguments of `draw`.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Draw {
+    /// Files to draw, and the pictures wanted: `scheme` [default: scheme]
+    #[arg(required = true, value_name = "FILES PICTURES")]
+    pub names: Vec<String>,
+    /// Write to this file (.svg), or to files in this folder (created only when complete) [default: standard output]
+    #[arg(short, long, value_name = "OUT")]
+    pub out: Option<String>,
+    /// Draw the pose of this name; may be repeated [default: the first]
+    #[arg(long, value_name = "NAME")]
+    pub pose: Vec<String>,
+    /// Show all loads, without unknown efforts, or none
+    #[arg(long, value_enum, value_name = "WHICH", default_value_t = LoadsArg::All)]
+    pub loads: LoadsArg,
+    /// Colours: light that turns dark where the reader prefers it, light, dark, or black and white
+    #[arg(long, value_enum, value_name = "THEME", default_value_t = ThemeArg::Auto)]
+    pub theme: ThemeArg,
+    /// Replace the value of a `given`, e.g. `--set r=120mm`; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
+    pub settings: Vec<(String, String)>,
+}
+
+impl Draw {
+    /// The pictures wanted, and the names of the files.
+    #[must_use]
+    pub fn kinds(&self) -> (Vec<Kind>, Vec<String>) {
+        let (mut kinds, mut files) = (Vec::new(), Vec::new());
+        for name in &self.names {
+            match Kind::named(name) {
+                Some(kind) if kinds.contains(&kind) => {}
+                Some(kind) => kinds.push(kind),
+                None => files.push(name.clone()),
+            }
+        }
+        if kinds.is_empty() {
+            kinds.push(Kind::Scheme);
+        }
+        (kinds, files)
+    }
+
+    /// The values from outside.
+    #[must_use]
+    pub fn overrides(&self) -> Overrides {
+        Overrides::set(self.settings.clone())
+    }
+}
+
+/// Which loads are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LoadsArg {
+    /// Loads, weights and unknown efforts
+    All,
+    /// Without unknown efforts
+    Given,
+    /// None
+    None,
+}
+
+impl From<LoadsArg> for Loads {
+    fn from(which: LoadsArg) -> Self {
+        match which {
+            LoadsArg::All => Self::All,
+            LoadsArg::Given => Self::Given,
+            LoadsArg::None => Self::None,
+        }
+    }
+}
+
+/// Which colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ThemeArg {
+    /// Light, dark where the reader prefers it
+    Auto,
+    /// Light
+    Light,
+    /// Dark
+    Dark,
+    /// Black and white
+    Mono,
+}
+
+impl From<ThemeArg> for Theme {
+    fn from(theme: ThemeArg) -> Self {
+        match theme {
+            ThemeArg::Auto => Self::Auto,
+            ThemeArg::Light => Self::Light,
+            ThemeArg::Dark => Self::Dark,
+            ThemeArg::Mono => Self::Mono,
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! Text → solved problem for pictures, which may show more than the file asks for.
+
+use super::compile::compile;
+use super::solved::{Solved, solve};
+use assur_check::Overrides;
+use assur_picture::Kind;
+use assur_position::plan::{Effects, plan_with};
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
+
+/// Solves a text with all that pictures of these kinds show, as far as the file declares it.
+#[must_use]
+pub fn solve_drawn(source: &Source, overrides: &Overrides, kinds: &[Kind]) -> (Option<Solved>, Problems) {
+    let (compiled, mut problems) = compile(source, overrides);
+    let Some(mut compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
+    let level = kinds.iter().map(|kind| kind.level()).max().unwrap_or_default();
+    let forces = kinds.iter().any(|kind| kind.forces());
+    let (mechanism, structure) = (&compiled.mechanism, &compiled.structure);
+    let effects = Effects::at_least(mechanism, level, forces && structure.force_defect.is_none());
+    if effects != compiled.plan.effects {
+        compiled.plan = plan_with(mechanism, structure, effects);
+    }
+    let (solved, found) = solve(compiled);
+    problems.append(found);
+    (solved.ok().filter(|_| !problems.has_errors()), problems)
+}

@@ -1,0 +1,9 @@
+//! Pictures of every example and of extreme inputs, judged on their marks and as documents.
+
+#[path = "../folder/mod.rs"]
+mod folder;
+
+mod drawn;
+mod every_example;
+mod extreme;
+mod xml;
