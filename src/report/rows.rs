@@ -135,12 +135,16 @@ impl AnswerColumns {
         out.push_str(std::str::from_utf8(&line).unwrap_or_default());
     }
 
-    /// The answers that need no pose; nothing where there are none.
+    /// The answers that need no pose where there are any; else nothing, which serves as well.
+    #[must_use]
+    pub fn whole_if_any(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
+        let any = self.answers.iter().any(|a| matches!(a.content, Content::Find { poseless: true, .. }));
+        if any { self.whole(answers) } else { Vec::new() }
+    }
+
+    /// The answers that need no pose, by column.
     #[must_use]
     pub fn whole(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
-        if !self.answers.iter().any(|a| matches!(a.content, Content::Find { poseless: true, .. })) {
-            return Vec::new();
-        }
         let value = |answer: &Answer| match answer.content {
             Content::Find { index, poseless: true } => self.without_pose(answers, index),
             _ => None,
