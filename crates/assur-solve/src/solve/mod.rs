@@ -14,6 +14,7 @@ mod friction_notes;
 mod gap;
 mod inputs;
 mod lost;
+mod meant;
 mod note;
 mod notes;
 mod pose;
