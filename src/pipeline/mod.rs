@@ -9,6 +9,7 @@ mod open_sizes;
 mod other_assembly;
 mod solved;
 mod test;
+mod turn;
 mod variant_solver;
 
 pub use compile::{Compiled, Origin, check_source, compile, compile_document};
@@ -18,4 +19,5 @@ pub use followed::{Each, Followed, SizeError, is_long, most_positions};
 pub use open_sizes::OpenSizeError;
 pub use solved::{Solved, solve, solve_each, solve_source, solve_within};
 pub use test::{diagnose, test_document, test_source, test_text};
+pub use turn::turn;
 pub use variant_solver::VariantSolver;

@@ -1,6 +1,6 @@
 //! Every picture of every example.
 
-use crate::drawn::{faults, sheets, solved};
+use crate::drawn::{faults, moving, sheets, solved};
 use assur::internals::Solved;
 use assur::internals::drawing::{Shape, Sheet, Style};
 use assur::internals::math::Vec2;
@@ -34,8 +34,21 @@ fn labels_are_apart_and_documents_well_formed() {
             }
         }
     }
-    assert!(count > 200, "pictures are drawn: {count}");
+    assert!(count > 1000, "pictures are drawn: {count}");
     assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+fn paths_and_other_poses_are_drawn() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        let Some(sheet) = moving(&source, &solved) else { continue };
+        count += 1;
+        wrong.extend(faults(&sheet).into_iter().take(3).map(|f| format!("{name}: {f}")));
+    }
+    assert!(count > 100, "paths are drawn: {count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// The middle of the first circle of a pair.

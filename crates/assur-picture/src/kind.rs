@@ -87,5 +87,5 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
 /// The scheme; of shafts that have no place the section.
 fn scheme_or_section(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Missing> {
     let placed = (1..scene.mechanism().links.len()).any(|i| scene.is_placed(LinkId::at(i)));
-    if placed { Ok(scheme(scene, &options.scheme)) } else { train(scene) }
+    if placed { scheme(scene, &options.scheme) } else { train(scene) }
 }

@@ -11,6 +11,7 @@ use super::screen::Screen;
 use crate::pipeline::{self, Solved};
 use assur_check::Overrides;
 use assur_drawing::Theme;
+use assur_math::math::Vec2;
 use assur_picture::{Kind, Options, Scene, Scheme};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -69,10 +70,26 @@ impl Drawing<'_> {
         self.args.kinds().1
     }
 
+    fn options(&self) -> Options {
+        let mut scheme = Scheme {
+            loads: self.args.loads.into(),
+            ghosts: self.args.ghosts,
+            paths: self.args.path.clone(),
+            ..Scheme::default()
+        };
+        if let Some((width, height)) = self.args.size {
+            scheme.size = Vec2::new(width, height);
+        }
+        Options { scheme }
+    }
+
     /// All pictures of a file.
     fn pages(&self, source: &Source, solved: &Solved, problems: &mut Problems) -> Vec<Page> {
+        let moves = self.args.ghosts > 0 || !self.args.path.is_empty();
+        let turn = if moves { pipeline::turn(&solved.compiled, &solved.solution) } else { Vec::new() };
         let scenes = self.scenes(source, solved, problems);
-        let options = Options { scheme: Scheme { loads: self.args.loads.into(), ..Scheme::default() } };
+        let scenes: Vec<Scene<'_>> = scenes.into_iter().map(|scene| Scene { turn: &turn, ..scene }).collect();
+        let options = self.options();
         let theme: Theme = self.args.theme.into();
         let stem = stem(&source.name);
         let several = scenes.len() > 1;
@@ -96,6 +113,8 @@ impl Drawing<'_> {
                             });
                         }
                     }
+                    // of all kinds those are left out that the file has no effects for
+                    Err(_) if self.args.all => break,
                     Err(missing) => {
                         problems.push(missing);
                         break;

@@ -62,7 +62,7 @@ impl Sketch<'_, '_> {
     }
 
     /// The hinge of a link: on the ground, else any.
-    fn pivot(&self, link: LinkId) -> Option<Vec2> {
+    pub(super) fn pivot(&self, link: LinkId) -> Option<Vec2> {
         let pins = self.scene.mechanism().pairs.iter().filter_map(|p| match &p.kind {
             PairKind::Revolute(pins) => {
                 let own = pins.iter().find(|pin| pin.link == link)?;

@@ -260,6 +260,8 @@ pub const CODES: &[Code] = codes! {
     "picture" / "not_placed",
     "picture" / "no_forces",
     "picture" / "no_train",
+    "picture" / "no_point",
+    "picture" / "no_way",
     // tables beside a file
     "table" / "header",
     "table" / "empty",
