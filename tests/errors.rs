@@ -81,8 +81,10 @@ fn drawn(source: &Source) -> Problems {
     match Scene::of(solved.compiled.model(), &solved.solution, file, name) {
         Ok(scene) => {
             let scene = Scene { turn: &turn, ..scene };
-            let drawn = KINDS.map(|kind| assur::internals::picture::draw(kind, &scene, &options));
-            problems.extend(drawn.into_iter().filter_map(Result::err));
+            // what a first line names is of the scheme
+            let kinds = if options.scheme.paths.is_empty() { &KINDS[..] } else { &KINDS[..1] };
+            let drawn = kinds.iter().map(|kind| assur::internals::picture::draw(*kind, &scene, &options));
+            problems.extend(drawn.filter_map(Result::err));
         }
         Err(missing) => problems.push(missing),
     }

@@ -181,3 +181,22 @@ fn polygons_close() {
     assert!(count > 150, "polygons are drawn: {count}");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// The moments about the pole of the lever add up to nothing.
+#[test]
+fn levers_balance() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        for sheet in sheets(&source, &solved, Kind::Lever, true) {
+            let said = sheet.drawing.description.split_once("Their sum is ").map(|(_, said)| said);
+            let share = said.and_then(|said| said.split(' ').next()?.parse::<f64>().ok());
+            count += 1;
+            if share.is_none_or(|share| share > 1e-9) {
+                wrong.push(format!("{name}: {}", sheet.drawing.description));
+            }
+        }
+    }
+    assert!(count > 100, "levers are drawn: {count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

@@ -5,6 +5,7 @@ mod nodes;
 mod velocity;
 
 pub use acceleration::accelerations;
+pub use nodes::{Node, Nodes, velocity as velocity_at};
 pub use velocity::velocities;
 
 use crate::frame::Frame;
