@@ -3,6 +3,7 @@
 mod accuracy;
 mod batch;
 mod cli;
+mod draw;
 #[path = "../folder/mod.rs"]
 mod folder;
 mod formats;

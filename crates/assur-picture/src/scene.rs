@@ -141,7 +141,7 @@ impl<'a> Scene<'a> {
     /// A letter with the number or the name of a link as its index.
     #[must_use]
     pub fn indexed(&self, letter: &str, link: LinkId) -> Text {
-        Text::italic(letter).sub(self.link_label(link))
+        Text::italic(letter).lowered(self.link_label(link))
     }
 }
 

@@ -30,7 +30,7 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
         }
     };
     let overrides = args.overrides();
-    let drawing = Drawing { args, screen, kinds, overrides, output };
+    let drawing = Drawing { args, screen, kinds, overrides, output, several: inputs.len() > 1 };
     for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source))
 }
 
@@ -41,6 +41,8 @@ struct Drawing<'a> {
     kinds: Vec<Kind>,
     overrides: Overrides,
     output: Output,
+    /// The command line names several files.
+    several: bool,
 }
 
 /// A picture as text, with the name of its file.
@@ -91,7 +93,7 @@ impl Drawing<'_> {
         let scenes: Vec<Scene<'_>> = scenes.into_iter().map(|scene| Scene { turn: &turn, ..scene }).collect();
         let options = self.options();
         let theme: Theme = self.args.theme.into();
-        let stem = stem(&source.name);
+        let stem = if self.several { path_in_one(&source.name) } else { stem(&source.name) };
         let several = scenes.len() > 1;
         let mut pages = Vec::new();
         for kind in &self.kinds {
@@ -149,6 +151,12 @@ fn stem(name: &str) -> String {
     let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let stem = last.strip_suffix(".mech").unwrap_or(last);
     if stem == "-" { "picture".to_owned() } else { stem.to_owned() }
+}
+
+/// The file's name with its folders, so that two of one name in two folders are apart: `cams-lever` of `cams/lever.mech`.
+fn path_in_one(name: &str) -> String {
+    let parts = name.split(['/', '\\']).filter(|part| !part.is_empty() && *part != "." && *part != "..");
+    stem(&parts.collect::<Vec<_>>().join("-"))
 }
 
 /// An output that cannot hold several pictures.

@@ -182,7 +182,7 @@ fn forces(scene: &Scene<'_>) -> Vec<Force> {
             let arm = *second - *first;
             let force = arm.perp() * (moment / arm.dot(arm));
             let acts = if unknown { Acts::Effort } else { Acts::Load };
-            let pair = Text::italic("F").sub(&name.plain().replace('_', ""));
+            let pair = Text::italic("F").lowered(&name.plain().replace('_', ""));
             let back = pair.clone().and("′", false, Level::Base);
             all.push(Force { name: pair, on, at: *second, force, acts });
             all.push(Force { name: back, on, at: *first, force: -force, acts });
@@ -247,8 +247,8 @@ fn terms(scene: &Scene<'_>) -> Vec<(Text, f64)> {
         if effects.inertia {
             let index = format!("I{}", scene.link_label(id));
             let force = body.acceleration(mass.centre) * -mass.mass;
-            terms.push((Text::italic("F").sub(&index), force.dot(body.velocity(mass.centre))));
-            terms.push((Text::italic("M").sub(&index), -mass.inertia * body.alpha * body.omega));
+            terms.push((Text::italic("F").lowered(&index), force.dot(body.velocity(mass.centre))));
+            terms.push((Text::italic("M").lowered(&index), -mass.inertia * body.alpha * body.omega));
         }
     }
     let listed: f64 = terms.iter().map(|t| t.1).sum();
@@ -261,7 +261,7 @@ fn terms(scene: &Scene<'_>) -> Vec<(Text, f64)> {
     }
     if mechanism.balances.is_empty() {
         for (i, drive) in mechanism.drives.iter().enumerate() {
-            terms.push((Text::italic("M").sub(&drive.name), scalar(&Query::EffortPower(DriveId::at(i)))));
+            terms.push((Text::italic("M").lowered(&drive.name), scalar(&Query::EffortPower(DriveId::at(i)))));
         }
     }
     let largest = terms.iter().map(|t| t.1.abs()).fold(0.0, f64::max);

@@ -203,7 +203,7 @@ fn significant(x: f64) -> String {
 fn small(name: &str, sub: Option<&str>) -> Text {
     let lower: String = name.to_lowercase();
     match sub {
-        Some(sub) => Text::name(&lower).sub(sub),
+        Some(sub) => Text::name(&lower).lowered(sub),
         None => Text::name(&lower),
     }
 }

@@ -47,7 +47,7 @@ impl Sketch<'_, '_> {
                             from,
                             along,
                             LENGTH,
-                            Text::italic("v").sub(&drive.name),
+                            Text::italic("v").lowered(&drive.name),
                         );
                     }
                 }
@@ -139,7 +139,7 @@ impl Sketch<'_, '_> {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => {
                 let Some((at, along)) = self.line_of(pair) else { return };
                 let along = if forward { along } else { -along };
-                self.push(drawing, Style::Drive, at, along, LENGTH, Text::italic("v").sub(&drive.name));
+                self.push(drawing, Style::Drive, at, along, LENGTH, Text::italic("v").lowered(&drive.name));
             }
             _ => {}
         }
