@@ -200,3 +200,37 @@ fn levers_balance() {
     assert!(count > 100, "levers are drawn: {count}");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// The action line of every hinge touches its friction circle.
+#[test]
+fn action_lines_touch_friction_circles() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        for sheet in sheets(&source, &solved, Kind::Friction, true) {
+            let drawing = &sheet.drawing;
+            for (i, group) in drawing.groups.iter().enumerate().filter(|(_, g)| g.class == "pair") {
+                let own = || drawing.marks.iter().filter(move |m| m.group == i);
+                let circle = own().find_map(|m| match m.shape {
+                    Shape::Circle { centre, radius } if m.style == Style::FrictionCircle => {
+                        Some((centre, radius))
+                    }
+                    _ => None,
+                });
+                let line = own().find_map(|m| match m.shape {
+                    Shape::Line(a, b) if m.style == Style::Dashed => Some((a, b)),
+                    _ => None,
+                });
+                let (Some((centre, radius)), Some((a, b))) = (circle, line) else { continue };
+                count += 1;
+                let away = ((b - a) / (b - a).norm()).cross(centre - a).abs();
+                // a hinge that does not turn has a line through it
+                if (away - radius).abs() > 0.01 && away > 0.01 {
+                    wrong.push(format!("{name}: {} is {away} mm off a circle of {radius} mm", group.name));
+                }
+            }
+        }
+    }
+    assert!(count > 30, "action lines are drawn: {count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

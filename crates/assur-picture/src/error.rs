@@ -59,6 +59,15 @@ pub enum Missing {
         help("give the only drive a range: `drive crank = 0 deg .. 360 deg in 12 steps`")
     )]
     NoWay,
+    /// No friction.
+    #[error("there is no friction to draw: no pair has a friction circle or a coefficient")]
+    #[diagnostic(
+        code("mech::picture::no_friction"),
+        help(
+            "give a pair friction: `revolute A: ground - crank {{ friction_circle 5 mm }}`, or `prismatic D: … {{ friction 0.1 }}`"
+        )
+    )]
+    NoFriction,
     /// No shafts.
     #[error("there is no train to draw: no shaft or slider is declared without a position")]
     #[diagnostic(

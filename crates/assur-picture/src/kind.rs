@@ -1,7 +1,7 @@
 //! The kinds of picture, by name.
 
 use crate::error::Missing;
-use crate::forces::{forces, lever};
+use crate::forces::{forces, friction, lever};
 use crate::motion::{accelerations, velocities};
 use crate::scene::Scene;
 use crate::scheme::{Scheme, scheme};
@@ -22,13 +22,22 @@ pub enum Kind {
     Forces,
     /// Zhukovsky's lever.
     Lever,
+    /// Friction circles, angles and action lines.
+    Friction,
     /// Shafts in section.
     Train,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 6] =
-    [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces, Kind::Lever, Kind::Train];
+pub const KINDS: [Kind; 7] = [
+    Kind::Scheme,
+    Kind::Velocities,
+    Kind::Accelerations,
+    Kind::Forces,
+    Kind::Lever,
+    Kind::Friction,
+    Kind::Train,
+];
 
 /// How pictures are drawn.
 #[derive(Clone, Debug, Default)]
@@ -47,6 +56,7 @@ impl Kind {
             Self::Accelerations => "accelerations",
             Self::Forces => "forces",
             Self::Lever => "lever",
+            Self::Friction => "friction",
             Self::Train => "train",
         }
     }
@@ -56,7 +66,7 @@ impl Kind {
     pub const fn level(self) -> Level {
         match self {
             Self::Scheme | Self::Forces | Self::Train => Level::Positions,
-            Self::Velocities | Self::Lever => Level::Velocities,
+            Self::Velocities | Self::Lever | Self::Friction => Level::Velocities,
             Self::Accelerations => Level::Accelerations,
         }
     }
@@ -64,7 +74,7 @@ impl Kind {
     /// Whether it shows forces.
     #[must_use]
     pub const fn forces(self) -> bool {
-        matches!(self, Self::Forces | Self::Lever)
+        matches!(self, Self::Forces | Self::Lever | Self::Friction)
     }
 
     /// The kind of a name.
@@ -85,6 +95,7 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Accelerations => accelerations(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Forces => forces(scene, options.scheme.size),
+        Kind::Friction => friction(scene, options.scheme.size).map(|picture| vec![picture]),
         Kind::Lever => lever(scene, options.scheme.size).map(|lever| vec![lever]),
     }
 }

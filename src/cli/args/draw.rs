@@ -9,7 +9,8 @@ use clap::ValueEnum;
 /// Arguments of `draw`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Draw {
-    /// Files to draw, and the pictures wanted: `scheme`, `velocities`, `accelerations`, `forces`, `lever`, `train` [default: scheme]
+    /// Files to draw, and the pictures wanted: `scheme`, `velocities`, `accelerations`, `forces`, `lever`, `friction`,
+    /// `train` [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
     /// Write to this file (.svg), or to files in this folder (created only when complete) [default: standard output]

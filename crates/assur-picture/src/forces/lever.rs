@@ -39,7 +39,7 @@ pub fn lever(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     }
     if scene.mechanism().drives.iter().any(|d| matches!(d.target, DriveTarget::Point(..))) {
         let help = "the lever needs the whole machine; `forces` draws the group";
-        return Err(Missing::no_forces("a driven point stands for the rest of the machine", help));
+        return Err(Missing::no_forces("a driven point replaces the rest of the machine", help));
     }
     let nodes = Nodes::of(scene, false);
     if nodes.nodes.is_empty() {

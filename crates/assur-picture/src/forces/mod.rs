@@ -2,9 +2,11 @@
 
 mod acting;
 mod free_body;
+mod friction;
 mod lever;
 mod polygon;
 
+pub use friction::friction;
 pub use lever::lever;
 
 use crate::error::Missing;
