@@ -35,6 +35,19 @@ fn several_pictures_go_to_a_folder() {
 }
 
 #[test]
+fn all_pictures_of_several_files_are_on_one_page() {
+    let folder = Folder::new("draw-page").with("a/x.mech", GOOD).with("b/x.mech", GOOD);
+    let out = assur(&folder, &["draw", "a", "b", "--all", "-o", "all.html"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let page = folder.read("all.html");
+    assert!(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
+    let ids: Vec<&str> = page.split(" id=\"").skip(1).filter_map(|part| part.split('"').next()).collect();
+    assert!(ids.len() >= 12, "{ids:?}");
+    assert!((1..ids.len()).all(|i| !ids[..i].contains(&ids[i])), "{ids:?}");
+    assert!(!page.contains("<script") && !page.replace("http://www.w3.org/2000/svg", "").contains("http"));
+}
+
+#[test]
 fn what_cannot_be_drawn_is_said() {
     let still = GOOD.replace(" at 100 rad/s", "").replace(", v_C = velocity(C)", "");
     let folder = Folder::new("draw-not").with("a.mech", &still).with("wrong.mech", "link a A-B\n");

@@ -13,7 +13,8 @@ pub struct Draw {
     /// `train` [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
-    /// Write to this file (.svg), or to files in this folder (created only when complete) [default: standard output]
+    /// Write one picture to this file (.svg), all to this page (.html), or to files in this folder (created only when
+    /// complete) [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<String>,
     /// Draw the pose of this name; may be repeated [default: the first]

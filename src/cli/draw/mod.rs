@@ -31,7 +31,14 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
     };
     let overrides = args.overrides();
     let drawing = Drawing { args, screen, kinds, overrides, output, several: inputs.len() > 1 };
-    for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source))
+    let status = for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source));
+    match drawing.output.finish(&names) {
+        Ok(()) => status,
+        Err(error) => {
+            screen.complain(&complaint(error, screen));
+            Status::Unusable
+        }
+    }
 }
 
 /// Pictures that are wanted.
@@ -45,9 +52,10 @@ struct Drawing<'a> {
     several: bool,
 }
 
-/// A picture as text, with the name of its file.
+/// A picture as text, with its title and the name of its file.
 struct Page {
     name: String,
+    title: String,
     text: String,
 }
 
@@ -92,7 +100,6 @@ impl Drawing<'_> {
         let scenes = self.scenes(source, solved, problems);
         let scenes: Vec<Scene<'_>> = scenes.into_iter().map(|scene| Scene { turn: &turn, ..scene }).collect();
         let options = self.options();
-        let theme: Theme = self.args.theme.into();
         let stem = if self.several { path_in_one(&source.name) } else { stem(&source.name) };
         let several = scenes.len() > 1;
         let mut pages = Vec::new();
@@ -100,20 +107,9 @@ impl Drawing<'_> {
             for scene in &scenes {
                 match assur_picture::draw(*kind, scene, &options) {
                     Ok(drawings) => {
-                        let many = drawings.len() > 1;
-                        for (i, drawing) in drawings.into_iter().enumerate() {
-                            let mut name = format!("{stem}-{}", kind.name());
-                            if several {
-                                name += &format!("-{}", scene.pose.name);
-                            }
-                            if many {
-                                name += &format!("-{}", i + 1);
-                            }
-                            pages.push(Page {
-                                name: output::file_name(&name),
-                                text: drawing.placed().svg(theme),
-                            });
-                        }
+                        let pose = several.then(|| format!("-{}", scene.pose.name)).unwrap_or_default();
+                        let name = output::file_name(&format!("{stem}-{}{pose}", kind.name()));
+                        pages.extend(self.numbered(&name, drawings));
                     }
                     // of all kinds those are left out that the file has no effects for
                     Err(_) if self.args.all => break,
@@ -125,6 +121,21 @@ impl Drawing<'_> {
             }
         }
         pages
+    }
+
+    /// Pictures of one kind and one position as text, numbered where there are several.
+    fn numbered(&self, name: &str, drawings: Vec<assur_drawing::Drawing>) -> Vec<Page> {
+        let theme: Theme = self.args.theme.into();
+        let many = drawings.len() > 1;
+        let pages = drawings.into_iter().enumerate().map(|(i, mut drawing)| {
+            let name = if many { format!("{name}-{}", i + 1) } else { name.to_owned() };
+            if self.several {
+                // two files of one name may be in one page
+                drawing.id = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+            }
+            Page { name, title: drawing.title.clone(), text: drawing.placed().svg(theme) }
+        });
+        pages.collect()
     }
 
     /// The positions that are shown: those named, else on standard output and in one file the first, else the first of a

@@ -3,6 +3,7 @@
 mod effort;
 mod label;
 mod link;
+mod mesh;
 mod pair;
 mod profile;
 mod ways;
@@ -177,6 +178,7 @@ impl<'a, 's> Sketch<'a, 's> {
     fn draw(&mut self, drawing: &mut Drawing, wanted: &Scheme) {
         self.rails(drawing);
         self.wheels(drawing);
+        self.meshes(drawing);
         self.profiles(drawing);
         self.plates(drawing);
         self.draw_blocks(drawing);
