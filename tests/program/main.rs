@@ -5,6 +5,7 @@ mod accuracy;
 mod arrow;
 mod batch;
 mod cli;
+mod draw;
 #[path = "../folder/mod.rs"]
 mod folder;
 mod formats;

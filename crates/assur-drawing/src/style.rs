@@ -57,10 +57,16 @@ pub enum Style {
     Surplus,
     /// The circle around the number of a link.
     Number,
+    /// Filled with the colour of velocities.
+    BlueDot,
+    /// Filled with the colour of accelerations.
+    VermilionDot,
+    /// Filled with the colour of unknown forces.
+    GreenDot,
 }
 
 /// All of them, in the order of their rules.
-pub const STYLES: [Style; 26] = [
+pub const STYLES: [Style; 29] = [
     Style::Link,
     Style::Medium,
     Style::Thin,
@@ -87,6 +93,9 @@ pub const STYLES: [Style; 26] = [
     Style::Want,
     Style::Surplus,
     Style::Number,
+    Style::BlueDot,
+    Style::VermilionDot,
+    Style::GreenDot,
 ];
 
 /// What a style comes to.
@@ -153,6 +162,9 @@ impl Style {
             Self::Want => area("A1", Role::BlueTint),
             Self::Surplus => area("A2", Role::VermilionTint),
             Self::Number => filled("n0", Role::Ink, 0.22, Role::Paper),
+            Self::BlueDot => area("kv", Role::Blue),
+            Self::VermilionDot => area("ka", Role::Vermilion),
+            Self::GreenDot => area("kr", Role::Green),
         }
     }
 

@@ -11,6 +11,7 @@ use super::screen::Screen;
 use crate::pipeline::{self, Solved};
 use assur_check::Overrides;
 use assur_drawing::Theme;
+use assur_math::math::Vec2;
 use assur_picture::{Kind, Options, Scene, Scheme};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -29,8 +30,15 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
         }
     };
     let overrides = args.overrides();
-    let drawing = Drawing { args, screen, kinds, overrides, output };
-    for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source))
+    let drawing = Drawing { args, screen, kinds, overrides, output, several: inputs.len() > 1 };
+    let status = for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source));
+    match drawing.output.finish(&names) {
+        Ok(()) => status,
+        Err(error) => {
+            screen.complain(&complaint(error, screen));
+            Status::Unusable
+        }
+    }
 }
 
 /// Pictures that are wanted.
@@ -40,11 +48,14 @@ struct Drawing<'a> {
     kinds: Vec<Kind>,
     overrides: Overrides,
     output: Output,
+    /// The command line names several files.
+    several: bool,
 }
 
-/// A picture as text, with the name of its file.
+/// A picture as text, with its title and the name of its file.
 struct Page {
     name: String,
+    title: String,
     text: String,
 }
 
@@ -69,33 +80,39 @@ impl Drawing<'_> {
         self.args.kinds().1
     }
 
+    fn options(&self) -> Options {
+        let mut scheme = Scheme {
+            loads: self.args.loads.into(),
+            ghosts: self.args.ghosts,
+            paths: self.args.path.clone(),
+            ..Scheme::default()
+        };
+        if let Some((width, height)) = self.args.size {
+            scheme.size = Vec2::new(width, height);
+        }
+        Options { scheme }
+    }
+
     /// All pictures of a file.
     fn pages(&self, source: &Source, solved: &Solved, problems: &mut Problems) -> Vec<Page> {
+        let moves = self.args.ghosts > 0 || !self.args.path.is_empty();
+        let turn = if moves { pipeline::turn(&solved.compiled, &solved.solution) } else { Vec::new() };
         let scenes = self.scenes(source, solved, problems);
-        let options = Options { scheme: Scheme { loads: self.args.loads.into(), ..Scheme::default() } };
-        let theme: Theme = self.args.theme.into();
-        let stem = stem(&source.name);
+        let scenes: Vec<Scene<'_>> = scenes.into_iter().map(|scene| Scene { turn: &turn, ..scene }).collect();
+        let options = self.options();
+        let stem = if self.several { path_in_one(&source.name) } else { stem(&source.name) };
         let several = scenes.len() > 1;
         let mut pages = Vec::new();
         for kind in &self.kinds {
             for scene in &scenes {
                 match assur_picture::draw(*kind, scene, &options) {
                     Ok(drawings) => {
-                        let many = drawings.len() > 1;
-                        for (i, drawing) in drawings.into_iter().enumerate() {
-                            let mut name = format!("{stem}-{}", kind.name());
-                            if several {
-                                name += &format!("-{}", scene.pose.name);
-                            }
-                            if many {
-                                name += &format!("-{}", i + 1);
-                            }
-                            pages.push(Page {
-                                name: output::file_name(&name),
-                                text: drawing.placed().svg(theme),
-                            });
-                        }
+                        let pose = several.then(|| format!("-{}", scene.pose.name)).unwrap_or_default();
+                        let name = output::file_name(&format!("{stem}-{}{pose}", kind.name()));
+                        pages.extend(self.numbered(&name, drawings));
                     }
+                    // of all kinds those are left out that the file has no effects for
+                    Err(_) if self.args.all => break,
                     Err(missing) => {
                         problems.push(missing);
                         break;
@@ -104,6 +121,21 @@ impl Drawing<'_> {
             }
         }
         pages
+    }
+
+    /// Pictures of one kind and one position as text, numbered where there are several.
+    fn numbered(&self, name: &str, drawings: Vec<assur_drawing::Drawing>) -> Vec<Page> {
+        let theme: Theme = self.args.theme.into();
+        let many = drawings.len() > 1;
+        let pages = drawings.into_iter().enumerate().map(|(i, mut drawing)| {
+            let name = if many { format!("{name}-{}", i + 1) } else { name.to_owned() };
+            if self.several {
+                // two files of one name may be in one page
+                drawing.id = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+            }
+            Page { name, title: drawing.title.clone(), text: drawing.placed().svg(theme) }
+        });
+        pages.collect()
     }
 
     /// The positions that are shown: those named, else on standard output and in one file the first, else the first of a
@@ -130,6 +162,12 @@ fn stem(name: &str) -> String {
     let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let stem = last.strip_suffix(".mech").unwrap_or(last);
     if stem == "-" { "picture".to_owned() } else { stem.to_owned() }
+}
+
+/// The file's name with its folders, so that two of one name in two folders are apart: `cams-lever` of `cams/lever.mech`.
+fn path_in_one(name: &str) -> String {
+    let parts = name.split(['/', '\\']).filter(|part| !part.is_empty() && *part != "." && *part != "..");
+    stem(&parts.collect::<Vec<_>>().join("-"))
 }
 
 /// An output that cannot hold several pictures.

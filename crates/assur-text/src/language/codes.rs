@@ -259,7 +259,10 @@ pub const CODES: &[Code] = codes! {
     "picture" / "no_speed",
     "picture" / "not_placed",
     "picture" / "no_forces",
+    "picture" / "no_friction",
     "picture" / "no_train",
+    "picture" / "no_point",
+    "picture" / "no_way",
     // tables beside a file
     "table" / "header",
     "table" / "empty",
