@@ -5,7 +5,10 @@ mod machines;
 
 use assur::internals::math::Vec2;
 use assur::internals::model::{Friction, Mechanism, PairKind};
-use assur::internals::solve::{DriveInput, Model, solve};
+use assur::internals::report::json::JsonLines;
+use assur::internals::report::lines::CsvLines;
+use assur::internals::report::{Answers, Precision};
+use assur::internals::solve::{BLOCK, Block, DriveInput, Following, Model, Pose, Solution, solve};
 
 /// Allocations of this thread over a revolution of a machine, after it was assembled.
 fn allocations(mechanism: &Mechanism) -> u64 {
@@ -71,6 +74,47 @@ fn a_cam_allocates_nothing() {
     let source = assur::internals::source::Source::new("lever.mech", text);
     let (mechanism, _) = assur::internals::check_source(&source, &assur::internals::check::Overrides::none());
     assert_eq!(allocations(&mechanism.expect("the example is sound")), 0);
+}
+
+/// Allocations of a sweep over a turn after its first blocks: positions, answers and their lines.
+fn allocations_of_a_sweep(text: &str, lines: &mut impl FnMut(&Answers<'_>, &Pose)) -> u64 {
+    let source = assur::internals::source::Source::new("sweep.mech", text);
+    let (compiled, _) = assur::internals::compile(&source, &assur::internals::check::Overrides::none());
+    let compiled = compiled.expect("the text is sound");
+    let model = compiled.model();
+    let mut following = Following::new(&model, Vec::new()).expect("it is solved").expect("it moves");
+    following.next();
+    let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
+    let precision = Precision::READABLE;
+    let answers = Answers { model, solution: &solution, outcomes: &[], reached: None, precision };
+    let mut block = Block::default();
+    let mut blocks = |count: usize| {
+        for _ in 0..count {
+            following.ahead(BLOCK).expect("positions do not depend on one another").solve(&mut block, 0);
+            assert!(following.take(&mut block));
+            following.last_taken().expect("there are some").answer(&mut block, true);
+            block.poses().iter().for_each(|pose| lines(&answers, pose));
+        }
+    };
+    blocks(20);
+    allocation_counter::measure(|| blocks(40)).count_total
+}
+
+const SWEEP: &str = include_str!("../benches/peers/four-bar.mech");
+
+#[test]
+fn a_sweep_and_its_lines_allocate_nothing() {
+    let text = SWEEP.replace("in 360 steps", "in 10000 steps");
+    let (mut row, mut out, mut csv, mut json) = (Vec::new(), Vec::new(), None, JsonLines::of("a".to_owned()));
+    let mut lines = |answers: &Answers<'_>, pose: &Pose| {
+        out.clear();
+        let csv = csv.get_or_insert_with(|| CsvLines::of(&answers.model, None));
+        csv.begin(answers);
+        csv.add(answers, pose, &mut row, &mut out);
+        json.begin(answers, pose);
+        json.add(answers, pose, &mut row, &mut out);
+    };
+    assert_eq!(allocations_of_a_sweep(&text, &mut lines), 0);
 }
 
 #[test]
@@ -149,7 +193,7 @@ fn a_row_of_variants_allocates_nothing() {
         let solved = solved.expect("the row closes").answers(Precision::READABLE);
         assert!(problems.is_empty());
         let written = answers.get_or_insert_with(|| AnswerColumns::of(&solved.model));
-        let whole = written.whole(&solved);
+        let whole = written.whole_if_any(&solved);
         solved.poses().for_each(|pose| written.write_beside(&solved, pose, &whole, (15, false), &mut out));
     };
     (0..20).for_each(&mut solve);

@@ -112,6 +112,10 @@ impl Sink for Out<'_, '_> {
         !self.failed
     }
 
+    fn forgets(&self) -> bool {
+        true
+    }
+
     fn blocks(&self) -> usize {
         self.threads.count() * BLOCKS
     }

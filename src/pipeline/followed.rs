@@ -26,6 +26,11 @@ pub trait Sink {
     /// Takes a position.
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool;
 
+    /// Whether positions need not be kept, even if they are few.
+    fn forgets(&self) -> bool {
+        false
+    }
+
     /// How many blocks of positions are solved at once where none depends on another.
     fn blocks(&self) -> usize {
         1
@@ -109,7 +114,8 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, sink: Option<&mut dy
     };
     let (positions, most) = (following.positions(), most_positions(model));
     let few = positions <= most;
-    let keeps_all = few && (sink.is_none() || !model.mechanism.expects.is_empty());
+    let forgets = sink.as_ref().is_some_and(|sink| sink.forgets()) && model.mechanism.expects.is_empty();
+    let keeps_all = few && !forgets;
     if !few && (sink.is_none() || names_all(model.mechanism, following.swept())) {
         let labels = model.mechanism.drives.iter().map(|d| LabeledSpan::underline(d.span)).collect();
         return Err(Problems::of([SizeError::TooManyPositions { positions, most, labels }]));
@@ -124,7 +130,7 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, sink: Option<&mut dy
     let (mut sink, mut blocks) = (sink, Vec::new());
     let (mut failed, mut ambiguous) = (0, false);
     loop {
-        if let Some(sink) = sink.as_deref_mut().filter(|_| model.mechanism.expects.is_empty()) {
+        if let Some(sink) = sink.as_deref_mut().filter(|_| !keeps_all && model.mechanism.expects.is_empty()) {
             match side_by_side(&mut following, sink, &mut blocks, &answers) {
                 Some(true) => continue,
                 Some(false) => return Ok(None),

@@ -17,6 +17,7 @@ pub struct CsvLines {
     whole: Vec<Option<Value>>,
     /// The columns, where a state decides them.
     numbers: Option<NumberColumns>,
+    begun: bool,
 }
 
 impl CsvLines {
@@ -29,6 +30,7 @@ impl CsvLines {
             file: file.map(cell),
             whole: Vec::new(),
             numbers: None,
+            begun: false,
         }
     }
 
@@ -45,7 +47,7 @@ impl CsvLines {
 
     /// Finds the answers that need no pose.
     pub fn begin(&mut self, answers: &Answers<'_>) {
-        if self.whole.is_empty() {
+        if !std::mem::replace(&mut self.begun, true) {
             self.whole = self.columns.whole(answers);
             self.numbers = self.columns.numbers(&self.whole);
         }

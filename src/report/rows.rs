@@ -135,12 +135,16 @@ impl AnswerColumns {
         out.push_str(std::str::from_utf8(&line).unwrap_or_default());
     }
 
-    /// The answers that need no pose; nothing where there are none.
+    /// The answers that need no pose where there are any; else nothing, which serves as well.
+    #[must_use]
+    pub fn whole_if_any(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
+        let any = self.answers.iter().any(|a| matches!(a.content, Content::Find { poseless: true, .. }));
+        if any { self.whole(answers) } else { Vec::new() }
+    }
+
+    /// The answers that need no pose, by column.
     #[must_use]
     pub fn whole(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
-        if !self.answers.iter().any(|a| matches!(a.content, Content::Find { poseless: true, .. })) {
-            return Vec::new();
-        }
         let value = |answer: &Answer| match answer.content {
             Content::Find { index, poseless: true } => self.without_pose(answers, index),
             _ => None,
@@ -152,11 +156,11 @@ impl AnswerColumns {
     #[must_use]
     pub fn numbers(&self, whole: &[Option<Value>]) -> Option<NumberColumns> {
         let mut columns = NumberColumns::default();
-        for (answer, whole) in self.answers.iter().zip(whole) {
+        for (i, answer) in self.answers.iter().enumerate() {
             let shown = match &answer.content {
                 Content::Drive(i) => Shown::Drive(*i),
                 Content::Find { index, poseless: false } => Shown::Find(*index),
-                Content::Find { poseless: true, .. } => Shown::Known(*whole),
+                Content::Find { poseless: true, .. } => Shown::Known(whole.get(i).copied().flatten()),
                 Content::Effort(slot) => Shown::Effort(*slot),
                 Content::Reaction(_, _, joints) if self.placed => Shown::Force(joints.clone()?),
                 Content::Moment(_, _, joints) if self.placed => Shown::Couple(joints.clone()?),

@@ -218,7 +218,7 @@ impl Line<'_> {
         error: Option<&str>,
         (out, cells): (&mut String, &mut Vec<u8>),
     ) {
-        let whole = self.columns.zip(answers).map(|(columns, answers)| columns.whole(answers));
+        let whole = self.columns.zip(answers).map(|(columns, answers)| columns.whole_if_any(answers));
         let mut poses = 0;
         for pose in answers.iter().flat_map(|a| a.poses()) {
             poses += 1;

@@ -52,7 +52,9 @@ pub struct Block {
     together: Together,
     /// Whole turns of the bodies at every position, rad.
     turns: Vec<f64>,
-    /// So many positions from the first on are what following would find, as far as it was looked at.
+    /// The same at the position that is looked at.
+    pub(super) running: Vec<f64>,
+    /// How many positions from the first on are what following would find, as far as it was looked at.
     free: usize,
 }
 

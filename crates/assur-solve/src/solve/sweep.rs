@@ -14,11 +14,12 @@ use super::notes::Notes;
 use super::positions::{Sweep, beside};
 use super::refusals::{refusals, unit_speeds};
 use super::solution::{Pose, Solution, Solved};
+use super::steps::steps;
 use super::track::{Switch, Tracker};
 use super::unassembled::does_not_close;
 use crate::answer::WholeCycle;
 use crate::model::{LoadId, Value};
-use crate::position::{DriveValue, Model, STARTS, Searched, State, Wanted, Wrench};
+use crate::position::{DriveValue, Model, STARTS, Searched, State, Wanted, Wrench, extent};
 use std::collections::VecDeque;
 
 /// Fewer positions are not worth to be solved side by side.
@@ -96,7 +97,9 @@ impl<'a, 's> Following<'a, 's> {
         let rates = Rates::of(model, &statics);
         let mut run = Run::new(model, rates, statics, loads_name_quantities(model.mechanism));
         run.centres = CentreNotes::of(model.mechanism);
-        let free = is_free(model) && run.centres.is_empty();
+        // positions farther apart are followed on a way between them
+        let apart = || steps(model, extent(model), &sweep.values(0), &sweep.values(1));
+        let free = is_free(model) && run.centres.is_empty() && apart() <= 1.0;
         let (next, current, begin, first_failure) = (0, None, None, None);
         let (try_at, ahead) = (1, VecDeque::new());
         Ok(Some(Self {
@@ -184,9 +187,7 @@ impl<'a, 's> Following<'a, 's> {
         // the last position of a sweep is looked at beyond its answers
         let count = self.sweep.len().saturating_sub(self.next + 1).min(most);
         let tried = self.free && self.next >= self.try_at && self.near.is_empty() && count >= FEWEST;
-        let one_step = || tracker.is_one_step(self.run.model, &self.sweep.values(self.next));
-        (tried && !self.run.notes.in_gap() && one_step())
-            .then(|| Ahead { count, ..self.solved_from(tracker) })
+        (tried && !self.run.notes.in_gap()).then(|| Ahead { count, ..self.solved_from(tracker) })
     }
 
     /// The same for positions that were taken over: what their answers depend on.
@@ -218,7 +219,9 @@ impl<'a, 's> Following<'a, 's> {
         self.next += taken;
         self.run.closing.swept += taken;
         if let Some(last) = block.poses().last() {
-            self.run.last = Some((last.name.clone(), last.drives.clone()));
+            let (name, drives) = self.run.last.get_or_insert_default();
+            name.clone_from(&last.name);
+            drives.clone_from(&last.drives);
         }
         if taken < solved {
             self.try_at = self.next + WAIT;

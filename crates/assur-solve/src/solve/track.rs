@@ -307,8 +307,10 @@ impl Tracker {
             return 0;
         }
         let bodies = self.state.motion.bodies.len();
+        let mut turns = std::mem::take(&mut block.running);
+        turns.clear();
         let now = self.angles.iter().zip(&self.state.motion.bodies);
-        let mut turns: Vec<f64> = now.map(|(angle, b)| whole_turns(*angle - b.u.angle())).collect();
+        turns.extend(now.map(|(angle, b)| whole_turns(*angle - b.u.angle())));
         let mut taken = 0;
         while taken < block.poses().len() {
             let before = taken.checked_sub(1).map_or(Some(&self.state), |i| block.state(i));
@@ -332,12 +334,8 @@ impl Tracker {
             let known = self.state.motion.bodies.iter().zip(&turns);
             self.angles.iter_mut().zip(known).for_each(|(angle, (b, turns))| *angle = b.u.angle() + turns);
         }
+        block.running = turns;
         taken
-    }
-
-    /// Whether the way to other drive values is one step.
-    pub(super) fn is_one_step(&self, model: &Model<'_>, target: &[DriveValue]) -> bool {
-        steps(model, self.extent, &self.values, target) <= 1.0
     }
 
     /// Where the bodies would be at these values: the parabola through the present place and two others on the line of
