@@ -107,7 +107,7 @@ impl Drawing<'_> {
             for scene in &scenes {
                 match assur_picture::draw(*kind, scene, &options) {
                     Ok(drawings) => {
-                        let pose = several.then(|| format!("-{}", scene.pose.name)).unwrap_or_default();
+                        let pose = if several { format!("-{}", scene.pose.name) } else { String::new() };
                         let name = output::file_name(&format!("{stem}-{}{pose}", kind.name()));
                         pages.extend(self.numbered(&name, drawings));
                     }
