@@ -5,7 +5,10 @@ mod machines;
 
 use assur::internals::math::Vec2;
 use assur::internals::model::{Friction, Mechanism, PairKind};
-use assur::internals::solve::{DriveInput, Model, solve};
+use assur::internals::report::json::JsonLines;
+use assur::internals::report::lines::CsvLines;
+use assur::internals::report::{Answers, Precision};
+use assur::internals::solve::{BLOCK, Block, DriveInput, Following, Model, Pose, Solution, solve};
 
 /// Allocations of this thread over a revolution of a machine, after it was assembled.
 fn allocations(mechanism: &Mechanism) -> u64 {
@@ -73,6 +76,47 @@ fn a_cam_allocates_nothing() {
     assert_eq!(allocations(&mechanism.expect("the example is sound")), 0);
 }
 
+/// Allocations of a sweep over a turn after its first blocks: positions, answers and their lines.
+fn allocations_of_a_sweep(text: &str, lines: &mut impl FnMut(&Answers<'_>, &Pose)) -> u64 {
+    let source = assur::internals::source::Source::new("sweep.mech", text);
+    let (compiled, _) = assur::internals::compile(&source, &assur::internals::check::Overrides::none());
+    let compiled = compiled.expect("the text is sound");
+    let model = compiled.model();
+    let mut following = Following::new(&model, Vec::new()).expect("it is solved").expect("it moves");
+    following.next();
+    let solution = Solution { statics: following.statics().clone(), ..Solution::default() };
+    let precision = Precision::READABLE;
+    let answers = Answers { model, solution: &solution, outcomes: &[], reached: None, precision };
+    let mut block = Block::default();
+    let mut blocks = |count: usize| {
+        for _ in 0..count {
+            following.ahead(BLOCK).expect("positions do not depend on one another").solve(&mut block, 0);
+            assert!(following.take(&mut block));
+            following.last_taken().expect("there are some").answer(&mut block, true);
+            block.poses().iter().for_each(|pose| lines(&answers, pose));
+        }
+    };
+    blocks(20);
+    allocation_counter::measure(|| blocks(40)).count_total
+}
+
+const SWEEP: &str = include_str!("../benches/peers/four-bar.mech");
+
+#[test]
+fn a_sweep_and_its_lines_allocate_nothing() {
+    let text = SWEEP.replace("in 360 steps", "in 10000 steps");
+    let (mut row, mut out, mut csv, mut json) = (Vec::new(), Vec::new(), None, JsonLines::of("a".to_owned()));
+    let mut lines = |answers: &Answers<'_>, pose: &Pose| {
+        out.clear();
+        let csv = csv.get_or_insert_with(|| CsvLines::of(&answers.model, None));
+        csv.begin(answers);
+        csv.add(answers, pose, &mut row, &mut out);
+        json.begin(answers, pose);
+        json.add(answers, pose, &mut row, &mut out);
+    };
+    assert_eq!(allocations_of_a_sweep(&text, &mut lines), 0);
+}
+
 #[test]
 fn the_count_counts() {
     let counted = allocation_counter::measure(|| drop(std::hint::black_box(vec![1_u8])));
@@ -111,4 +155,49 @@ fn a_train_allocates_nothing() {
         assur::internals::check_source(&source, &assur::internals::check::Overrides::none());
     let mechanism = mechanism.unwrap_or_else(|| panic!("{problems:?}"));
     assert_eq!(allocations(&mechanism), 0);
+}
+
+/// Rows of variants, read from a table, solved and written.
+#[test]
+fn a_row_of_variants_allocates_nothing() {
+    use assur::internals::check::{Overrides, columns};
+    use assur::internals::exercise::table::{Lines, Read, Table};
+    use assur::internals::pipeline::VariantSolver;
+    use assur::internals::report::{Precision, rows::AnswerColumns};
+    use std::fmt::Write;
+    use std::sync::Arc;
+
+    let text = include_str!("../examples/variants/crank-slider.mech");
+    let source = assur::internals::source::Source::new("crank-slider.mech", text);
+    let document = Arc::new(assur::internals::syntax::parse(&source).0);
+    let none = Overrides::none();
+    let mut table = "r [mm],l [mm],n [rpm],phi [deg],P [N]\n".to_owned();
+    for i in 0..200 {
+        writeln!(table, "{},{},{},{},{}", 80 + i % 40, 300 + i % 77, 500 + i, 7 * i % 360, i)
+            .expect("written");
+    }
+    let mut table =
+        Table::open("rows.csv", table.as_bytes()).expect("read").unwrap_or_else(|_| panic!("a header"));
+    let columns: Arc<[_]> = columns(&document, &none, &table.columns).0.expect("columns that fit").into();
+    let mut lines = Lines::default();
+    table.lines(200, &mut lines).expect("read");
+    let mut solver = VariantSolver::new(&document, &none);
+    let (mut read, mut answers, mut out) = (Read::default(), None, Vec::with_capacity(1 << 20));
+    let mut solve = |i: usize| {
+        let raw = lines.get(i).expect("a row");
+        raw.read_in("rows.csv", &columns, table.separator, &mut read).unwrap_or_else(|_| panic!("numbers"));
+        if i == 0 {
+            assert!(solver.prepare(&read.row));
+        }
+        let (solved, problems) = solver.solve_in_place(&read.row);
+        let solved = solved.expect("the row closes").answers(Precision::READABLE);
+        assert!(problems.is_empty());
+        let written = answers.get_or_insert_with(|| AnswerColumns::of(&solved.model));
+        let whole = written.whole_if_any(&solved);
+        solved.poses().for_each(|pose| written.write_beside(&solved, pose, &whole, (15, false), &mut out));
+    };
+    (0..20).for_each(&mut solve);
+    let counted = allocation_counter::measure(|| (20..200).for_each(&mut solve));
+    assert_eq!(counted.count_total, 0);
+    assert!(out.len() > 20_000);
 }

@@ -5,7 +5,7 @@ mod format;
 mod pages;
 
 pub use draw::{Draw, LoadsArg, ThemeArg};
-pub use format::{Format, ProfileFormat};
+pub use format::{Format, ProfileFormat, SolveFormat};
 pub use pages::{Explain, Help, New, StartKind};
 
 use clap::{Parser, Subcommand, ValueEnum};
@@ -135,14 +135,17 @@ pub struct Solve {
     #[command(flatten)]
     pub problem: Problem,
     /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
+    #[arg(long, value_enum, default_value_t = SolveFormat::Common(Format::Table))]
+    pub format: SolveFormat,
     /// Maximum relative error, e.g. 1e-6; the fastest sufficient settings are used and the error reached is reported
     #[arg(long, value_name = "ERROR", value_parser = accuracy)]
     pub within: Option<f64>,
     /// Show residuals and condition of every pose; without it the worst of all poses in one line
     #[arg(long)]
     pub accuracy: bool,
+    /// Number of threads for long sweeps [default: all processors]
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
 }
 
 /// Arguments of `accuracy`.

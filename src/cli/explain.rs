@@ -13,7 +13,7 @@ pub fn run(args: &Explain, screen: &Screen) -> Status {
         return Status::printed(screen.print(&list));
     };
     if let Some(page) = explain(code) {
-        return Status::printed(screen.print(&format!("{}\n", page.trim_end())));
+        return Status::printed(screen.print(format!("{}\n", page.trim_end())));
     }
     let near = did_you_mean(code, CODES.iter().map(|c| c.code.strip_prefix("mech::").unwrap_or(c.code)));
     let help = match near.first() {

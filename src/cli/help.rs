@@ -21,7 +21,7 @@ pub fn run(args: &Help, screen: &Screen) -> Status {
         Some("statements") => manual::statements(),
         _ => return of_command(topic, screen),
     };
-    Status::printed(screen.print(&text::render(&page, screen.look())))
+    Status::printed(screen.print(text::render(&page, screen.look())))
 }
 
 /// What `--help` prints: of the program, or of a command.

@@ -2,6 +2,8 @@
 
 mod accuracy;
 pub mod args;
+#[cfg(feature = "arrow")]
+mod arrow;
 mod batch;
 mod check;
 mod clock;
@@ -20,6 +22,7 @@ pub mod screen;
 mod solve;
 mod stream;
 mod test;
+mod threads;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

@@ -26,7 +26,7 @@ pub fn run(args: &New, screen: &Screen) -> Status {
     match create(&path, text(args.kind)) {
         Ok(()) => {
             let shown = shown_in_line(&path);
-            Status::printed(screen.print(&format!("wrote {shown}; solve it with: assur solve {shown}\n")))
+            Status::printed(screen.print(format!("wrote {shown}; solve it with: assur solve {shown}\n")))
         }
         Err(error) => {
             screen.complain(&complaint(error, screen));

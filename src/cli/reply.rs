@@ -98,7 +98,8 @@ impl<'s> Printer<'s> {
     }
 
     /// Writes results of the present file; `false` where that cannot be done.
-    pub fn print(&mut self, text: &str) -> bool {
+    pub fn print(&mut self, text: impl AsRef<[u8]>) -> bool {
+        let text = text.as_ref();
         if text.is_empty() || !self.whole {
             return self.whole;
         }

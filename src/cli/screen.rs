@@ -72,9 +72,9 @@ impl Screen {
     /// Writes results; `false` if that fails. A reader that has closed its pipe is not
     /// reported.
     #[must_use]
-    pub fn print(&self, text: &str) -> bool {
+    pub fn print(&self, text: impl AsRef<[u8]>) -> bool {
         let mut out = io::stdout().lock();
-        let done = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+        let done = out.write_all(text.as_ref()).and_then(|()| out.flush());
         if let Err(error) = &done
             && error.kind() != ErrorKind::BrokenPipe
         {

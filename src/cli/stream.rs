@@ -1,12 +1,15 @@
-//! `assur solve` position by position: each is written and forgotten.
+//! `assur solve` position by position: each is written and forgotten. Where none depends on another they are solved and written
+//! on several threads, in their order.
 
 use super::args::Format;
 use super::reply::{Printer, Reply, Status};
 use super::screen::Screen;
-use crate::pipeline::{Compiled, Solved};
+use super::threads::Threads;
+use crate::pipeline::{Compiled, Sink, Solved};
+use crate::report::json::JsonLines;
 use crate::report::lines::CsvLines;
-use crate::report::{Answers, Precision, json};
-use assur_solve::solve::Pose;
+use crate::report::{Answers, Precision};
+use assur_solve::solve::{Ahead, BLOCK, Block, Pose};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
@@ -14,6 +17,8 @@ use assur_text::source::Source;
 const PIECE: usize = 1 << 16;
 /// What is held back at the most while no position has closed yet: where none does, the file has no answers.
 const HELD: usize = 1 << 25;
+/// Blocks that a thread solves at once: what it holds fits the cache.
+const BLOCKS: usize = 8;
 
 /// Writes all positions of a file; in CSV after its name, if one is given.
 pub fn positions(
@@ -22,10 +27,20 @@ pub fn positions(
     compiled: Compiled,
     mut problems: Problems,
     screen: &Screen,
-    printer: &mut Printer<'_>,
+    (printer, threads): (&mut Printer<'_>, &Threads),
 ) -> Reply {
-    let mut out = Out::new(format, source, CsvLines::of(&compiled.model(), file), printer);
-    let (solved, found) = crate::pipeline::solve_each(compiled, &mut |answers, pose| out.add(answers, pose));
+    let lines = match format {
+        Format::Csv => Lines::Csv(CsvLines::of(&compiled.model(), file)),
+        _ => Lines::Json(JsonLines::of(source.name.clone())),
+    };
+    let angles = match &lines {
+        Lines::Csv(lines) => lines.reads_angles(&compiled.model()),
+        Lines::Json(_) => true,
+    };
+    let text = if let Lines::Csv(lines) = &lines { lines.header() } else { String::new() }.into_bytes();
+    let (begun, any, failed, texts) = (false, false, false, Vec::new());
+    let mut out = Out { lines, angles, text, texts, begun, any, failed, printer, threads };
+    let (solved, found) = crate::pipeline::solve_each(compiled, &mut out);
     problems.append(found);
     if let Ok(solved) = &solved {
         out.end(solved);
@@ -36,51 +51,109 @@ pub fn positions(
     Reply::new(String::new(), &problems, source, screen)
 }
 
-struct Out<'p, 's, 'o> {
-    format: Format,
-    file: &'s str,
-    csv: CsvLines,
-    text: String,
+/// The lines of one form.
+enum Lines {
+    Csv(CsvLines),
+    Json(JsonLines),
+}
+
+impl Lines {
+    /// What is found once: of a position, where there is one.
+    fn begin(&mut self, answers: &Answers<'_>, pose: Option<&Pose>) {
+        match (self, pose) {
+            (Self::Csv(lines), _) => lines.begin(answers),
+            (Self::Json(lines), Some(pose)) => lines.begin(answers, pose),
+            (Self::Json(_), None) => {}
+        }
+    }
+
+    /// Adds the line of a position.
+    fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, text: &mut Vec<u8>) {
+        match self {
+            Self::Csv(lines) => lines.add(answers, pose, row, text),
+            Self::Json(lines) => lines.add(answers, pose, row, text),
+        }
+    }
+
+    /// Adds the line of a file without positions.
+    fn add_without_pose(&self, answers: &Answers<'_>, text: &mut Vec<u8>) {
+        match self {
+            Self::Csv(lines) => lines.add_without_pose(answers, text),
+            Self::Json(lines) => lines.add_without_pose(answers, text),
+        }
+    }
+}
+
+struct Out<'p, 'o> {
+    lines: Lines,
+    /// The lines show angles.
+    angles: bool,
+    text: Vec<u8>,
+    /// Of blocks, until they are written.
+    texts: Vec<Vec<u8>>,
     /// A position has a meaning.
     begun: bool,
     any: bool,
     failed: bool,
     printer: &'p mut Printer<'o>,
+    threads: &'p Threads,
 }
 
-impl<'p, 's, 'o> Out<'p, 's, 'o> {
-    fn new(format: Format, source: &'s Source, csv: CsvLines, printer: &'p mut Printer<'o>) -> Self {
-        let text = if format == Format::Csv { csv.header() } else { String::new() };
-        Self { format, file: &source.name, csv, text, begun: false, any: false, failed: false, printer }
-    }
-
-    /// Adds a position; `false` where nothing more can be written.
+impl Sink for Out<'_, '_> {
+    /// `false` where nothing more can be written.
     fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool {
         self.any = true;
         self.begun |= pose.outcome.is_ok() || pose.failure().is_some();
-        match self.format {
-            Format::Csv => self.csv.add(answers, pose, &mut self.text),
-            _ => {
-                self.text += &json::render_position(self.file, None, answers, Some(pose));
-                self.text.push('\n');
-            }
-        }
+        self.lines.begin(answers, Some(pose));
+        self.lines.add(answers, pose, &mut Vec::new(), &mut self.text);
         if self.text.len() >= if self.begun { PIECE } else { HELD } {
             self.flush();
         }
         !self.failed
     }
 
+    fn forgets(&self) -> bool {
+        true
+    }
+
+    fn blocks(&self) -> usize {
+        self.threads.count() * BLOCKS
+    }
+
+    fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+        self.threads.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
+    }
+
+    fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
+        (self.any, self.begun) = (true, true);
+        if let Some(first) = blocks.first_mut() {
+            ahead.answer(first, self.angles);
+            self.lines.begin(answers, first.poses().first());
+        }
+        self.texts.resize_with(blocks.len(), Vec::new);
+        let (lines, angles) = (&self.lines, self.angles);
+        let mut work: Vec<(&mut Block, &mut Vec<u8>)> = blocks.iter_mut().zip(&mut self.texts).collect();
+        self.threads.each(&mut work, |(_, (block, text))| {
+            ahead.answer(block, angles);
+            text.clear();
+            let mut row = Vec::new();
+            block.poses().iter().for_each(|pose| lines.add(answers, pose, &mut row, text));
+        });
+        self.flush();
+        for text in &self.texts {
+            self.failed |= !self.printer.print(text);
+        }
+        !self.failed
+    }
+}
+
+impl Out<'_, '_> {
     /// Writes what is left; what needs no pose where there is none.
     fn end(&mut self, solved: &Solved) {
-        let answers = solved.answers(Precision::READABLE);
-        match self.format {
-            _ if self.any => {}
-            Format::Csv => self.csv.add_without_pose(&answers, &mut self.text),
-            _ => {
-                self.text += &json::render_position(self.file, None, &answers, None);
-                self.text.push('\n');
-            }
+        if !self.any {
+            let answers = solved.answers(Precision::READABLE);
+            self.lines.begin(&answers, None);
+            self.lines.add_without_pose(&answers, &mut self.text);
         }
         self.flush();
     }

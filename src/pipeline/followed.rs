@@ -4,9 +4,10 @@
 use super::compile::Origin;
 use super::critical::criticals;
 use super::open_sizes::open_sizes;
+use crate::report::{Answers, Precision};
 use assur_model::model::{At, Mechanism, Positions, Relation};
 use assur_solve::message::{self, failure};
-use assur_solve::solve::{Following, Model, Pose, PoseOrigin, Solution};
+use assur_solve::solve::{Ahead, BLOCK, Block, Following, Model, Pose, PoseOrigin, Solution};
 use assur_text::diagnostic::Problems;
 use miette::{Diagnostic, LabeledSpan};
 use thiserror::Error;
@@ -20,8 +21,40 @@ const FEWEST: usize = 360;
 /// Failing positions are reported up to this number, and counted beyond.
 const TOLD: usize = 1000;
 
-/// What is done with a position of a solution that holds none yet; says whether to go on.
-pub type Each<'e> = &'e mut dyn FnMut(&Solution, &Pose) -> bool;
+/// Where positions go that are not kept. Each method says whether to go on.
+pub trait Sink {
+    /// Takes a position.
+    fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool;
+
+    /// Whether positions need not be kept, even if they are few.
+    fn forgets(&self) -> bool {
+        false
+    }
+
+    /// How many blocks of positions are solved at once where none depends on another.
+    fn blocks(&self) -> usize {
+        1
+    }
+
+    /// Solves blocks of positions: on several threads if there are.
+    fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+        blocks.iter_mut().enumerate().for_each(|(i, block)| ahead.solve(block, i * BLOCK));
+    }
+
+    /// Takes blocks of positions whose quantities and angles are not known yet, see [`Ahead::answer`].
+    fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
+        blocks.iter_mut().all(|block| {
+            ahead.answer(block, true);
+            block.poses().iter().all(|pose| self.add(answers, pose))
+        })
+    }
+}
+
+impl<F: FnMut(&Answers<'_>, &Pose) -> bool> Sink for F {
+    fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool {
+        self(answers, pose)
+    }
+}
 
 /// The solution with all that is to be said of it; `None` where it was stopped; else what makes all positions meaningless.
 pub type Followed = Result<Option<(Solution, Problems)>, Problems>;
@@ -72,7 +105,7 @@ pub fn is_long(model: &Model<'_>) -> bool {
 ///
 /// # Errors
 /// What makes all positions meaningless.
-pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_>>) -> Followed {
+pub fn followed(model: &Model<'_>, origin: Option<&Origin>, sink: Option<&mut dyn Sink>) -> Followed {
     let critical = origin.map(|o| criticals(model, o)).unwrap_or_default();
     let Some(mut following) =
         Following::new(model, critical).map_err(|all| Problems::of(message::failures(model, &all)))?
@@ -80,8 +113,10 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_
         return Ok(Some((Solution::default(), Problems::new())));
     };
     let (positions, most) = (following.positions(), most_positions(model));
-    let keeps_all = positions <= most;
-    if !keeps_all && (each.is_none() || names_all(model.mechanism, following.swept())) {
+    let few = positions <= most;
+    let forgets = sink.as_ref().is_some_and(|sink| sink.forgets()) && model.mechanism.expects.is_empty();
+    let keeps_all = few && !forgets;
+    if !few && (sink.is_none() || names_all(model.mechanism, following.swept())) {
         let labels = model.mechanism.drives.iter().map(|d| LabeledSpan::underline(d.span)).collect();
         return Err(Problems::of([SizeError::TooManyPositions { positions, most, labels }]));
     }
@@ -90,13 +125,23 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_
         head.open = open_sizes(model, origin).map_err(Problems::of)?;
     }
     let (mut poses, mut problems) = (Vec::new(), Problems::new());
-    let mut each = each;
+    let precision = Precision::READABLE;
+    let answers = Answers { model: *model, solution: &head, outcomes: &[], reached: None, precision };
+    let (mut sink, mut blocks) = (sink, Vec::new());
     let (mut failed, mut ambiguous) = (0, false);
-    while let Some(pose) = following.next() {
+    loop {
+        if let Some(sink) = sink.as_deref_mut().filter(|_| !keeps_all && model.mechanism.expects.is_empty()) {
+            match side_by_side(&mut following, sink, &mut blocks, &answers) {
+                Some(true) => continue,
+                Some(false) => return Ok(None),
+                None => {}
+            }
+        }
+        let Some(pose) = following.next() else { break };
         let pose = pose.map_err(|why| Problems::of([failure(model, &why)]))?;
-        if let Some(each) = &mut each
+        if let Some(sink) = &mut sink
             && !matches!(pose.origin, PoseOrigin::Expected(_))
-            && !each(&head, &pose)
+            && !sink.add(&answers, &pose)
         {
             return Ok(None);
         }
@@ -104,7 +149,7 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_
         let again = pose.is_ambiguous() && std::mem::replace(&mut ambiguous, true);
         if let Some(why) = pose.failure().filter(|_| !again) {
             failed += 1;
-            if failed <= TOLD || keeps_all {
+            if failed <= TOLD || few {
                 problems.push(failure(model, why));
             } else {
                 problems.count_errors(1);
@@ -121,6 +166,28 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, each: Option<Each<'_
     said.append(problems);
     solution.open = head.open;
     Ok(Some((solution, said)))
+}
+
+/// The next positions as far as none depends on another; `None` where they do.
+fn side_by_side(
+    following: &mut Following<'_, '_>,
+    sink: &mut dyn Sink,
+    blocks: &mut Vec<Block>,
+    answers: &Answers<'_>,
+) -> Option<bool> {
+    let ahead = following.ahead(sink.blocks() * BLOCK)?;
+    blocks.resize_with(ahead.count().div_ceil(BLOCK), Block::default);
+    sink.solve(&ahead, blocks);
+    let mut taken = 0;
+    for block in &mut *blocks {
+        let whole = following.take(block);
+        taken += usize::from(!block.poses().is_empty());
+        if !whole {
+            break;
+        }
+    }
+    let ahead = following.last_taken().filter(|_| taken > 0)?;
+    Some(sink.add_blocks(answers, &ahead, &mut blocks[..taken]))
 }
 
 /// Whether an expectation gives a value for every position of a sweep.

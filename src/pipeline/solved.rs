@@ -1,12 +1,12 @@
 //! Compiled → solved, compared with its answer key.
 
 use super::compile::{Compiled, compile_document};
-use super::followed::{Followed, followed};
+use super::followed::{Followed, Sink, followed};
 use crate::exercise::{self, Outcome};
 use crate::report;
 use assur_check::Overrides;
 use assur_solve::measure::accuracy::{self, AchievedAccuracy};
-use assur_solve::solve::{Model, Pose, Solution};
+use assur_solve::solve::Solution;
 use assur_syntax as syntax;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -43,18 +43,9 @@ pub fn solve(compiled: Compiled) -> (Result<Solved, Compiled>, Problems) {
 }
 
 /// As [`solve()`], however many positions there are: each is handed out, with the answers to what needs none, and of many
-/// those alone are kept that an expectation names. There is no result and no message if `each` stops it.
-pub fn solve_each(
-    compiled: Compiled,
-    each: &mut dyn FnMut(&report::Answers<'_>, &Pose) -> bool,
-) -> (Result<Solved, Compiled>, Problems) {
-    let (mechanism, structure, plan) = (&compiled.mechanism, &compiled.structure, &compiled.plan);
-    let model = Model { mechanism, structure, plan };
-    let precision = report::Precision::READABLE;
-    let mut answered = |solution: &Solution, pose: &Pose| {
-        each(&report::Answers { model, solution, outcomes: &[], reached: None, precision }, pose)
-    };
-    let found = followed(&model, compiled.origin.as_ref(), Some(&mut answered));
+/// those alone are kept that an expectation names. There is no result and no message if `sink` stops it.
+pub fn solve_each(compiled: Compiled, sink: &mut dyn Sink) -> (Result<Solved, Compiled>, Problems) {
+    let found = followed(&compiled.model(), compiled.origin.as_ref(), Some(sink));
     evaluated(compiled, found)
 }
 

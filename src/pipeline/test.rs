@@ -5,7 +5,9 @@ use super::file_variants::FileVariants;
 use super::other_assembly::in_other_assembly;
 use super::solved::{Solved, solve_each};
 use crate::exercise;
+use crate::report::Answers;
 use assur_check::Overrides;
+use assur_solve::solve::Pose;
 use assur_syntax as syntax;
 use assur_syntax::document::Document;
 use assur_text::diagnostic::{self, Problems};
@@ -51,7 +53,7 @@ pub fn test_document(
 ) -> (Option<Solved>, Problems) {
     let (compiled, mut problems) = compile_document(source, document, found, overrides);
     let Some(compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
-    let (solved, found) = solve_each(compiled, &mut |_, _| true);
+    let (solved, found) = solve_each(compiled, &mut |_: &Answers<'_>, _: &Pose| true);
     problems.append(found);
     let solved = solved.ok();
     if let Some(solved) = &solved {

@@ -1,6 +1,7 @@
 //! A file that is solved with one row of variants after another: what depends on no value is done once.
 
 use super::compile::{Compiled, Origin, plan_mechanism};
+use super::quick_rows::QuickRows;
 use super::solved::{Solved, solve_within};
 use assur_check as check;
 use assur_check::{Overrides, Row, Template};
@@ -18,14 +19,32 @@ pub struct VariantSolver<'a> {
     structure: Option<Structure>,
     /// The accuracy that is wanted.
     within: Option<f64>,
+    /// What rows have in common where they differ in numbers alone.
+    quick: Quick,
+    /// The last row that was solved as a whole.
+    last: Option<Solved>,
 }
+
+/// Rows that differ in numbers alone.
+enum Quick {
+    /// Not looked for yet: so many rows were compiled without a word.
+    After(usize),
+    /// Looked for in vain.
+    None,
+    /// Found.
+    Rows(Box<QuickRows>),
+}
+
+/// To look for them takes as long as some rows.
+const ROWS_BEFORE: usize = 16;
 
 impl<'a> VariantSolver<'a> {
     /// A document that could be read, with values that replace those of all rows.
     #[must_use]
     pub fn new(document: &'a Arc<Document>, overrides: &'a Overrides) -> Self {
         let template = Template::new(document, overrides);
-        Self { document, overrides, template, structure: None, within: None }
+        let (structure, within, quick, last) = (None, None, Quick::After(0), None);
+        Self { document, overrides, template, structure, within, quick, last }
     }
 
     /// With settings that keep an accuracy, row by row.
@@ -53,6 +72,53 @@ impl<'a> VariantSolver<'a> {
             self.structure = problems.is_empty().then(|| compiled.structure.clone());
         }
         (compiled, problems)
+    }
+
+    /// As [`VariantSolver::solve`], in the memory of the rows before.
+    pub fn solve_in_place(&mut self, row: &Row) -> (Option<&Solved>, Problems) {
+        self.look_for_quick(row);
+        let ready = match &mut self.quick {
+            Quick::Rows(quick) => quick.compile(row).is_some(),
+            Quick::After(_) | Quick::None => false,
+        };
+        if !ready {
+            // it takes more than numbers
+            let (solved, problems) = self.solve(row);
+            self.last = solved;
+            return (self.last.as_ref(), problems);
+        }
+        match &mut self.quick {
+            Quick::Rows(quick) => quick.solve(),
+            Quick::After(_) | Quick::None => (None, Problems::new()),
+        }
+    }
+
+    /// Looks at once for what rows like this one have in common; whether they differ in numbers alone.
+    pub fn prepare(&mut self, row: &Row) -> bool {
+        self.quick = self.found_quick(row);
+        matches!(self.quick, Quick::Rows(_))
+    }
+
+    /// Looks for what rows have in common once there are some.
+    fn look_for_quick(&mut self, row: &Row) {
+        let Quick::After(rows) = &mut self.quick else { return };
+        *rows += 1;
+        if *rows <= ROWS_BEFORE {
+            return;
+        }
+        self.quick = if self.within.is_none() { self.found_quick(row) } else { Quick::None };
+    }
+
+    fn found_quick(&mut self, row: &Row) -> Quick {
+        let (compiled, problems) = self.compile(row);
+        let Some(compiled) = compiled else { return Quick::After(0) };
+        // of another row nothing may be to be said
+        if !problems.is_empty() {
+            return Quick::After(0);
+        }
+        let patches = self.template.as_mut().and_then(|template| template.patches(row));
+        let quick = patches.and_then(|patches| QuickRows::new(patches, compiled));
+        quick.map_or(Quick::None, |quick| Quick::Rows(Box::new(quick)))
     }
 
     /// The solution of a row, and all that was found on the way.

@@ -6,7 +6,7 @@ use super::document::Section;
 use super::reactions::reactions;
 use super::results::figures;
 use super::scale::Scale;
-use super::symbols;
+use super::symbols::Symbols;
 use assur_model::model::{FindKind, Value};
 use assur_solve::solve::Pose;
 use assur_text::units::Dimension;
@@ -27,9 +27,9 @@ pub fn brief(file: &str, answers: &Answers<'_>, width: usize) -> Section {
     if let Some(reached) = answers.reached {
         section.text(super::tradeoff::reached(reached));
     }
-    let scale = Scale::of(answers);
+    let (scale, symbols) = (Scale::of(answers), Symbols::of(answers.model.mechanism));
     let all = answers.quantities(&poses).into_iter().chain(answers.quantities_without_pose());
-    let mut items: Vec<String> = all.map(|q| item(answers, scale, &q)).collect();
+    let mut items: Vec<String> = all.map(|q| item(answers, &symbols, scale, &q)).collect();
     items.extend(greatest_reaction(answers, &poses));
     let finds = &answers.model.mechanism.finds;
     let tables = finds.iter().filter(|find| matches!(find.kind, FindKind::Table(_)));
@@ -58,8 +58,8 @@ fn counts(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<String> {
 }
 
 /// `Mb = 472.5 N*m`, or `x_C = 335.41 … 450 mm`; of a vector that varies its magnitude.
-fn item(answers: &Answers<'_>, scale: Scale, quantity: &Quantity) -> String {
-    let name = symbols::label(answers.model.mechanism, &quantity.name);
+fn item(answers: &Answers<'_>, symbols: &Symbols<'_>, scale: Scale, quantity: &Quantity) -> String {
+    let name = symbols.label(&quantity.name);
     let unit = &quantity.display.unit;
     let text = |value: Value| figures(answers, scale, &quantity.display, Some(value));
     let with_unit = |text: String| if unit.is_empty() { text } else { format!("{text} {unit}") };

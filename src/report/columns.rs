@@ -105,6 +105,11 @@ impl<'a> Answers<'a> {
         Some(value).filter(Value::is_defined)
     }
 
+    /// The slots of the unknown efforts that are reported.
+    pub(super) fn effort_slots(&self) -> impl Iterator<Item = usize> {
+        self.efforts().into_iter().map(|effort| effort.slot)
+    }
+
     /// The unknown efforts; none where forces are not solved.
     pub(super) fn efforts(&self) -> Vec<EffortEntry> {
         let mechanism = self.model.mechanism;

@@ -4,7 +4,8 @@ use super::answers::Answers;
 use super::csv::{LINE_END, field};
 use super::rows::{AnswerColumns, FULL, write_text};
 use assur_model::model::Value;
-use assur_solve::solve::{Model, Pose};
+use assur_solve::solve::{Model, NumberColumns, Pose};
+use assur_text::units::push_row;
 
 /// Writes lines.
 #[derive(Clone, Debug)]
@@ -13,7 +14,10 @@ pub struct CsvLines {
     /// The file's name as a cell with its comma, where every line begins with it.
     file: Option<String>,
     /// The answers that need no pose, once known.
-    whole: Option<Vec<Option<Value>>>,
+    whole: Vec<Option<Value>>,
+    /// The columns, where a state decides them.
+    numbers: Option<NumberColumns>,
+    begun: bool,
 }
 
 impl CsvLines {
@@ -21,7 +25,13 @@ impl CsvLines {
     #[must_use]
     pub fn of(model: &Model<'_>, file: Option<&str>) -> Self {
         let cell = |file: &str| field(file).into_owned() + ",";
-        Self { columns: AnswerColumns::of_file(model), file: file.map(cell), whole: None }
+        Self {
+            columns: AnswerColumns::of_file(model),
+            file: file.map(cell),
+            whole: Vec::new(),
+            numbers: None,
+            begun: false,
+        }
     }
 
     /// The first line.
@@ -35,19 +45,44 @@ impl CsvLines {
         line + LINE_END
     }
 
-    /// Adds the line of a position.
-    pub fn add(&mut self, answers: &Answers<'_>, pose: &Pose, out: &mut String) {
-        let whole = self.whole.get_or_insert_with(|| self.columns.whole(answers));
-        out.push_str(self.file.as_deref().unwrap_or_default());
-        write_text(&pose.name, out);
-        self.columns.write_beside(answers, pose, whole, (FULL, false), out);
-        out.push_str(LINE_END);
+    /// Finds the answers that need no pose.
+    pub fn begin(&mut self, answers: &Answers<'_>) {
+        if !std::mem::replace(&mut self.begun, true) {
+            self.whole = self.columns.whole(answers);
+            self.numbers = self.columns.numbers(&self.whole);
+        }
+    }
+
+    /// Whether a column shows the angle of a link or of a hinge.
+    #[must_use]
+    pub fn reads_angles(&self, model: &Model<'_>) -> bool {
+        self.columns.reads_angles(model)
+    }
+
+    /// Adds the line of a position, once it has [begun](CsvLines::begin); `row` is memory for its numbers.
+    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) {
+        out.extend_from_slice(self.file.as_deref().unwrap_or_default().as_bytes());
+        if pose.name.bytes().all(|b| b.is_ascii_digit()) {
+            out.extend_from_slice(pose.name.as_bytes());
+        } else {
+            out.extend_from_slice(field(&pose.name).as_bytes());
+        }
+        let solved = pose.outcome.as_ref().ok().filter(|solved| !solved.state.forces.locked);
+        match (&self.numbers, solved) {
+            (Some(columns), Some(solved))
+                if columns.read(&answers.solution.view(&answers.model, solved), &pose.drives, row) =>
+            {
+                push_row(out, row, FULL);
+            }
+            _ => self.columns.write_beside(answers, pose, &self.whole, (FULL, false), out),
+        }
+        out.extend_from_slice(LINE_END.as_bytes());
     }
 
     /// Adds the one line of a file without positions.
-    pub fn add_without_pose(&self, answers: &Answers<'_>, out: &mut String) {
-        out.push_str(self.file.as_deref().unwrap_or_default());
-        self.columns.write_without_pose(answers, FULL, false, out);
-        out.push_str(LINE_END);
+    pub fn add_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<u8>) {
+        let mut line = self.file.clone().unwrap_or_default();
+        self.columns.write_without_pose(answers, FULL, false, &mut line);
+        out.extend_from_slice((line + LINE_END).as_bytes());
     }
 }

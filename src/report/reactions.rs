@@ -2,10 +2,10 @@
 
 use super::answers::{Answers, NONE, with_unit};
 use super::document::{Column, Report, Section, Table};
-use super::symbols;
+use super::symbols::Symbols;
 use assur_math::math::Vec2;
-use assur_model::model::{Display, Guide, LinkId, Mechanism, PairId, PairKind, Query, Value};
-use assur_solve::solve::{PoseAnswers, Solved, unplaced_reactions};
+use assur_model::model::{Display, LinkId, Mechanism, PairId, PairKind, Query, Value};
+use assur_solve::solve::{Model, PoseAnswers, Solved, unplaced_reactions};
 use assur_text::units::Dimension;
 
 /// The reaction between two links of a pair, SI.
@@ -43,8 +43,6 @@ pub fn reactions(answers: &Answers<'_>, solved: &Solved) -> Vec<ReactionEntry> {
         return Vec::new();
     }
     let view = answers.solution.view(&answers.model, solved);
-    let forces = solved.state.forces.reactions.iter().map(|r| r.force.norm());
-    let scale = forces.fold(0.0, f64::max);
     let unplaced = unplaced_reactions(&answers.model);
     let mut entries = Vec::new();
     for (i, pair) in answers.model.mechanism.pairs.iter().enumerate() {
@@ -53,7 +51,7 @@ pub fn reactions(answers: &Answers<'_>, solved: &Solved) -> Vec<ReactionEntry> {
         }
         let links = pair.kind.links();
         let Some((&from, others)) = links.split_first() else { continue };
-        entries.extend(others.iter().map(|&on| entry(&view, PairId::at(i), from, on, scale)));
+        entries.extend(others.iter().map(|&on| entry(&view, PairId::at(i), from, on)));
     }
     entries
 }
@@ -75,45 +73,41 @@ fn number(view: &PoseAnswers<'_>, query: &Query) -> Option<f64> {
     }
 }
 
-fn entry(view: &PoseAnswers<'_>, pair: PairId, from: LinkId, on: LinkId, scale: f64) -> ReactionEntry {
+fn entry(view: &PoseAnswers<'_>, pair: PairId, from: LinkId, on: LinkId) -> ReactionEntry {
     let kind = &view.mechanism.pair(pair).kind;
-    let mut entry = ReactionEntry {
-        pair,
-        from,
-        on,
-        force: view.reaction(pair, on),
-        moment: moment(view, pair, on),
-        at: None,
-        contacts: Vec::new(),
+    let at = match kind {
+        PairKind::Contact { .. } => view.contact_normal(pair).map(|c| c.0),
+        PairKind::Transmission(_) => view.pitch_point(pair),
+        PairKind::Prismatic(guide) => view.crossing(pair, on, guide),
+        kind => meets_at(kind).map(|(link, at)| view.body(link).position(at)),
     };
-    match kind {
-        PairKind::Revolute(pins) => entry.at = pins.first().map(|p| view.body(p.link).position(p.at)),
-        PairKind::Cylinder { to, .. } => entry.at = Some(view.body(to.link).position(to.at)),
-        PairKind::Slot(g) => entry.at = Some(view.body(g.slider).position(g.point)),
-        PairKind::Contact { .. } => entry.at = view.contact_normal(pair).map(|c| c.0),
-        PairKind::Transmission(_) => entry.at = view.pitch_point(pair),
-        PairKind::Prismatic(g) => {
-            // a couple alone crosses the guide nowhere
-            let crosses = view.reaction(pair, on).norm() > 1e-12 * scale;
-            entry.at =
-                number(view, &Query::LineOffset(pair)).filter(|_| crosses).map(|s| on_line(view, g, s));
-            entry.contacts = contacts(view, pair, g);
+    let contacts = match kind {
+        PairKind::Prismatic(guide) => {
+            view.contacts(pair, guide).map(|(at, normal)| ContactEntry { at, normal }).collect()
         }
-    }
-    entry
-}
-
-fn on_line(view: &PoseAnswers<'_>, guide: &Guide, coordinate: f64) -> Vec2 {
-    view.body(guide.guide).position(guide.through) + view.along(guide) * coordinate
-}
-
-fn contacts(view: &PoseAnswers<'_>, pair: PairId, guide: &Guide) -> Vec<ContactEntry> {
-    let (Some(places), Some(normals)) = (guide.contacts, view.contact_forces(pair)) else {
-        return Vec::new();
+        _ => Vec::new(),
     };
-    let point = view.body(guide.slider).position(guide.point);
-    let both = places.iter().zip(normals).filter(|(_, n)| n.is_finite());
-    both.map(|(s, normal)| ContactEntry { at: point + view.along(guide) * *s, normal }).collect()
+    let (force, moment) = (view.reaction(pair, on), moment(view, pair, on));
+    ReactionEntry { pair, from, on, force, moment, at, contacts }
+}
+
+/// Whether the couple of a pair is reported at all positions: one that is determined is a number.
+pub(super) fn has_moment(model: &Model<'_>, pair: PairId) -> bool {
+    let undetermined = model.structure.undetermined_couples.binary_search(&pair).is_ok();
+    match &model.mechanism.pair(pair).kind {
+        PairKind::Revolute(_) | PairKind::Transmission(_) | PairKind::Prismatic(_) => !undetermined,
+        PairKind::Cylinder { .. } | PairKind::Slot(_) | PairKind::Contact { .. } => false,
+    }
+}
+
+/// The point of a link at which the links of a pair meet at all positions.
+pub(super) fn meets_at(kind: &PairKind) -> Option<(LinkId, Vec2)> {
+    match kind {
+        PairKind::Revolute(pins) => pins.first().map(|p| (p.link, p.at)),
+        PairKind::Cylinder { to, .. } => Some((to.link, to.at)),
+        PairKind::Slot(g) => Some((g.slider, g.point)),
+        PairKind::Contact { .. } | PairKind::Transmission(_) | PairKind::Prismatic(_) => None,
+    }
 }
 
 /// Reactions of more poses have a table per pair.
@@ -197,7 +191,8 @@ impl<'a> Forces<'a> {
     /// One table: a row per pose and pair.
     fn of_all(&self, poses: &Poses<'_>) -> Table {
         let mechanism = self.answers.model.mechanism;
-        let symbol = |entry: &ReactionEntry| symbols::reaction(mechanism, entry.from, entry.on);
+        let symbols = Symbols::of(mechanism);
+        let symbol = |entry: &ReactionEntry| symbols.reaction(entry.from, entry.on);
         let with_symbols = poses.iter().flat_map(|p| &p.1).any(|entry| symbol(entry).is_some());
         let mut columns = heads(poses);
         columns.extend(with_symbols.then(|| Column::words("symbol")));
@@ -218,6 +213,7 @@ impl<'a> Forces<'a> {
     /// A section per pair: a row per pose.
     fn of_pairs(&self, poses: &Poses<'_>) -> Vec<Section> {
         let mechanism = self.answers.model.mechanism;
+        let symbols = Symbols::of(mechanism);
         // a locked pose has no reactions, all others have the same
         let pattern = poses.iter().map(|p| &p.1).find(|entries| !entries.is_empty());
         let of_pair = |(i, entry): (usize, &ReactionEntry)| {
@@ -227,7 +223,7 @@ impl<'a> Forces<'a> {
                 let cells = entries.get(i).map(|entry| self.cells(entry));
                 cells.into_iter().for_each(|c| table.row([vec![(*pose).to_owned()], c].concat()));
             }
-            let symbol = symbols::reaction(mechanism, entry.from, entry.on);
+            let symbol = symbols.reaction(entry.from, entry.on);
             let symbol = symbol.map_or_else(String::new, |symbol| format!(", {symbol}"));
             let [from, on] = [entry.from, entry.on].map(|link| &mechanism.link(link).name);
             let name = &mechanism.pair(entry.pair).name;

@@ -5,7 +5,7 @@ use super::columns::{Cell, Quantity};
 use super::document::{Align, Column, Report, Section, Table};
 use super::reactions::{ReactionEntry, reactions};
 use super::scale::Scale;
-use super::symbols;
+use super::symbols::Symbols;
 use assur_model::model::{Display, Value};
 use assur_solve::message::failure;
 use assur_solve::solve::Pose;
@@ -52,9 +52,10 @@ fn of_one_pose(answers: &Answers<'_>, scale: Scale, header: String, quantities: 
         columns.push(Column::numbers("magnitude"));
     }
     let mut table = Table::new(columns, 1);
+    let symbols = Symbols::of(answers.model.mechanism);
     for quantity in quantities {
         let value = quantity.values.first().copied().flatten();
-        let mut cells = vec![symbols::label(answers.model.mechanism, &quantity.name)];
+        let mut cells = vec![symbols.label(&quantity.name)];
         if value.is_none() && quantity.missing != NONE {
             cells.push(quantity.missing.to_owned());
         } else {
@@ -97,6 +98,7 @@ fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: 
         table.column(with_unit(&drive.name, &display.unit), cells);
     }
     table.keys = table.columns.len();
+    let symbols = Symbols::of(answers.model.mechanism);
     for quantity in quantities {
         let unit = scale.in_unit(&quantity.display);
         for part in quantity.parts() {
@@ -106,7 +108,7 @@ fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: 
                 Cell::Bool(truth) => truth.to_string(),
                 Cell::None => quantity.missing.to_owned(),
             });
-            let name = symbols::label(answers.model.mechanism, &part.name);
+            let name = symbols.label(&part.name);
             table.column(with_unit(&name, &quantity.display.unit), cells);
         }
     }

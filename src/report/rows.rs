@@ -4,9 +4,14 @@ use super::answers::{Answers, with_unit};
 use super::csv;
 use super::reactions::moment;
 use assur_math::math::Vec2;
-use assur_model::model::{Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
-use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, Solved, State, unplaced_reactions};
-use assur_text::units::{Dimension, write_significant};
+#[cfg(feature = "arrow")]
+use assur_model::model::Mechanism;
+use assur_model::model::{Bearing, Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
+use assur_solve::solve::{
+    DriveValue, JointReaction, Model, NumberColumns, Pose, PoseAnswers, Shown, Solved, State,
+    unplaced_reactions,
+};
+use assur_text::units::{Dimension, push_significant};
 
 /// Digits that survive the way from SI into the author's unit: 30 deg stay 30 deg.
 pub const FULL: usize = 15;
@@ -15,10 +20,14 @@ pub const FULL: usize = 15;
 #[derive(Clone, Debug)]
 enum Content {
     Drive(usize),
-    Find { index: usize, poseless: bool },
+    Find {
+        index: usize,
+        poseless: bool,
+    },
     Effort(usize),
-    Reaction(PairId, LinkId),
-    Moment(PairId, LinkId),
+    /// With its joints, where they alone make it up.
+    Reaction(PairId, LinkId, Option<JointReaction>),
+    Moment(PairId, LinkId, Option<JointReaction>),
 }
 
 #[derive(Clone, Debug)]
@@ -42,7 +51,14 @@ impl AnswerColumns {
     /// Those of a file, whatever the values of its givens.
     #[must_use]
     pub fn of(model: &Model<'_>) -> Self {
-        Self::with_moments(model, false)
+        let mut columns = Self::with_moments(model, false);
+        // with other values a reaction may be made up of others, as where nothing rubs any more
+        for answer in &mut columns.answers {
+            if let Content::Reaction(_, _, joints) | Content::Moment(_, _, joints) = &mut answer.content {
+                *joints = None;
+            }
+        }
+        columns
     }
 
     /// With the moments of transmissions, or without.
@@ -85,7 +101,9 @@ impl AnswerColumns {
         if blank.wants_reactions() && !model.plan.reactions.is_empty() {
             all_reactions(model, of_transmissions, &mut answers);
         }
-        Self { drives, answers, placed: false }
+        // without transmissions and open bearings nothing is left open
+        let open = mechanism.pairs.iter().any(|pair| pair.bearing == Some(Bearing::Open));
+        Self { drives, answers, placed: !open && model.plan.laws.is_empty() }
     }
 
     /// Those of one file alone: without the reactions that depend on a place that the file leaves open.
@@ -94,7 +112,7 @@ impl AnswerColumns {
         let unplaced = unplaced_reactions(model);
         let mut columns = Self::with_moments(model, true);
         columns.answers.retain(|answer| match answer.content {
-            Content::Reaction(pair, _) | Content::Moment(pair, _) => !unplaced[pair.index()],
+            Content::Reaction(pair, ..) | Content::Moment(pair, ..) => !unplaced[pair.index()],
             _ => true,
         });
         Self { placed: true, ..columns }
@@ -114,10 +132,19 @@ impl AnswerColumns {
 
     /// Writes the answers at a pose, each with a comma before it; empty where there is none.
     pub fn write(&self, answers: &Answers<'_>, pose: &Pose, digits: usize, key: bool, out: &mut String) {
-        self.write_beside(answers, pose, &self.whole(answers), (digits, key), out);
+        let mut line = Vec::new();
+        self.write_beside(answers, pose, &self.whole(answers), (digits, key), &mut line);
+        out.push_str(std::str::from_utf8(&line).unwrap_or_default());
     }
 
-    /// The answers that need no pose.
+    /// The answers that need no pose where there are any; else nothing, which serves as well.
+    #[must_use]
+    pub fn whole_if_any(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
+        let any = self.answers.iter().any(|a| matches!(a.content, Content::Find { poseless: true, .. }));
+        if any { self.whole(answers) } else { Vec::new() }
+    }
+
+    /// The answers that need no pose, by column.
     #[must_use]
     pub fn whole(&self, answers: &Answers<'_>) -> Vec<Option<Value>> {
         let value = |answer: &Answer| match answer.content {
@@ -127,17 +154,93 @@ impl AnswerColumns {
         self.answers.iter().map(value).collect()
     }
 
-    /// As [`AnswerColumns::write`], with what needs no pose known.
+    /// Names and units of the columns, and whether each shows a condition.
+    #[cfg(feature = "arrow")]
+    #[must_use]
+    pub fn fields(&self, mechanism: &Mechanism) -> Vec<(String, String, bool)> {
+        let condition = |answer: &Answer| match answer.content {
+            Content::Find { index, .. } => match &mechanism.finds[index].kind {
+                FindKind::Value { expr, .. } => mechanism.is_condition(expr),
+                FindKind::Reactions | FindKind::Table(_) => false,
+            },
+            _ => false,
+        };
+        let field = |answer: &Answer| {
+            match answer.vector {
+                true => vec![".x", ".y"],
+                false => vec![""],
+            }
+            .into_iter()
+            .map(|part| (format!("{}{part}", answer.name), answer.display.unit.clone(), condition(answer)))
+            .collect::<Vec<_>>()
+        };
+        self.answers.iter().flat_map(field).collect()
+    }
+
+    /// The cells of a position: numbers in the author's units, 1 and 0 for conditions, NaN where there is no answer.
+    #[cfg(feature = "arrow")]
+    pub fn write_cells(
+        &self,
+        answers: &Answers<'_>,
+        pose: &Pose,
+        whole: &[Option<Value>],
+        out: &mut Vec<f64>,
+    ) {
+        out.clear();
+        self.each_value(0, answers, pose, whole, |answer, value| match (value, answer.vector) {
+            (Some(Value::Vector(v)), true) => out.extend([v.x, v.y].map(|x| answer.display.of_si(x))),
+            (Some(Value::Scalar(x)), false) => out.push(answer.display.of_si(x)),
+            (Some(Value::Bool(truth)), false) => out.push(f64::from(u8::from(truth))),
+            (_, true) => out.extend([f64::NAN; 2]),
+            (_, false) => out.push(f64::NAN),
+        });
+    }
+
+    /// The same columns as numbers, with what needs no pose known. `None` where some depend on more than a state.
+    #[must_use]
+    pub fn numbers(&self, whole: &[Option<Value>]) -> Option<NumberColumns> {
+        let mut columns = NumberColumns::default();
+        for (i, answer) in self.answers.iter().enumerate() {
+            let shown = match &answer.content {
+                Content::Drive(i) => Shown::Drive(*i),
+                Content::Find { index, poseless: false } => Shown::Find(*index),
+                Content::Find { poseless: true, .. } => Shown::Known(whole.get(i).copied().flatten()),
+                Content::Effort(slot) => Shown::Effort(*slot),
+                Content::Reaction(_, _, joints) if self.placed => Shown::Force(joints.clone()?),
+                Content::Moment(_, _, joints) if self.placed => Shown::Couple(joints.clone()?),
+                Content::Reaction(..) | Content::Moment(..) => return None,
+            };
+            columns.push(shown, answer.vector, &answer.display);
+        }
+        Some(columns)
+    }
+
+    /// As [`AnswerColumns::write`], with what needs no pose known; a text in bytes.
     pub fn write_beside(
         &self,
         answers: &Answers<'_>,
         pose: &Pose,
         whole: &[Option<Value>],
         (digits, key): (usize, bool),
-        out: &mut String,
+        out: &mut Vec<u8>,
     ) {
         let from = if key { self.drives } else { 0 };
         self.each_value(from, answers, pose, whole, |answer, value| answer.write(value, digits, out));
+    }
+
+    /// Whether a column shows the angle of a link or of a hinge, or a quantity does that it may show.
+    #[must_use]
+    pub fn reads_angles(&self, model: &Model<'_>) -> bool {
+        let mechanism = model.mechanism;
+        let finds = mechanism.finds.iter().filter_map(|find| match &find.kind {
+            FindKind::Value { expr, .. } => Some(expr),
+            FindKind::Reactions | FindKind::Table(_) => None,
+        });
+        let mut reads = false;
+        for expr in finds.chain(mechanism.quantities.iter().map(|q| &q.expr)) {
+            expr.queries(&mut |query| reads |= query.facts().continuous.is_some());
+        }
+        reads
     }
 
     /// The names of the answers, drives first.
@@ -177,40 +280,48 @@ impl AnswerColumns {
                 && !unplaced.get(pair.index()).copied().unwrap_or(false);
             view.as_ref().filter(|_| known)
         };
-        let value = |(answer, whole): (&Answer, &Option<Value>)| match &answer.content {
+        let value = |(i, answer): (usize, &Answer)| match &answer.content {
             Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
             Content::Find { index, poseless: false } => {
                 view.as_ref().and_then(|view| found(answers, view, *index))
             }
-            Content::Find { poseless: true, .. } => *whole,
+            Content::Find { poseless: true, .. } => whole.get(from + i).copied().flatten(),
             Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
-            Content::Reaction(pair, on) => {
-                pressing(*pair).map(|view| Value::Vector(view.reaction(*pair, *on)))
-            }
-            Content::Moment(pair, on) => {
-                pressing(*pair).and_then(|view| moment(view, *pair, *on)).map(Value::Scalar)
-            }
+            Content::Reaction(pair, on, joints) => pressing(*pair).map(|view| {
+                Value::Vector(match joints {
+                    Some(joints) => joints.force(view.state),
+                    None => view.reaction(*pair, *on),
+                })
+            }),
+            Content::Moment(pair, on, joints) => pressing(*pair)
+                .and_then(|view| match joints {
+                    Some(joints) => Some(joints.couple(view.state)).filter(|x| x.is_finite()),
+                    None => moment(view, *pair, *on),
+                })
+                .map(Value::Scalar),
         };
-        for pair in shown.iter().zip(&whole[from..]) {
-            each(pair.0, value(pair));
+        for (i, answer) in shown.iter().enumerate() {
+            each(answer, value((i, answer)));
         }
     }
 
     /// Writes what needs no pose, for a file that has none.
     pub fn write_without_pose(&self, answers: &Answers<'_>, digits: usize, key: bool, out: &mut String) {
+        let mut line = Vec::new();
         for answer in &self.answers[if key { self.drives } else { 0 }..] {
             let value = match answer.content {
                 Content::Find { index, poseless: true } => self.without_pose(answers, index),
                 _ => None,
             };
-            answer.write(value, digits, out);
+            answer.write(value, digits, &mut line);
         }
+        out.push_str(std::str::from_utf8(&line).unwrap_or_default());
     }
 
     /// Writes no answers: a comma each.
     pub fn write_none(&self, key: bool, out: &mut String) {
         for answer in &self.answers[if key { self.drives } else { 0 }..] {
-            answer.write(None, 0, out);
+            out.push_str(if answer.vector { ",," } else { "," });
         }
     }
 
@@ -238,11 +349,13 @@ fn all_reactions(model: &Model<'_>, of_transmissions: bool, answers: &mut Vec<An
         for &on in links.iter().skip(1) {
             let name = |what: &str| format!("{what}({}, {})", pair.name, mechanism.link(on).name);
             let display = mechanism.display_of(Dimension::FORCE);
-            let content = Content::Reaction(id, on);
+            let joints = || JointReaction::of(model, id, on);
+            let content = Content::Reaction(id, on, joints());
             answers.push(Answer { name: name("reaction"), content, vector: true, display });
             if couple {
                 let display = mechanism.display_of(Dimension::TORQUE);
-                let content = Content::Moment(id, on);
+                let determined = !model.structure.undetermined_couples.contains(&id);
+                let content = Content::Moment(id, on, if determined { joints() } else { None });
                 answers.push(Answer { name: name("moment"), content, vector: false, display });
             }
         }
@@ -261,11 +374,12 @@ fn effort(solved: &Solved, slot: usize) -> Option<Value> {
 }
 
 impl Answer {
-    fn write(&self, value: Option<Value>, digits: usize, out: &mut String) {
-        let number = |x: f64, out: &mut String| {
-            out.push(',');
+    #[inline]
+    fn write(&self, value: Option<Value>, digits: usize, out: &mut Vec<u8>) {
+        let number = |x: f64, out: &mut Vec<u8>| {
+            out.push(b',');
             if x.is_finite() {
-                write_significant(out, self.display.of_si(x), digits);
+                push_significant(out, self.display.of_si(x), digits);
             }
         };
         match (value, self.vector) {
@@ -274,9 +388,11 @@ impl Answer {
                 number(y, out);
             }
             (Some(Value::Scalar(x)), false) => number(x, out),
-            (Some(Value::Bool(truth)), false) => out.push_str(if truth { ",true" } else { ",false" }),
-            (_, true) => out.push_str(",,"),
-            (_, false) => out.push(','),
+            (Some(Value::Bool(truth)), false) => {
+                out.extend_from_slice(if truth { b",true" } else { b",false" });
+            }
+            (_, true) => out.extend_from_slice(b",,"),
+            (_, false) => out.push(b','),
         }
     }
 }

@@ -15,6 +15,7 @@ mod large;
 mod number_cases;
 mod positions;
 mod powers;
+mod quick_rows;
 mod torsion_springs;
 mod unit;
 mod variants;

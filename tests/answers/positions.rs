@@ -4,7 +4,8 @@
 
 use assur::internals::check::Overrides;
 use assur::internals::report::lines::CsvLines;
-use assur::internals::report::{Precision, csv, json, table_of_poses};
+use assur::internals::report::{Answers, Precision, csv, json, table_of_poses};
+use assur::internals::solve::{Following, Pose};
 use assur::internals::source::Source;
 use std::path::Path;
 
@@ -23,21 +24,23 @@ fn every_example_comes_out_the_same() {
         let (Ok(all), _) = assur::internals::pipeline::solve(first) else { continue };
         let answers = all.answers(Precision::READABLE);
         let mut rows = CsvLines::of(&second.model(), None);
-        let (mut text, mut objects) = (rows.header(), Vec::new());
-        let (solved, _) = assur::internals::solve_each(second, &mut |answers, pose| {
-            rows.add(answers, pose, &mut text);
+        let (mut text, mut objects) = (rows.header().into_bytes(), Vec::new());
+        let (solved, _) = assur::internals::solve_each(second, &mut |answers: &Answers<'_>, pose: &Pose| {
+            rows.begin(answers);
+            rows.add(answers, pose, &mut Vec::new(), &mut text);
             objects.push(json::render_position("a", None, answers, Some(pose)));
             true
         });
         let solved = solved.unwrap();
         if objects.is_empty() {
+            rows.begin(&solved.answers(Precision::READABLE));
             rows.add_without_pose(&solved.answers(Precision::READABLE), &mut text);
         }
         let mut table = csv::render(&table_of_poses(&answers));
         if answers.poses().next().is_none() && table.lines().count() == 1 {
             table += "\r\n";
         }
-        assert_eq!(text, table, "{}", source.name);
+        assert_eq!(String::from_utf8(text).unwrap(), table, "{}", source.name);
         for (pose, object) in answers.poses().zip(&objects) {
             assert_eq!(*object, json::render_position("a", None, &answers, Some(pose)), "{}", source.name);
         }
@@ -46,6 +49,67 @@ fn every_example_comes_out_the_same() {
         lines += objects.len();
     }
     assert!(files > 100 && lines > 600, "{files} files, {lines} positions");
+}
+
+/// The text with its sweeps in this many steps, a single angle of a drive made a sweep over a turn, and without positions beside.
+fn in_steps(text: &str, steps: usize) -> String {
+    let beside = |line: &&str| ["expect", "pose"].iter().any(|word| line.starts_with(word));
+    let line = |line: &str| {
+        let words = line.split(' ').collect::<Vec<_>>();
+        let (is_drive, is_swept) = (words[0] == "drive", words.contains(&".."));
+        let word = |(i, word): (usize, &&str)| match word {
+            &"deg" if is_drive && !is_swept => match words[i - 1].parse::<f64>() {
+                Ok(from) => format!("deg .. {} deg in {steps} steps", from + 360.0),
+                Err(_) => "deg".to_owned(),
+            },
+            _ if i > 0 && words[i - 1] == "in" && words.get(i + 1) == Some(&"steps") => steps.to_string(),
+            word => (*word).to_owned(),
+        };
+        words.iter().enumerate().map(word).collect::<Vec<_>>().join(" ") + "\n"
+    };
+    text.lines().filter(|line| !beside(line)).map(line).collect()
+}
+
+/// Every number of every position, as far as the sweep goes, and what is said about it.
+fn all_numbers(following: Option<Following<'_, '_>>) -> (Vec<String>, String) {
+    let Some(mut following) = following else { return Default::default() };
+    let mut poses = Vec::new();
+    while let Some(pose) = following.next() {
+        poses.push(format!("{pose:?}"));
+    }
+    let end = following.end();
+    (poses, format!("{:?} {}", end.notes, end.unlisted))
+}
+
+/// Where positions are solved side by side they are what following finds, to the last bit, with the same notes.
+#[test]
+fn side_by_side_is_one_by_one() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let mut aside = 0;
+    for path in crate::folder::files(&root, "mech") {
+        let text = in_steps(&std::fs::read_to_string(&path).unwrap(), 480);
+        let source = Source::new(path.display().to_string(), text);
+        let Some(compiled) = compiled(&source) else { continue };
+        let model = compiled.model();
+        let (Ok(first), Ok(second)) =
+            (Following::new(&model, Vec::new()), Following::new(&model, Vec::new()))
+        else {
+            continue;
+        };
+        let one_by_one = all_numbers(first.map(Following::one_by_one));
+        let mut ahead = second;
+        if let Some(following) = &mut ahead {
+            following.next();
+            aside += usize::from(following.ahead(8).is_some());
+        }
+        let side_by_side = all_numbers(Following::new(&model, Vec::new()).unwrap_or_default());
+        assert_eq!(one_by_one.1, side_by_side.1, "{}", source.name);
+        for (one, other) in one_by_one.0.iter().zip(&side_by_side.0) {
+            assert_eq!(one, other, "{}", source.name);
+        }
+        assert_eq!(one_by_one.0.len(), side_by_side.0.len(), "{}", source.name);
+    }
+    assert!(aside > 20, "{aside} examples go side by side");
 }
 
 /// The greatest number of bytes in use while a sweep is printed.
@@ -57,13 +121,15 @@ fn peak(name: &str, steps: usize) -> u64 {
     let info = allocation_counter::measure(|| {
         let compiled = compiled(&source).unwrap();
         let mut rows = CsvLines::of(&compiled.model(), None);
-        let mut text = String::new();
-        let (solved, _) = assur::internals::solve_each(compiled, &mut |answers, pose| {
-            text.clear();
-            rows.add(answers, pose, &mut text);
-            lines += 1;
-            true
-        });
+        let mut text = Vec::new();
+        let (solved, _) =
+            assur::internals::solve_each(compiled, &mut |answers: &Answers<'_>, pose: &Pose| {
+                text.clear();
+                rows.begin(answers);
+                rows.add(answers, pose, &mut Vec::new(), &mut text);
+                lines += 1;
+                true
+            });
         assert!(solved.is_ok(), "{name}");
     });
     assert!(lines >= steps, "{lines} of {steps}");

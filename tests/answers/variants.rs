@@ -145,3 +145,40 @@ fn a_batch_writes_what_solve_writes() {
     }
     assert!(written >= FILES.len() - 1, "{written}");
 }
+
+/// A crank-slider that rubs in its guide.
+const RUBS: &str = "
+given f = 0.1
+ground { A (0, 0); line guide through A along 0 deg }
+link crank A-B 100 mm
+link rod B-C 350 mm
+link piston { C (0, 0); mass 2 kg }
+revolute A: ground - crank
+revolute B: crank - rod
+revolute C: rod - piston
+prismatic D: piston.C - ground.guide { friction f }
+drive crank = 60 deg at 1500 rpm
+assemble C ahead of B
+force on piston at C = 1000 N @ 180 deg
+find reactions
+";
+
+#[test]
+fn the_columns_of_one_row_are_those_of_another_structure() {
+    let source = Source::new("rubs.mech", RUBS);
+    let solved = |f: &str| {
+        let set = Overrides::set(vec![("f".to_owned(), f.to_owned())]);
+        assur::internals::solve_source(&source, &set).0.expect("it closes")
+    };
+    let (smooth, rough) = (solved("0"), solved("0.2"));
+    for (first, other) in [(&smooth, &rough), (&rough, &smooth)] {
+        let answers = other.answers(Precision::READABLE);
+        let written = |columns: &AnswerColumns| {
+            let mut line = String::new();
+            answers.poses().for_each(|pose| columns.write(&answers, pose, FULL, false, &mut line));
+            line
+        };
+        let model = first.answers(Precision::READABLE).model;
+        assert_eq!(written(&AnswerColumns::of(&model)), written(&AnswerColumns::of_file(&answers.model)));
+    }
+}

@@ -1,6 +1,8 @@
 //! The program as run from a shell.
 
 mod accuracy;
+#[cfg(feature = "arrow")]
+mod arrow;
 mod batch;
 mod cli;
 mod draw;

@@ -14,12 +14,16 @@ mod names;
 mod output;
 mod pairs;
 mod requests;
+mod row_patch;
+mod row_places;
+mod row_program;
 mod statements;
 mod template;
 mod trains;
 mod values;
 
 pub use requests::variants::{FileRow, file_rows, table};
+pub use row_patch::RowPatches;
 pub use template::Template;
 pub use values::overrides::Overrides;
 pub use values::row::{ColumnUse, Row, RowCell, RowColumn};

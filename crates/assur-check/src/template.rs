@@ -6,6 +6,7 @@
 use crate::expr::context::Context;
 use crate::names::declared::Names;
 use crate::requests::query::RESULTS;
+use crate::row_patch::RowPatches;
 use crate::values::definition::Definitions;
 use crate::values::overrides::Overrides;
 use crate::values::row::Row;
@@ -65,6 +66,21 @@ impl<'a> Template<'a> {
 
     /// As [`crate::check`] with this row.
     pub fn check(&mut self, row: &Row) -> (Option<Mechanism>, Problems) {
+        let displays = self.displays.clone();
+        self.within(row, |cx| {
+            let (mech, problems) = (std::mem::take(&mut cx.builder.mech), std::mem::take(&mut cx.problems));
+            let mechanism = Mechanism { displays, ..mech };
+            ((!problems.has_errors()).then_some(mechanism), problems.into_found())
+        })
+    }
+
+    /// What is to be done for other rows with the columns of this one; `None` where each of them is to be checked as a whole.
+    pub fn patches(&mut self, row: &Row) -> Option<RowPatches> {
+        RowPatches::of(self, row)
+    }
+
+    /// Looks at what was found with this row.
+    pub(crate) fn within<T>(&mut self, row: &Row, look: impl FnOnce(&mut Context<'a>) -> T) -> T {
         use std::mem::take;
         let mut values = Values::new(self.overrides, take(&mut self.units));
         values.outside.row = row.clone();
@@ -73,7 +89,8 @@ impl<'a> Template<'a> {
         cx.names = take(&mut self.names);
         cx.builder.mech = self.mech.clone();
         meaning(&mut cx);
-        let Context { names, values: Values { units, definitions, .. }, builder, problems, .. } = cx;
+        let found = look(&mut cx);
+        let Context { names, values: Values { units, definitions, .. }, .. } = cx;
         (self.names, self.units) = (names, units);
         (self.order, self.results) = definitions.into_names();
         // what pairs have added
@@ -82,7 +99,6 @@ impl<'a> Template<'a> {
         self.names.inside.truncate(self.inside);
         // an error of this row is not one of the next
         self.names.bad.truncate(self.bad);
-        let mechanism = Mechanism { displays: self.displays.clone(), ..builder.mech };
-        ((!problems.has_errors()).then_some(mechanism), problems.into_found())
+        found
     }
 }

@@ -12,6 +12,7 @@ use super::super::args::Format;
 use super::super::error::CliError;
 use super::super::reply::Status;
 use super::super::screen::Screen;
+use super::idle::Idle;
 use super::layout::{ERROR, Layout};
 use super::line::{Said, Written, write_row};
 use super::progress::Progress;
@@ -37,8 +38,10 @@ const LARGEST_CHUNK: usize = 8192;
 const SHORT: Duration = Duration::from_millis(40);
 /// Rows of one table to read.
 const TABLE_CHUNK: usize = 1000;
-/// Rows that one thread takes at a time.
+/// Rows that one thread takes at a time, at least.
 const PIECE: usize = 32;
+/// The number of pieces of a large chunk.
+const PIECES: usize = 64;
 /// The number of rows that are explained of those that fail for one reason; the others are named.
 const EXPLAINED: usize = 3;
 const BUFFER: usize = 1 << 17;
@@ -146,7 +149,7 @@ impl Job {
         let mut family = self.family();
         let mut found = None;
         self.each_chunk(FIRST_CHUNK, None, &mut |chunk, _| {
-            let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, &self.columns).ok());
+            let inputs = (0..chunk.len()).filter_map(|i| chunk.get(i, &self.columns, None).ok());
             found =
                 inputs.filter_map(|i| family.compile(&i.row).0).map(|c| AnswerColumns::of(&c.model())).next();
             Ok(found.is_none() && !stop::wanted())
@@ -278,6 +281,7 @@ impl<'r> Run<'r> {
     pub fn all(&self, out: &mut Sink, key_out: &mut Option<Sink>) -> Result<Tally, CliError> {
         let mut tally = Tally::default();
         let mut progress = None;
+        let idle = Idle::default();
         let places = self.layout.places(self.job);
         let key_places = self.key.and_then(|key| key.places(self.job));
         let name = &self.job.source.name;
@@ -286,7 +290,7 @@ impl<'r> Run<'r> {
             let progress = progress.get_or_insert_with(|| Progress::new(name, total));
             let mut shown = String::new();
             let mut whole = true;
-            for piece in self.chunk(chunk) {
+            for piece in self.chunk(chunk, &idle) {
                 let lines = match (&places, self.format) {
                     (Some(places), format) if format.is_read() || format == Format::Csv => {
                         self.layout.placed(&piece.out, places, name)
@@ -324,22 +328,27 @@ impl<'r> Run<'r> {
         Ok(tally)
     }
 
-    fn chunk(&self, chunk: &Chunk<'_>) -> Vec<Piece> {
+    fn chunk(&self, chunk: &Chunk<'_>, idle: &Idle<'r>) -> Vec<Piece> {
+        let size = (chunk.len() / PIECES).max(PIECE);
         let pieces: Vec<Range<usize>> =
-            (0..chunk.len()).step_by(PIECE).map(|start| start..(start + PIECE).min(chunk.len())).collect();
-        let all = pieces.into_par_iter();
-        all.map_init(|| self.job.family(), |family, range| self.piece(family, chunk, range)).collect()
+            (0..chunk.len()).step_by(size).map(|start| start..(start + size).min(chunk.len())).collect();
+        let solved = |range| {
+            let mut family = idle.take().unwrap_or_else(|| self.job.family());
+            let piece = self.piece(&mut family, chunk, range);
+            idle.give(family);
+            piece
+        };
+        pieces.into_par_iter().map(solved).collect()
     }
 
     fn piece(&self, family: &mut VariantSolver<'r>, chunk: &Chunk<'_>, range: Range<usize>) -> Piece {
         let mut piece = Piece { whole: true, ..Piece::default() };
+        let (mut head, mut cells, mut old) = (String::new(), Vec::new(), None);
         for index in range {
             if stop::wanted() {
                 piece.whole = false;
                 break;
             }
-            let input = chunk.get(index, &self.job.columns);
-            let number = input.as_ref().map_or_else(|(number, _)| *number, |input| input.number);
             let mut written = Written {
                 job: self.job,
                 format: self.format,
@@ -347,9 +356,16 @@ impl<'r> Run<'r> {
                 key: self.key,
                 out: &mut piece.out,
                 key_out: &mut piece.key,
+                head: &mut head,
+                cells: &mut cells,
             };
-            let said = write_row(self.job, &mut written, family, input);
-            piece.said.push((number, said));
+            piece.said.push(match chunk.get(index, &self.job.columns, old.take()) {
+                Ok(input) => {
+                    let said = write_row(self.job, &mut written, family, &input);
+                    (old.insert(input).number, said)
+                }
+                Err((number, fault)) => (number, written.fault(number, fault)),
+            });
         }
         piece
     }
@@ -358,6 +374,10 @@ impl<'r> Run<'r> {
     fn tell(&self, said: Vec<(usize, Said)>, tally: &mut Tally, progress: &Progress) {
         for (number, said) in said {
             said.reached.iter().for_each(|reached| tally.reached(reached));
+            if said.is_nothing() {
+                tally.solved();
+                continue;
+            }
             let fails = said.failed.is_some();
             let failed = said.failed.iter().map(|code| (Kind::Failed, code.clone()));
             let all = failed.chain(said.unmet.then(|| (Kind::Unmet, String::new())));

@@ -35,6 +35,10 @@ pub struct Written<'a> {
     pub out: &'a mut String,
     /// The lines of the key.
     pub key_out: &'a mut String,
+    /// Memory for the cells before the answers.
+    pub head: &'a mut String,
+    /// Memory for the answers of a line.
+    pub cells: &'a mut Vec<u8>,
 }
 
 /// The messages about a row.
@@ -52,24 +56,32 @@ pub struct Said {
     pub problems: Option<(Option<Source>, Problems)>,
 }
 
+impl Said {
+    /// Whether there are none.
+    pub const fn is_nothing(&self) -> bool {
+        self.failed.is_none() && !self.unmet && self.warned.is_empty()
+    }
+}
+
 /// Solves a row and writes its lines: one per pose, and one without answers where there are none.
 pub fn write_row<'f>(
     job: &'f Job,
     written: &mut Written<'_>,
     family: &mut VariantSolver<'f>,
-    input: Result<Input<'_>, (usize, Fault)>,
+    input: &Input<'_>,
 ) -> Said {
-    let input = match input {
-        Ok(input) => input,
-        Err((number, fault)) => return written.fault(number, fault),
-    };
-    let found = catch_unwind(AssertUnwindSafe(|| family.solve(&input.row)));
-    let Ok((solved, problems)) = found else {
+    let (written_before, key_before) = (written.out.len(), written.key_out.len());
+    let found = catch_unwind(AssertUnwindSafe(|| {
+        let (solved, problems) = family.solve_in_place(&input.row);
+        written.row(input, solved, problems)
+    }));
+    found.unwrap_or_else(|_| {
         // what the last row left behind is not to be used again
         *family = job.family();
-        return written.panicked(&input);
-    };
-    written.row(&input, solved.as_ref(), problems)
+        written.out.truncate(written_before);
+        written.key_out.truncate(key_before);
+        written.panicked(input)
+    })
 }
 
 impl Written<'_> {
@@ -89,9 +101,10 @@ impl Written<'_> {
         }
         if let Some(key) = self.key {
             let columns = self.job.answers();
-            let mut line = Line { head: String::new(), columns, digits: key.digits, key: true };
+            let mut line = Line { head: std::mem::take(self.head), columns, digits: key.digits, key: true };
             line.head(self.job, input);
-            line.all(answers.as_ref(), None, self.key_out);
+            line.all(answers.as_ref(), None, (self.key_out, self.cells));
+            *self.head = line.head;
         }
         if !problems.is_empty() {
             let words = input.row.words();
@@ -107,7 +120,8 @@ impl Written<'_> {
 
     fn lines(&mut self, input: &Input<'_>, answers: Option<&Answers<'_>>, error: &str) {
         let columns = self.job.answers();
-        let mut line = Line { head: String::new(), columns, digits: self.layout.digits, key: false };
+        let head = std::mem::take(self.head);
+        let mut line = Line { head, columns, digits: self.layout.digits, key: false };
         line.head(self.job, input);
         for (i, column) in self.job.givens() {
             line.head.push(',');
@@ -122,7 +136,8 @@ impl Written<'_> {
                 }
             }
         }
-        line.all(answers, Some(error), self.out);
+        line.all(answers, Some(error), (self.out, self.cells));
+        *self.head = line.head;
     }
 
     fn json(&mut self, input: &Input<'_>, answers: Option<&Answers<'_>>, problems: &Problems) {
@@ -135,7 +150,7 @@ impl Written<'_> {
     }
 
     /// A row of a table that cannot be read.
-    fn fault(&mut self, number: usize, (source, error): Fault) -> Said {
+    pub fn fault(&mut self, number: usize, (source, error): Fault) -> Said {
         let mut problems = Problems::new();
         problems.push(*error);
         let mut said = sorted(&problems);
@@ -164,11 +179,15 @@ impl Written<'_> {
             let cells = usize::from(self.job.label().is_some()) + self.job.givens().count();
             let head = number.to_string() + &",".repeat(cells);
             let line = Line { head, columns: self.job.answers(), digits: 0, key: false };
-            line.all(None, Some(error), self.out);
+            line.all(None, Some(error), (self.out, self.cells));
         }
         if self.key.is_some() {
             let head = number.to_string() + if self.job.label().is_some() { "," } else { "" };
-            Line { head, columns: self.job.answers(), digits: 0, key: true }.all(None, None, self.key_out);
+            Line { head, columns: self.job.answers(), digits: 0, key: true }.all(
+                None,
+                None,
+                (self.key_out, self.cells),
+            );
         }
     }
 }
@@ -183,6 +202,7 @@ struct Line<'a> {
 
 impl Line<'_> {
     fn head(&mut self, job: &Job, input: &Input<'_>) {
+        self.head.clear();
         // writing to a String does not fail
         let _ = write!(self.head, "{}", input.number);
         if job.label().is_some() {
@@ -192,13 +212,21 @@ impl Line<'_> {
     }
 
     /// One line per pose.
-    fn all(&self, answers: Option<&Answers<'_>>, error: Option<&str>, out: &mut String) {
+    fn all(
+        &self,
+        answers: Option<&Answers<'_>>,
+        error: Option<&str>,
+        (out, cells): (&mut String, &mut Vec<u8>),
+    ) {
+        let whole = self.columns.zip(answers).map(|(columns, answers)| columns.whole_if_any(answers));
         let mut poses = 0;
         for pose in answers.iter().flat_map(|a| a.poses()) {
             poses += 1;
             self.begin(&pose.name, out);
-            if let (Some(columns), Some(answers)) = (self.columns, answers) {
-                columns.write(answers, pose, self.digits, self.key, out);
+            if let (Some(columns), Some(answers), Some(whole)) = (self.columns, answers, &whole) {
+                cells.clear();
+                columns.write_beside(answers, pose, whole, (self.digits, self.key), cells);
+                out.push_str(std::str::from_utf8(cells).unwrap_or_default());
             }
             let own = answers.zip(pose.outcome.as_ref().err());
             let own = own.map(|(answers, why)| failure(&answers.model, why).to_string());
@@ -227,9 +255,11 @@ impl Line<'_> {
 fn end(error: Option<&str>, out: &mut String) {
     if let Some(error) = error {
         out.push(',');
-        // a cell does not go over the end of its line
-        let one_line = error.split_whitespace().collect::<Vec<_>>().join(" ");
-        write_text(&one_line, out);
+        if !error.is_empty() {
+            // a cell does not go over the end of its line
+            let one_line = error.split_whitespace().collect::<Vec<_>>().join(" ");
+            write_text(&one_line, out);
+        }
     }
     out.push_str(LINE_END);
 }

@@ -1,5 +1,6 @@
 //! `assur batch`: files × rows of variants, in parallel, in the order of the input.
 
+mod idle;
 mod job;
 mod layout;
 mod line;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::exercise::table::{Cell, Fault, Lines, RawRow, Separator};
+use crate::exercise::table::{Cell, Fault, Lines, RawRow, Read, Separator};
 use assur_check::{FileRow, Row, RowColumn};
 use assur_text::source::Span;
 
@@ -57,8 +57,13 @@ impl Chunk<'_> {
         }
     }
 
-    /// The row of this index, or what is wrong with it.
-    pub fn get(&self, index: usize, columns: &Arc<[RowColumn]>) -> Result<Input<'_>, (usize, Fault)> {
+    /// The row of this index, in the memory of another one, or what is wrong with it.
+    pub fn get<'c>(
+        &'c self,
+        index: usize,
+        columns: &Arc<[RowColumn]>,
+        old: Option<Input<'c>>,
+    ) -> Result<Input<'c>, (usize, Fault)> {
         match self {
             Self::One => Ok(Input { number: 1, label: None, written: None, row: Row::default(), span: None }),
             Self::Own { rows, before } => {
@@ -68,9 +73,14 @@ impl Chunk<'_> {
             }
             Self::Csv { lines, table, separator } => {
                 let raw = lines.get(index).unwrap_or(RawRow { number: 0, line: 0, bytes: &[] });
-                let read = raw.read(table, columns, *separator).map_err(|fault| (raw.number, fault))?;
-                let (label, written) = (read.label, Some(read.cells));
-                Ok(Input { number: raw.number, label, written, row: read.row, span: None })
+                let mut read = old.map_or_else(Read::default, |old| Read {
+                    row: old.row,
+                    label: None,
+                    cells: old.written.unwrap_or_default(),
+                });
+                raw.read_in(table, columns, *separator, &mut read).map_err(|fault| (raw.number, fault))?;
+                let Read { row, label, cells } = read;
+                Ok(Input { number: raw.number, label, written: Some(cells), row, span: None })
             }
         }
     }

@@ -69,13 +69,23 @@ pub struct Cell<'a> {
 /// The place of a quote that is not closed, or with something other than a separator after it.
 pub fn cells(line: &str, separator: Separator) -> Result<Vec<Cell<'_>>, Span> {
     let mut cells = Vec::with_capacity(8);
+    cells_in(line, separator, &mut cells).map(|()| cells)
+}
+
+/// As [`cells`], in the memory of a list.
+pub(super) fn cells_in<'l>(
+    line: &'l str,
+    separator: Separator,
+    cells: &mut Vec<Cell<'l>>,
+) -> Result<(), Span> {
+    cells.clear();
     let mut start = 0;
     loop {
         let (cell, next) = cell(line, start, separator.sign())?;
         cells.push(cell);
         match next {
             Some(next) => start = next,
-            None => return Ok(cells),
+            None => return Ok(()),
         }
     }
 }

@@ -208,6 +208,7 @@ fn decimal_comma(text: &str, cells: &[Cell<'_>], separator: Separator, one_more:
 }
 
 /// A row in numbers, and what the column `variant` calls it.
+#[derive(Default)]
 pub struct Read<'a> {
     /// Its numbers.
     pub row: Row,
@@ -241,32 +242,48 @@ impl<'a> RawRow<'a> {
         columns: &Arc<[RowColumn]>,
         separator: Separator,
     ) -> Result<Read<'a>, Fault> {
+        let mut read = Read::default();
+        self.read_in(table, columns, separator, &mut read).map(|()| read)
+    }
+
+    /// As [`RawRow::read`], in the memory of another row.
+    ///
+    /// # Errors
+    /// As [`RawRow::read`]; what was read is then no row.
+    pub fn read_in(
+        &self,
+        table: &str,
+        columns: &Arc<[RowColumn]>,
+        separator: Separator,
+        read: &mut Read<'a>,
+    ) -> Result<(), Fault> {
         let fault = |text: &str, error| (Source::line(table, text, self.line), Box::new(error));
         let line = self.line;
         let text = self.text(table)?;
-        let cells = cells(text, separator).map_err(|span| {
+        let Read { row, label, cells } = read;
+        line::cells_in(text, separator, cells).map_err(|span| {
             let help = "write numbers without quotes, and a quote within a text twice";
             fault(text, TableError::Line { line, why: "a quote is not closed".to_owned(), help, span })
         })?;
-        self.fits(text, &cells, columns, separator).map_err(|e| fault(text, e))?;
-        let mut label = None;
-        let mut numbers = Vec::with_capacity(columns.len());
+        self.fits(text, cells, columns, separator).map_err(|e| fault(text, e))?;
+        *label = None;
+        row.begin(columns);
         for (i, (cell, column)) in cells.iter().zip(columns.iter()).enumerate() {
             if column.what == ColumnUse::Label {
-                label = Some(cell.text.clone().into_owned());
-                numbers.push(RowCell::default());
+                *label = Some(cell.text.clone().into_owned());
+                row.push(RowCell::default());
                 continue;
             }
             let written = Written::read(&cell.text, separator).map_err(|(why, help)| {
                 let name = column.name.clone();
                 fault(text, TableError::Number { line, column: i + 1, name, why, help, span: cell.span })
             })?;
-            numbers.push(RowCell {
+            row.push(RowCell {
                 value: column.unit.to_si(written.value),
                 digit: column.unit.to_si(written.digit),
             });
         }
-        Ok(Read { row: Row::new(columns.clone(), numbers), label, cells })
+        Ok(())
     }
 
     fn fits(

@@ -3,6 +3,7 @@
 
 mod cycle;
 mod entries;
+mod lines;
 mod pose;
 mod reached;
 mod structure;
@@ -19,6 +20,7 @@ use assur_text::diagnostic::DiagnosticView;
 use assur_text::source::is_obeyed;
 use cycle::{AccuracyView, FlywheelView};
 use entries::{Entries, Number, Reading};
+pub use lines::JsonLines;
 use pose::PoseView;
 use reached::ReachedView;
 use std::fmt::Write;
@@ -162,14 +164,23 @@ pub fn render_position<'a>(
     answers: &Answers<'a>,
     pose: Option<&'a Pose>,
 ) -> String {
-    let view = PositionView {
+    let view = position_view(file, variant, answers, pose);
+    escaped(serde_json::to_string(&view).unwrap_or_default())
+}
+
+fn position_view<'a>(
+    file: &'a str,
+    variant: Option<&'a Variant>,
+    answers: &Answers<'a>,
+    pose: Option<&'a Pose>,
+) -> PositionView<'a> {
+    PositionView {
         schema: POSITION,
         file,
         variant,
         pose: pose.map(|pose| PoseView::of(answers, pose)),
         cycle: Entries(of_cycle(answers)),
-    };
-    escaped(serde_json::to_string(&view).unwrap_or_default())
+    }
 }
 
 /// The same JSON without characters that a terminal obeys: they occur in strings only.

@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::super::answers::Answers;
 use super::super::reactions::{ReactionEntry, reactions};
 use super::entries::{Entries, Number, Pair, Reading};
-use super::train::{PartView, ShaftView, SliderView, elements, is_element, transmissions};
+use super::train::{PartView, ShaftView, SliderView, are_elements, elements, transmissions};
 use assur_math::math::Vec2;
 use assur_model::model::{DriveTarget, Link, LinkId};
 use assur_position::plan::{Effects, Level};
@@ -160,15 +160,17 @@ impl ErrorView {
 }
 
 /// The moving links whose rotation is known: not those driven at a point only, and no free rollers.
-fn turning_links<'a>(answers: &Answers<'a>) -> impl Iterator<Item = (LinkId, &'a Link)> + use<'a> {
+pub(super) fn turning_links<'a>(answers: &Answers<'a>) -> impl Iterator<Item = (LinkId, &'a Link)> + use<'a> {
     let model = answers.model;
-    let outer = move |id: LinkId| {
-        model.mechanism.drives.iter().any(|d| matches!(d.target, DriveTarget::Point(link, _) if link == id))
-    };
+    let mut left_out = are_elements(model.mechanism);
+    for drive in &model.mechanism.drives {
+        if let DriveTarget::Point(link, _) = drive.target {
+            left_out[link.index()] = true;
+        }
+    }
+    model.structure.passive.iter().for_each(|link| left_out[link.index()] = true);
     let links = model.mechanism.links.iter().enumerate().skip(1).map(|(i, l)| (LinkId::at(i), l));
-    links.filter(move |(id, _)| {
-        !outer(*id) && !model.structure.passive.contains(id) && !is_element(model.mechanism, *id)
-    })
+    links.filter(move |(id, _)| !left_out[id.index()])
 }
 
 fn links(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, LinkView)> {
@@ -202,18 +204,21 @@ fn points(answers: &Answers<'_>, solved: &Solved) -> Vec<(String, PointView)> {
         velocity: from(effects, Level::Velocities).then(|| body.velocity(at)).and_then(Pair::of),
         acceleration: from(effects, Level::Accelerations).then(|| body.acceleration(at)).and_then(Pair::of),
     };
-    let mut all = Vec::new();
-    for (id, link) in turning_links(answers) {
-        for p in &link.points {
-            all.push((format!("{}.{}", link.name, p.name), point(view.body(id), p.at)));
-        }
-    }
-    for drive in &answers.model.mechanism.drives {
-        if let DriveTarget::Point(id, at) = drive.target {
-            all.push((drive.name.clone(), point(view.body(id), at)));
-        }
-    }
-    all
+    all_points(answers).map(|(name, id, at)| (name, point(view.body(id), at))).collect()
+}
+
+/// The points whose motion is listed, by name, with their links and places.
+pub(super) fn all_points<'a>(
+    answers: &Answers<'a>,
+) -> impl Iterator<Item = (String, LinkId, Vec2)> + use<'a> {
+    let name = |link: &Link, point: &str| format!("{}.{point}", link.name);
+    let on_links = turning_links(answers)
+        .flat_map(move |(id, link)| link.points.iter().map(move |p| (name(link, &p.name), id, p.at)));
+    let driven = answers.model.mechanism.drives.iter().filter_map(|drive| match drive.target {
+        DriveTarget::Point(id, at) => Some((drive.name.clone(), id, at)),
+        _ => None,
+    });
+    on_links.chain(driven)
 }
 
 fn all_reactions<'a>(answers: &Answers<'a>, solved: &Solved) -> Vec<(String, Vec<ReactionView<'a>>)> {

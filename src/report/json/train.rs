@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::super::answers::Answers;
 use super::super::train::pulls;
 use super::entries::{Entries, Number};
-use assur_model::model::{LinkId, Mechanism, PairId, PairKind, TransmissionKind};
+use assur_model::model::{Mechanism, PairId, PairKind, TransmissionKind};
 use assur_position::plan::Level;
 use assur_solve::solve::Solved;
 
@@ -38,14 +38,17 @@ pub(super) struct PartView {
     torques: Entries<Number>,
 }
 
-/// Whether a link is a shaft or a slider.
-pub(super) fn is_element(mechanism: &Mechanism, link: LinkId) -> bool {
-    mechanism.pairs.iter().any(|p| {
-        p.bearing.is_some() && p.kind.links().last() == Some(&link) || {
-            let slider = matches!(&p.kind, PairKind::Prismatic(g) if g.slider == link);
-            p.bearing.is_some() && slider
-        }
-    })
+/// Which links are shafts and sliders, by their ids.
+pub(super) fn are_elements(mechanism: &Mechanism) -> Vec<bool> {
+    let mut elements = vec![false; mechanism.links.len()];
+    for pair in mechanism.pairs.iter().filter(|p| p.bearing.is_some()) {
+        let slider = match &pair.kind {
+            PairKind::Prismatic(g) => Some(g.slider),
+            _ => None,
+        };
+        pair.kind.links().last().copied().into_iter().chain(slider).for_each(|l| elements[l.index()] = true);
+    }
+    elements
 }
 
 type Elements = (Vec<(String, ShaftView)>, Vec<(String, SliderView)>);

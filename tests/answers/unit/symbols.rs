@@ -1,12 +1,13 @@
 //! Symbols from the numbers of links.
 
 use assur::internals::model::{Link, LinkId, Mechanism};
-use assur::internals::report::symbols::reaction;
+use assur::internals::report::symbols::Symbols;
 
 fn symbols(numbers: &[Option<&str>]) -> Vec<Option<String>> {
     let link = |n: &Option<&str>| Link { number: n.map(str::to_owned), ..Link::default() };
     let mechanism = Mechanism { links: numbers.iter().map(link).collect(), ..Mechanism::default() };
-    (1..numbers.len()).map(|on| reaction(&mechanism, LinkId::GROUND, LinkId::at(on))).collect()
+    let symbols = Symbols::of(&mechanism);
+    (1..numbers.len()).map(|on| symbols.reaction(LinkId::GROUND, LinkId::at(on))).collect()
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::names::declared::Inside;
 use crate::names::declared::ThingKind;
 use crate::names::suggestion::suggestion;
 use assur_math::math::Vec2;
-use assur_model::model::{Circle, Guide, Line, LinkId, PairId, PairKind};
+use assur_model::model::{Circle, Guide, Line, LinkId, PairId, PairKind, Point};
 use assur_syntax::document::{JointKind, Name, Statement};
 use assur_text::diagnostic::did_you_mean;
 use assur_text::source::Span;
@@ -92,8 +92,18 @@ impl Context<'_> {
     /// A point of a link, in its frame. Silent where the point is declared with an error. Only once the links have
     /// their points.
     pub fn point(&mut self, link: LinkId, name: &Name) -> Option<Vec2> {
-        let found = self.builder.mech.link(link).points.iter().find(|p| p.name == name.node).map(|p| p.at);
+        let found = self.place_of_point(link, &name.node);
         self.known_inside(found, link, name, "point")
+    }
+
+    /// Where a link has the point of that name, nothing said where it has none.
+    pub(crate) fn place_of_point(&self, link: LinkId, name: &str) -> Option<Vec2> {
+        let points = &self.builder.mech.link(link).points;
+        let named = |p: &&Point| p.name == name;
+        // those with an error are left out: it stands where it is declared, or before
+        let declared = self.names.inside.get(link.index()).and_then(|i| i.points.get_index_of(name));
+        let near = declared.and_then(|at| points[..points.len().min(at + 1)].iter().rev().find(named));
+        near.or_else(|| points.iter().find(named)).map(|p| p.at)
     }
 
     /// A line of a link.
@@ -237,10 +247,18 @@ impl Context<'_> {
 
     /// All points of a name, with their links.
     fn bearers(&self, name: &str) -> Vec<(LinkId, Vec2)> {
-        let links = self.builder.mech.links.iter().enumerate();
-        links
-            .filter_map(|(i, l)| l.points.iter().find(|p| p.name == name).map(|p| (LinkId::at(i), p.at)))
-            .collect()
+        let mut bearers = self.bearers_as_declared(name).collect::<Vec<_>>();
+        bearers.sort_unstable_by_key(|b| b.0);
+        bearers
+    }
+
+    /// As [`Self::bearers`], in the order declared.
+    pub(crate) fn bearers_as_declared<'c>(
+        &'c self,
+        name: &'c str,
+    ) -> impl Iterator<Item = (LinkId, Vec2)> + use<'c> {
+        let links = self.names.bearers.get(name).into_iter().flatten();
+        links.filter_map(move |&link| Some((link, self.place_of_point(link, name)?)))
     }
 
     fn no_point(&mut self, name: &Name) -> Option<(LinkId, Vec2)> {

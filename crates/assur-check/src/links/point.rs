@@ -183,13 +183,13 @@ fn enter(cx: &mut Context<'_>, link: LinkId, bar: Option<&Bar>, body: &Body, fou
         Member::PointFrom(p) => Some(&p.name),
         _ => None,
     });
+    let mut entered = vec![false; found.len()];
+    let points = &mut cx.builder.mech.links[link.index()].points;
     for name in of_bar.chain(of_body) {
-        let at = found.get(name.node.as_str()).copied().flatten();
-        let points = &mut cx.builder.mech.links[link.index()].points;
-        if let Some(at) = at
-            && !points.iter().any(|p| p.name == name.node)
+        if let Some((index, _, Some(at))) = found.get_full(name.node.as_str())
+            && !std::mem::replace(&mut entered[index], true)
         {
-            points.push(Point { name: name.node.clone(), span: name.span, at });
+            points.push(Point { name: name.node.clone(), span: name.span, at: *at });
         }
     }
 }

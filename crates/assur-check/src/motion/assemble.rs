@@ -176,13 +176,11 @@ fn guide(
 
 fn slides(cx: &Context<'_>, point: LinkPoint) -> Option<PairId> {
     let joined = cx.builder.joined_with(point);
-    let guides = || {
-        cx.builder.mech.pairs.iter().enumerate().filter_map(|(i, p)| match &p.kind {
-            PairKind::Prismatic(guide) => Some((PairId::at(i), guide)),
-            _ => None,
-        })
-    };
-    let on_point = guides().find(|(_, g)| joined.contains(&(g.slider, g.point)));
-    let on_link = || guides().find(|(_, g)| joined.iter().any(|j| j.0 == g.slider));
-    on_point.or_else(on_link).map(|(pair, _)| pair)
+    let mut pairs = joined.iter().flat_map(|j| cx.builder.hinges.guided(j.0)).copied().collect::<Vec<_>>();
+    pairs.sort_unstable();
+    let on_point = pairs.iter().find(|pair| match &cx.builder.mech.pair(**pair).kind {
+        PairKind::Prismatic(guide) => joined.contains(&(guide.slider, guide.point)),
+        _ => false,
+    });
+    on_point.or(pairs.first()).copied()
 }

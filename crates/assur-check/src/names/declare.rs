@@ -44,6 +44,9 @@ pub fn declare(cx: &mut Scope<'_, '_>) {
                     }
                 }
             }
+            Statement::Expect(expect) => {
+                cx.names.expected.entry(&expect.text).or_default().push(expect);
+            }
             Statement::Pose(pose) => {
                 if let Some(&first) = cx.names.poses.get(&pose.name.node) {
                     cx.pose_taken(pose, first);
@@ -89,7 +92,7 @@ fn things(cx: &mut Scope<'_, '_>, statement: &Statement, span: Span) {
             let id = cx.names.add_link(&mut cx.builder.mech, link.name.node.clone(), written, link.name.span);
             cx.names.inside.push(Inside::default());
             for end in link.bar.iter().flat_map(|bar| [&bar.from, &bar.to]) {
-                inside(cx, end, |i| &mut i.points, id);
+                point(cx, end, id);
             }
             members(cx, id, &link.body);
         }
@@ -145,8 +148,8 @@ fn joint_names(cx: &mut Scope<'_, '_>, joint: &Joint) {
 fn members(cx: &mut Scope<'_, '_>, link: LinkId, body: &Body) {
     for member in body {
         match &member.node {
-            Member::Point(p) => inside(cx, &p.name, |i| &mut i.points, link),
-            Member::PointFrom(p) => inside(cx, &p.name, |i| &mut i.points, link),
+            Member::Point(p) => point(cx, &p.name, link),
+            Member::PointFrom(p) => point(cx, &p.name, link),
             Member::Line(l) => inside(cx, &l.name, |i| &mut i.lines, link),
             Member::Circle(c) => inside(cx, &c.name, |i| &mut i.circles, link),
             Member::Profile(p) => inside(cx, &p.name, |i| &mut i.circles, link),
@@ -166,6 +169,11 @@ fn wheels(cx: &mut Scope<'_, '_>, body: &Body) {
             thing(cx, &wheel.name, ThingKind::Wheel);
         }
     }
+}
+
+fn point(cx: &mut Scope<'_, '_>, name: &Name, link: LinkId) {
+    inside(cx, name, |i| &mut i.points, link);
+    cx.names.add_bearer(&name.node, link);
 }
 
 fn inside<F>(cx: &mut Scope<'_, '_>, name: &Name, list: F, link: LinkId)

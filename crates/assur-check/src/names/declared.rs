@@ -1,7 +1,7 @@
 //! Declared names: what they are and where.
 
 use assur_model::model::{BalanceId, Link, LinkId, LoadId, Mechanism, PairId};
-use assur_syntax::document::{Balance, Column, Curve, Expr, FindItem, JointKind, Load};
+use assur_syntax::document::{Balance, Column, Curve, Expect, Expr, FindItem, JointKind, Load};
 use assur_text::source::Span;
 use indexmap::{IndexMap, IndexSet};
 
@@ -124,13 +124,26 @@ pub struct Names<'a> {
     pub numbers: IndexMap<String, Span>,
     /// What belongs to each link, by its id.
     pub inside: Vec<Inside>,
+    /// The links that declare a point of a name.
+    pub bearers: IndexMap<String, Vec<LinkId>>,
     /// Poses.
     pub poses: IndexMap<String, Span>,
+    /// The answer key by what it speaks of, as written.
+    pub expected: IndexMap<&'a str, Vec<&'a Expect>>,
     /// Names that stand in statements that could not be read.
     pub bad: IndexSet<String>,
 }
 
 impl Names<'_> {
+    /// Enters a point of a link by its name alone.
+    pub fn add_bearer(&mut self, point: &str, link: LinkId) {
+        match self.bearers.get_mut(point) {
+            Some(links) if links.last() == Some(&link) => {}
+            Some(links) => links.push(link),
+            None => _ = self.bearers.insert(point.to_owned(), vec![link]),
+        }
+    }
+
     /// Enters a link, without its parts, into the mechanism.
     pub fn add_link(
         &mut self,

@@ -1,28 +1,42 @@
-//! Which hinges stand at a point of a link.
+//! Which hinges stand at a point of a link, and which pairs guide a link.
 
 use assur_math::math::Vec2;
 use assur_model::model::{LinkId, Mechanism, PairId, PairKind, Pin};
 use indexmap::{IndexMap, IndexSet};
 
 /// A point of a link as a key: equal for equal places.
-type Key = (LinkId, [u64; 2]);
+pub(crate) type PlaceKey = (LinkId, [u64; 2]);
 
-/// The hinges at each point of a link.
+/// The hinges at each point of a link, and the prismatic pairs of each slider.
 #[derive(Default)]
-pub(crate) struct Hinges(IndexMap<Key, Vec<PairId>>);
+pub(crate) struct Hinges {
+    at: IndexMap<PlaceKey, Vec<PairId>>,
+    guided: IndexMap<LinkId, Vec<PairId>>,
+}
 
 impl Hinges {
     /// Enters the pins of a pair.
     pub(crate) fn enter(&mut self, kind: &PairKind, pair: PairId) {
         let PairKind::Revolute(pins) = kind else { return };
         for pin in pins {
-            self.0.entry(key((pin.link, pin.at))).or_default().push(pair);
+            self.at.entry(place_key((pin.link, pin.at))).or_default().push(pair);
         }
+    }
+
+    /// Enters the slider of a pair.
+    pub(crate) fn enter_guide(&mut self, kind: &PairKind, pair: PairId) {
+        let PairKind::Prismatic(guide) = kind else { return };
+        self.guided.entry(guide.slider).or_default().push(pair);
+    }
+
+    /// The prismatic pairs in which a link slides, in the order written.
+    pub(crate) fn guided(&self, link: LinkId) -> &[PairId] {
+        self.guided.get(&link).map_or(&[], Vec::as_slice)
     }
 
     /// The hinges that share a point with these pins, in the order written.
     pub(crate) fn near(&self, pins: &[Pin]) -> Vec<PairId> {
-        let found = pins.iter().filter_map(|pin| self.0.get(&key((pin.link, pin.at))));
+        let found = pins.iter().filter_map(|pin| self.at.get(&place_key((pin.link, pin.at))));
         let mut found = found.flatten().copied().collect::<Vec<_>>();
         found.sort_unstable();
         found.dedup();
@@ -32,13 +46,13 @@ impl Hinges {
     /// This point and all that pins join with it.
     pub fn joined_with(&self, mech: &Mechanism, point: (LinkId, Vec2)) -> Vec<(LinkId, Vec2)> {
         let mut joined = vec![point];
-        let mut seen = IndexSet::from([key(point)]);
+        let mut seen = IndexSet::from([place_key(point)]);
         let mut next = 0;
         while let Some(&at) = joined.get(next) {
             next += 1;
-            for pair in self.0.get(&key(at)).into_iter().flatten() {
+            for pair in self.at.get(&place_key(at)).into_iter().flatten() {
                 let PairKind::Revolute(pins) = &mech.pair(*pair).kind else { continue };
-                let new = pins.iter().map(|p| (p.link, p.at)).filter(|p| seen.insert(key(*p)));
+                let new = pins.iter().map(|p| (p.link, p.at)).filter(|p| seen.insert(place_key(*p)));
                 joined.extend(new);
             }
         }
@@ -47,6 +61,6 @@ impl Hinges {
 }
 
 /// Adding zero makes one of both zeros.
-fn key((link, at): (LinkId, Vec2)) -> Key {
+pub(crate) fn place_key((link, at): (LinkId, Vec2)) -> PlaceKey {
     (link, [at.x, at.y].map(|x| (x + 0.0).to_bits()))
 }

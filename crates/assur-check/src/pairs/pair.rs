@@ -30,6 +30,7 @@ pub(crate) fn pairs(cx: &mut Context<'_>) {
         if let Some((kind, friction)) = pair(cx, joint, &shared, &mut held) {
             let id = PairId::at(cx.builder.mech.pairs.len());
             cx.builder.hinges.enter(&kind, id);
+            cx.builder.hinges.enter_guide(&kind, id);
             let (name, span) = (joint.name.node.clone(), joint.name.span);
             cx.names.pairs.entry(name.clone()).or_insert(id);
             cx.builder.mech.pairs.push(Pair { name, span, kind, friction, bearing: None });

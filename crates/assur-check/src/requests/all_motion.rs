@@ -3,11 +3,13 @@
 
 use crate::expr::context::Context;
 use crate::names::declared::ThingKind;
+use crate::output::hinges::place_key;
 use assur_model::model::{Expr, Find, FindKind, LinkId, PairId, PairKind, PointRef, Query};
 use assur_syntax::document::FindItem;
 use assur_text::language::Function;
 use assur_text::source::Span;
 use assur_text::units::Dimension;
+use indexmap::IndexSet;
 
 /// What a function of a point asks, and in which dimension.
 type OfPoint = (fn(PointRef) -> Query, OfSlider, Dimension);
@@ -50,8 +52,9 @@ pub(crate) fn asked(cx: &Context<'_>, item: &FindItem) -> Option<Vec<Find>> {
         }
     }
     let (query, dimension) = of_link(turning)?;
+    let guided = guided(cx);
     for (i, link) in cx.builder.mech.links.iter().enumerate().skip(1) {
-        if turns(cx, LinkId::at(i)) {
+        if !guided.contains(&LinkId::at(i)) {
             all.push(find(cx, (turning, &link.name), query(LinkId::at(i)), dimension, item.span));
         }
     }
@@ -72,23 +75,19 @@ fn find(
 
 /// The points of moving links, each once: a pin by its name alone, points of one name on several links with their link.
 fn points(cx: &Context<'_>) -> Vec<(String, PointRef)> {
-    let mut seen = Vec::new();
+    let mut seen = IndexSet::new();
     let mut all = Vec::new();
     let links = &cx.builder.mech.links;
     for (i, link) in links.iter().enumerate().skip(1) {
         for point in &link.points {
             let here = (LinkId::at(i), point.at);
-            if seen.contains(&here) {
+            if seen.contains(&place_key(here)) {
                 continue;
             }
             let joined = cx.builder.joined_with(here);
             let grounded = joined.iter().any(|(link, _)| *link == LinkId::GROUND);
-            let others = links.iter().enumerate().flat_map(|(i, l)| {
-                l.points.iter().filter(|p| p.name == point.name).map(move |p| (LinkId::at(i), p.at))
-            });
-            let alone = others.into_iter().all(|other| other == here || joined.contains(&other));
-            seen.extend(joined);
-            seen.push(here);
+            let alone = cx.bearers_as_declared(&point.name).all(|other| joined.contains(&other));
+            seen.extend(joined.into_iter().map(place_key));
             if grounded {
                 continue;
             }
@@ -99,13 +98,11 @@ fn points(cx: &Context<'_>) -> Vec<(String, PointRef)> {
     all
 }
 
-/// Whether a link turns: it is not guided by the ground with a constant angle.
-fn turns(cx: &Context<'_>, link: LinkId) -> bool {
-    !cx.builder.mech.pairs.iter().any(|pair| match &pair.kind {
-        PairKind::Prismatic(guide) => {
-            let ends = [guide.slider, guide.guide];
-            ends.contains(&link) && ends.contains(&LinkId::GROUND)
-        }
-        _ => false,
-    })
+/// Links that do not turn: the ground guides them at a constant angle.
+fn guided(cx: &Context<'_>) -> IndexSet<LinkId> {
+    let ends = cx.builder.mech.pairs.iter().filter_map(|pair| match &pair.kind {
+        PairKind::Prismatic(guide) => Some([guide.slider, guide.guide]),
+        _ => None,
+    });
+    ends.filter(|ends| ends.contains(&LinkId::GROUND)).flatten().collect()
 }

@@ -147,11 +147,7 @@ impl Context<'_> {
     /// The unit of the first number that the answer key gives for what is called so.
     fn expected_unit(&self, name: &str, ty: Type) -> Option<Unit> {
         let mut found = None;
-        for statement in &self.doc.statements {
-            let Statement::Expect(expect) = &statement.node else { continue };
-            if expect.text != name {
-                continue;
-            }
+        for expect in self.names.expected.get(name).into_iter().flatten() {
             for value in &expect.values {
                 walk::parts(value, &mut |part| {
                     if let ExprKind::Number(number) = &part.kind

@@ -12,7 +12,7 @@ use assur_syntax::document::{Expr, ExprKind, Number, UnaryOp};
 use assur_text::units::{Dimension, lookup};
 
 /// The most an inferred tolerance may be, relative to the value.
-const MOST: f64 = 0.01;
+pub(crate) const MOST: f64 = 0.01;
 
 /// The tolerance of an equality: as written, or from the digits of the values.
 pub(crate) fn tolerance(

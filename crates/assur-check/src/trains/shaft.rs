@@ -103,6 +103,7 @@ fn push(cx: &mut Context<'_>, name: &Name, kind: PairKind, bearing: Bearing) {
     let id = PairId::at(cx.builder.mech.pairs.len());
     let (name, span) = (name.node.clone(), name.span);
     cx.names.pairs.entry(name.clone()).or_insert(id);
+    cx.builder.hinges.enter_guide(&kind, id);
     cx.builder.mech.pairs.push(Pair { name, span, kind, friction: None, bearing: Some(bearing) });
 }
 

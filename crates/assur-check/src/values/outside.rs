@@ -3,6 +3,7 @@
 use crate::values::overrides::Overrides;
 use crate::values::row::{ColumnUse, Row};
 use crate::values::typed::Typed;
+use indexmap::IndexMap;
 
 /// Values from outside.
 pub struct Outside<'a> {
@@ -12,6 +13,8 @@ pub struct Outside<'a> {
     pub row: Row,
     /// A `given` with the SI value it has instead of any other.
     pub fixed: Option<(&'a str, f64)>,
+    /// What stands for names that have their values in the row alone, where that is no number.
+    pub keys: IndexMap<String, Typed>,
     /// A wheel whose size is left open, of which another is assumed than usual.
     pub other_size: Option<&'a str>,
 }
@@ -19,11 +22,14 @@ pub struct Outside<'a> {
 impl<'a> Outside<'a> {
     /// Those that replace values, with nothing assumed.
     pub fn new(overrides: &'a Overrides) -> Self {
-        Self { overrides, row: overrides.row.clone(), fixed: None, other_size: None }
+        Self { overrides, row: overrides.row.clone(), fixed: None, keys: IndexMap::new(), other_size: None }
     }
 
     /// What the row of variants says of a name that has its values there alone.
     pub fn key(&self, name: &str) -> Option<Typed> {
+        if let Some(key) = self.keys.get(name) {
+            return Some(key.clone());
+        }
         let (column, cell) = self.row.find(name).filter(|(c, _)| c.what == ColumnUse::Key)?;
         Some(Typed::constant(cell.value, column.dimension))
     }

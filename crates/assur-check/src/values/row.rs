@@ -63,6 +63,21 @@ impl Row {
         Self { columns, cells }
     }
 
+    /// Begins another row in the memory of this one, without a cell yet.
+    pub fn begin(&mut self, columns: &Arc<[RowColumn]>) {
+        if !Arc::ptr_eq(&self.columns, columns) {
+            self.columns = columns.clone();
+        }
+        self.cells.clear();
+    }
+
+    /// Adds the next cell, as [`Row::new`] does.
+    pub fn push(&mut self, cell: RowCell) {
+        if let Some(column) = self.columns.get(self.cells.len()) {
+            self.cells.push(RowCell { value: column.set.unwrap_or(cell.value), ..cell });
+        }
+    }
+
     /// Whether it replaces nothing.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -72,6 +87,16 @@ impl Row {
     /// The columns with their numbers.
     pub fn entries(&self) -> impl Iterator<Item = (&RowColumn, RowCell)> {
         self.columns.iter().zip(self.cells.iter().copied())
+    }
+
+    /// The cell in the column of this index.
+    pub(crate) fn cell(&self, column: usize) -> Option<RowCell> {
+        self.cells.get(column).copied()
+    }
+
+    /// Its columns.
+    pub(crate) const fn columns(&self) -> &Arc<[RowColumn]> {
+        &self.columns
     }
 
     /// The number of a column that is no label.

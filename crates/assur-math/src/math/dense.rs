@@ -1,5 +1,6 @@
 //! Small dense linear systems in `f64`: the one elimination, by nalgebra on memory taken once, and its condition beside.
 
+use super::sparse::Sparse;
 use nalgebra::{DMatrix, DVector};
 
 /// A square matrix and, in its place, its LU factors with partial pivoting. All memory is taken once.
@@ -99,40 +100,6 @@ impl Lu {
         }
         b.copy_from_slice(x);
     }
-
-    /// Solves Aᵀ x = b in place, after [`Lu::factor`].
-    pub fn solve_transposed(&mut self, b: &mut [f64]) {
-        let n = self.order();
-        let (factors, x) = (self.factors.as_slice(), self.scratch.as_mut_slice());
-        for i in 0..n {
-            let column = &factors[i * n..][..n];
-            let known: f64 = column[..i].iter().zip(&*x).map(|(a, x)| a * x).sum();
-            x[i] = (b[i] - known) / column[i];
-        }
-        for i in (0..n).rev() {
-            let column = &factors[i * n..][..n];
-            let known: f64 = column[i + 1..].iter().zip(&x[i + 1..]).map(|(a, x)| a * x).sum();
-            x[i] -= known;
-        }
-        for (x, &row) in self.scratch.iter().zip(&self.order) {
-            b[row] = *x;
-        }
-    }
-
-    /// Adds the magnitudes in each row of the inverse to `sums`, after [`Lu::factor`].
-    fn add_inverse_rows(&mut self, sums: &mut [f64]) {
-        for k in 0..self.order() {
-            self.scratch.fill(0.0);
-            self.scratch[k] = 1.0;
-            // nothing comes before the k-th
-            let lower = self.factors.view_range(k.., k..);
-            let _ = lower.solve_lower_triangular_with_diag_mut(&mut self.scratch.rows_range_mut(k..), 1.0);
-            let _ = self.factors.solve_upper_triangular_mut(&mut self.scratch);
-            for (sum, x) in sums.iter_mut().zip(self.scratch.iter()) {
-                *sum += x.abs();
-            }
-        }
-    }
 }
 
 impl Default for Lu {
@@ -141,13 +108,13 @@ impl Default for Lu {
     }
 }
 
-/// A square matrix with row-scaled LU factors beside it, and their condition. All memory is taken once.
+/// A square matrix with row-scaled LU factors beside it, and their condition: zeros in it cost little. All memory is taken once.
 #[derive(Clone, Debug)]
 pub struct Dense {
     n: usize,
     matrix: Vec<f64>,
     /// Factors of the matrix whose rows are scaled to unit sum of magnitudes.
-    factors: Lu,
+    factors: Sparse,
     scale: Vec<f64>,
 }
 
@@ -155,7 +122,7 @@ impl Dense {
     /// The null matrix of order `n`.
     #[must_use]
     pub fn new(n: usize) -> Self {
-        Self { n, matrix: vec![0.0; n * n], factors: Lu::new(n), scale: vec![0.0; n] }
+        Self { n, matrix: vec![0.0; n * n], factors: Sparse::new(n), scale: vec![0.0; n] }
     }
 
     /// Order of the matrix.
@@ -182,7 +149,7 @@ impl Dense {
 
     /// Factors the matrix with partial pivoting; `false` when a pivot is zero or not finite.
     pub fn factor(&mut self) -> bool {
-        self.factors.sign = 0.0;
+        self.factors.forget();
         for i in 0..self.n {
             let row = &self.matrix[i * self.n..][..self.n];
             let sum: f64 = row.iter().map(|x| x.abs()).sum();
@@ -205,7 +172,7 @@ impl Dense {
     /// Sign of the determinant of what was factored; 0 when it could not be.
     #[must_use]
     pub fn sign(&self) -> f64 {
-        self.factors.sign
+        self.factors.sign()
     }
 
     /// Solves A x = b in place, after [`Dense::factor`].

@@ -13,6 +13,7 @@ pub mod ratio;
 mod rigid;
 mod root;
 mod scalar;
+mod sparse;
 mod table_function;
 mod vec2;
 
@@ -26,5 +27,6 @@ pub use ratio::Ratio;
 pub use rigid::{acceleration_at, velocity_at};
 pub use root::{root, root_within};
 pub use scalar::{Scalar, Truths};
+pub use sparse::Sparse;
 pub use table_function::{Between, Beyond, TableFault, TableFunction};
 pub use vec2::{V2, Vec2};

@@ -14,6 +14,7 @@ mod id;
 mod link;
 mod load;
 mod motion;
+mod numbers;
 mod pair;
 mod request;
 mod shape;

@@ -86,8 +86,7 @@ impl Incidence {
     }
 
     fn moved(&self, velocities: &[Number]) -> Vec<BodyId> {
-        let bodies = (0..self.bodies).filter(|b| velocities[3 * b..3 * b + 3].iter().any(|x| !x.is_zero()));
-        bodies.map(BodyId).collect()
+        (0..self.bodies).filter(|b| is_moved(velocities, *b)).map(BodyId).collect()
     }
 
     /// Bodies that no drive moves, where everything is determined.
@@ -106,8 +105,8 @@ impl Incidence {
             0 => Number::ONE,
             _ => Number::ZERO,
         });
-        let moved = self.moved(&velocities[1..]);
-        (0..self.bodies).map(BodyId).filter(|b| !self.is_known(*b) && !moved.contains(b)).collect()
+        let still = |b: &BodyId| !self.is_known(*b) && !is_moved(&velocities[1..], b.0);
+        (0..self.bodies).map(BodyId).filter(still).collect()
     }
 
     fn is_known(&self, body: BodyId) -> bool {
@@ -208,6 +207,10 @@ impl Incidence {
         }
         bodies
     }
+}
+
+fn is_moved(velocities: &[Number], body: usize) -> bool {
+    velocities[3 * body..3 * body + 3].iter().any(|x| !x.is_zero())
 }
 
 /// A revolute joint of more than two links.

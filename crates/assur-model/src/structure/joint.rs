@@ -94,6 +94,8 @@ pub struct Replaced {
     pub joints: Vec<Joint>,
     /// Links whose rotation changes nothing: it is held at zero.
     pub passive: Vec<LinkId>,
+    /// The first joint that stands for each pair; the others of the pair follow it.
+    pub(super) first_joint: Vec<Option<JointId>>,
 }
 
 impl Joint {
@@ -182,14 +184,13 @@ impl Replaced {
         &self.joints[id.0]
     }
 
-    /// Prismatic pairs whose couples are not determined.
+    /// Prismatic pairs whose couples are not determined, in order.
     #[must_use]
     pub fn undetermined_couples(&self) -> Vec<PairId> {
-        self.joints
-            .iter()
-            .filter(|j| matches!(j.kind, JointKind::Prismatic { in_chain: true, .. }))
-            .map(|j| j.pair)
-            .collect()
+        let in_chain = |j: &&Joint| matches!(j.kind, JointKind::Prismatic { in_chain: true, .. });
+        let mut pairs: Vec<PairId> = self.joints.iter().filter(in_chain).map(|j| j.pair).collect();
+        pairs.sort_unstable();
+        pairs
     }
 
     /// The name of a body: its link's, or that of the pair it replaces.
@@ -203,6 +204,16 @@ impl Replaced {
 
     /// The joints that stand for a pair, in the order made.
     pub fn joints_of(&self, pair: PairId) -> impl Iterator<Item = JointId> + '_ {
-        self.joints.iter().enumerate().filter(move |(_, j)| j.pair == pair).map(|(i, _)| JointId(i))
+        let first = self.first_joint.get(pair.index()).copied().flatten().map_or(self.joints.len(), |j| j.0);
+        (first..self.joints.len()).map(JointId).take_while(move |j| self.joint(*j).pair == pair)
+    }
+
+    pub(super) fn push(&mut self, joint: Joint) {
+        let pair = joint.pair.index();
+        if self.first_joint.len() <= pair {
+            self.first_joint.resize(pair + 1, None);
+        }
+        self.first_joint[pair].get_or_insert(JointId(self.joints.len()));
+        self.joints.push(joint);
     }
 }

@@ -4,6 +4,7 @@
 mod add_effort;
 mod add_pair;
 mod assertion;
+mod chains;
 mod class;
 mod count;
 mod decompose;
@@ -26,6 +27,7 @@ mod leave_out;
 #[doc(hidden)]
 pub mod matching;
 mod names;
+mod renumber;
 mod repeated;
 mod replace;
 mod result;

@@ -5,6 +5,7 @@
 //! between the centres. For circular and straight profiles the replacement holds for every position, not for one
 //! instant only, because the curvature is constant.
 
+use super::chains::mark_chains;
 use super::joint::{Body, BodyId, BodyOrigin, BodyRate, Joint, JointId, JointKind, Replaced};
 use crate::math::Vec2;
 use crate::model::{
@@ -21,6 +22,7 @@ pub(super) fn replace(mechanism: &Mechanism) -> Replaced {
             .collect(),
         joints: Vec::new(),
         passive: passive_links(mechanism),
+        first_joint: vec![None; mechanism.pairs.len()],
     };
     for drive in &mechanism.drives {
         if let DriveTarget::Point(link, _) = drive.target {
@@ -80,7 +82,7 @@ impl Replaced {
             Some((rate, *coefficient))
         });
         let kind = JointKind::Law(terms.collect());
-        self.joints.push(Joint { pair, kind });
+        self.push(Joint { pair, kind });
     }
 
     /// The prismatic joint of a pair.
@@ -89,7 +91,7 @@ impl Replaced {
     }
 
     fn revolute(&mut self, pair: PairId, members: Vec<(BodyId, Vec2)>) {
-        self.joints.push(Joint { pair, kind: JointKind::Revolute(members) });
+        self.push(Joint { pair, kind: JointKind::Revolute(members) });
     }
 
     fn slide(
@@ -101,7 +103,7 @@ impl Replaced {
         line: &Guide,
         offset: f64,
     ) {
-        self.joints.push(Joint {
+        self.push(Joint {
             pair,
             kind: JointKind::Prismatic {
                 slider,
@@ -258,83 +260,4 @@ fn is_free_roller(mechanism: &Mechanism, link: LinkId) -> bool {
     }
     let Some(hinge) = hinge else { return false };
     !centres.is_empty() && centres.iter().all(|&c| c == hinge)
-}
-
-/// Marks prismatic joints whose condition on the angle follows from others (a spanning forest from the ground keeps
-/// those nearest to it), and all that lie on a closed chain of prismatic joints.
-pub(super) fn mark_chains(replaced: &mut Replaced) {
-    let edges: Vec<(usize, usize, usize)> = replaced
-        .joints
-        .iter()
-        .enumerate()
-        .filter_map(|(i, j)| match j.kind {
-            JointKind::Prismatic { slider, guide, .. } => Some((i, slider.0, guide.0)),
-            JointKind::Revolute(_) | JointKind::Law(_) => None,
-        })
-        .collect();
-    let kept = spanning_forest(replaced.bodies.len(), &edges);
-    let chained: Vec<usize> = edges
-        .iter()
-        .filter(|&&(joint, a, b)| {
-            let others: Vec<_> = edges.iter().copied().filter(|e| e.0 != joint).collect();
-            connected(replaced.bodies.len(), &others, a, b)
-        })
-        .map(|e| e.0)
-        .collect();
-    for (i, joint) in replaced.joints.iter_mut().enumerate() {
-        if let JointKind::Prismatic { angle_redundant, in_chain, .. } = &mut joint.kind {
-            *angle_redundant = !kept.contains(&i);
-            *in_chain = chained.contains(&i);
-        }
-    }
-}
-
-fn spanning_forest(bodies: usize, edges: &[(usize, usize, usize)]) -> Vec<usize> {
-    let mut seen = vec![false; bodies];
-    let mut kept = Vec::new();
-    for root in 0..bodies {
-        if seen[root] {
-            continue;
-        }
-        seen[root] = true;
-        let mut queue = std::collections::VecDeque::from([root]);
-        while let Some(at) = queue.pop_front() {
-            for &(joint, a, b) in edges {
-                let next = if a == at {
-                    b
-                } else if b == at {
-                    a
-                } else {
-                    continue;
-                };
-                if !seen[next] {
-                    seen[next] = true;
-                    kept.push(joint);
-                    queue.push_back(next);
-                }
-            }
-        }
-    }
-    kept
-}
-
-fn connected(bodies: usize, edges: &[(usize, usize, usize)], from: usize, to: usize) -> bool {
-    let mut seen = vec![false; bodies];
-    let mut stack = vec![from];
-    while let Some(at) = stack.pop() {
-        if at == to {
-            return true;
-        }
-        if std::mem::replace(&mut seen[at], true) {
-            continue;
-        }
-        for &(_, a, b) in edges {
-            if a == at {
-                stack.push(b);
-            } else if b == at {
-                stack.push(a);
-            }
-        }
-    }
-    false
 }

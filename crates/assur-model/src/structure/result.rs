@@ -27,6 +27,6 @@ pub struct Structure {
     pub force_defect: Option<StructureError>,
     /// Links whose rotation changes nothing (a free roller): not solved.
     pub passive: Vec<LinkId>,
-    /// Prismatic pairs whose couples are not determined: they close a chain of prismatic pairs.
+    /// Prismatic pairs whose couples are not determined, in order: they close a chain of prismatic pairs.
     pub undetermined_couples: Vec<PairId>,
 }

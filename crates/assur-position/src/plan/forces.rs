@@ -9,30 +9,45 @@ use super::step::MotionStep;
 use crate::structure::{Dyad, EffortKind, Group, GroupJoint, GroupKind, Structure};
 
 pub(super) fn plan(structure: &Structure, plan: &mut Plan) {
+    let moved_by = MovedBy::of(structure);
     for group in &structure.forces {
         let first = plan.reactions.len();
         plan.reactions.extend(group.joints.iter().copied());
         let step = match group.kind {
-            GroupKind::Driven => driven(structure, group, first),
-            GroupKind::Dyad(kind) => Some(dyad(structure, group, first, kind, plan)),
-            GroupKind::Translation => Some(ForceStep::Translation {
-                ways: [0, 1].map(|i| guide(structure, group.joints[i], first + i)),
-            }),
-            GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
             GroupKind::Triad | GroupKind::General if group.laws.is_empty() => {
                 super::triad::forces(structure, group, first)
             }
-            GroupKind::Triad | GroupKind::General => None,
             GroupKind::Train => {
                 plan.train_forces.push(super::train::forces(structure, group, first, plan));
                 Some(ForceStep::Train { train: plan.train_forces.len() - 1 })
             }
+            _ => closed(structure, group, first, plan, moved_by.same(structure, group)),
         };
         let step = step.unwrap_or_else(|| {
             plan.balance_systems.push(super::general::balance_system(structure, group, first, plan));
             ForceStep::General { system: plan.balance_systems.len() - 1 }
         });
         plan.forces.push(step);
+    }
+}
+
+/// The step of a group that has a closed form and no memory of its own; its reactions begin at slot `first`, and this step
+/// of motion moves it.
+pub(super) fn closed(
+    structure: &Structure,
+    group: &Group,
+    first: usize,
+    plan: &Plan,
+    moved_by: Option<usize>,
+) -> Option<ForceStep> {
+    match group.kind {
+        GroupKind::Driven => driven(structure, group, first),
+        GroupKind::Dyad(kind) => Some(dyad(structure, group, first, kind, (plan, moved_by))),
+        GroupKind::Translation => Some(ForceStep::Translation {
+            ways: [0, 1].map(|i| guide(structure, group.joints[i], first + i)),
+        }),
+        GroupKind::DrivenLegs(kind) => driven_legs(structure, group, first, kind),
+        GroupKind::Triad | GroupKind::Train | GroupKind::General => None,
     }
 }
 
@@ -78,7 +93,13 @@ fn driven(structure: &Structure, group: &Group, slot: usize) -> Option<ForceStep
     })
 }
 
-fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad, plan: &Plan) -> ForceStep {
+fn dyad(
+    structure: &Structure,
+    group: &Group,
+    first_slot: usize,
+    kind: Dyad,
+    (plan, moved_by): (&Plan, Option<usize>),
+) -> ForceStep {
     let [first, inner, second] = [group.joints[0], group.joints[1], group.joints[2]];
     let hinge_of = |i: usize| hinge(structure, group.joints[i], first_slot + i);
     let way_of = |i: usize| guide(structure, group.joints[i], first_slot + i);
@@ -99,7 +120,7 @@ fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad, pla
     let leaves = |&step: &usize| {
         matches!(plan.motion.get(step), Some(MotionStep::Rrr { .. } | MotionStep::Rrp { .. }))
     };
-    let motion = same_motion(structure, group).filter(leaves);
+    let motion = moved_by.filter(leaves);
     match kind {
         Dyad::Rrr => ForceStep::Rrr { outer: [hinge_of(0), hinge_of(2)], inner: inner_hinge(), motion },
         Dyad::Rrp => ForceStep::Rrp { outer: hinge_of(0), inner: inner_hinge(), guide: way_of(2), motion },
@@ -109,12 +130,25 @@ fn dyad(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad, pla
     }
 }
 
-/// The step of motion of the group, where motion has the same dyad with the same first link.
-fn same_motion(structure: &Structure, group: &Group) -> Option<usize> {
-    structure.motion.iter().position(|m| {
+/// The step of motion of every body.
+struct MovedBy(Vec<Option<usize>>);
+
+impl MovedBy {
+    fn of(structure: &Structure) -> Self {
+        let mut steps = vec![None; structure.replaced.bodies.len()];
+        for (step, group) in structure.motion.iter().enumerate() {
+            group.bodies.iter().for_each(|b| steps[b.0] = Some(step));
+        }
+        Self(steps)
+    }
+
+    /// The step of motion of the group, where motion has the same dyad with the same first link.
+    fn same(&self, structure: &Structure, group: &Group) -> Option<usize> {
+        let step = self.0[group.bodies.first()?.0]?;
+        let m = &structure.motion[step];
         let joints = m.joints.iter().map(|j| j.joint).eq(group.joints.iter().map(|j| j.joint));
-        m.kind == group.kind && m.bodies == group.bodies && joints
-    })
+        (m.kind == group.kind && m.bodies == group.bodies && joints).then_some(step)
+    }
 }
 
 fn driven_legs(structure: &Structure, group: &Group, first_slot: usize, kind: Dyad) -> Option<ForceStep> {

@@ -9,11 +9,13 @@ use crate::model::{
     BalanceKind, Bearing, Expr, LoadId, LoadKind, Mechanism, PairKind, Place, SpringId, Value,
 };
 use crate::structure::{Effort, EffortKind, EffortSource, Structure};
+use std::collections::HashSet;
 
 /// The lines of the unknown forces.
-pub(super) fn lines(mechanism: &Mechanism, structure: &Structure) -> Vec<ForceLine> {
+pub(super) fn lines(mechanism: &Mechanism, structure: &Structure, lines: &mut Vec<ForceLine>) {
     let efforts = structure.efforts.iter().enumerate();
-    efforts.filter_map(|(effort, e)| line(mechanism, effort, e)).collect()
+    lines.clear();
+    lines.extend(efforts.filter_map(|(effort, e)| line(mechanism, effort, e)));
 }
 
 fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine> {
@@ -30,14 +32,15 @@ fn line(mechanism: &Mechanism, slot: usize, effort: &Effort) -> Option<ForceLine
     Some(ForceLine { effort: slot, body, at, along: *along, frame: frame.map(|f| f.index()) })
 }
 
-pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
-    let mut steps = Vec::new();
+pub(super) fn plan(mechanism: &Mechanism, effects: &Effects, steps: &mut Vec<LoadStep>) {
+    steps.clear();
     let gravity = mechanism.gravity.filter(|_| effects.gravity).map_or(Vec2::zero(), |g| g.acceleration);
+    let hanging = hanging(mechanism);
     for (body, link) in mechanism.links.iter().enumerate().skip(1) {
         if let Some(m) = &link.mass
             && (effects.gravity || effects.inertia)
         {
-            let gravity = if hangs(mechanism, body) { Vec2::new(gravity.norm(), 0.0) } else { gravity };
+            let gravity = if hanging.contains(&body) { Vec2::new(gravity.norm(), 0.0) } else { gravity };
             steps.push(LoadStep::Mass {
                 body,
                 centre: arm(m.centre),
@@ -82,12 +85,14 @@ pub(super) fn plan(mechanism: &Mechanism, effects: &Effects) -> Vec<LoadStep> {
         free_length: s.free_length,
         damping: (s.damping > 0.0).then_some(s.damping),
     }));
-    steps
 }
 
-/// Whether a link is a slider on a rope: its weight pulls along its way, in the sense in which the rope pays out.
-fn hangs(mechanism: &Mechanism, link: usize) -> bool {
-    mechanism.pairs.iter().any(|p| {
-        matches!(&p.kind, PairKind::Prismatic(g) if p.bearing == Some(Bearing::Open) && g.slider.index() == link)
-    })
+/// Links that are sliders on a rope: their weights pull along their ways, in the sense in which the rope pays out.
+fn hanging(mechanism: &Mechanism) -> HashSet<usize> {
+    let open = mechanism.pairs.iter().filter(|p| p.bearing == Some(Bearing::Open));
+    let sliders = open.filter_map(|p| match &p.kind {
+        PairKind::Prismatic(g) => Some(g.slider.index()),
+        _ => None,
+    });
+    sliders.collect()
 }

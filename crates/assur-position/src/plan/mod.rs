@@ -1,7 +1,9 @@
 //! Structure → Plan: a flat list of steps with slots, in the order of solution, with the effects that the file calls for.
 
+mod by_pair;
 mod cam;
 mod cam_step;
+mod checks;
 mod effects;
 mod exact_vec;
 mod force_step;
@@ -18,6 +20,7 @@ mod load_step;
 mod loads;
 mod motion;
 mod planned;
+mod renumber;
 mod settings;
 pub mod step;
 mod train;
@@ -27,8 +30,10 @@ mod triad;
 mod triad_step;
 
 pub use crate::model::Level;
+pub use by_pair::ByPair;
 pub use cam::{contact_in, is_follower, is_turned};
 pub use cam_step::CamStep;
+pub use checks::{Checks, EffortCheck, JointCheck, ReactionCheck};
 pub use effects::Effects;
 pub use exact_vec::ExactVec;
 pub use force_step::{DrivenPart, EffortLine, ForceStep, Inner};
@@ -49,7 +54,7 @@ pub use train_step::{
 };
 
 use crate::model::Mechanism;
-use crate::structure::{EffortKind, EffortSource, Structure};
+use crate::structure::{EffortKind, EffortSource, GroupJoint, Structure};
 
 /// Plans what the file calls for.
 #[must_use]
@@ -78,13 +83,17 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
     plan.laws = train::laws(mechanism, structure);
     motion::plan(mechanism, structure, &mut plan);
     if plan.effects.forces && structure.force_defect.is_none() {
-        plan.loads = loads::plan(mechanism, &plan.effects);
-        plan.lines = loads::lines(mechanism, structure);
+        loads::plan(mechanism, &plan.effects, &mut plan.loads);
+        loads::lines(mechanism, structure, &mut plan.lines);
         forces::plan(structure, &mut plan);
         if plan.effects.friction {
             friction::plan(mechanism, structure, &mut plan);
         }
+        let pair_of = |joint: &GroupJoint| structure.replaced.joint(joint.joint).pair;
+        plan.reactions_of = ByPair::of(&plan.reactions.iter().map(pair_of).collect::<Vec<_>>());
+        plan.friction_of = ByPair::of(&plan.friction.iter().map(|e| e.pair).collect::<Vec<_>>());
         plan.massless = plan.find_massless();
     }
+    plan.checks = checks::plan(mechanism, structure, &plan);
     plan
 }

@@ -18,13 +18,6 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
             continue;
         }
         let step = match group.kind {
-            GroupKind::Driven => driven(structure, group, branch),
-            GroupKind::Dyad(kind) => Some(dyad(structure, group, branch, kind)),
-            GroupKind::Translation => Some(MotionStep::Translation {
-                branch,
-                slides: [0, 1].map(|i| slide(&structure.replaced, group.joints[i], group.joints[i].base)),
-            }),
-            GroupKind::DrivenLegs(kind) => driven_legs(structure, group, branch, kind),
             GroupKind::Triad => super::triad::motion(structure, group, branch),
             GroupKind::Train => {
                 let train = super::train::motion(structure, group, plan);
@@ -36,7 +29,7 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
                 plan.trains.push(train);
                 Some(MotionStep::Train { branch, train: plan.trains.len() - 1 })
             }
-            GroupKind::General => None,
+            _ => closed(structure, group, branch),
         };
         let step = step.unwrap_or_else(|| {
             let general = super::general::problem(structure, group, plan);
@@ -45,6 +38,20 @@ pub(super) fn plan(mechanism: &Mechanism, structure: &Structure, plan: &mut Plan
             MotionStep::General { branch, problem: plan.general.len() - 1 }
         });
         plan.motion.push(step);
+    }
+}
+
+/// The step of a group that has a closed form and no memory of its own.
+pub(super) fn closed(structure: &Structure, group: &Group, branch: usize) -> Option<MotionStep> {
+    match group.kind {
+        GroupKind::Driven => driven(structure, group, branch),
+        GroupKind::Dyad(kind) => Some(dyad(structure, group, branch, kind)),
+        GroupKind::Translation => Some(MotionStep::Translation {
+            branch,
+            slides: [0, 1].map(|i| slide(&structure.replaced, group.joints[i], group.joints[i].base)),
+        }),
+        GroupKind::DrivenLegs(kind) => driven_legs(structure, group, branch, kind),
+        GroupKind::Triad | GroupKind::Train | GroupKind::General => None,
     }
 }
 

@@ -1,6 +1,8 @@
 //! The plan: flat lists of steps with slots.
 
+use super::by_pair::ByPair;
 use super::cam_step::CamStep;
+use super::checks::Checks;
 use super::effects::Effects;
 use super::force_step::ForceStep;
 use super::friction_step::FrictionElement;
@@ -52,12 +54,18 @@ pub struct Plan {
     pub balance_systems: Vec<BalanceSystem>,
     /// The joint of every reaction slot.
     pub reactions: Vec<GroupJoint>,
+    /// The reaction slots of every pair.
+    pub reactions_of: ByPair,
     /// What rubs, group by group.
     pub friction: Vec<FrictionElement>,
+    /// What rubs in every pair.
+    pub friction_of: ByPair,
     /// Slots of reactions with their signs: what presses on a link in a hinge of several, see [`FrictionElement::pin`].
     pub pin_slots: Vec<(usize, f64)>,
     /// Number of unknown efforts.
     pub efforts: usize,
+    /// The equations by which positions are checked.
+    pub checks: Checks,
     /// The computed quantity.
     pub effects: Effects,
     /// How accurately.
@@ -87,16 +95,25 @@ impl Plan {
             && !self.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_)))
     }
 
+    /// Whether forces are wanted and there is something to solve for them.
+    #[must_use]
+    pub const fn has_forces(&self) -> bool {
+        self.effects.forces && !self.forces.is_empty()
+    }
+
     /// What [`Plan::massless`] is for the loads and forces planned. The closed forms do not ask what the ground carries: where
     /// all is closed it is among them only if a load acts on it.
     pub fn find_massless(&self) -> Vec<usize> {
         let asked = |slot: usize| {
             slot > 0 || !self.is_batchable() || self.loads.iter().any(|load| load.acts_on(slot))
         };
-        let heavy = |slot: usize| {
-            self.loads.iter().any(|l| matches!(l, LoadStep::Mass { body, .. } if *body == slot))
-        };
-        (0..self.bodies).filter(|&slot| !heavy(slot) && asked(slot)).collect()
+        let mut heavy = vec![false; self.bodies];
+        for load in &self.loads {
+            if let LoadStep::Mass { body, .. } = load {
+                heavy[*body] = true;
+            }
+        }
+        (0..self.bodies).filter(|&slot| !heavy[slot] && asked(slot)).collect()
     }
 
     /// Whether a step of motion starts from where its bodies stand.

@@ -10,6 +10,29 @@ use crate::plan::{Level, Plan};
 pub(super) struct Closed<'a, S> {
     pub plan: &'a Plan,
     pub blocks: &'a mut [State<S>],
+    /// The loads are kept apart from what the steps of forces add to them: residuals and answers read them.
+    pub keeps_loads: bool,
+}
+
+/// Positions in one lane, in the shorter code of AVX where there is any: the operations are the same.
+#[inline(never)]
+pub(super) fn run_scalars(plan: &Plan, blocks: &mut [State], keeps_loads: bool) {
+    let mut closed = Closed { plan, blocks, keeps_loads };
+    #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
+    if let Some(avx) = pulp::x86::V3::try_new() {
+        return avx.vectorize(closed);
+    }
+    closed.run();
+}
+
+#[cfg(feature = "lanes")]
+impl pulp::NullaryFnOnce for Closed<'_, f64> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(mut self) {
+        self.run();
+    }
 }
 
 impl<S: Scalar> Closed<'_, S> {
@@ -46,6 +69,9 @@ impl<S: Scalar> Closed<'_, S> {
             for block in &mut *self.blocks {
                 block.known_load(load);
             }
+        }
+        if self.keeps_loads {
+            self.blocks.iter_mut().for_each(|block| block.forces.applied.clone_from(&block.forces.wrenches));
         }
         for (index, step) in self.plan.forces.iter().enumerate() {
             for block in &mut *self.blocks {

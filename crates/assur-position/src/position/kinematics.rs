@@ -74,6 +74,18 @@ impl<S: Scalar + Default> Motion<S> {
 }
 
 impl Motion {
+    /// Takes over all of another one, in the memory that is there.
+    pub(super) fn copy(&mut self, other: &Self) {
+        let Self { inputs, bodies, conditions, certificates, touches, open, shared } = other;
+        self.inputs.clone_from(inputs);
+        self.bodies.clone_from(bodies);
+        self.conditions.clone_from(conditions);
+        self.certificates.clone_from(certificates);
+        self.touches.clone_from(touches);
+        self.open = *open;
+        self.shared.clone_from(shared);
+    }
+
     /// Takes over what the next position starts from, of the same plan.
     pub(super) fn start_from(&mut self, other: &Self) {
         self.bodies.clone_from(&other.bodies);

@@ -6,7 +6,7 @@
 //! position by position.
 
 use super::body::BodyState;
-use super::closed::Closed;
+use super::closed::{Closed, run_scalars};
 use super::columns::DriveColumns;
 use super::kinematics::DriveInput;
 use super::state::State;
@@ -103,7 +103,7 @@ impl<'a> Batch<'a> {
         full: usize,
         each: &mut impl FnMut(usize, Place<'_>),
     ) {
-        let closed = Closed { plan: self.plan, blocks: &mut self.lanes[..full] };
+        let closed = Closed { plan: self.plan, blocks: &mut self.lanes[..full], keeps_loads: false };
         run_lanes(self.arch, InLanes { closed, inputs, first });
         for i in 0..full {
             let (block, first) = (&self.lanes[i], first + i * WIDTH);
@@ -130,7 +130,7 @@ impl<'a> Batch<'a> {
             }
             match &mut *states {
                 [state] => alone(self.plan, state),
-                states => run_scalars(self.plan, states),
+                states => run_scalars(self.plan, states, false),
             }
             states.iter().zip(&mut places).for_each(|(state, i)| each(i, Place::Alone(state)));
         }
@@ -152,30 +152,10 @@ pub fn block_in_avx2(plan: &Plan, reference: &State, inputs: &DriveColumns) -> O
     let mut block = State::closed(plan);
     block.branches.clone_from(&reference.branches);
     let mut blocks = [block];
-    let closed = Closed { plan, blocks: &mut blocks };
+    let closed = Closed { plan, blocks: &mut blocks, keeps_loads: false };
     pulp::Simd::vectorize(avx2, InLanes { closed, inputs, first: 0 });
     let [block] = blocks;
     Some(block)
-}
-
-/// In the shorter code of AVX where there is any: the operations are the same.
-#[inline(never)]
-fn run_scalars(plan: &Plan, blocks: &mut [State]) {
-    let mut closed = Closed { plan, blocks };
-    #[cfg(target_arch = "x86_64")]
-    if let Some(avx) = pulp::x86::V3::try_new() {
-        return avx.vectorize(closed);
-    }
-    closed.run();
-}
-
-impl pulp::NullaryFnOnce for Closed<'_, f64> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(mut self) {
-        self.run();
-    }
 }
 
 /// One position by itself, of any plan.

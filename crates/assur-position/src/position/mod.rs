@@ -3,7 +3,7 @@
 
 mod body;
 mod cam;
-#[cfg(feature = "lanes")]
+mod check;
 mod closed;
 #[cfg(feature = "lanes")]
 mod columns;
@@ -35,6 +35,7 @@ mod run;
 mod scratch;
 mod state;
 mod statics;
+mod together;
 mod train;
 mod train_forces;
 mod train_losses;
@@ -59,11 +60,12 @@ pub use lanes::{Batch, Place, WIDTH, instructions};
 pub use model::turns;
 pub use model::{Model, extent};
 pub use precise::{Edge, in_scalar, precise};
-pub use residual::{Residuals, residuals};
+pub use residual::{Residuals, residuals, residuals_in};
 pub use scratch::Scratch;
 pub use state::{Branch, State};
 pub use state::{DEAD, SAME};
 pub use statics::Forces;
+pub use together::Together;
 pub use train_work::TrainWork;
 pub use triad::assemblies as triad_assemblies;
 pub use wanted::Wanted;

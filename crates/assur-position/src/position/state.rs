@@ -72,6 +72,13 @@ impl State {
         Self { branches, motion, forces, scratch: Scratch::default() }
     }
 
+    /// The same in the memory of another state.
+    pub fn answer_in(&self, other: &mut Self) {
+        other.branches.clone_from(&self.branches);
+        other.motion.copy(&self.motion);
+        other.forces.copy(&self.forces);
+    }
+
     /// Takes over what motion starts from, of a state of the same plan: where the bodies are and how they are assembled.
     pub fn start_from(&mut self, other: &Self) {
         self.branches.clone_from(&other.branches);

@@ -52,6 +52,22 @@ impl<S: Scalar + Default> Forces<S> {
 }
 
 impl Forces {
+    /// Takes over all of another one, in the memory that is there.
+    pub(super) fn copy(&mut self, other: &Self) {
+        let Self { applied, wrenches, reactions, efforts, lines, conditions, .. } = other;
+        self.applied.clone_from(applied);
+        self.wrenches.clone_from(wrenches);
+        self.reactions.clone_from(reactions);
+        self.efforts.clone_from(efforts);
+        self.lines.clone_from(lines);
+        self.conditions.clone_from(conditions);
+        let Self { frictions, senses, law_forces, locked, consistent, .. } = other;
+        self.frictions.clone_from(frictions);
+        self.senses.clone_from(senses);
+        self.law_forces.clone_from(law_forces);
+        (self.locked, self.consistent) = (*locked, *consistent);
+    }
+
     /// Puts all of them to nothing.
     pub fn clear(&mut self) {
         self.applied.fill(Wrench::default());

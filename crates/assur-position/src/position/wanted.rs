@@ -37,6 +37,16 @@ pub enum DriveValue {
 }
 
 impl DriveValue {
+    /// Of a value of the language.
+    #[must_use]
+    pub const fn of(value: Value) -> Self {
+        match value {
+            Value::Scalar(x) => Self::Scalar(x),
+            Value::Vector(v) => Self::Point(v),
+            Value::Bool(_) => Self::None,
+        }
+    }
+
     /// As a value of the language; `None` for rates only.
     #[must_use]
     pub const fn value(&self) -> Option<Value> {

@@ -9,41 +9,59 @@ use std::f64::consts::{PI, TAU};
 /// than the difference of the two angles. Driven angles are as they are written, with their whole turns; the angle of a hinge
 /// that no drive gives is between −180° and 180°, that of a link too.
 pub(crate) fn first_angles(model: &Model<'_>, state: &State) -> Vec<f64> {
-    let mut angles: Vec<f64> = state.motion.bodies.iter().map(|b| b.u.angle()).collect();
-    let mut counted = vec![false; angles.len()];
-    counted[LinkId::GROUND.index()] = true;
-    let mut hinges = Vec::new();
-    for effort in &model.structure.drives {
-        let EffortSource::Drive(id) = effort.source else { continue };
-        let value = state.motion.inputs[id.index()].value;
-        match effort.kind {
-            EffortKind::Angle(body) => {
-                angles[body.0] = value;
-                counted[body.0] = true;
-            }
-            EffortKind::RelativeAngle { first, second, .. } => hinges.push(([first, second], value)),
-            _ => {}
+    let mut angles = Vec::with_capacity(state.motion.bodies.len() + model.mechanism.pairs.len());
+    first_angles_in(model, state, &mut angles);
+    angles
+}
+
+/// As [`first_angles`], in the memory of a list.
+pub(crate) fn first_angles_in(model: &Model<'_>, state: &State, angles: &mut Vec<f64>) {
+    angles.clear();
+    angles.extend(state.motion.bodies.iter().map(|b| b.u.angle()));
+    let drives = || {
+        model.structure.drives.iter().filter_map(|effort| match effort.source {
+            EffortSource::Drive(id) => Some((effort.kind, state.motion.inputs[id.index()].value)),
+            EffortSource::Balance(_) => None,
+        })
+    };
+    for (kind, value) in drives() {
+        if let EffortKind::Angle(body) = kind {
+            angles[body.0] = value;
         }
     }
     for &body in &model.plan.turning {
         angles[body] = state.motion.bodies[body].turned;
-        counted[body] = true;
     }
-    let turns = model.mechanism.pairs.iter().map(|pair| {
-        let PairKind::Revolute(pins) = &pair.kind else { return 0.0 };
-        let [first, second] = pins.as_slice() else { return 0.0 };
-        let ends = [first.link, second.link].map(|link| BodyId(link.index()));
-        let apart = angles[ends[1].0] - angles[ends[0].0];
-        match hinges.iter().find(|(of, _)| *of == ends) {
-            Some((_, value)) => whole_turns(value - apart),
-            None if ends.iter().all(|body| counted[body.0]) => 0.0,
-            None if apart > PI || apart <= -PI => -whole_turns(apart),
-            None => 0.0,
-        }
-    });
-    let turns: Vec<f64> = turns.collect();
-    angles.extend(turns);
-    angles
+    let is_driven =
+        |body: BodyId| drives().any(|(kind, _)| matches!(kind, EffortKind::Angle(b) if b == body));
+    let is_counted = |body: BodyId| {
+        body.0 == LinkId::GROUND.index() || model.plan.turning.contains(&body.0) || is_driven(body)
+    };
+    for pair in &model.mechanism.pairs {
+        let turns = match &pair.kind {
+            PairKind::Revolute(pins) => match pins.as_slice() {
+                [first, second] => {
+                    let ends = [first.link, second.link].map(|link| BodyId(link.index()));
+                    let apart = angles[ends[1].0] - angles[ends[0].0];
+                    let driven = drives().find_map(|(kind, value)| match kind {
+                        EffortKind::RelativeAngle { first, second, .. } if [first, second] == ends => {
+                            Some(value)
+                        }
+                        _ => None,
+                    });
+                    match driven {
+                        Some(value) => whole_turns(value - apart),
+                        None if ends.into_iter().all(is_counted) => 0.0,
+                        None if apart > PI || apart <= -PI => -whole_turns(apart),
+                        None => 0.0,
+                    }
+                }
+                _ => 0.0,
+            },
+            _ => 0.0,
+        };
+        angles.push(turns);
+    }
 }
 
 fn whole_turns(angle: f64) -> f64 {

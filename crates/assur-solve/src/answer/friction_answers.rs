@@ -59,8 +59,8 @@ impl PoseAnswers<'_> {
 
     /// The elements of friction of a pair with their values: torque or force on the element's body.
     fn elements(&self, pair: PairId) -> impl Iterator<Item = (&FrictionElement, f64)> + '_ {
-        let all = self.plan.friction.iter().zip(&self.state.forces.frictions);
-        all.filter(move |(e, _)| e.pair == pair).map(|(e, x)| (e, *x))
+        let places = self.plan.friction_of.places(pair).iter();
+        places.filter_map(|&i| Some((&self.plan.friction[i], *self.state.forces.frictions.get(i)?)))
     }
 
     /// Friction force on a link along the line of a pair; for a contact along the tangent, which is the common normal

@@ -59,7 +59,13 @@ impl<'a> PoseAnswers<'a> {
     /// that none is evaluated twice, however long the chain.
     #[must_use]
     pub fn all_quantities(&self) -> Vec<Value> {
-        let mut done = Vec::with_capacity(self.mechanism.quantities.len());
+        self.all_quantities_in(Vec::with_capacity(self.mechanism.quantities.len()))
+    }
+
+    /// As [`PoseAnswers::all_quantities`], in the memory of a list.
+    #[must_use]
+    pub fn all_quantities_in(&self, mut done: Vec<Value>) -> Vec<Value> {
+        done.clear();
         for quantity in &self.mechanism.quantities {
             let value = PoseAnswers { quantities: &done, ..*self }.value(&quantity.expr);
             done.push(value);
@@ -243,7 +249,7 @@ impl PoseAnswers<'_> {
 
     /// The contact of a designed cam with a roller that is a link of its own, if the pair is that contact or the roller's
     /// hinge, and the hinge.
-    fn roller_of(&self, pair: PairId) -> Option<(&CamContact, PairId)> {
+    pub(super) fn roller_of(&self, pair: PairId) -> Option<(&CamContact, PairId)> {
         self.mechanism.cam_contacts.iter().find_map(|contact| {
             let (_, hinge) = contact.roller?;
             (contact.pair == pair || hinge == pair).then_some((contact, hinge))
@@ -260,7 +266,7 @@ impl PoseAnswers<'_> {
     /// The couple on a link in a pair about the pair's reference point; NaN where it is not determined.
     #[must_use]
     pub fn moment(&self, pair: PairId, link: LinkId) -> f64 {
-        if self.structure.undetermined_couples.contains(&pair) {
+        if self.structure.undetermined_couples.binary_search(&pair).is_ok() {
             return f64::NAN;
         }
         if matches!(self.mechanism.pair(pair).kind, PairKind::Transmission(_)) {
@@ -272,7 +278,7 @@ impl PoseAnswers<'_> {
     }
 
     /// Slots of reactions that act on a link in a pair, with their signs.
-    fn slots(&self, pair: PairId, link: LinkId) -> impl Iterator<Item = (usize, f64)> + '_ {
+    pub(super) fn slots(&self, pair: PairId, link: LinkId) -> impl Iterator<Item = (usize, f64)> + '_ {
         // of a pin in a slot: what the block that stands for it exchanges with the slot, without an effort along it
         let in_slot = match &self.mechanism.pair(pair).kind {
             PairKind::Slot(g) => self.block(pair).map(|block| (g.slider, block)),
@@ -282,10 +288,9 @@ impl PoseAnswers<'_> {
             Some((pin, block)) if pin == link => block,
             _ => BodyId(link.index()),
         };
-        self.plan.reactions.iter().enumerate().filter_map(move |(slot, joint)| {
-            if self.structure.replaced.joint(joint.joint).pair != pair
-                || in_slot.is_some() && !joint.prismatic
-            {
+        self.plan.reactions_of.places(pair).iter().filter_map(move |&slot| {
+            let joint = &self.plan.reactions[slot];
+            if in_slot.is_some() && !joint.prismatic {
                 return None;
             }
             if joint.body == body {
@@ -336,7 +341,7 @@ impl PoseAnswers<'_> {
     }
 
     /// Where the resultant of a prismatic reaction crosses the guide, in the pair's coordinate, m.
-    fn line_offset(&self, pair: PairId) -> f64 {
+    pub(super) fn line_offset(&self, pair: PairId) -> f64 {
         let Some(g) = self.guide(pair) else { return f64::NAN };
         let normal = self.reaction(pair, g.slider).dot(self.along(&g).perp());
         self.displacement(pair) + self.moment(pair, g.slider) / normal

@@ -1,6 +1,7 @@
 //! Finds the assembly of the first position: all of them are tried, group by group, and `assemble` chooses.
 
 use super::failure::Cause;
+use super::meant::meant;
 use super::unassembled::{ambiguous, does_not_close, not_met};
 use crate::answer::{PoseAnswers, first_angles};
 use crate::math::Vec2;
@@ -41,6 +42,16 @@ impl Assembly {
         let bodies = model.structure.motion[index].bodies.iter().map(|b| state.motion.bodies[b.0]).collect();
         let (conditioning, certificate) = (state.motion.conditions[index], state.motion.certificates[index]);
         Self { branch: state.branches[index], conditioning, certificate, bodies, work }
+    }
+
+    /// Takes over how the group of a state without general groups stands.
+    pub(super) fn take(&mut self, model: &Model<'_>, state: &State, index: usize) {
+        self.branch = state.branches[index];
+        (self.conditioning, self.certificate) =
+            (state.motion.conditions[index], state.motion.certificates[index]);
+        self.bodies.clear();
+        self.bodies.extend(model.structure.motion[index].bodies.iter().map(|b| state.motion.bodies[b.0]));
+        self.work = None;
     }
 
     /// Puts the group of a state this way.
@@ -127,7 +138,10 @@ fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize)
     let step = &model.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
         let group = &model.plan.general[*problem];
-        let mut found = crate::position::general_assemblies(state, index, *problem, group, starts);
+        let mut found = {
+            let meant = meant(model, state, index, group);
+            crate::position::general_assemblies(state, index, *problem, group, (starts, meant.as_ref()))
+        };
         found.retain(|state| cylinders_are_positive(model, state, index));
         return found.iter().map(|state| Assembly::of(model, state, index)).collect();
     }
@@ -172,7 +186,7 @@ fn flanks(model: &Model<'_>, state: &mut State, index: usize, count: usize) -> V
 }
 
 /// The coordinate of a cylinder is a distance: what would turn rod against barrel is no assembly.
-fn cylinders_are_positive(model: &Model<'_>, state: &State, index: usize) -> bool {
+pub(super) fn cylinders_are_positive(model: &Model<'_>, state: &State, index: usize) -> bool {
     let pairs = model.structure.motion[index]
         .joints
         .iter()
@@ -184,7 +198,7 @@ fn cylinders_are_positive(model: &Model<'_>, state: &State, index: usize) -> boo
 }
 
 /// Radii of the round profiles of a step's prismatic joints.
-fn radii(step: &MotionStep) -> [f64; 2] {
+pub(super) fn radii(step: &MotionStep) -> [f64; 2] {
     match step {
         MotionStep::Rrp { slide, .. } | MotionStep::Rpr { slide, .. } => [slide.radius, 0.0],
         MotionStep::Prp { slides, .. } | MotionStep::Translation { slides, .. } => {
@@ -196,7 +210,7 @@ fn radii(step: &MotionStep) -> [f64; 2] {
 }
 
 /// The hints that are settled with each group, by their indices: those that speak of links of no later one.
-fn hints_by_group(model: &Model<'_>) -> Vec<Vec<usize>> {
+pub(super) fn hints_by_group(model: &Model<'_>) -> Vec<Vec<usize>> {
     let mut settled = vec![None; model.structure.replaced.bodies.len()];
     for (i, group) in model.structure.motion.iter().enumerate() {
         group.bodies.iter().for_each(|b| settled[b.0] = Some(i));
@@ -279,7 +293,7 @@ fn choose(
     Ok(next)
 }
 
-fn fits(model: &Model<'_>, state: &State, hint: &HintKind) -> bool {
+pub(super) fn fits(model: &Model<'_>, state: &State, hint: &HintKind) -> bool {
     let at = |p: &(LinkId, Vec2)| state.motion.bodies[p.0.index()].position(p.1);
     match hint {
         HintKind::Side { point, from, to, left } => {

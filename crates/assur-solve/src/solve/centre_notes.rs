@@ -6,7 +6,7 @@ use crate::model::{Expr, FindKind, LinkId, Mechanism, Query};
 use crate::position::{PoseOrigin, Wanted};
 
 /// The instant centres that are asked for, and where they have no value.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct CentreNotes(Vec<Asked>);
 
 #[derive(Debug)]
@@ -20,16 +20,21 @@ struct Asked {
 impl CentreNotes {
     pub(super) fn of(mechanism: &Mechanism) -> Self {
         let mut asked: Vec<Asked> = Vec::new();
-        let finds = mechanism.finds.iter().enumerate().filter(|_| is_asked(mechanism));
-        for (find, item) in finds {
+        let finds = if is_asked(mechanism) { mechanism.finds.as_slice() } else { &[] };
+        for (find, item) in finds.iter().enumerate() {
             let FindKind::Value { expr, .. } = &item.kind else { continue };
             each(mechanism, expr, &mut |links| {
-                if !asked.iter().any(|a| a.find == find && a.links == links) {
+                if !asked.iter().rev().take_while(|a| a.find == find).any(|a| a.links == links) {
                     asked.push(Asked { find, links, without: None });
                 }
             });
         }
         Self(asked)
+    }
+
+    /// None is asked for.
+    pub(super) const fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
     /// Looks at the answers of a position.

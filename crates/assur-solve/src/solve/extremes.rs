@@ -33,6 +33,11 @@ pub(crate) fn statics(model: &Model<'_>) -> Result<WholeCycle, Cause> {
     Ok(WholeCycle { extremes: out, ..WholeCycle::EMPTY })
 }
 
+/// Whether any is named.
+pub(super) fn asks_extremes(mechanism: &Mechanism) -> bool {
+    !wanted(mechanism).is_empty()
+}
+
 /// A pair whose extremes are asked for, with the query that does.
 struct Asked {
     pair: PairId,

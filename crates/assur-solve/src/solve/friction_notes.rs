@@ -35,10 +35,11 @@ impl FrictionNotes {
             return;
         }
         for (i, pair) in model.mechanism.pairs.iter().enumerate() {
-            let (id, mut elements) =
-                (PairId::at(i), model.plan.friction.iter().zip(&view.state.forces.senses));
+            let id = PairId::at(i);
             let rubs = pair.friction.is_some_and(|f| f.is_some());
-            if rubs && elements.all(|(e, sense)| e.pair != id || *sense == 0.0) {
+            let senses =
+                || model.plan.friction_of.places(id).iter().filter_map(|&e| view.state.forces.senses.get(e));
+            if rubs && senses().all(|sense| *sense == 0.0) {
                 self.stands(id, pose);
             }
         }

@@ -2,17 +2,24 @@
 
 use crate::answer::{WholeCycle, constant};
 use crate::math::Vec2;
-use crate::model::{Drive, Value};
+use crate::model::{Drive, Expr, Value};
 use crate::position::{DriveInput, DriveValue, Model};
 
 /// Rates of the drives: the same at every position.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Rates(Vec<DriveInput>);
 
 impl Rates {
     /// The speeds of the file. A drive with a sense and no speed moves by one unit, so that velocities are ratios.
     pub(crate) fn of(model: &Model<'_>, statics: &WholeCycle) -> Self {
         Self(model.mechanism.drives.iter().map(|d| rates(model, statics, d)).collect())
+    }
+
+    /// The same of a mechanism that differs in numbers alone, where these are known before anything is solved.
+    pub(super) fn refresh(&mut self, model: &Model<'_>) {
+        for (rates, drive) in self.0.iter_mut().zip(&model.mechanism.drives) {
+            *rates = rates_by(drive, &|expr| known_value(expr).unwrap_or(Value::Scalar(f64::NAN)));
+        }
     }
 
     /// Unit speed of every drive along the way from one set of values to another; nothing accelerates.
@@ -45,14 +52,26 @@ impl Rates {
 }
 
 fn rates(model: &Model<'_>, statics: &WholeCycle, drive: &Drive) -> DriveInput {
+    rates_by(drive, &|expr| constant(model, statics, expr))
+}
+
+/// The value of an expression that is one.
+pub(super) const fn known_value(expr: &Expr) -> Option<Value> {
+    match expr {
+        Expr::Constant(value) => Some(*value),
+        _ => None,
+    }
+}
+
+fn rates_by(drive: &Drive, constant: &dyn Fn(&Expr) -> Value) -> DriveInput {
     let mut input = DriveInput::default();
-    match drive.speed.as_ref().map(|e| constant(model, statics, e)) {
+    match drive.speed.as_ref().map(constant) {
         Some(Value::Scalar(x)) => input.rate = x,
         Some(Value::Vector(v)) => input.velocity = v,
         Some(Value::Bool(_)) => {}
         None => input.rate = drive.sense.unwrap_or(0.0),
     }
-    match drive.acceleration.as_ref().map(|e| constant(model, statics, e)) {
+    match drive.acceleration.as_ref().map(constant) {
         Some(Value::Scalar(x)) => input.acceleration = x,
         Some(Value::Vector(v)) => input.point_acceleration = v,
         Some(Value::Bool(_)) | None => {}

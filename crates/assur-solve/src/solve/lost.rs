@@ -8,6 +8,23 @@ use crate::structure::BodyId;
 /// the root of the unit roundoff.
 const MEETS: f64 = 1e-6;
 
+/// Whether all results are finite.
+pub(super) fn all_finite(state: &State) -> bool {
+    let mut sum = 0.0;
+    // a finite number times zero is zero, any other is not
+    let mut add = |x: f64| sum += x * 0.0;
+    for b in &state.motion.bodies {
+        [b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha]
+            .into_iter()
+            .for_each(&mut add);
+    }
+    for r in &state.forces.reactions {
+        [r.force.x, r.force.y, r.couple].into_iter().for_each(&mut add);
+    }
+    state.forces.efforts.iter().copied().for_each(add);
+    sum == 0.0
+}
+
 /// The first result that is not finite.
 pub(super) fn not_finite(model: &Model<'_>, state: &State) -> Option<Lost> {
     let reactions = || model.plan.reactions.iter().zip(&state.forces.reactions);

@@ -1,8 +1,10 @@
 //! Plan × positions → Solution.
 #![allow(non_snake_case, reason = "names carry the notation of the field: p_B, v_B, M_1")]
 
+mod again;
 mod assemble;
 mod assemblies;
+mod block;
 mod centre_notes;
 mod clause;
 mod come_again;
@@ -14,6 +16,7 @@ mod friction_notes;
 mod gap;
 mod inputs;
 mod lost;
+mod meant;
 mod note;
 mod notes;
 mod pose;
@@ -28,7 +31,10 @@ mod track;
 mod turn;
 mod unassembled;
 
-pub use crate::answer::{CycleAnswer, FlywheelAnswer, PairFriction, PoseAnswers, WholeCycle, compare};
+pub use crate::answer::{
+    Beside, CycleAnswer, FlywheelAnswer, JointReaction, NumberColumns, PairFriction, PoseAnswers, Shown,
+    Source, WholeCycle, compare, read_numbers,
+};
 pub use crate::position::Wanted;
 #[cfg(all(feature = "lanes", target_arch = "x86_64"))]
 pub use crate::position::block_in_avx2;
@@ -40,7 +46,9 @@ pub use crate::position::{
 };
 pub use crate::position::{DriveValue, PoseOrigin, extent};
 pub use crate::reference::{Exact, Reference, exact, knows_couple, reference};
+pub use again::Again;
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
+pub use block::{Ahead, BLOCK, Block};
 pub use clause::{Clause, NamedPoint};
 pub use cycle::over_cycle;
 pub use failure::{Cause, Failure, GroupId, Lost};

@@ -44,6 +44,19 @@ pub(super) struct Notes {
 }
 
 impl Notes {
+    /// Whether there are none.
+    pub(super) const fn is_empty(&self) -> bool {
+        self.switches.is_empty()
+            && self.gaps.is_empty()
+            && self.fewest.is_none()
+            && self.pulls.is_empty()
+            && self.slack.is_empty()
+            && self.slips.is_empty()
+            && self.locking.is_none()
+            && self.several.is_none()
+            && self.uncertified.is_none()
+    }
+
     pub(super) const fn in_gap(&self) -> bool {
         self.in_gap
     }

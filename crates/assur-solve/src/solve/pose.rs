@@ -1,7 +1,7 @@
 //! Solves one assembled position: motion, loads, forces, friction, residuals, and what deserves a note.
 
 use crate::answer::{LeftCurve, PoseAnswers, balanced};
-use crate::position::{DEAD, Model, Residuals, State, Wanted, residuals};
+use crate::position::{DEAD, Model, Residuals, State, Wanted, residuals_in};
 use crate::reference::exact;
 
 use super::failure::{Cause, Failure, GroupId};
@@ -33,19 +33,29 @@ fn slip_backwards(model: &Model<'_>, state: &State) -> Result<(), Cause> {
 impl Run<'_, '_> {
     /// Motion, loads, forces and residuals at an assembled position.
     pub(super) fn solved(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, Failure> {
-        self.solution_at(tracker, pose).map_err(|cause| Failure::at(pose, cause))
+        self.solved_from(&tracker.state, &tracker.angles, pose)
     }
 
-    fn solution_at(&mut self, tracker: &Tracker, pose: &Wanted) -> Result<Solved, Cause> {
+    /// As [`Run::solved`], from an assembled state with the angles of its bodies.
+    pub(super) fn solved_from(
+        &mut self,
+        from: &State,
+        angles: &[f64],
+        pose: &Wanted,
+    ) -> Result<Solved, Failure> {
+        self.solution_at(from, angles, pose).map_err(|cause| Failure::at(pose, cause))
+    }
+
+    fn solution_at(&mut self, from: &State, angles: &[f64], pose: &Wanted) -> Result<Solved, Cause> {
         let model = self.model;
         let mut state = self.memory.take().unwrap_or_else(|| State::new(model.plan));
-        state.start_from(&tracker.state);
+        state.start_from(from);
         state.forces.clear();
         self.rates.at(&pose.drives, &mut state.motion.inputs);
         state.run_planned_motion(model.plan);
         let mut condition = self.motion_condition(&state, pose)?;
         if model.plan.effects.forces {
-            condition = condition.min(self.forces(&mut state, &tracker.angles, pose)?);
+            condition = condition.min(self.forces(&mut state, angles, pose)?);
         }
         if model.plan.settings.scalar == Numbers::DoubleDouble {
             self.with_twice_the_digits(&mut state);
@@ -53,7 +63,7 @@ impl Run<'_, '_> {
         let frictionless = model.plan.effects.loses().then(|| {
             let mut state = state.clone();
             state.run_again_without_friction(model.plan);
-            let values = PoseAnswers::new(model, &state, &tracker.angles, &self.statics).all_quantities();
+            let values = PoseAnswers::new(model, &state, angles, &self.statics).all_quantities();
             Box::new((state.answer(), values))
         });
         if let (Some(free), false) = (&frictionless, state.forces.locked) {
@@ -64,21 +74,23 @@ impl Run<'_, '_> {
         } else if let Some(lost) = not_finite(model, &state) {
             return Err(Cause::Lost(lost));
         }
-        let mut residuals = residuals(model, &state);
+        let mut residuals = residuals_in(model, &state, &mut self.totals);
         if state.forces.locked {
             residuals = Residuals { equilibrium: None, power: None, ..residuals };
         }
         if let Some(lost) = out_of_scale(&residuals) {
             return Err(Cause::Lost(lost));
         }
-        let angles = tracker.angles.clone();
-        let answer = state.answer();
+        let mut solved = self.kept.take().unwrap_or_default();
+        state.answer_in(&mut solved.state);
         self.memory = Some(state);
-        let mut solved =
-            Solved { state: answer, frictionless, quantities: Vec::new(), angles, residuals, condition };
+        solved.angles.clear();
+        solved.angles.extend_from_slice(angles);
+        (solved.frictionless, solved.residuals, solved.condition) = (frictionless, residuals, condition);
+        let quantities = std::mem::take(&mut solved.quantities);
         let ideal = solved.frictionless.as_deref().map(|(state, values)| (state, values.as_slice()));
         let view = PoseAnswers::new(model, &solved.state, &solved.angles, &self.statics);
-        solved.quantities = PoseAnswers { frictionless: ideal, ..view }.all_quantities();
+        solved.quantities = PoseAnswers { frictionless: ideal, ..view }.all_quantities_in(quantities);
         self.note_contacts(&solved, pose);
         self.note_trains(&solved, pose);
         let view = solved.view(model, &self.statics);
@@ -128,7 +140,9 @@ impl Run<'_, '_> {
         let model = self.model;
         let level = model.plan.effects.level;
         let mut least = 1.0_f64;
-        let mut carried = vec![1.0_f64; state.motion.bodies.len()];
+        let carried = &mut self.carried;
+        carried.clear();
+        carried.resize(state.motion.bodies.len(), 1.0_f64);
         let groups = model.structure.motion.iter().zip(&state.motion.certificates);
         for (i, ((group, &h), conditioning)) in groups.zip(&state.motion.conditions).enumerate() {
             let condition = conditioning.abs();

@@ -4,14 +4,6 @@ use crate::answer::{WholeCycle, constant};
 use crate::model::{At, Drive, DriveId, Expr, Positions, Value};
 use crate::position::{DriveValue, Model, PoseOrigin, Wanted, turns};
 
-fn drive_value(value: Value) -> DriveValue {
-    match value {
-        Value::Scalar(x) => DriveValue::Scalar(x),
-        Value::Vector(v) => DriveValue::Point(v),
-        Value::Bool(_) => DriveValue::None,
-    }
-}
-
 /// The values of one drive over its sweep.
 #[derive(Clone, Debug)]
 enum Values {
@@ -24,7 +16,7 @@ impl Values {
         match &drive.positions {
             Positions::None => Self::List(vec![DriveValue::None]),
             Positions::List(list) => {
-                Self::List(list.iter().map(|e| drive_value(constant(model, statics, e))).collect())
+                Self::List(list.iter().map(|e| DriveValue::of(constant(model, statics, e))).collect())
             }
             Positions::Range { from, to, steps } => {
                 let scalar = |e| match constant(model, statics, e) {
@@ -104,6 +96,12 @@ impl Sweep {
         self.drives.iter().map(|d| d.at(index)).collect()
     }
 
+    /// As [`Sweep::values`], in the memory of others.
+    pub fn write_values(&self, index: usize, out: &mut Vec<DriveValue>) {
+        out.clear();
+        out.extend(self.drives.iter().map(|d| d.at(index)));
+    }
+
     pub fn at(&self, index: usize) -> Wanted {
         let origin = PoseOrigin::Sweep(index);
         Wanted { name: (index + 1).to_string(), origin, drives: self.values(index) }
@@ -115,7 +113,7 @@ pub(super) fn beside(model: &Model<'_>, statics: &WholeCycle, first: &Wanted) ->
     let at = |list: &[(DriveId, Expr)]| {
         let mut drives = first.drives.clone();
         for (id, expr) in list {
-            drives[id.index()] = drive_value(constant(model, statics, expr));
+            drives[id.index()] = DriveValue::of(constant(model, statics, expr));
         }
         drives
     };

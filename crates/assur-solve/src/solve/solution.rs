@@ -49,7 +49,7 @@ pub struct Pose {
 }
 
 /// A solved position.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Solved {
     /// Bodies, reactions, efforts.
     pub state: State,

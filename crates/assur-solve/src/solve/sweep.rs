@@ -1,6 +1,7 @@
 //! Solves all positions of a file.
 
 use super::assemble::assemble_from;
+use super::block::{Ahead, BLOCK, Block, is_free};
 use super::centre_notes::CentreNotes;
 use super::come_again::{Begin, begin};
 use super::cycle::loads_name_quantities;
@@ -13,13 +14,18 @@ use super::notes::Notes;
 use super::positions::{Sweep, beside};
 use super::refusals::{refusals, unit_speeds};
 use super::solution::{Pose, Solution, Solved};
+use super::steps::steps;
 use super::track::{Switch, Tracker};
 use super::unassembled::does_not_close;
 use crate::answer::WholeCycle;
 use crate::model::{LoadId, Value};
-use crate::position::{DriveValue, Model, STARTS, Searched, State, Wanted};
+use crate::position::{DriveValue, Model, STARTS, Searched, State, Wanted, Wrench, extent};
 use std::collections::VecDeque;
 
+/// Fewer positions are not worth to be solved side by side.
+const FEWEST: usize = 8;
+/// Positions that are followed one by one where some depend on the one before.
+const WAIT: usize = 4;
 /// Positions in a row at which all starts of a search are tried in vain.
 const MANY: usize = 32;
 /// Starts at those behind them.
@@ -60,6 +66,12 @@ pub struct Following<'a, 's> {
     /// Why the first position that failed did.
     first_failure: Option<Failure>,
     cycle_notes: Vec<Note>,
+    /// Positions may depend on the drives and the assembly alone.
+    free: bool,
+    /// Positions are not tried side by side before this one.
+    try_at: usize,
+    /// Solved already, and not handed out.
+    ahead: VecDeque<Pose>,
 }
 
 impl<'a, 's> Following<'a, 's> {
@@ -82,24 +94,33 @@ impl<'a, 's> Following<'a, 's> {
         let cycle_notes =
             super::cycle::cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
         let near = beside(model, &statics, &sweep.at(0)).into_iter().map(Near::new).collect();
-        let run = Run {
-            model,
-            rates: Rates::of(model, &statics),
-            statics,
-            evaluated: Vec::new(),
-            loads_name_quantities: loads_name_quantities(model.mechanism),
-            memory: None,
-            before: None,
-            last: None,
-            searched: 0,
-            consistent_searched: Searched::default(),
-            closing: Closing::default(),
-            notes: Notes::default(),
-            friction: FrictionNotes::default(),
-            centres: CentreNotes::of(model.mechanism),
-        };
+        let rates = Rates::of(model, &statics);
+        let mut run = Run::new(model, rates, statics, loads_name_quantities(model.mechanism));
+        run.centres = CentreNotes::of(model.mechanism);
+        // positions farther apart are followed on a way between them
+        let apart = || steps(model, extent(model), &sweep.values(0), &sweep.values(1));
+        let free = is_free(model) && run.centres.is_empty() && apart() <= 1.0;
         let (next, current, begin, first_failure) = (0, None, None, None);
-        Ok(Some(Self { run, sweep, next, current, near, begin, first_failure, cycle_notes }))
+        let (try_at, ahead) = (1, VecDeque::new());
+        Ok(Some(Self {
+            run,
+            sweep,
+            next,
+            current,
+            near,
+            begin,
+            first_failure,
+            cycle_notes,
+            free,
+            try_at,
+            ahead,
+        }))
+    }
+
+    /// The same with every position found from the one before, whatever the plan.
+    #[must_use]
+    pub fn one_by_one(self) -> Self {
+        Self { free: false, ..self }
     }
 
     /// How many positions there are, with the poses beside the sweep.
@@ -129,6 +150,21 @@ impl<'a, 's> Following<'a, 's> {
     /// The next position: those of the sweep in order, then those beside it. An error where no position has a meaning.
     #[allow(clippy::should_implement_trait)] // an error ends the file
     pub fn next(&mut self) -> Option<Result<Pose, Failure>> {
+        if let Some(pose) = self.ahead.pop_front() {
+            return Some(Ok(pose));
+        }
+        if let Some(ahead) = self.ahead(BLOCK) {
+            let mut block = Block::default();
+            ahead.solve(&mut block, 0);
+            self.take(&mut block);
+            if !block.poses().is_empty() {
+                if let Some(ahead) = self.last_taken() {
+                    ahead.answer(&mut block, true);
+                }
+                self.ahead.extend(block.into_poses());
+                return self.ahead.pop_front().map(Ok);
+            }
+        }
         if self.next < self.sweep.len() {
             let pose = self.sweep.at(self.next);
             self.next += 1;
@@ -141,6 +177,56 @@ impl<'a, 's> Following<'a, 's> {
             return Some(Err(failure));
         }
         self.near.pop_front().map(|near| Ok(self.run.beside(near)))
+    }
+
+    /// The next positions, `most` of them, for solving them side by side, see [`Following::take`]. `None` where they depend on the
+    /// one before, or too few are left.
+    #[must_use]
+    pub fn ahead(&self, most: usize) -> Option<Ahead<'_>> {
+        let tracker = self.current.as_ref()?;
+        // the last position of a sweep is looked at beyond its answers
+        let count = self.sweep.len().saturating_sub(self.next + 1).min(most);
+        let tried = self.free && self.next >= self.try_at && self.near.is_empty() && count >= FEWEST;
+        (tried && !self.run.notes.in_gap()).then(|| Ahead { count, ..self.solved_from(tracker) })
+    }
+
+    /// The same for positions that were taken over: what their answers depend on.
+    #[must_use]
+    pub fn last_taken(&self) -> Option<Ahead<'_>> {
+        self.current.as_ref().map(|tracker| self.solved_from(tracker))
+    }
+
+    fn solved_from<'f>(&'f self, tracker: &'f Tracker) -> Ahead<'f> {
+        Ahead {
+            model: self.run.model,
+            rates: &self.run.rates,
+            statics: &self.run.statics,
+            sweep: &self.sweep,
+            branches: &tracker.state.branches,
+            first: self.next,
+            count: 0,
+        }
+    }
+
+    /// Takes over the next positions as far as following them one by one comes to the same, and goes on behind them. The block
+    /// keeps these alone. `false` where some are left: blocks behind this one have no meaning then.
+    pub fn take(&mut self, block: &mut Block) -> bool {
+        let (Some(tracker), solved) = (&mut self.current, block.solved()) else {
+            block.keep(0);
+            return false;
+        };
+        let taken = tracker.take(self.run.model, block);
+        self.next += taken;
+        self.run.closing.swept += taken;
+        if let Some(last) = block.poses().last() {
+            let (name, drives) = self.run.last.get_or_insert_default();
+            name.clone_from(&last.name);
+            drives.clone_from(&last.drives);
+        }
+        if taken < solved {
+            self.try_at = self.next + WAIT;
+        }
+        taken == solved
     }
 
     /// What was found over all positions.
@@ -258,6 +344,12 @@ pub(super) struct Run<'a, 's> {
     pub loads_name_quantities: bool,
     /// Memory for the steps at one position.
     pub memory: Option<State>,
+    /// Memory for what is carried from group to group.
+    pub carried: Vec<f64>,
+    /// Memory for the sums of forces on the bodies.
+    pub totals: Vec<Wrench>,
+    /// A position that is not looked at any more: memory for the next.
+    pub kept: Option<Solved>,
     /// Memory for the place before a step of the sweep.
     before: Option<Tracker>,
     /// Name and drive values of the position before.
@@ -272,6 +364,36 @@ pub(super) struct Run<'a, 's> {
     pub notes: Notes,
     pub friction: FrictionNotes,
     pub centres: CentreNotes,
+}
+
+impl<'a, 's> Run<'a, 's> {
+    /// No position yet, and no instant centre that is looked at.
+    pub(super) fn new(
+        model: &'s Model<'a>,
+        rates: Rates,
+        statics: WholeCycle,
+        loads_name_quantities: bool,
+    ) -> Self {
+        Self {
+            model,
+            rates,
+            statics,
+            evaluated: Vec::new(),
+            loads_name_quantities,
+            memory: None,
+            carried: Vec::new(),
+            totals: Vec::new(),
+            kept: None,
+            before: None,
+            last: None,
+            searched: 0,
+            consistent_searched: Searched::default(),
+            closing: Closing::default(),
+            notes: Notes::default(),
+            friction: FrictionNotes::default(),
+            centres: CentreNotes::default(),
+        }
+    }
 }
 
 impl Run<'_, '_> {

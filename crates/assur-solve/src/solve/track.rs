@@ -6,6 +6,7 @@
 //! went on as they came: the parabola through three places well apart, the present one and two before. Elsewhere the sign
 //! of the root stays.
 
+use super::block::{Block, keeps_its_assembly};
 use super::inputs::Rates;
 use super::steps::{MOST_STEPS, between, length, steps, ways};
 use crate::answer::first_angles;
@@ -16,7 +17,7 @@ use crate::structure::BodyId;
 use std::rc::Rc;
 
 /// Below this |σ| both assemblies are tried.
-const CAREFUL: f64 = 0.3;
+pub(super) const CAREFUL: f64 = 0.3;
 
 /// A group whose |σ| stays above this on its way keeps its assembly: between two places it passes no change point. The
 /// rounding of lengths alone makes it about the root of the unit roundoff.
@@ -164,7 +165,7 @@ impl Tracker {
         let mut next = std::mem::take(&mut self.spare);
         let found = self.solve_next(model, rates, values, over_gap, &mut next);
         if found.is_ok() {
-            self.remember(model);
+            Self::remember(&mut self.history, model, self.extent, &self.values, &self.state);
             self.follow_angles(model, &next);
             std::mem::swap(&mut self.state, &mut next);
             self.values.clear();
@@ -275,20 +276,66 @@ impl Tracker {
         false
     }
 
-    /// Keeps the present place, if it is well apart from the last one kept.
-    fn remember(&mut self, model: &Model<'_>) {
-        let way = |last: &Place| length(ways(model, self.extent, &last.values, &self.values));
-        if self.history.first().is_some_and(|last| way(last) < APART) {
+    /// Keeps a place, if it is well apart from the last one kept.
+    fn remember(
+        history: &mut Vec<Rc<Place>>,
+        model: &Model<'_>,
+        extent: f64,
+        values: &[DriveValue],
+        state: &State,
+    ) {
+        let way = |last: &Place| length(ways(model, extent, &last.values, values));
+        if history.first().is_some_and(|last| way(last) < APART) {
             return;
         }
         // the oldest gives its memory
-        let oldest = if self.history.len() < KEPT { None } else { self.history.pop() };
+        let oldest = if history.len() < KEPT { None } else { history.pop() };
         let mut here = oldest.unwrap_or_default();
         let place = Rc::make_mut(&mut here);
-        place.values.clone_from(&self.values);
+        place.values.clear();
+        place.values.extend_from_slice(values);
         place.poses.clear();
-        place.poses.extend(self.state.motion.bodies.iter().map(|b| (b.p, b.u)));
-        self.history.insert(0, here);
+        place.poses.extend(state.motion.bodies.iter().map(|b| (b.p, b.u)));
+        history.insert(0, here);
+    }
+
+    /// Takes over positions of a block as far as following comes to the same, and moves to the last of them. Returns how many
+    /// they are.
+    pub(super) fn take(&mut self, model: &Model<'_>, block: &mut Block) -> usize {
+        if !keeps_its_assembly(model, &self.state) {
+            block.keep(0);
+            return 0;
+        }
+        let bodies = self.state.motion.bodies.len();
+        let mut turns = std::mem::take(&mut block.running);
+        turns.clear();
+        let now = self.angles.iter().zip(&self.state.motion.bodies);
+        turns.extend(now.map(|(angle, b)| whole_turns(*angle - b.u.angle())));
+        let mut taken = 0;
+        while taken < block.poses().len() {
+            let before = taken.checked_sub(1).map_or(Some(&self.state), |i| block.state(i));
+            let (pose, Some(state), Some(next)) = (&block.poses()[taken], before, block.state(taken)) else {
+                break;
+            };
+            if steps(model, self.extent, &self.values, &pose.drives) > 1.0
+                || !turn_on(&mut turns, state, next)
+            {
+                break;
+            }
+            Self::remember(&mut self.history, model, self.extent, &self.values, state);
+            self.values.clear();
+            self.values.extend_from_slice(&pose.drives);
+            block.keep_turns(taken, &turns, &self.angles[bodies..]);
+            taken += 1;
+        }
+        block.keep(taken);
+        if let Some(last) = taken.checked_sub(1).and_then(|i| block.state(i)) {
+            self.state.start_from(last);
+            let known = self.state.motion.bodies.iter().zip(&turns);
+            self.angles.iter_mut().zip(known).for_each(|(angle, (b, turns))| *angle = b.u.angle() + turns);
+        }
+        block.running = turns;
+        taken
     }
 
     /// Where the bodies would be at these values: the parabola through the present place and two others on the line of
@@ -343,6 +390,26 @@ pub(super) fn continued(angle: f64, old: Vec2, new: Vec2) -> f64 {
     let estimate = angle + turned;
     let principal = new.angle();
     principal + std::f64::consts::TAU * ((estimate - principal) / std::f64::consts::TAU).round()
+}
+
+/// Carries whole turns of the bodies, rad, on to the next position. `false` where a body turns too far for that.
+fn turn_on(turns: &mut [f64], state: &State, next: &State) -> bool {
+    let bodies = state.motion.bodies.iter().zip(&next.motion.bodies);
+    for (turns, (old, new)) in turns.iter_mut().zip(bodies) {
+        let (old, new) = (old.u, new.u);
+        if old.dot(new) <= 0.0 {
+            return false;
+        }
+        // only over the negative x axis the angle jumps
+        if old.y.is_sign_negative() != new.y.is_sign_negative() && (old.x < 0.0 || new.x < 0.0) {
+            *turns = whole_turns(continued(old.angle() + *turns, old, new) - new.angle());
+        }
+    }
+    true
+}
+
+fn whole_turns(angle: f64) -> f64 {
+    (angle / std::f64::consts::TAU).round() * std::f64::consts::TAU
 }
 
 fn distance(state: &State, predicted: &[Pose], bodies: &[BodyId], extent: f64) -> f64 {

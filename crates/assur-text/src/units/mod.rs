@@ -7,12 +7,14 @@ mod factors;
 mod lookup;
 mod number;
 mod spelling;
+mod template;
 mod unit;
 
 pub use crate::language::{Dimension, Kind};
 pub use error::UnitError;
 pub use factors::{Factor, factors};
 pub use lookup::{is_unit, lookup};
-pub use number::{significant, write_significant};
+pub use number::{push_row, push_significant, significant, write_significant};
 pub use spelling::meant;
-pub use unit::Unit;
+pub use template::Template;
+pub use unit::{Conversion, Unit};

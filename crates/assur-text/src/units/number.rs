@@ -17,23 +17,28 @@ pub fn significant(x: f64, digits: usize) -> String {
 
 /// As [`significant`], appended to `out`.
 pub fn write_significant(out: &mut String, x: f64, digits: usize) {
-    if x == 0.0 {
-        out.push('0');
-        return;
-    }
-    if !x.is_finite() {
-        // writing to a String does not fail
-        let _ = write!(out, "{x}");
-        return;
-    }
-    let digits = digits.clamp(1, 17);
-    let figures = Figures::from_shortest(x, digits).unwrap_or_else(|| Figures::exact(x, digits));
-    let mut text = Text::default();
-    if x < 0.0 {
-        text.push(b"-");
-    }
-    figures.write(&mut text);
+    let text = Text::of_number(x, digits);
     out.push_str(std::str::from_utf8(&text.bytes[..text.len]).unwrap_or_default());
+}
+
+/// As [`write_significant`], appended to a text in bytes.
+#[inline]
+pub fn push_significant(out: &mut Vec<u8>, x: f64, digits: usize) {
+    let text = Text::of_number(x, digits);
+    // as a whole, whose size is known beforehand
+    let len = out.len() + text.len;
+    out.extend_from_slice(&text.bytes);
+    out.truncate(len);
+}
+
+/// Numbers in a row of a table, a comma before each; nothing for one that is not finite.
+pub fn push_row(out: &mut Vec<u8>, numbers: &[f64], digits: usize) {
+    for &x in numbers {
+        out.push(b',');
+        if x.is_finite() {
+            push_significant(out, x, digits);
+        }
+    }
 }
 
 /// A short text in place.
@@ -43,11 +48,146 @@ struct Text {
     len: usize,
 }
 
+impl Write for Text {
+    fn write_str(&mut self, more: &str) -> std::fmt::Result {
+        if self.len + more.len() > self.bytes.len() {
+            return Err(std::fmt::Error);
+        }
+        self.push(more.as_bytes());
+        Ok(())
+    }
+}
+
 impl Text {
     fn push(&mut self, more: &[u8]) {
         self.bytes[self.len..self.len + more.len()].copy_from_slice(more);
         self.len += more.len();
     }
+
+    fn of_number(x: f64, digits: usize) -> Self {
+        if x == 0.0 {
+            return Self::of(b"0");
+        }
+        if !x.is_finite() {
+            return Self::of(if x.is_nan() {
+                b"NaN"
+            } else if x < 0.0 {
+                b"-inf"
+            } else {
+                b"inf"
+            });
+        }
+        let digits = digits.clamp(1, 17);
+        Self::plain(x, digits).unwrap_or_else(|| Self::of_figures(x, digits))
+    }
+
+    #[inline(never)]
+    fn of_figures(x: f64, digits: usize) -> Self {
+        let figures = Figures::from_shortest(x, digits).unwrap_or_else(|| Figures::exact(x, digits));
+        let mut text = Self::default();
+        if x < 0.0 {
+            text.push(b"-");
+        }
+        figures.write(&mut text);
+        text
+    }
+
+    /// Rounds the shortest decimal number that is read as `x` where it stands, see [`Figures::from_shortest`]. `None` where it
+    /// has an exponent before or after, or does not decide how `x` is rounded.
+    fn plain(x: f64, digits: usize) -> Option<Self> {
+        let size = x.abs();
+        if !(1e-5..1e7).contains(&size) || digits > MOST_FROM_SHORTEST {
+            return None;
+        }
+        let mut buffer = zmij::Buffer::new();
+        let shortest = buffer.format_finite(x).as_bytes();
+        let begin = usize::from(x < 0.0);
+        let end = if size < 1.0 {
+            let zeros =
+                [0.1, 0.01, 1e-3, 1e-4].iter().map(|&border| usize::from(size < border)).sum::<usize>();
+            begin + 2 + zeros + digits
+        } else {
+            let more = [10.0, 100.0, 1e3, 1e4, 1e5, 1e6].iter().map(|&border| usize::from(size >= border));
+            let before = 1 + more.sum::<usize>();
+            if digits <= before {
+                return None;
+            }
+            begin + digits + 1
+        };
+        let mut text = Self::of(shortest);
+        match shortest.get(end..) {
+            None | Some([]) => {}
+            Some([next, more @ ..]) => {
+                text.len = end;
+                let up = match (next, more) {
+                    (b'5', []) => is_greater(size, shortest)?,
+                    _ => *next >= b'5',
+                };
+                if up && !text.round_up(begin) {
+                    return None;
+                }
+            }
+        }
+        while text.bytes[text.len - 1] == b'0' {
+            text.len -= 1;
+        }
+        text.len -= usize::from(text.bytes[text.len - 1] == b'.');
+        Some(text)
+    }
+
+    /// Copies a text of at most 32 bytes, in pieces of a size known beforehand.
+    #[inline(always)]
+    fn of(text: &[u8]) -> Self {
+        let mut copy = Self { len: text.len(), ..Self::default() };
+        match (text.first_chunk::<16>(), text.last_chunk::<16>()) {
+            (Some(first), Some(last)) => {
+                copy.bytes[..16].copy_from_slice(first);
+                copy.bytes[text.len() - 16..text.len()].copy_from_slice(last);
+            }
+            _ => copy.bytes[..text.len()].copy_from_slice(text),
+        }
+        copy
+    }
+
+    /// Adds one to the last figure; `false` where a figure would be added before `begin`.
+    fn round_up(&mut self, begin: usize) -> bool {
+        for byte in self.bytes[begin..self.len].iter_mut().rev() {
+            match byte {
+                b'.' => {}
+                b'9' => *byte = b'0',
+                _ => {
+                    *byte += 1;
+                    return true;
+                }
+            }
+        }
+        false
+    }
+}
+
+/// Whether a number from 10⁻⁵ to 10⁷ is greater than the shortest decimal number that is read as it, which is written without an
+/// exponent; `None` where they are equal.
+#[cold]
+fn is_greater(x: f64, shortest: &[u8]) -> Option<bool> {
+    let bits = x.to_bits();
+    let (mantissa, exponent) = (bits & ((1 << 52) - 1) | 1 << 52, (bits >> 52) as i32 - 1075);
+    let (mut figures, mut places) = (0_u128, None);
+    for byte in shortest {
+        match byte {
+            b'.' => places = Some(0_u32),
+            b'0'..=b'9' => {
+                figures = 10 * figures + u128::from(byte - b'0');
+                places = places.map(|n| n + 1);
+            }
+            _ => {}
+        }
+    }
+    // x = mantissa × 2^exponent against figures / 10^places: both times 10^places / 2^(exponent + places)
+    let places = places?;
+    let left = u128::from(mantissa) * 5_u128.checked_pow(places)?;
+    let shift = -(exponent + i32::try_from(places).ok()?);
+    let right = figures.checked_mul(1_u128.checked_shl(u32::try_from(shift).ok()?)?)?;
+    (left != right).then_some(left > right)
 }
 
 /// Decimal figures of a number, the first of which is not zero.
@@ -111,8 +251,11 @@ impl Figures {
     /// From all digits of `x`.
     #[cold]
     fn exact(x: f64, digits: usize) -> Self {
-        let text = format!("{:.*e}", digits - 1, x.abs());
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        let mut all = Text::default();
+        // at most 17 digits with an exponent: that fits
+        let _ = write!(all, "{:.*e}", digits - 1, x.abs());
+        let text = std::str::from_utf8(&all.bytes[..all.len]).unwrap_or("0");
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
         let mut found = Self { figures: [b'0'; 17], count: 0, power: exponent.parse().unwrap_or(0) };
         for digit in mantissa.bytes().filter(u8::is_ascii_digit).take(17) {
             found.figures[found.count] = digit;
@@ -166,7 +309,8 @@ impl Figures {
                     out.push(&figures[1..]);
                 }
                 out.push(b"e");
-                out.push(power.to_string().as_bytes());
+                // three digits and a sign
+                let _ = write!(out, "{power}");
             }
         }
     }

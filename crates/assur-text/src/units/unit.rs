@@ -41,6 +41,40 @@ pub(super) fn whole_reciprocal(factor: f64) -> Option<f64> {
     (factor < 1.0 && n <= 1e15 && 1.0 / n == factor).then_some(n)
 }
 
+/// From SI into a unit, as [`Unit::from_si`], with what does not depend on the number found once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Conversion {
+    /// SI.
+    None,
+    /// Times a number.
+    Times(f64),
+    /// Over a number.
+    Over(f64),
+}
+
+impl Conversion {
+    /// Into units of so many SI units; 0 stands for 1.
+    #[must_use]
+    pub fn into_units_of(factor: f64) -> Self {
+        match whole_reciprocal(factor) {
+            _ if factor == 0.0 || factor == 1.0 => Self::None,
+            Some(n) => Self::Times(n),
+            None => Self::Over(factor),
+        }
+    }
+
+    /// A number of SI units in this unit.
+    #[inline]
+    #[must_use]
+    pub fn of(self, si: f64) -> f64 {
+        match self {
+            Self::None => si,
+            Self::Times(n) => si * n,
+            Self::Over(factor) => si / factor,
+        }
+    }
+}
+
 impl fmt::Display for Unit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)

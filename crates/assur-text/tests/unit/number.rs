@@ -61,6 +61,18 @@ proptest! {
     }
 
     #[test]
+    fn numbers_without_exponent_too(mantissa in -10.0..10.0_f64, power in -7_i32..8, digits in 1_usize..=17) {
+        let x = mantissa * 10.0_f64.powi(power);
+        prop_assert_eq!(as_written(&significant(x, digits)), as_formatted(x, digits));
+    }
+
+    #[test]
+    fn nines_carry(nines in 1_u32..=16, power in -7_i32..8, digits in 1_usize..=17) {
+        let x = (1.0 - 10.0_f64.powi(-i32::try_from(nines).unwrap_or(0))) * 10.0_f64.powi(power);
+        prop_assert_eq!(as_written(&significant(x, digits)), as_formatted(x, digits));
+    }
+
+    #[test]
     fn numbers_of_few_digits_too(mantissa in -99_999_999_i64..99_999_999, power in -12_i32..12, digits in 1_usize..=17) {
         let x = mantissa as f64 * 10_f64.powi(power);
         if x != 0.0 {

@@ -131,7 +131,8 @@ impl General {
         let mut last = f64::INFINITY;
         for _ in 0..STEPS {
             let rounding = 8.0 * f64::EPSILON * self.size(now);
-            let regular = self.assemble(now);
+            // the rows are those of `now`: its residual was the last that was asked for
+            let regular = self.linearise(now);
             if regular {
                 self.step.copy_from_slice(&self.residuals);
                 self.jacobian.solve(&mut self.step);
@@ -165,7 +166,7 @@ impl General {
         if residual > small.max(SMALL) * self.size(now) {
             return Err(self.open(now));
         }
-        let condition = self.factor(now)?;
+        let condition = self.linearised(now)?;
         self.certificate = self.certify(condition, self.size(now), now);
         Ok(condition)
     }
@@ -188,7 +189,13 @@ impl General {
     /// # Errors
     /// [`Failure::Singular`].
     pub fn factor(&mut self, poses: &[Pose]) -> Result<f64, Failure> {
-        let condition = if self.assemble(poses) { self.condition() } else { 0.0 };
+        self.evaluate(poses);
+        self.linearised(poses)
+    }
+
+    /// As [`General::factor`], the rows being those of `poses`.
+    fn linearised(&mut self, poses: &[Pose]) -> Result<f64, Failure> {
+        let condition = if self.linearise(poses) { self.condition() } else { 0.0 };
         if condition > f64::EPSILON { Ok(condition) } else { Err(Failure::Singular) }
     }
 
@@ -209,9 +216,8 @@ impl General {
         self.jacobian.reciprocal_condition(&mut self.sums)
     }
 
-    /// Rows, residuals and Jacobian; whether it could be factored.
-    fn assemble(&mut self, poses: &[Pose]) -> bool {
-        self.evaluate(poses);
+    /// The Jacobian from rows that are those of `poses`; whether it could be factored.
+    fn linearise(&mut self, poses: &[Pose]) -> bool {
         self.jacobian.clear();
         let (length, moving) = (self.length, self.moving);
         for (i, row) in self.rows.iter().enumerate() {
@@ -232,6 +238,7 @@ impl General {
         self.jacobian.factor()
     }
 
+    /// Rows and residuals.
     fn evaluate(&mut self, poses: &[Pose]) {
         self.rows.clear();
         for c in &self.constraints {
@@ -284,7 +291,8 @@ impl General {
 
     /// A step of (JᵀJ + μ) δ = −Jᵀφ, μ raised until the residual lessens; whether it did.
     fn regularised(&mut self, now: &mut [Pose], next: &mut [Pose], error: &mut f64) -> bool {
-        self.assemble(now);
+        self.evaluate(now);
+        self.linearise(now);
         self.form_normal();
         let before = *error;
         let (mut damping, mut entered) = ((before / self.length).clamp(1e-9, 1.0), 0.0);

@@ -303,7 +303,10 @@ fn recommend(
     let (mut settings, mut chosen) = (Settings::FULL, Vec::new());
     let mut scalar = None;
     for knob in &study.knobs {
-        let kept = || knob.rows.iter().filter(|r| r.error.is_some_and(|e| e <= study.wanted));
+        // no setting of the program takes other scalars
+        let taken =
+            |r: &Row| knob.kind != Kind::Scalar || ["f64", "double-double"].contains(&r.setting.as_str());
+        let kept = || knob.rows.iter().filter(|r| taken(r) && r.error.is_some_and(|e| e <= study.wanted));
         let least = kept().map(|r| r.micros).fold(f64::INFINITY, f64::min);
         // of those that the clock cannot tell apart the most accurate
         let error = |r: &Row| r.error.unwrap_or(f64::INFINITY);

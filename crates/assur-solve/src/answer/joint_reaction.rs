@@ -1,0 +1,35 @@
+//! The reaction on a link in a pair that one or several joints stand for, found without a search at every position.
+
+use super::pose_answers::PoseAnswers;
+use crate::math::Vec2;
+use crate::model::{LinkId, PairId, PairKind};
+use crate::position::{Model, State};
+
+/// Slots of reactions whose sum acts on a link in a pair, with their signs.
+#[derive(Clone, Debug)]
+pub struct JointReaction(Vec<(usize, f64)>);
+
+impl JointReaction {
+    /// Of a pair without friction that is no transmission, and not the contact or the hinge of a cam's roller; else `None`.
+    #[must_use]
+    pub fn of(model: &Model<'_>, pair: PairId, link: LinkId) -> Option<Self> {
+        let state = State::closed(model.plan);
+        let view = PoseAnswers::bare(model, &state);
+        let plain = !matches!(model.mechanism.pair(pair).kind, PairKind::Transmission(_))
+            && view.roller_of(pair).is_none()
+            && model.plan.friction_of.places(pair).is_empty();
+        plain.then(|| Self(view.slots(pair, link).collect()))
+    }
+
+    /// The force on the link, N, as [`PoseAnswers::reaction`] has it.
+    #[must_use]
+    pub fn force(&self, state: &State) -> Vec2 {
+        self.0.iter().fold(Vec2::zero(), |sum, &(slot, sign)| sum + state.forces.reactions[slot].force * sign)
+    }
+
+    /// The couple on the link, N m, as [`PoseAnswers::moment`] has it where it is determined.
+    #[must_use]
+    pub fn couple(&self, state: &State) -> f64 {
+        self.0.iter().fold(0.0, |sum, &(slot, sign)| sum + state.forces.reactions[slot].couple * sign)
+    }
+}

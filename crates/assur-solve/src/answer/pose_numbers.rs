@@ -1,0 +1,141 @@
+//! Numbers of a position in SI and radians, as its JSON lists them: where each comes from is found once.
+
+use super::joint_reaction::JointReaction;
+use super::pose_answers::PoseAnswers;
+use crate::math::Vec2;
+use crate::model::{FindKind, Guide, LinkId, PairId, Value};
+use crate::position::{DriveValue, Residuals};
+
+/// Where a number comes from, or the two of a vector.
+#[derive(Clone, Debug)]
+pub enum Source {
+    /// The value of a drive.
+    Drive(usize),
+    /// Angle of a link, rad.
+    Angle(LinkId),
+    /// Angular velocity of a link, rad/s.
+    Omega(LinkId),
+    /// Angular acceleration of a link, rad/s².
+    Alpha(LinkId),
+    /// The force of inertia of a link: its centre of mass in its frame, m, and its mass, kg.
+    InertiaForce(LinkId, Vec2, f64),
+    /// The couple of inertia of a link: its moment of inertia, kg m².
+    InertiaTorque(LinkId, f64),
+    /// Position of a point of a link.
+    Position(LinkId, Vec2),
+    /// Velocity of a point of a link.
+    Velocity(LinkId, Vec2),
+    /// Acceleration of a point of a link.
+    Acceleration(LinkId, Vec2),
+    /// The force on a link in a pair.
+    Force(JointReaction),
+    /// The couple on a link in a pair.
+    Couple(JointReaction),
+    /// Where the resultant of a guide's reaction on a link crosses it.
+    Crossing(PairId, LinkId, Guide),
+    /// The forces at the two contact points of a guide, each after its place.
+    Contacts(PairId, Guide),
+    /// An unknown effort.
+    Effort(usize),
+    /// An item of `find`.
+    Find(usize),
+    /// The residual of the equilibrium.
+    Equilibrium,
+    /// The residual of the powers.
+    Power,
+    /// The condition figure.
+    Condition,
+}
+
+/// What a position has beside its state.
+#[derive(Clone, Copy, Debug)]
+pub struct Beside<'a> {
+    /// The values of the drives.
+    pub drives: &'a [DriveValue],
+    /// Its residuals.
+    pub residuals: &'a Residuals,
+    /// Its condition figure.
+    pub condition: f64,
+}
+
+/// Appends the numbers of a position. `false` where one does not exist there, or is a condition.
+#[must_use]
+pub fn read_numbers(
+    sources: &[Source],
+    view: &PoseAnswers<'_>,
+    beside: &Beside<'_>,
+    out: &mut Vec<f64>,
+) -> bool {
+    let begin = out.len();
+    for source in sources {
+        if read(source, view, beside, out).is_none() {
+            return false;
+        }
+    }
+    out[begin..].iter().all(|x| x.is_finite())
+}
+
+fn read(source: &Source, view: &PoseAnswers<'_>, beside: &Beside<'_>, out: &mut Vec<f64>) -> Option<()> {
+    let vector = |v: Vec2, out: &mut Vec<f64>| out.extend([v.x, v.y]);
+    match source {
+        Source::Drive(i) => value(beside.drives.get(*i)?.value()?, out)?,
+        Source::Angle(link) => out.push(*view.angles.get(link.index())?),
+        Source::Omega(link) => out.push(view.body(*link).omega),
+        Source::Alpha(link) => out.push(view.body(*link).alpha),
+        Source::InertiaForce(link, centre, mass) => {
+            vector(view.body(*link).acceleration(*centre) * -mass, out);
+        }
+        Source::InertiaTorque(link, inertia) => out.push(-inertia * view.body(*link).alpha),
+        Source::Position(link, at) => vector(view.body(*link).position(*at), out),
+        Source::Velocity(link, at) => vector(view.body(*link).velocity(*at), out),
+        Source::Acceleration(link, at) => vector(view.body(*link).acceleration(*at), out),
+        Source::Force(joints) => vector(joints.force(view.state), out),
+        Source::Couple(joints) => out.push(joints.couple(view.state)),
+        Source::Crossing(pair, on, guide) => vector(view.crossing(*pair, *on, guide)?, out),
+        Source::Contacts(pair, guide) => {
+            for (at, normal) in view.contacts(*pair, guide) {
+                vector(at, out);
+                out.push(normal);
+            }
+        }
+        Source::Effort(slot) => out.push(*view.state.forces.efforts.get(*slot)?),
+        Source::Find(index) => match &view.mechanism.finds.get(*index)?.kind {
+            FindKind::Value { expr, .. } => value(view.value(expr), out)?,
+            FindKind::Reactions | FindKind::Table(_) => return None,
+        },
+        Source::Equilibrium => out.push(beside.residuals.equilibrium?),
+        Source::Power => out.push(beside.residuals.power?),
+        Source::Condition => out.push(beside.condition),
+    }
+    Some(())
+}
+
+fn value(value: Value, out: &mut Vec<f64>) -> Option<()> {
+    match value {
+        Value::Scalar(x) => out.push(x),
+        Value::Vector(v) => out.extend([v.x, v.y]),
+        Value::Bool(_) => return None,
+    }
+    Some(())
+}
+
+impl PoseAnswers<'_> {
+    /// Where the resultant of a guide's reaction on a link crosses the guide, m; a couple alone crosses it nowhere.
+    #[must_use]
+    pub fn crossing(&self, pair: PairId, on: LinkId, guide: &Guide) -> Option<Vec2> {
+        let scale = self.state.forces.reactions.iter().map(|r| r.force.norm()).fold(0.0, f64::max);
+        let coordinate = self.line_offset(pair);
+        let crosses = coordinate.is_finite() && self.reaction(pair, on).norm() > 1e-12 * scale;
+        crosses.then(|| self.body(guide.guide).position(guide.through) + self.along(guide) * coordinate)
+    }
+
+    /// The places of the two contact points of a guide, m, with the force there along the guide's left normal on the sliding
+    /// link, N, where it exists.
+    pub fn contacts(&self, pair: PairId, guide: &Guide) -> impl Iterator<Item = (Vec2, f64)> + use<> {
+        let both = guide.contacts.zip(self.contact_forces(pair));
+        let point = self.body(guide.slider).position(guide.point);
+        let along = self.along(guide);
+        let each = both.into_iter().flat_map(|(places, normals)| places.into_iter().zip(normals));
+        each.filter(|(_, normal)| normal.is_finite()).map(move |(s, normal)| (point + along * s, normal))
+    }
+}

@@ -1,0 +1,69 @@
+//! Rows of variants that differ from one another in numbers alone: their mechanism, structure and plan stay, and take the
+//! numbers of each row.
+
+use super::compile::Compiled;
+use super::followed::followed;
+use super::solved::Solved;
+use crate::exercise;
+use assur_check::{Row, RowPatches};
+use assur_position::plan;
+use assur_solve::solve::{Again, Solution};
+use assur_text::diagnostic::Problems;
+
+/// What rows with the same columns have in common.
+pub struct QuickRows {
+    patches: RowPatches,
+    /// The last row.
+    solved: Solved,
+    /// Where it has one position, and nothing is to be said of it.
+    again: Option<Again>,
+}
+
+impl QuickRows {
+    /// For a file that was compiled with one of its rows, of which nothing was to be said; `None` where a row may change more
+    /// than numbers.
+    pub fn new(patches: RowPatches, compiled: Compiled) -> Option<Self> {
+        if !compiled.structure.is_renumbered(&compiled.mechanism) || compiled.origin.is_some() {
+            return None;
+        }
+        let again = Again::of(&compiled.model());
+        let solved = Solved { compiled, solution: Solution::default(), outcomes: Vec::new(), reached: None };
+        Some(Self { patches, solved, again })
+    }
+
+    /// Puts a row into the mechanism, its structure and its plan; `None` where it takes more.
+    pub fn compile(&mut self, row: &Row) -> Option<&Compiled> {
+        let Compiled { mechanism, structure, plan, .. } = &mut self.solved.compiled;
+        if !self.patches.put(row, mechanism) {
+            return None;
+        }
+        structure.renumber(mechanism);
+        if plan.is_renumbered() {
+            plan.renumber(mechanism, structure);
+        } else {
+            *plan = plan::plan(mechanism, structure);
+        }
+        Some(&self.solved.compiled)
+    }
+
+    /// The solution of the row that was compiled last, and all that was found on the way.
+    pub fn solve(&mut self) -> (Option<&Solved>, Problems) {
+        let Solved { compiled, solution, outcomes, .. } = &mut self.solved;
+        let model = compiled.model();
+        let mut problems = Problems::new();
+        if !self.again.as_mut().is_some_and(|again| again.solve(&model, solution)) {
+            match followed(&model, None, None) {
+                Ok(Some((found, said))) => (*solution, problems) = (found, said),
+                Ok(None) => return (None, problems),
+                Err(problems) => return (None, problems),
+            }
+        }
+        outcomes.clear();
+        if !model.mechanism.expects.is_empty() {
+            let (found, errors) = exercise::evaluate(&model, solution);
+            *outcomes = found;
+            problems.extend(errors);
+        }
+        (Some(&self.solved), problems)
+    }
+}

@@ -1,0 +1,200 @@
+//! Positions of a file as lines of JSON. What stands between the numbers is the same at most positions: it is found from one of
+//! them, and the lines of the others are filled in. A position that has other entries is written as a whole.
+
+use serde::Serialize;
+use std::io;
+
+use super::{Answers, escaped, render_position};
+use crate::report::reactions::{has_moment, meets_at};
+use assur_model::model::{FindKind, LinkId, PairId, PairKind};
+use assur_position::plan::Level;
+use assur_solve::solve::{Beside, JointReaction, Pose, Solved, Source, read_numbers, unplaced_reactions};
+use assur_text::units::Template;
+
+/// Positions at which the pieces are looked for.
+const TRIES: usize = 8;
+
+/// Writes lines.
+#[derive(Clone, Debug)]
+pub struct JsonLines {
+    file: String,
+    filled: Option<Filled>,
+    tries: usize,
+}
+
+/// What is around the name of a position, and where the numbers behind come from.
+#[derive(Clone, Debug)]
+struct Filled {
+    before: String,
+    behind: Template,
+    sources: Vec<Source>,
+    /// Numbers that are the same at all positions.
+    known: Vec<f64>,
+}
+
+impl JsonLines {
+    /// For the positions of a file.
+    #[must_use]
+    pub const fn of(file: String) -> Self {
+        Self { file, filled: None, tries: 0 }
+    }
+
+    /// Looks for the pieces at a position.
+    pub fn begin(&mut self, answers: &Answers<'_>, pose: &Pose) {
+        if self.filled.is_none() && self.tries < TRIES {
+            self.tries += 1;
+            self.filled = Filled::of(&self.file, answers, pose);
+        }
+    }
+
+    /// Adds the line of a position; `row` is memory for its numbers.
+    pub fn add(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) {
+        if !self.filled.as_ref().is_some_and(|filled| filled.write(answers, pose, row, out)) {
+            out.extend_from_slice(render_position(&self.file, None, answers, Some(pose)).as_bytes());
+        }
+        out.push(b'\n');
+    }
+
+    /// Adds the line of a file without positions.
+    pub fn add_without_pose(&self, answers: &Answers<'_>, out: &mut Vec<u8>) {
+        out.extend_from_slice(render_position(&self.file, None, answers, None).as_bytes());
+        out.push(b'\n');
+    }
+}
+
+impl Filled {
+    /// From a position, if its numbers are those of the sources.
+    fn of(file: &str, answers: &Answers<'_>, pose: &Pose) -> Option<Self> {
+        let solved = pose.outcome.as_ref().ok()?;
+        let (mut text, mut written) = (Vec::new(), Vec::new());
+        let marks = Marks(&mut written);
+        let view = super::position_view(file, None, answers, Some(pose));
+        view.serialize(&mut serde_json::Serializer::with_formatter(&mut text, marks)).ok()?;
+        let text = String::from_utf8(text).ok()?;
+        let sources = sources(answers);
+        let mut numbers = Vec::new();
+        let complete = read_numbers(
+            &sources,
+            &answers.solution.view(&answers.model, solved),
+            &beside(pose, solved),
+            &mut numbers,
+        );
+        // zero has no sign
+        let same = |(a, b): (&f64, &f64)| (a + 0.0).to_bits() == (b + 0.0).to_bits();
+        if !complete || numbers.len() > written.len() || !numbers.iter().zip(&written).all(same) {
+            return None;
+        }
+        let name = format!("\"pose\":{{\"name\":\"{}\"", pose.name);
+        let (before, behind) = text.split_once(&name).filter(|(before, _)| !before.contains(MARK))?;
+        let before = escaped(format!("{before}\"pose\":{{\"name\":\""));
+        let pieces: Vec<String> =
+            format!("\"{behind}").split(MARK).map(|piece| escaped(piece.to_owned())).collect();
+        let known = written.split_off(numbers.len());
+        Some(Self { before, behind: Template::of(pieces.iter().map(String::as_str)), sources, known })
+    }
+
+    /// Writes the line of a position without its end; `false` where its entries differ.
+    fn write(&self, answers: &Answers<'_>, pose: &Pose, row: &mut Vec<f64>, out: &mut Vec<u8>) -> bool {
+        let Ok(solved) = &pose.outcome else { return false };
+        row.clear();
+        let view = answers.solution.view(&answers.model, solved);
+        let simple = pose.name.bytes().all(|b| b.is_ascii_alphanumeric());
+        if !simple
+            || solved.state.forces.locked
+            || !read_numbers(&self.sources, &view, &beside(pose, solved), row)
+        {
+            return false;
+        }
+        row.extend_from_slice(&self.known);
+        out.extend_from_slice(self.before.as_bytes());
+        out.extend_from_slice(pose.name.as_bytes());
+        self.behind.fill(row, out);
+        true
+    }
+}
+
+fn beside<'a>(pose: &'a Pose, solved: &'a Solved) -> Beside<'a> {
+    Beside { drives: &pose.drives, residuals: &solved.residuals, condition: solved.condition }
+}
+
+/// Stands for a number: no JSON has this character.
+const MARK: char = '\0';
+
+/// Writes marks, and keeps the numbers.
+struct Marks<'a>(&'a mut Vec<f64>);
+
+impl serde_json::ser::Formatter for Marks<'_> {
+    fn write_f64<W: ?Sized + io::Write>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
+        self.0.push(value);
+        writer.write_all(&[0])
+    }
+}
+
+/// Where the numbers of a position come from, in the order of its entries.
+fn sources(answers: &Answers<'_>) -> Vec<Source> {
+    let model = &answers.model;
+    let mut all: Vec<Source> = (0..model.mechanism.drives.len()).map(Source::Drive).collect();
+    if answers.wants_reactions() {
+        links(answers, &mut all);
+        reactions(answers, &mut all);
+        all.extend(answers.effort_slots().map(Source::Effort));
+    }
+    let is_found = |kind: &FindKind| matches!(kind, FindKind::Value { poseless: false, .. });
+    let finds = model.mechanism.finds.iter().enumerate().filter(|(_, find)| is_found(&find.kind));
+    all.extend(finds.map(|(index, _)| Source::Find(index)));
+    if model.plan.effects.forces && !model.plan.forces.is_empty() {
+        all.push(Source::Equilibrium);
+        if model.plan.effects.level >= Level::Velocities {
+            all.push(Source::Power);
+        }
+    }
+    all.push(Source::Condition);
+    all
+}
+
+fn links(answers: &Answers<'_>, all: &mut Vec<Source>) {
+    let effects = answers.model.plan.effects;
+    let from = |level| effects.level >= level;
+    for (id, link) in super::pose::turning_links(answers) {
+        all.push(Source::Angle(id));
+        all.extend(from(Level::Velocities).then_some(Source::Omega(id)));
+        all.extend(from(Level::Accelerations).then_some(Source::Alpha(id)));
+        if let Some(mass) = link.mass.filter(|_| effects.inertia) {
+            all.push(Source::InertiaForce(id, mass.centre, mass.mass));
+            all.push(Source::InertiaTorque(id, mass.inertia));
+        }
+    }
+    for (_, id, at) in super::pose::all_points(answers) {
+        all.push(Source::Position(id, at));
+        all.extend(from(Level::Velocities).then_some(Source::Velocity(id, at)));
+        all.extend(from(Level::Accelerations).then_some(Source::Acceleration(id, at)));
+    }
+}
+
+fn reactions(answers: &Answers<'_>, all: &mut Vec<Source>) {
+    let model = &answers.model;
+    if model.plan.reactions.is_empty() {
+        return;
+    }
+    let unplaced = unplaced_reactions(model);
+    for (i, pair) in model.mechanism.pairs.iter().enumerate().filter(|(i, _)| !unplaced[*i]) {
+        let id = PairId::at(i);
+        for &on in pair.kind.links().iter().skip(1) {
+            // without it the sources are not complete, and the numbers not those written
+            let Some(joints) = JointReaction::of(model, id, on) else { return };
+            all.push(Source::Force(joints.clone()));
+            all.extend(has_moment(model, id).then_some(Source::Couple(joints)));
+            all.extend(place(&pair.kind, id, on));
+            if let PairKind::Prismatic(guide) = &pair.kind {
+                all.push(Source::Contacts(id, guide.clone()));
+            }
+        }
+    }
+}
+
+fn place(kind: &PairKind, pair: PairId, on: LinkId) -> Option<Source> {
+    match kind {
+        PairKind::Prismatic(guide) => Some(Source::Crossing(pair, on, guide.clone())),
+        kind => meets_at(kind).map(|(link, at)| Source::Position(link, at)),
+    }
+}
