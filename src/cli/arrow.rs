@@ -79,6 +79,7 @@ impl Sink for Out<'_, '_> {
     }
 
     fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+        let ahead = ahead.without_residuals();
         self.threads.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
     }
 

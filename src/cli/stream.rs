@@ -121,6 +121,8 @@ impl Sink for Out<'_, '_> {
     }
 
     fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+        // CSV shows no residuals
+        let ahead = if matches!(self.lines, Lines::Csv(_)) { ahead.without_residuals() } else { *ahead };
         self.threads.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
     }
 

@@ -39,6 +39,12 @@ impl<S: Scalar> State<S> {
         (worst.max(apart.sqrt()), size.max(far.sqrt()).max(S::of(f64::MIN_POSITIVE)))
     }
 
+    /// The greatest of these distances over the extent.
+    pub(super) fn closure(&self, checks: &Checks) -> S {
+        let (worst, size) = self.gaps(checks);
+        worst / size
+    }
+
     /// Virtual power of the loads and efforts on all moving bodies, and of what bodies of given motion put in through their
     /// joints, W.
     #[inline(always)]
@@ -140,8 +146,7 @@ impl<S: Scalar + Default> Sums<S> {
     #[inline(always)]
     pub fn residuals(&mut self, plan: &Plan, state: &State<S>) -> [S; 3] {
         let checks = &plan.checks;
-        let (worst, size) = state.gaps(checks);
-        let closure = worst / size;
+        let closure = state.closure(checks);
         if !plan.has_forces() {
             return [closure, S::zero(), S::zero()];
         }

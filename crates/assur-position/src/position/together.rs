@@ -18,12 +18,17 @@ pub struct Together {
 
 impl Together {
     /// Solves motion, loads and forces of states in which inputs and assemblies are set, and checks them. Every state has the bits
-    /// of [`State::run`]; where it has a group `open` it does not close. Allocates nothing once it has run.
-    pub fn run(&mut self, plan: &Plan, states: &mut [State], residuals: &mut [Residuals]) {
+    /// of [`State::run`]; where it has a group `open` it does not close. Without `forces` only the closure is checked. Allocates
+    /// nothing once it has run.
+    pub fn run(&mut self, plan: &Plan, states: &mut [State], residuals: &mut [Residuals], forces: bool) {
         for (states, residuals) in states.chunks_mut(TOGETHER).zip(residuals.chunks_mut(TOGETHER)) {
             run_scalars(plan, states, true);
             for (state, residuals) in states.iter().zip(residuals) {
-                *residuals = of_plan(plan, self.sums.residuals(plan, state));
+                *residuals = if forces {
+                    of_plan(plan, self.sums.residuals(plan, state))
+                } else {
+                    Residuals { closure: state.closure(&plan.checks), ..Residuals::default() }
+                };
             }
         }
     }

@@ -6,7 +6,7 @@
 //! it than from following: not a bit, not a note.
 
 use super::inputs::Rates;
-use super::lost::{all_finite, out_of_scale};
+use super::lost::{is_moderate, out_of_scale};
 use super::positions::Sweep;
 use super::solution::{Pose, Solved};
 use super::track::CAREFUL;
@@ -41,6 +41,8 @@ pub struct Ahead<'f> {
     pub(super) branches: &'f [Branch],
     pub(super) first: usize,
     pub(super) count: usize,
+    /// The balance of forces is checked and its residuals are kept.
+    pub(super) residuals: bool,
 }
 
 /// Positions side by side, with the memory for them.
@@ -65,6 +67,12 @@ impl Ahead<'_> {
         self.count
     }
 
+    /// The same, with the closure as the only residual: of forces that are neither lost nor out of scale nothing else is reported.
+    #[must_use]
+    pub const fn without_residuals(self) -> Self {
+        Self { residuals: false, ..self }
+    }
+
     /// Solves positions, counted from the first that can be tried.
     pub fn solve(&self, block: &mut Block, from: usize) {
         let count = self.count.saturating_sub(from).min(BLOCK);
@@ -78,7 +86,7 @@ impl Ahead<'_> {
             self.rates.at(&pose.drives, &mut state.motion.inputs);
             state.branches.copy_from_slice(self.branches);
         }
-        block.together.run(self.model.plan, &mut block.states, &mut block.residuals);
+        block.together.run(self.model.plan, &mut block.states, &mut block.residuals, self.residuals);
         block.free = 0;
         for (i, pose) in block.poses.iter_mut().enumerate() {
             let (state, residuals) = (&mut block.states[i], block.residuals[i]);
@@ -175,7 +183,7 @@ fn is_regular(model: &Model<'_>, state: &State, residuals: &Residuals) -> bool {
         && keeps_its_assembly(model, state)
         && state.motion.conditions.iter().all(|c| c.abs() > NO_NOTE)
         && state.forces.conditions.iter().all(|c| c.abs() > NO_NOTE)
-        && all_finite(state)
+        && is_moderate(state)
         && out_of_scale(residuals).is_none()
 }
 

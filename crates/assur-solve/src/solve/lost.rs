@@ -8,11 +8,14 @@ use crate::structure::BodyId;
 /// the root of the unit roundoff.
 const MEETS: f64 = 1e-6;
 
-/// Whether all results are finite.
-pub(super) fn all_finite(state: &State) -> bool {
-    let mut sum = 0.0;
-    // a finite number times zero is zero, any other is not
-    let mut add = |x: f64| sum += x * 0.0;
+/// Products and sums of numbers below this are finite.
+const MODERATE: f64 = 1e100;
+
+/// Whether all results are finite, and so far from the ends of what `f64` holds that their residuals are numbers too.
+pub(super) fn is_moderate(state: &State) -> bool {
+    // in the order of their bits magnitudes are in the order of their values, and what is no number is beyond all
+    let mut most = 0;
+    let mut add = |x: f64| most = x.abs().to_bits().max(most);
     for b in &state.motion.bodies {
         [b.p.x, b.p.y, b.u.x, b.u.y, b.v.x, b.v.y, b.omega, b.a.x, b.a.y, b.alpha]
             .into_iter()
@@ -22,7 +25,7 @@ pub(super) fn all_finite(state: &State) -> bool {
         [r.force.x, r.force.y, r.couple].into_iter().for_each(&mut add);
     }
     state.forces.efforts.iter().copied().for_each(add);
-    sum == 0.0
+    most < MODERATE.to_bits()
 }
 
 /// The first result that is not finite.

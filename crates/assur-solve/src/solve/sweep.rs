@@ -205,6 +205,7 @@ impl<'a, 's> Following<'a, 's> {
             branches: &tracker.state.branches,
             first: self.next,
             count: 0,
+            residuals: true,
         }
     }
 
