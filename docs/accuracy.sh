@@ -38,6 +38,11 @@ from what `assur accuracy FILE` measures; [language.md](language.md) explains th
 The times are those of one machine; on another machine the ratios between the rows of a table change little. Points at the
 lower left are fast and accurate.
 
+A time per position includes motion, loads and forces, as far as the file asks for them, from the sine and the cosine of the drive,
+which are given. It does not include following the motion from position to position, residuals, and writing answers. A time per cycle
+is that of all functions over the sweep, with the sines and the following of their samples. The time of a whole solve includes everything from the
+text to the report.
+
 Common results of the seven problems:
 
 - Positions are fast. A whole `assur solve`, from text to report, takes from seventy to some thousand times as long as the

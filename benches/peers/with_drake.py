@@ -64,6 +64,9 @@ class Machine:
         force = effort[others] @ inverse
         return q, v, a, force, effort[self.crank] - force @ jacobian[:, self.crank]
 
+    def ready(self):
+        pass
+
     def turn(self):
         """A revolution."""
         q, self.found = self.first.copy(), []

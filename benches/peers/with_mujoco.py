@@ -1,5 +1,5 @@
-"""The three machines in MuJoCo: one step from position to position, soft constraints in the cut pins, a great inertia that
-keeps the crank turning uniformly. Sensors give the forces in all pairs and the torque on the crank; `rollout` makes all steps
+"""The three machines in MuJoCo: one step from position to position, soft constraints in the cut pins, a great inertia of the
+drive that keeps the crank turning uniformly. Sensors give the forces in all pairs and the torque on the crank; `rollout` makes all steps
 of a turn without Python between them."""
 import mujoco
 import numpy
@@ -9,7 +9,7 @@ from mujoco import rollout
 STATE = mujoco.mjtState.mjSTATE_FULLPHYSICS
 
 
-def text(name):
+def text(name, integrator):
     inner = {link: "" for link in LENGTHS} | {"piston": ""}
     for pair, (link, (x, y), other, (a, b)) in CUTS[name].items():
         # a body without mass: what it takes from its link is the force in the cut pin
@@ -30,16 +30,16 @@ def text(name):
 
     connects = "".join(f'<connect site1="{pair}" site2="{pair}2"/>' for pair in CUTS[name])
     forces = "".join(f'<force site="{pair}"/>' for pair in [*TREES[name], *CUTS[name]])
-    return f'''<mujoco><option timestep="{STEP}" gravity="0 -9.81 0" tolerance="1e-15"><flag contact="disable"/></option>
-        <default><equality solref="{2 * STEP} 1" solimp="0.9999 0.9999 0.001"/></default>
+    return f'''<mujoco><option timestep="{STEP}" integrator="{integrator}" gravity="0 -9.81 0" tolerance="1e-15"><flag contact="disable"/></option>
+        <default><equality solref="{10 * STEP} 1" solimp="0.9999 0.9999 0.001"/></default>
         <worldbody>{bodies("ground")}</worldbody><equality>{connects}</equality>
         <sensor>{forces}<torque site="A"/></sensor></mujoco>'''
 
 
 class Machine:
-    def __init__(self, name, pose):
+    def __init__(self, name, pose, integrator="Euler"):
         self.name = name
-        self.model = mujoco.MjModel.from_xml_string(text(name))
+        self.model = mujoco.MjModel.from_xml_string(text(name, integrator))
         self.data = mujoco.MjData(self.model)
         self.columns = []
         for pair, (place, speed) in start(name, pose).items():
@@ -48,6 +48,9 @@ class Machine:
             self.columns.append(column)
         self.first = numpy.zeros(mujoco.mj_stateSize(self.model, STATE))
         mujoco.mj_getState(self.model, self.data, self.first, STATE)
+
+    def ready(self):
+        pass
 
     def turn(self):
         """A revolution: from the start, COUNT steps."""

@@ -4,13 +4,14 @@
 use super::Run;
 use assur::internals::math::Vec2;
 use assur::internals::plan::{Level, Plan};
-use assur::internals::solve::{Batch, DriveColumns, DriveInput, Place};
+use assur::internals::solve::{Batch, BodyState, DriveColumns, DriveInput, Place};
 
 /// The angles of the drive, and an array for the answers.
 pub struct Turn {
     /// Speed and acceleration of the drive.
     rates: DriveInput,
     angles: Vec<f64>,
+    columns: DriveColumns,
     answers: Vec<f64>,
     /// Numbers of one position.
     width: usize,
@@ -23,17 +24,14 @@ impl Turn {
         assert_eq!(plan.drives, 1, "one angle is driven");
         let angles: Vec<f64> = run.inputs.iter().map(|input| input.value).collect();
         let width = width(plan);
-        Self { rates: run.inputs[0], answers: vec![0.0; width * angles.len()], angles, width }
-    }
-
-    fn input(rates: DriveInput, angle: f64) -> DriveInput {
-        DriveInput { value: angle, place: Vec2::direction(angle), ..rates }
+        let (columns, answers) = (DriveColumns::of(&run.inputs, 1), vec![0.0; width * angles.len()]);
+        Self { rates: run.inputs[0], angles, columns, answers, width }
     }
 
     /// One position after the other.
     pub fn one_by_one(&mut self, run: &mut Run) -> &[f64] {
         for (angle, out) in self.angles.iter().zip(self.answers.chunks_exact_mut(self.width)) {
-            run.at(&[Self::input(self.rates, *angle)]);
+            run.at(&[DriveInput { value: *angle, place: Vec2::direction(*angle), ..self.rates }]);
             store(&run.compiled.plan, Place::Alone(&run.state), out);
         }
         &self.answers
@@ -41,9 +39,9 @@ impl Turn {
 
     /// Several at a time.
     pub fn side_by_side(&mut self, plan: &Plan, batch: &mut Batch<'_>) -> &[f64] {
-        let inputs: Vec<DriveInput> = self.angles.iter().map(|a| Self::input(self.rates, *a)).collect();
+        self.columns.set_angles(0, &self.angles);
         let (answers, width) = (&mut self.answers, self.width);
-        batch.run(&DriveColumns::of(&inputs, 1), |i, place| {
+        batch.run(&self.columns, |i, place| {
             store(plan, place, &mut answers[i * width..][..width]);
         });
         &self.answers
@@ -64,20 +62,22 @@ fn width(plan: &Plan) -> usize {
 fn store(plan: &Plan, place: Place<'_>, out: &mut [f64]) {
     if plan.effects.forces {
         let (reactions, efforts) = out.split_at_mut(3 * plan.reactions.len());
-        for (slot, out) in reactions.chunks_exact_mut(3).enumerate() {
+        for (slot, out) in reactions.as_chunks_mut().0.iter_mut().enumerate() {
             let reaction = place.reaction(slot);
-            out.copy_from_slice(&[reaction.force.x, reaction.force.y, reaction.couple]);
+            *out = [reaction.force.x, reaction.force.y, reaction.couple];
         }
         efforts.iter_mut().enumerate().for_each(|(slot, out)| *out = place.effort(slot));
         return;
     }
-    let level = plan.effects.level;
-    for (i, out) in out.chunks_exact_mut(if level == Level::Positions { 4 } else { 3 }).enumerate() {
-        let body = place.body(i + 1);
-        match level {
-            Level::Positions => out.copy_from_slice(&[body.p.x, body.p.y, body.u.x, body.u.y]),
-            Level::Velocities => out.copy_from_slice(&[body.v.x, body.v.y, body.omega]),
-            Level::Accelerations => out.copy_from_slice(&[body.a.x, body.a.y, body.alpha]),
-        }
+    match plan.effects.level {
+        Level::Positions => of_bodies(place, out, |b| [b.p.x, b.p.y, b.u.x, b.u.y]),
+        Level::Velocities => of_bodies(place, out, |b| [b.v.x, b.v.y, b.omega]),
+        Level::Accelerations => of_bodies(place, out, |b| [b.a.x, b.a.y, b.alpha]),
     }
+}
+
+#[inline(always)]
+fn of_bodies<const N: usize>(place: Place<'_>, out: &mut [f64], numbers: impl Fn(BodyState) -> [f64; N]) {
+    let (bodies, _) = out.as_chunks_mut::<N>();
+    bodies.iter_mut().enumerate().for_each(|(i, out)| *out = numbers(place.body(i + 1)));
 }

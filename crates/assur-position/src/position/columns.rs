@@ -1,7 +1,7 @@
 //! What the drives say at many positions, quantity by quantity: several positions are read off in a row.
 
 use super::kinematics::DriveInput;
-use crate::math::{Lanes, V2};
+use crate::math::{Lanes, V2, Vec2};
 
 /// Inputs of drives at any number of positions.
 #[derive(Clone, Debug)]
@@ -44,6 +44,16 @@ impl DriveColumns {
             }
         };
         Self { drives: (0..drives).map(of_drive).collect(), positions: inputs.len() / drives.max(1) }
+    }
+
+    /// Turns a drive to the angles, rad, one per position: their sines and cosines are computed here. Speeds stay.
+    pub fn set_angles(&mut self, drive: usize, angles: &[f64]) {
+        let Some(Columns { place, value, .. }) = self.drives.get_mut(drive) else { return };
+        let column = place.x.iter_mut().zip(&mut place.y).zip(value);
+        for (((x, y), value), &angle) in column.zip(angles) {
+            let direction = Vec2::direction(angle);
+            (*x, *y, *value) = (direction.x, direction.y, angle);
+        }
     }
 
     /// Number of positions.

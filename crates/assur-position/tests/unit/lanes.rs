@@ -43,3 +43,15 @@ fn what_goes_in_comes_out() {
 fn nothing_without_drives() {
     assert!(DriveColumns::of(&[], 0).is_empty());
 }
+
+#[test]
+fn a_drive_is_turned_to_angles() {
+    let inputs: Vec<DriveInput> = (0..6).map(|i| given(i % 3, i / 3)).collect();
+    let mut columns = DriveColumns::of(&inputs, 2);
+    columns.set_angles(1, &[0.5, 0.0, 2.0]);
+    columns.set_angles(2, &[1.0]);
+    let mut one = [DriveInput::default(); 2];
+    columns.read(2, &mut one);
+    let turned = DriveInput { value: 2.0, place: Vec2::direction(2.0), ..inputs[5] };
+    assert_eq!(format!("{one:?}"), format!("{:?}", [inputs[4], turned]));
+}
