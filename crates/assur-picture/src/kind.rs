@@ -3,9 +3,11 @@
 use crate::error::Missing;
 use crate::forces::forces;
 use crate::motion::{accelerations, velocities};
+use crate::plot::plot;
 use crate::scene::Scene;
 use crate::scheme::{Scheme, scheme};
 use crate::train::train;
+use crate::work::work;
 use assur_drawing::Drawing;
 use assur_model::model::{Level, LinkId};
 
@@ -22,16 +24,25 @@ pub enum Kind {
     Forces,
     /// Shafts in section.
     Train,
+    /// Numbers over the sweep.
+    Plot,
+    /// Effort and work of a flywheel over the cycle.
+    Work,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 5] = [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces, Kind::Train];
+pub const KINDS: [Kind; 7] =
+    [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces, Kind::Train, Kind::Plot, Kind::Work];
 
 /// How pictures are drawn.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// The scheme.
     pub scheme: Scheme,
+    /// The items of `find` that are plotted, by index; all that change where there are none.
+    pub plotted: Vec<usize>,
+    /// The point of a hodograph, the pair of a polar diagram; all that the file asks for where it is empty.
+    pub of: String,
 }
 
 impl Kind {
@@ -44,6 +55,8 @@ impl Kind {
             Self::Accelerations => "accelerations",
             Self::Forces => "forces",
             Self::Train => "train",
+            Self::Plot => "plot",
+            Self::Work => "work",
         }
     }
 
@@ -51,7 +64,7 @@ impl Kind {
     #[must_use]
     pub const fn level(self) -> Level {
         match self {
-            Self::Scheme | Self::Forces | Self::Train => Level::Positions,
+            Self::Scheme | Self::Forces | Self::Train | Self::Plot | Self::Work => Level::Positions,
             Self::Velocities => Level::Velocities,
             Self::Accelerations => Level::Accelerations,
         }
@@ -61,6 +74,18 @@ impl Kind {
     #[must_use]
     pub const fn forces(self) -> bool {
         matches!(self, Self::Forces)
+    }
+
+    /// Whether it shows the whole sweep and not one position.
+    #[must_use]
+    pub const fn is_of_sweep(self) -> bool {
+        matches!(self, Self::Plot | Self::Work)
+    }
+
+    /// Whether its name may be followed by what it shows.
+    #[must_use]
+    pub const fn names_something(self) -> bool {
+        matches!(self, Self::Plot)
     }
 
     /// The kind of a name.
@@ -78,6 +103,8 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
     match kind {
         Kind::Scheme => scheme_or_section(scene, options).map(|scheme| vec![scheme]),
         Kind::Train => train(scene).map(|section| vec![section]),
+        Kind::Work => work(scene),
+        Kind::Plot => plot(scene, &options.plotted).map(|plot| vec![plot]),
         Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Accelerations => accelerations(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Forces => forces(scene, options.scheme.size),

@@ -1,17 +1,21 @@
 //! Pictures of a solved problem. Nothing is computed here: a picture shows a [`Scene`], one position of a solution.
 
 mod angles;
+mod diagram;
 mod error;
 mod forces;
 mod frame;
 mod kind;
 mod motion;
+mod no_diagram;
+mod plot;
 mod scene;
 mod scheme;
 mod shape;
 mod symbol;
 mod train;
 mod words;
+mod work;
 
 pub use error::Missing;
 pub use frame::Frame;

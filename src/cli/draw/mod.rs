@@ -1,8 +1,9 @@
 //! `assur draw`
 
 mod output;
+mod plotted;
 
-use super::args::Draw;
+use super::args::{Draw, Picture};
 use super::error::CliError;
 use super::files;
 use super::reply::Printer;
@@ -18,9 +19,9 @@ use output::Output;
 
 /// Draws pictures of solved problems.
 pub fn run(args: &Draw, screen: &Screen) -> Status {
-    let (kinds, names) = args.kinds();
+    let (pictures, names) = args.pictures();
     let inputs = files::expand(&names);
-    let one = inputs.len() == 1 && kinds.len() == 1;
+    let one = inputs.len() == 1 && pictures.len() == 1;
     let output = match Output::of(args.out.as_deref(), one) {
         Ok(output) => output,
         Err(error) => {
@@ -29,7 +30,7 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
         }
     };
     let overrides = args.overrides();
-    let drawing = Drawing { args, screen, kinds, overrides, output };
+    let drawing = Drawing { args, screen, pictures, overrides, output };
     for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source))
 }
 
@@ -37,7 +38,7 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
 struct Drawing<'a> {
     args: &'a Draw,
     screen: &'a Screen,
-    kinds: Vec<Kind>,
+    pictures: Vec<Picture>,
     overrides: Overrides,
     output: Output,
 }
@@ -50,7 +51,10 @@ struct Page {
 
 impl Drawing<'_> {
     fn of_file(&self, source: &Source) -> Reply {
-        let (solved, mut problems) = pipeline::solve_drawn(source, &self.overrides, &self.kinds);
+        let extended = plotted::extended(source, &self.overrides, &self.pictures);
+        let source = extended.as_ref().unwrap_or(source);
+        let kinds: Vec<Kind> = self.pictures.iter().map(|picture| picture.kind).collect();
+        let (solved, mut problems) = pipeline::solve_drawn(source, &self.overrides, &kinds);
         let pages = match solved {
             Some(solved) => self.pages(source, &solved, &mut problems),
             None => Vec::new(),
@@ -66,35 +70,30 @@ impl Drawing<'_> {
     }
 
     fn args_inputs(&self) -> Vec<String> {
-        self.args.kinds().1
+        self.args.pictures().1
     }
 
     /// All pictures of a file.
     fn pages(&self, source: &Source, solved: &Solved, problems: &mut Problems) -> Vec<Page> {
         let scenes = self.scenes(source, solved, problems);
-        let options = Options { scheme: Scheme { loads: self.args.loads.into(), ..Scheme::default() } };
-        let theme: Theme = self.args.theme.into();
-        let stem = stem(&source.name);
-        let several = scenes.len() > 1;
         let mut pages = Vec::new();
-        for kind in &self.kinds {
-            for scene in &scenes {
-                match assur_picture::draw(*kind, scene, &options) {
+        let several = scenes.len() > 1;
+        for picture in &self.pictures {
+            let plotted = plotted::items(source, &solved.compiled.mechanism, &picture.of);
+            let scheme = Scheme { loads: self.args.loads.into(), ..Scheme::default() };
+            let options = Options { scheme, plotted, of: picture.of.clone() };
+            let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
+            for scene in &scenes[..shown.min(scenes.len())] {
+                match assur_picture::draw(picture.kind, scene, &options) {
                     Ok(drawings) => {
-                        let many = drawings.len() > 1;
-                        for (i, drawing) in drawings.into_iter().enumerate() {
-                            let mut name = format!("{stem}-{}", kind.name());
-                            if several {
-                                name += &format!("-{}", scene.pose.name);
-                            }
-                            if many {
-                                name += &format!("-{}", i + 1);
-                            }
-                            pages.push(Page {
-                                name: output::file_name(&name),
-                                text: drawing.placed().svg(theme),
-                            });
+                        let mut name = format!("{}-{}", stem(&source.name), picture.kind.name());
+                        if !picture.of.is_empty() {
+                            name += &format!("-{}", picture.of);
                         }
+                        if several && !picture.kind.is_of_sweep() {
+                            name += &format!("-{}", scene.pose.name);
+                        }
+                        pages.extend(self.numbered(&name, drawings));
                     }
                     Err(missing) => {
                         problems.push(missing);
@@ -104,6 +103,17 @@ impl Drawing<'_> {
             }
         }
         pages
+    }
+
+    /// Pictures as text; with numbers where there are several.
+    fn numbered(&self, name: &str, drawings: Vec<assur_drawing::Drawing>) -> Vec<Page> {
+        let theme: Theme = self.args.theme.into();
+        let many = drawings.len() > 1;
+        let page = |(i, drawing): (usize, assur_drawing::Drawing)| {
+            let name = if many { format!("{name}-{}", i + 1) } else { name.to_owned() };
+            Page { name: output::file_name(&name), text: drawing.placed().svg(theme) }
+        };
+        drawings.into_iter().enumerate().map(page).collect()
     }
 
     /// The positions that are shown: those named, else on standard output and in one file the first, else the first of a

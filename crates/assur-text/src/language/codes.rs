@@ -260,6 +260,11 @@ pub const CODES: &[Code] = codes! {
     "picture" / "not_placed",
     "picture" / "no_forces",
     "picture" / "no_train",
+    "picture" / "no_sweep",
+    "picture" / "no_quantity",
+    "picture" / "no_flywheel",
+    "picture" / "no_cam",
+    "picture" / "unknown",
     // tables beside a file
     "table" / "header",
     "table" / "empty",
