@@ -38,7 +38,7 @@ if [ "${1:-}" = text ]; then
 fi
 
 CARGO_PROFILE_RELEASE_DEBUG=line-tables-only cargo build --quiet --release --bin assur
-program=$PWD/target/release/assur
+program=${CARGO_TARGET_DIR:-target}/release/assur
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 

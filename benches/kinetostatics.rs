@@ -1,8 +1,11 @@
-//! Position, velocity, acceleration, all reactions and the balancing torque over a revolution of 360 positions. Items are
-//! positions: divan's throughput is positions per second. `cargo bench --bench kinetostatics`, with `--features lanes` in lanes too.
+//! Position, velocity, acceleration, all reactions and the balancing torque over a revolution of 360 positions. The direction
+//! of the crank is given, except where the name says `from_the_angle`; nothing is followed, and no residuals are computed.
+//! Items are positions: divan's throughput is positions per second. `cargo bench --bench kinetostatics`, with `--features lanes` in lanes too.
 
 #[path = "../tests/mechanics/support/machines.rs"]
 mod machines;
+
+mod by_hand;
 
 use assur::internals::math::Vec2;
 use assur::internals::model::{Friction, Mechanism, PairKind};
@@ -13,6 +16,8 @@ use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 
 const POSITIONS: usize = 360;
+/// Of the four-bar: crank, coupler, rocker, frame, m.
+const LENGTHS: [f64; 4] = [0.1, 0.35, 0.3, 0.4];
 
 fn main() {
     same_by_hand();
@@ -26,7 +31,7 @@ fn same_by_hand() {
     for input in inputs {
         bench.inputs = vec![input];
         bench.revolution(Stage::Forces);
-        let (_, torque) = by_hand::four_bar([0.1, 0.35, 0.3, 0.4], input.place);
+        let (_, torque) = by_hand::four_bar(LENGTHS, machines::SPEED, input.place);
         assert!((bench.state.forces.efforts[0] - torque).abs() < 1e-12 * (1.0 + torque.abs()));
     }
 }
@@ -99,7 +104,7 @@ fn machine(name: &str) -> Mechanism {
     let start = machines::list(&[0.0]);
     match name {
         "crank-slider" => machines::crank_slider(0.1, 0.35, 0.0, start),
-        "four-bar" => machines::four_bar([0.1, 0.35, 0.3, 0.4], true, start),
+        "four-bar" => machines::four_bar(LENGTHS, true, start),
         "six-bar" => machines::six_bar(start),
         "triad" => machines::triad(start),
         _ => machines::class_iv(start),
@@ -159,57 +164,32 @@ fn g_friction_in_every_pair(bencher: Bencher, name: &str) {
         .bench_local(|| black_box(bench.revolution(black_box(Stage::Friction))));
 }
 
-/// The four-bar written out by hand: what there is to gain at the most.
-mod by_hand {
-    use super::{Vec2, machines};
-
-    /// Reactions at A, B, C, D and the torque on the crank, for one direction of the crank.
-    #[inline(always)]
-    pub fn four_bar([r, l, q, frame]: [f64; 4], u: Vec2) -> ([Vec2; 4], f64) {
-        let omega = machines::SPEED;
-        let (p_b, p_d) = (u * r, Vec2::new(frame, 0.0));
-        let d = p_d - p_b;
-        let square = d.dot(d);
-        let along = 0.5 * (square + l * l - q * q) / square;
-        let height = (l * l / square - along * along).sqrt();
-        let r_2 = d * along + d.perp() * height;
-        let r_3 = r_2 - d;
-        let inverse = 1.0 / r_2.cross(r_3);
-        let v_b = p_b.perp() * omega;
-        let solve = |b: Vec2| (b.dot(r_3) * inverse, b.dot(r_2) * inverse);
-        let (w_2, w_3) = solve(-v_b);
-        let a_b = p_b * -(omega * omega);
-        let (e_2, e_3) = solve(-a_b + r_2 * (w_2 * w_2) - r_3 * (w_3 * w_3));
-        let g = Vec2::new(0.0, -9.81);
-        let load = |length: f64, a: Vec2, arm: Vec2, w: f64, e: f64| {
-            let mass = 2.0 * length;
-            let force = (g - (a + arm.perp() * e - arm * (w * w))) * mass;
-            (force, arm.cross(force) - mass * length * length / 12.0 * e)
-        };
-        let (f_1, m_1) = load(r, Vec2::new(0.0, 0.0), p_b * 0.5, omega, 0.0);
-        let (f_2, m_2) = load(l, a_b, r_2 * 0.5, w_2, e_2);
-        let (f_3, m_3) = load(q, Vec2::new(0.0, 0.0), r_3 * 0.5, w_3, e_3);
-        let f_c = (r_2 * m_3 + r_3 * m_2) * inverse;
-        let (on_2, on_3) = (f_c - f_2, -f_c - f_3);
-        ([on_2 - f_1, on_2, f_c, on_3], p_b.cross(on_2) - m_1)
-    }
-}
-
-#[divan::bench]
-fn f_by_hand_four_bar(bencher: Bencher) {
+/// The four-bar by hand, with the directions of the crank given or from its angles.
+fn by_hand_from(bencher: Bencher, direction: impl Fn(&DriveInput) -> Vec2) {
     let bench = Bench::new(machine("four-bar"));
-    let lengths = black_box([0.1, 0.35, 0.3, 0.4]);
+    let lengths = black_box(LENGTHS);
     let mut out = [[Vec2::zero(); 4]; POSITIONS];
     bencher.counter(ItemsCount::new(POSITIONS)).bench_local(|| {
         let mut sum = 0.0;
         for (input, out) in bench.inputs.iter().zip(&mut out) {
-            let (reactions, torque) = by_hand::four_bar(lengths, input.place);
+            let (reactions, torque) = by_hand::four_bar(lengths, machines::SPEED, direction(input));
             *out = reactions;
             sum += torque;
         }
         black_box(&out);
         sum
     });
+}
+
+#[divan::bench]
+fn f_by_hand_four_bar(bencher: Bencher) {
+    by_hand_from(bencher, |input| input.place);
+}
+
+/// Against `f_by_hand_four_bar`: what the sine and the cosine of the drive cost.
+#[divan::bench]
+fn f_by_hand_four_bar_from_the_angle(bencher: Bencher) {
+    by_hand_from(bencher, |input| Vec2::direction(input.value));
 }
 
 #[cfg(feature = "lanes")]

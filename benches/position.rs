@@ -1,11 +1,21 @@
 //! The time per position of `.mech` files, from their texts, on one thread: the plan of each is run over the file's
-//! positions, and the least of many rounds is printed as JSON.
+//! positions, and the least of many rounds is printed as JSON, in microseconds per position. Each figure three times: one
+//! position after the other, eight together in one lane, and in lanes.
 //!
-//! `cargo bench --features lanes --bench position -- FILE…`; with `--rounds N` the plan is run so often without looking at a clock, for a
-//! count of instructions: see `benches/instructions.sh`.
+//! - `plan`: the plan alone; the sine and the cosine of the drive are given, and nothing is stored;
+//! - `array`: from the angle of the drive to an array of what the file asks for;
+//! - `text`: `array` for a hundred turns in lanes, and once before them the text is read and compiled, and its turn followed
+//!   with all residuals; one figure.
+//!
+//! `cargo bench --features lanes --bench position -- FILE…`. With `--rounds N` the plan is run so often without looking at a
+//! clock, for a count of instructions: see `benches/instructions.sh`. With `--by-hand` the four-bar by hand is measured: `plan`
+//! stores the reactions here.
 
+mod by_hand;
 mod run;
 
+use assur::internals::math::Vec2;
+use run::turn::Turn;
 use run::{Run, side_by_side};
 use std::hint::black_box;
 use std::time::Instant;
@@ -19,44 +29,81 @@ fn main() {
             // what cargo puts behind the files
             "--bench" => {}
             "--rounds" => rounds = args.next().and_then(|n| n.parse::<usize>().ok()),
+            "--by-hand" => by_hand(),
             _ => files.push(arg),
         }
     }
     for file in files {
-        let mut run = Run::of(&std::fs::read_to_string(&file).expect("a file"));
+        let text = std::fs::read_to_string(&file).expect("a file");
         match rounds {
             Some(rounds) => {
+                let mut run = Run::of(&text);
                 for _ in 0..rounds {
                     black_box(run.one_by_one());
                 }
                 println!("{}", run.positions());
             }
-            None => measure(&file, &mut run),
+            None => measure(&file, &text),
         }
     }
 }
 
-fn measure(file: &str, run: &mut Run) {
+fn measure(file: &str, text: &str) {
+    let mut run = Run::of(text);
+    let mut turn = Turn::of(&run);
     let positions = run.positions();
-    let alone = least(|| run.one_by_one()) / positions as f64;
+    let us = |seconds: f64| 1e6 * seconds / positions as f64;
     let forces = run.compiled.plan.effects.forces;
-    let [together, laned] = [false, true].map(|in_lanes| {
-        let (mut side, inputs) = run.together(in_lanes);
-        least(|| side_by_side(&mut side, &inputs, forces)) / positions as f64
-    });
+    let mut plan = [us(least(|| run.one_by_one())), 0.0, 0.0];
+    let mut array = [us(least(|| turn.one_by_one(&mut run)[0])), 0.0, 0.0];
+    for (i, in_lanes) in [(1, false), (2, true)] {
+        let (mut batch, inputs) = run.together(in_lanes);
+        plan[i] = us(least(|| side_by_side(&mut batch, &inputs, forces)));
+        array[i] = us(least(|| turn.side_by_side(&run.compiled.plan, &mut batch)[0]));
+    }
     let effects = run.compiled.plan.effects.computed().join(", ");
     println!(
-        r#"{{"file": "{file}", "positions": {positions}, "effects": "{effects}", "us": {:.5}, "us_together": {:.5}, "us_in_lanes": {:.5}}}"#,
-        alone * 1e6,
-        together * 1e6,
-        laned * 1e6
+        r#"{{"file": "{file}", "positions": {positions}, "effects": "{effects}", "plan": {plan:.5?}, "array": {array:.5?}, "text": {:.5}}}"#,
+        us(least_of(10, || a_hundred_turns(text))) / 100.0
     );
 }
 
+/// From a text to the array.
+fn a_hundred_turns(text: &str) -> f64 {
+    let run = Run::of(text);
+    let mut turn = Turn::of(&run);
+    let (mut batch, _) = run.together(true);
+    (0..100).map(|_| black_box(turn.side_by_side(&run.compiled.plan, &mut batch))[0]).sum()
+}
+
+/// The four-bar written by hand, with the directions of its crank given, and from its angles.
+fn by_hand() {
+    let angles: Vec<f64> = (0..360).map(|i| f64::from(i).to_radians()).collect();
+    let directions: Vec<Vec2> = angles.iter().map(|&a| Vec2::direction(a)).collect();
+    let lengths = black_box([0.1, 0.35, 0.3, 0.4]);
+    let mut out = vec![([Vec2::zero(); 4], 0.0); angles.len()];
+    let us = |seconds: f64| 1e6 * seconds / 360.0;
+    let plan = us(least(|| {
+        out.iter_mut().zip(&directions).for_each(|(out, u)| *out = by_hand::four_bar(lengths, 30.0, *u));
+        black_box(&out)[0].1
+    }));
+    let array = us(least(|| {
+        out.iter_mut()
+            .zip(&angles)
+            .for_each(|(out, a)| *out = by_hand::four_bar(lengths, 30.0, Vec2::direction(*a)));
+        black_box(&out)[0].1
+    }));
+    println!(r#"{{"plan": {plan:.5}, "array": {array:.5}}}"#);
+}
+
 /// The least time of a round, s.
-fn least(mut round: impl FnMut() -> f64) -> f64 {
+fn least(round: impl FnMut() -> f64) -> f64 {
+    least_of(2000, round)
+}
+
+fn least_of(rounds: usize, mut round: impl FnMut() -> f64) -> f64 {
     let mut least = f64::INFINITY;
-    for _ in 0..2000 {
+    for _ in 0..rounds {
         let start = Instant::now();
         black_box(round());
         least = least.min(start.elapsed().as_secs_f64());

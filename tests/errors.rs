@@ -67,16 +67,24 @@ fn said(source: &Source, stage: &str) -> String {
     render(&problems, source, Style::PLAIN)
 }
 
-/// What is said about the pictures of a text, of all kinds; a first line `// --pose 9` names the position.
+/// What is said about the pictures of a text, of all kinds; a first line `// --pose 9` names the position, `// --path crank.B`
+/// a point.
 fn drawn(source: &Source) -> Problems {
     let (solved, mut problems) = assur::internals::pipeline::solve_drawn(source, &Overrides::none(), &KINDS);
     let Some(solved) = solved else { return problems };
-    let name = source.text.lines().next().and_then(|line| line.strip_prefix("// --pose "));
+    let option = |word: &str| source.text.lines().next().and_then(|line| line.strip_prefix(word));
+    let (name, path) = (option("// --pose "), option("// --path "));
+    let mut options = Options::default();
+    options.scheme.paths.extend(path.map(str::to_owned));
+    let turn = assur::internals::pipeline::turn(&solved.compiled, &solved.solution);
     let file = (source.name.as_str(), source.text.as_str());
     match Scene::of(solved.compiled.model(), &solved.solution, file, name) {
         Ok(scene) => {
-            let drawn = KINDS.map(|kind| assur::internals::picture::draw(kind, &scene, &Options::default()));
-            problems.extend(drawn.into_iter().filter_map(Result::err));
+            let scene = Scene { turn: &turn, ..scene };
+            // what a first line names is of the scheme
+            let kinds = if options.scheme.paths.is_empty() { &KINDS[..] } else { &KINDS[..1] };
+            let drawn = kinds.iter().map(|kind| assur::internals::picture::draw(*kind, &scene, &options));
+            problems.extend(drawn.filter_map(Result::err));
         }
         Err(missing) => problems.push(missing),
     }

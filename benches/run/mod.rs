@@ -1,6 +1,9 @@
 //! A `.mech` text, compiled once, and its plan run over the text's positions through the public interface.
 #![allow(dead_code)] // every bench uses some of it
 
+#[cfg(feature = "lanes")]
+pub mod turn;
+
 use assur::internals::Compiled;
 use assur::internals::check::Overrides;
 use assur::internals::plan::Level;
@@ -41,27 +44,36 @@ impl Run {
         self.inputs.len() / self.compiled.plan.drives
     }
 
-    /// Everything that the plan holds, position by position; the sum of something of every position, so that nothing is
-    /// left out.
-    pub fn one_by_one(&mut self) -> f64 {
+    /// Everything that the plan holds, at one position.
+    #[inline]
+    pub fn at(&mut self, inputs: &[DriveInput]) {
         let (model, state) = (self.compiled.model(), &mut self.state);
         let plan = model.plan;
-        let mut sum = 0.0;
-        for input in self.inputs.chunks_exact(plan.drives) {
-            state.motion.inputs.iter_mut().zip(input).for_each(|(to, from)| *to = *from);
-            match plan.effects.level {
-                Level::Positions => state.run_motion::<0>(plan),
-                Level::Velocities => state.run_motion::<1>(plan),
-                Level::Accelerations => state.run_motion::<2>(plan),
-            }
-            if plan.effects.forces {
-                state.run_loads(&model, &[]);
-                state.set_lines(plan);
-                state.run_forces(plan);
-                sum += state.forces.efforts[0];
-            }
-            sum += state.motion.bodies[1].p.x;
+        state.motion.inputs.iter_mut().zip(inputs).for_each(|(to, from)| *to = *from);
+        match plan.effects.level {
+            Level::Positions => state.run_motion::<0>(plan),
+            Level::Velocities => state.run_motion::<1>(plan),
+            Level::Accelerations => state.run_motion::<2>(plan),
         }
+        if plan.effects.forces {
+            state.run_loads(&model, &[]);
+            state.set_lines(plan);
+            state.run_forces(plan);
+        }
+    }
+
+    /// All positions, one by one; the sum of something of every position, so that nothing is left out.
+    pub fn one_by_one(&mut self) -> f64 {
+        let inputs = std::mem::take(&mut self.inputs);
+        let mut sum = 0.0;
+        for input in inputs.chunks_exact(self.compiled.plan.drives) {
+            self.at(input);
+            if self.compiled.plan.effects.forces {
+                sum += self.state.forces.efforts[0];
+            }
+            sum += self.state.motion.bodies[1].p.x;
+        }
+        self.inputs = inputs;
         sum
     }
 

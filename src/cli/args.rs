@@ -5,7 +5,7 @@ mod format;
 mod pages;
 
 pub use draw::{Draw, LoadsArg, Picture, ThemeArg};
-pub use format::{Format, ProfileFormat};
+pub use format::{Format, ProfileFormat, SolveFormat};
 pub use pages::{Explain, Help, New, StartKind};
 
 use clap::{Parser, Subcommand, ValueEnum};
@@ -135,8 +135,8 @@ pub struct Solve {
     #[command(flatten)]
     pub problem: Problem,
     /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Table)]
-    pub format: Format,
+    #[arg(long, value_enum, default_value_t = SolveFormat::Common(Format::Table))]
+    pub format: SolveFormat,
     /// Maximum relative error, e.g. 1e-6; the fastest sufficient settings are used and the error reached is reported
     #[arg(long, value_name = "ERROR", value_parser = accuracy)]
     pub within: Option<f64>,

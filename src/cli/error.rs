@@ -84,6 +84,16 @@ pub enum CliError {
         /// The message of the system.
         why: String,
     },
+    /// Several files, or rows of variants, in one stream.
+    #[cfg(feature = "arrow")]
+    #[error("a stream of Arrow contains the answers of one file without variants")]
+    #[diagnostic(help("name one file; `assur batch` solves rows of variants"))]
+    OneStream,
+    /// A stream on a screen.
+    #[cfg(feature = "arrow")]
+    #[error("a stream of Arrow cannot be read on a screen")]
+    #[diagnostic(help("write it to a file: `assur solve FILE --format arrow > answers.arrow`"))]
+    OnScreen,
     /// Results that cannot be printed.
     #[error("standard output cannot be written: {why}")]
     Unprinted {

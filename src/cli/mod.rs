@@ -2,6 +2,8 @@
 
 mod accuracy;
 pub mod args;
+#[cfg(feature = "arrow")]
+mod arrow;
 mod batch;
 mod check;
 mod clock;

@@ -1,7 +1,13 @@
 //! `assur solve`
 
+#[cfg(feature = "arrow")]
+use super::args::SolveFormat;
 use super::args::{Format, Solve};
+#[cfg(feature = "arrow")]
+use super::error::CliError;
 use super::files;
+#[cfg(feature = "arrow")]
+use super::reply::complaint;
 use super::reply::{Printer, Reply, Status, for_each_input};
 use super::screen::Screen;
 use super::stream;
@@ -24,8 +30,16 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
     let inputs = files::expand(&args.problem.files);
     let several = inputs.len() > 1;
     let threads = Threads::new(args.threads);
-    let answers = Printing { args, screen, several, threads };
-    let mut printer = Printer::new(screen, args.format.apart());
+    let format = args.format.common();
+    #[cfg(feature = "arrow")]
+    if args.format == SolveFormat::Arrow
+        && let Some(error) = super::arrow::refusal(several)
+    {
+        screen.complain(&complaint(error, screen));
+        return Status::Unusable;
+    }
+    let answers = Printing { args, format, screen, several, threads };
+    let mut printer = Printer::new(screen, format.apart());
     let work = |source: &Source, printer: &mut Printer<'_>| answers.of_file(source, &overrides, printer);
     let status = for_each_input(inputs, &mut printer, work);
     let hint = answers.is_brief() && printer.has_results();
@@ -36,6 +50,7 @@ pub fn run(args: &Solve, screen: &Screen) -> Status {
 /// How answers are printed.
 struct Printing<'a> {
     args: &'a Solve,
+    format: Format,
     screen: &'a Screen,
     /// The command line names several files.
     several: bool,
@@ -47,21 +62,34 @@ impl Printing<'_> {
         let (document, found) = syntax::parse(source);
         let document = Arc::new(document);
         match FileVariants::of(&document, overrides) {
+            #[cfg(feature = "arrow")]
+            Some(Ok(_)) if self.args.format == SolveFormat::Arrow => {
+                let diagnostics = complaint(CliError::OneStream, self.screen);
+                return Reply { diagnostics, status: Status::Unusable, ..Reply::default() };
+            }
             Some(Ok(rows)) if !found.has_errors() => {
                 return self.of_rows(source, rows.within(self.args.within), found);
             }
             Some(Err(problems)) if !found.has_errors() => {
                 let line = || json(source, Err(None), &problems);
-                let results = if self.args.format == Format::Json { line() } else { String::new() };
+                let results = if self.format == Format::Json { line() } else { String::new() };
                 return Reply::new(results, &problems, source, self.screen);
             }
             _ => {}
         }
         let (compiled, mut problems) = compile_document(source, &document, found, overrides);
+        #[cfg(feature = "arrow")]
+        let compiled = match compiled {
+            Some(compiled) if !problems.has_errors() && self.args.format == SolveFormat::Arrow => {
+                let to = (printer, &self.threads);
+                return super::arrow::positions(source, compiled, problems, self.screen, to);
+            }
+            compiled => compiled,
+        };
         let compiled = match compiled {
             Some(compiled) if !problems.has_errors() && self.by_position(&compiled) => {
                 let file = self.several.then_some(source.name.as_str());
-                let (form, to) = ((self.args.format, file), (printer, &self.threads));
+                let (form, to) = ((self.format, file), (printer, &self.threads));
                 return stream::positions(form, source, compiled, problems, self.screen, to);
             }
             compiled => compiled,
@@ -74,7 +102,7 @@ impl Printing<'_> {
             }
             compiled => Err(compiled),
         };
-        let results = match (self.args.format, &solved) {
+        let results = match (self.format, &solved) {
             (Format::Json, Ok(solved)) => json(source, Ok(solved), &problems),
             (Format::Json, Err(compiled)) => json(source, Err(compiled.as_ref()), &problems),
             (_, Ok(solved)) => self.answers(source, &solved.answers(Precision::READABLE)),
@@ -85,13 +113,13 @@ impl Printing<'_> {
 
     /// Whether positions are written one after another.
     fn by_position(&self, compiled: &Compiled) -> bool {
-        let format = self.args.format;
+        let format = self.format;
         let forgets = format == Format::Jsonl || format == Format::Csv && is_long(&compiled.model());
         forgets && self.args.within.is_none()
     }
 
     fn answers(&self, source: &Source, answers: &Answers<'_>) -> String {
-        match self.args.format {
+        match self.format {
             Format::Csv => self.csv(report::table_of_poses(answers), source),
             Format::Jsonl => positions(source, None, answers),
             _ if self.is_brief() => self.section(&self.brief(source, answers)),
@@ -101,7 +129,7 @@ impl Printing<'_> {
 
     /// Several files are printed in a few lines each, unless all is asked for.
     fn is_brief(&self) -> bool {
-        self.several && self.args.format == Format::Table && !self.args.accuracy
+        self.several && self.format == Format::Table && !self.args.accuracy
     }
 
     fn brief(&self, source: &Source, answers: &Answers<'_>) -> Section {
@@ -114,7 +142,7 @@ impl Printing<'_> {
 
     /// A report in the form that is asked for.
     fn page(&self, report: &Report) -> String {
-        self.args.format.page(self.screen.look()).render(report)
+        self.format.page(self.screen.look()).render(report)
     }
 
     const fn accuracy(&self) -> AccuracyShown {
@@ -140,7 +168,7 @@ impl Printing<'_> {
         for row in rows.solve(false) {
             count += 1;
             let solved = row.solved.as_ref().map(|s| s.answers(Precision::READABLE));
-            match (self.args.format, &solved) {
+            match (self.format, &solved) {
                 (Format::Csv, solved) => csv_row(&mut table, &columns, &row, solved.as_ref()),
                 (Format::Json, solved) => {
                     let variant = Some(Variant::of(row.number, row.row.label.clone(), &row.row.row));
@@ -171,14 +199,14 @@ impl Printing<'_> {
             }
             problems.append(row.problems);
         }
-        if self.args.format == Format::Csv {
+        if self.format == Format::Csv {
             results.push(self.csv(table, source));
         }
         if let Some((row, mut section)) = first {
             section.blocks.insert(0, Block::Text(format!("row {row} of {count}")));
             results.push(self.section(&section));
         }
-        Reply::new(results.join(self.args.format.apart()), &problems, source, self.screen)
+        Reply::new(results.join(self.format.apart()), &problems, source, self.screen)
     }
 }
 

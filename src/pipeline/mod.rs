@@ -10,6 +10,7 @@ mod other_assembly;
 mod quick_rows;
 mod solved;
 mod test;
+mod turn;
 mod variant_solver;
 
 pub use compile::{Compiled, Origin, check_source, compile, compile_document};
@@ -19,4 +20,5 @@ pub use followed::{Followed, Sink, SizeError, is_long, most_positions};
 pub use open_sizes::OpenSizeError;
 pub use solved::{Solved, solve, solve_each, solve_source, solve_within};
 pub use test::{diagnose, test_document, test_source, test_text};
+pub use turn::turn;
 pub use variant_solver::VariantSolver;

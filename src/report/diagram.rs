@@ -1,15 +1,23 @@
 //! Error against time, both logarithmic, one line per kind of setting: a drawing in SVG.
 
+use assur_drawing::{Drawing, Label, Level, Shape, Style, Text, Theme};
+use assur_math::math::Vec2;
 use assur_solve::measure::accuracy::{AccuracyStudy, Kind, Setting};
 use assur_text::units::significant;
-use std::fmt::Write;
 
-const WIDTH: f64 = 760.0;
-const HEIGHT: f64 = 470.0;
-/// The frame of the axes: left, top, right, bottom.
-const FRAME: [f64; 4] = [86.0, 58.0, 560.0, 404.0];
-const INK: &str = "#222222";
-const PALE: &str = "#e3e3e3";
+/// The frame of the axes, mm; y of paper points down.
+const WIDTH: f64 = 120.0;
+const HEIGHT: f64 = 88.0;
+/// From the frame to the legend, and from line to line of it.
+const LEGEND: f64 = 7.0;
+const LINE: f64 = 11.0;
+/// Sizes of letters.
+const TITLE: f64 = 4.8;
+const WORDS: f64 = 3.8;
+const NUMBERS: f64 = 3.4;
+/// Length of a tick, and half the size of a sign.
+const TICK: f64 = 1.3;
+const SIGN: f64 = 1.15;
 
 /// A logarithmic axis and where it lies.
 struct Axis {
@@ -64,59 +72,32 @@ impl Axis {
     }
 }
 
-const fn colour(kind: Kind) -> &'static str {
+/// The line of a kind; scalars have none: they are no tolerances, and between them there is nothing.
+const fn line_of(kind: Kind) -> Option<Style> {
     match kind {
-        Kind::Scalar => "#1b6ca8",
-        Kind::Friction => "#c8553d",
-        Kind::Newton => "#3c8d53",
-        Kind::Triad => "#8f5fa8",
-        Kind::Samples => "#d19000",
-        Kind::Root => "#5a6672",
+        Kind::Scalar => None,
+        Kind::Friction => Some(Style::AccelerationPart),
+        Kind::Newton => Some(Style::UnknownPart),
+        Kind::Triad => Some(Style::Medium),
+        Kind::Samples => Some(Style::VelocityPart),
+        Kind::Root => Some(Style::Way),
     }
 }
 
 /// A sign of its own for each kind, about a place.
-fn sign(out: &mut String, kind: Kind, x: f64, y: f64) {
-    let fill = colour(kind);
-    let r = 4.2;
-    let text = match kind {
-        Kind::Scalar => format!(r#"<circle cx="{x:.1}" cy="{y:.1}" r="{r}" fill="{fill}"/>"#),
-        Kind::Friction => polygon(fill, &[(x, y - r - 1.0), (x + r, y + r - 0.5), (x - r, y + r - 0.5)]),
-        Kind::Newton => polygon(fill, &[(x - r, y - r), (x + r, y - r), (x + r, y + r), (x - r, y + r)]),
-        Kind::Triad => {
-            polygon(fill, &[(x, y - r - 1.2), (x + r + 1.2, y), (x, y + r + 1.2), (x - r - 1.2, y)])
-        }
-        Kind::Samples => polygon(fill, &[(x, y + r + 1.0), (x + r, y - r + 0.5), (x - r, y - r + 0.5)]),
-        Kind::Root => {
-            format!(
-                r#"<circle cx="{x:.1}" cy="{y:.1}" r="{r}" fill="white" stroke="{fill}" stroke-width="2"/>"#
-            )
-        }
+fn sign(drawing: &mut Drawing, kind: Kind, at: Vec2) {
+    let corners =
+        |all: &[(f64, f64)]| Shape::polygon(all.iter().map(|(x, y)| at + Vec2::new(*x, *y) * SIGN).collect());
+    let circle = Shape::Circle { centre: at, radius: SIGN };
+    let (style, shape) = match kind {
+        Kind::Scalar => (Style::BlueDot, circle),
+        Kind::Friction => (Style::VermilionDot, corners(&[(0.0, -1.2), (1.1, 0.9), (-1.1, 0.9)])),
+        Kind::Newton => (Style::GreenDot, corners(&[(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])),
+        Kind::Triad => (Style::Solid, corners(&[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)])),
+        Kind::Samples => (Style::BlueDot, corners(&[(0.0, 1.2), (1.1, -0.9), (-1.1, -0.9)])),
+        Kind::Root => (Style::Hinge, circle),
     };
-    out.push_str(&text);
-    out.push('\n');
-}
-
-fn polygon(fill: &str, points: &[(f64, f64)]) -> String {
-    let points: Vec<String> = points.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
-    format!(r#"<polygon points="{}" fill="{fill}"/>"#, points.join(" "))
-}
-
-fn text(out: &mut String, x: f64, y: f64, anchor: &str, size: f64, words: &str) {
-    let _ = writeln!(
-        out,
-        r#"<text x="{x:.1}" y="{y:.1}" text-anchor="{anchor}" font-size="{size}" fill="{INK}">{}</text>"#,
-        escaped(words)
-    );
-}
-
-fn escaped(words: &str) -> String {
-    words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
-}
-
-fn line(out: &mut String, from: (f64, f64), to: (f64, f64), colour: &str) {
-    let ((x, y), (u, v)) = (from, to);
-    let _ = writeln!(out, r#"<line x1="{x:.1}" y1="{y:.1}" x2="{u:.1}" y2="{v:.1}" stroke="{colour}"/>"#);
+    drawing.mark(style, shape);
 }
 
 /// Places of a kind's settings: time and error.
@@ -127,84 +108,76 @@ fn points(knob: &Setting) -> impl Iterator<Item = (f64, f64)> {
 /// The diagram of a study; `None` where nothing can be set.
 #[must_use]
 pub fn svg(title: &str, study: &AccuracyStudy) -> Option<String> {
-    let [left, top, right, bottom] = FRAME;
     let all = || study.knobs.iter().flat_map(points);
-    let x = Axis::over(all().map(|p| p.0), left, right)?;
-    let y = Axis::over(all().map(|p| p.1), bottom, top)?;
-    let mut out = format!(
-        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" font-family="Helvetica, Arial, sans-serif">
-<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>
-"#
-    );
-    text(&mut out, left, 30.0, "start", 16.0, title);
-    axes(&mut out, &x, &y);
+    let x = Axis::over(all().map(|p| p.0), 0.0, WIDTH)?;
+    let y = Axis::over(all().map(|p| p.1), 0.0, -HEIGHT)?;
+    let kinds: Vec<&str> = study.knobs.iter().map(|k| k.kind.name()).collect();
+    let description =
+        format!("Greatest relative error against time in µs, both logarithmic, for {}.", kinds.join(", "));
+    let mut drawing = Drawing::new("accuracy", format!("{title}: error against time"), description);
+    written(&mut drawing, title, TITLE, Vec2::new(0.0, -HEIGHT - 11.0), Vec2::new(1.0, 0.0));
+    axes(&mut drawing, &x, &y);
     for knob in &study.knobs {
-        series(&mut out, knob, &x, &y);
+        series(&mut drawing, knob, &x, &y);
     }
-    legend(&mut out, study);
-    out.push_str("</svg>\n");
-    Some(out)
+    legend(&mut drawing, study);
+    Some(drawing.placed().svg(Theme::Auto))
 }
 
-fn axes(out: &mut String, x: &Axis, y: &Axis) {
-    let [left, top, right, bottom] = FRAME;
+/// A text beside a point in a direction.
+fn written(drawing: &mut Drawing, words: &str, size: f64, at: Vec2, towards: Vec2) {
+    drawing.label(Label::at(Text::upright(words), size, at, 0.3).towards(towards).ranked(0));
+}
+
+fn axes(drawing: &mut Drawing, x: &Axis, y: &Axis) {
+    let (down, left) = (Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0));
     for tick in x.ticks() {
-        let at = x.place(tick);
-        line(out, (at, top), (at, bottom), PALE);
-        line(out, (at, bottom), (at, bottom + 5.0), INK);
-        text(out, at, bottom + 20.0, "middle", 12.0, &significant(tick, 1));
+        let at = Vec2::new(x.place(tick), 0.0);
+        drawing.line(Style::Grid, at, Vec2::new(at.x, -HEIGHT));
+        drawing.line(Style::Medium, at, at + down * TICK);
+        written(drawing, &significant(tick, 1), NUMBERS, at + down * (TICK + 0.4), down);
     }
     for power in y.powers(9.0) {
-        let at = y.place(libm::pow(10.0, power));
-        line(out, (left, at), (right, at), PALE);
-        line(out, (left - 5.0, at), (left, at), INK);
-        text(out, left - 28.0, at + 5.0, "end", 12.0, "10");
-        text(out, left - 27.0, at - 1.0, "start", 9.0, &significant(power, 2).replace('-', "−"));
+        let at = Vec2::new(0.0, y.place(libm::pow(10.0, power)));
+        drawing.line(Style::Grid, at, Vec2::new(WIDTH, at.y));
+        drawing.line(Style::Medium, at, at + left * TICK);
+        let number = Text::upright("10").and(&significant(power, 2).replace('-', "−"), false, Level::Sup);
+        let label = Label::at(number, NUMBERS, at + left * (TICK + 0.4), 0.3).towards(left).ranked(0);
+        drawing.label(label);
     }
-    let _ = writeln!(
-        out,
-        r#"<rect x="{left}" y="{top}" width="{}" height="{}" fill="none" stroke="{INK}"/>"#,
-        right - left,
-        bottom - top
-    );
-    text(out, 0.5 * (left + right), bottom + 46.0, "middle", 13.0, "time, µs");
-    let (u, v) = (24.0, 0.5 * (top + bottom));
-    let _ = writeln!(
-        out,
-        r#"<text x="{u}" y="{v}" transform="rotate(-90 {u} {v})" text-anchor="middle" font-size="13" fill="{INK}">greatest error, relative</text>"#
-    );
+    let corner = |x: f64, y: f64| Vec2::new(x, y);
+    let frame = vec![corner(0.0, 0.0), corner(WIDTH, 0.0), corner(WIDTH, -HEIGHT), corner(0.0, -HEIGHT)];
+    drawing.mark(Style::Medium, Shape::polygon(frame));
+    written(drawing, "time, µs", WORDS, Vec2::new(WIDTH / 2.0, 7.0), down);
+    written(drawing, "greatest error, relative", WORDS, Vec2::new(0.0, -HEIGHT - 3.0), Vec2::new(1.0, 0.0));
 }
 
-fn series(out: &mut String, knob: &Setting, x: &Axis, y: &Axis) {
-    let places: Vec<(f64, f64)> = points(knob).map(|p| (x.place(p.0), y.place(p.1))).collect();
-    let path: Vec<String> = places.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
-    let fill = colour(knob.kind);
-    // scalars are no tolerances: between them there is nothing
-    if knob.kind != Kind::Scalar {
-        let _ = writeln!(
-            out,
-            r#"<polyline points="{}" fill="none" stroke="{fill}" stroke-width="1.6"/>"#,
-            path.join(" ")
-        );
+fn series(drawing: &mut Drawing, knob: &Setting, x: &Axis, y: &Axis) {
+    drawing.begin("series", knob.kind.name());
+    let places: Vec<Vec2> = points(knob).map(|p| Vec2::new(x.place(p.0), y.place(p.1))).collect();
+    if let (Some(style), true) = (line_of(knob.kind), places.len() > 1) {
+        drawing.mark(style, Shape::Lines { points: places.clone(), closed: false });
     }
-    for (u, v) in &places {
-        sign(out, knob.kind, *u, *v);
+    for at in &places {
+        sign(drawing, knob.kind, *at);
     }
-    let known = knob.rows.iter().filter(|r| r.error.is_some());
     if knob.kind == Kind::Scalar {
-        for (row, (u, v)) in known.zip(&places) {
-            let (anchor, at) = if *u > 0.7 * FRAME[2] { ("end", u - 9.0) } else { ("start", u + 9.0) };
-            text(out, at, v + 4.0, anchor, 11.0, &row.setting);
+        let known = knob.rows.iter().filter(|r| r.error.is_some());
+        for (row, at) in known.zip(&places) {
+            let side = Vec2::new(if at.x > 0.8 * WIDTH { -1.0 } else { 1.0 }, 0.0);
+            let text = Text::upright(&row.setting);
+            drawing.label(Label::at(text, NUMBERS, *at, SIGN).towards(side).ranked(1));
         }
     }
+    drawing.end();
 }
 
-fn legend(out: &mut String, study: &AccuracyStudy) {
-    let x = FRAME[2] + 22.0;
-    let mut y = FRAME[1] + 10.0;
-    for knob in &study.knobs {
-        sign(out, knob.kind, x, y);
-        text(out, x + 13.0, y + 4.0, "start", 12.0, knob.kind.name());
+fn legend(drawing: &mut Drawing, study: &AccuracyStudy) {
+    let right = Vec2::new(1.0, 0.0);
+    for (i, knob) in study.knobs.iter().enumerate() {
+        let at = Vec2::new(WIDTH + LEGEND, -HEIGHT + 3.0 + LINE * i as f64);
+        sign(drawing, knob.kind, at);
+        written(drawing, knob.kind.name(), WORDS, at + right * 2.0, right);
         let settings: Vec<&str> = knob.rows.iter().map(|r| r.setting.as_str()).collect();
         let range = match settings.as_slice() {
             [first, .., last] if knob.kind != Kind::Scalar => format!("{first} … {last}"),
@@ -212,7 +185,6 @@ fn legend(out: &mut String, study: &AccuracyStudy) {
         };
         let per = if knob.kind.per_cycle() { "per cycle" } else { "per position" };
         let below = if range.is_empty() { per.to_owned() } else { format!("{range}, {per}") };
-        text(out, x + 13.0, y + 19.0, "start", 10.0, &below);
-        y += 44.0;
+        written(drawing, &below, NUMBERS, at + Vec2::new(2.0, 4.6), right);
     }
 }

@@ -4,6 +4,8 @@
 
 mod accuracy;
 mod answers;
+#[cfg(feature = "arrow")]
+pub mod arrow;
 mod brief;
 mod columns;
 mod cost;

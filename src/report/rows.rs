@@ -4,6 +4,8 @@ use super::answers::{Answers, with_unit};
 use super::csv;
 use super::reactions::moment;
 use assur_math::math::Vec2;
+#[cfg(feature = "arrow")]
+use assur_model::model::Mechanism;
 use assur_model::model::{Bearing, Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
 use assur_solve::solve::{
     DriveValue, JointReaction, Model, NumberColumns, Pose, PoseAnswers, Shown, Solved, State,
@@ -150,6 +152,48 @@ impl AnswerColumns {
             _ => None,
         };
         self.answers.iter().map(value).collect()
+    }
+
+    /// Names and units of the columns, and whether each shows a condition.
+    #[cfg(feature = "arrow")]
+    #[must_use]
+    pub fn fields(&self, mechanism: &Mechanism) -> Vec<(String, String, bool)> {
+        let condition = |answer: &Answer| match answer.content {
+            Content::Find { index, .. } => match &mechanism.finds[index].kind {
+                FindKind::Value { expr, .. } => mechanism.is_condition(expr),
+                FindKind::Reactions | FindKind::Table(_) => false,
+            },
+            _ => false,
+        };
+        let field = |answer: &Answer| {
+            match answer.vector {
+                true => vec![".x", ".y"],
+                false => vec![""],
+            }
+            .into_iter()
+            .map(|part| (format!("{}{part}", answer.name), answer.display.unit.clone(), condition(answer)))
+            .collect::<Vec<_>>()
+        };
+        self.answers.iter().flat_map(field).collect()
+    }
+
+    /// The cells of a position: numbers in the author's units, 1 and 0 for conditions, NaN where there is no answer.
+    #[cfg(feature = "arrow")]
+    pub fn write_cells(
+        &self,
+        answers: &Answers<'_>,
+        pose: &Pose,
+        whole: &[Option<Value>],
+        out: &mut Vec<f64>,
+    ) {
+        out.clear();
+        self.each_value(0, answers, pose, whole, |answer, value| match (value, answer.vector) {
+            (Some(Value::Vector(v)), true) => out.extend([v.x, v.y].map(|x| answer.display.of_si(x))),
+            (Some(Value::Scalar(x)), false) => out.push(answer.display.of_si(x)),
+            (Some(Value::Bool(truth)), false) => out.push(f64::from(u8::from(truth))),
+            (_, true) => out.extend([f64::NAN; 2]),
+            (_, false) => out.push(f64::NAN),
+        });
     }
 
     /// The same columns as numbers, with what needs no pose known. `None` where some depend on more than a state.

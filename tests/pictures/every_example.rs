@@ -1,6 +1,6 @@
 //! Every picture of every example.
 
-use crate::drawn::{faults, sheets, solved};
+use crate::drawn::{faults, moving, sheets, solved};
 use assur::internals::Solved;
 use assur::internals::drawing::{Shape, Sheet, Style};
 use assur::internals::math::Vec2;
@@ -34,8 +34,21 @@ fn labels_are_apart_and_documents_well_formed() {
             }
         }
     }
-    assert!(count > 200, "pictures are drawn: {count}");
+    assert!(count > 1000, "pictures are drawn: {count}");
     assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+fn paths_and_other_poses_are_drawn() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        let Some(sheet) = moving(&source, &solved) else { continue };
+        count += 1;
+        wrong.extend(faults(&sheet).into_iter().take(3).map(|f| format!("{name}: {f}")));
+    }
+    assert!(count > 100, "paths are drawn: {count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// The middle of the first circle of a pair.
@@ -166,5 +179,58 @@ fn polygons_close() {
         }
     }
     assert!(count > 150, "polygons are drawn: {count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The moments about the pole of the lever add up to nothing.
+#[test]
+fn levers_balance() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        for sheet in sheets(&source, &solved, Kind::Lever, true) {
+            let said = sheet.drawing.description.split_once("Their sum is ").map(|(_, said)| said);
+            let share = said.and_then(|said| said.split(' ').next()?.parse::<f64>().ok());
+            count += 1;
+            if share.is_none_or(|share| share > 1e-9) {
+                wrong.push(format!("{name}: {}", sheet.drawing.description));
+            }
+        }
+    }
+    assert!(count > 100, "levers are drawn: {count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The action line of every hinge touches its friction circle.
+#[test]
+fn action_lines_touch_friction_circles() {
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (name, text) in examples() {
+        let Some((source, solved)) = solved(&name, &text) else { continue };
+        for sheet in sheets(&source, &solved, Kind::Friction, true) {
+            let drawing = &sheet.drawing;
+            for (i, group) in drawing.groups.iter().enumerate().filter(|(_, g)| g.class == "pair") {
+                let own = || drawing.marks.iter().filter(move |m| m.group == i);
+                let circle = own().find_map(|m| match m.shape {
+                    Shape::Circle { centre, radius } if m.style == Style::FrictionCircle => {
+                        Some((centre, radius))
+                    }
+                    _ => None,
+                });
+                let line = own().find_map(|m| match m.shape {
+                    Shape::Line(a, b) if m.style == Style::Dashed => Some((a, b)),
+                    _ => None,
+                });
+                let (Some((centre, radius)), Some((a, b))) = (circle, line) else { continue };
+                count += 1;
+                let away = ((b - a) / (b - a).norm()).cross(centre - a).abs();
+                // a hinge that does not turn has a line through it
+                if (away - radius).abs() > 0.01 && away > 0.01 {
+                    wrong.push(format!("{name}: {} is {away} mm off a circle of {radius} mm", group.name));
+                }
+            }
+        }
+    }
+    assert!(count > 30, "action lines are drawn: {count}");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

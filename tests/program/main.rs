@@ -1,8 +1,11 @@
 //! The program as run from a shell.
 
 mod accuracy;
+#[cfg(feature = "arrow")]
+mod arrow;
 mod batch;
 mod cli;
+mod draw;
 #[path = "../folder/mod.rs"]
 mod folder;
 mod formats;

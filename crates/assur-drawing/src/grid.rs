@@ -84,7 +84,7 @@ impl<T> Grid<T> {
 
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // of a grid with few cells; below zero is zero
 fn index(x: f64) -> usize {
-    x.max(0.0).min(1e6) as usize
+    x.clamp(0.0, 1e6) as usize
 }
 
 /// Whether a box, or the disc in it, touches an obstacle.

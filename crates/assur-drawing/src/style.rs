@@ -71,6 +71,12 @@ pub enum Style {
     Curve6,
     /// The circle around the number of a link.
     Number,
+    /// Filled with the colour of velocities.
+    BlueDot,
+    /// Filled with the colour of accelerations.
+    VermilionDot,
+    /// Filled with the colour of unknown forces.
+    GreenDot,
 }
 
 /// Styles of curves, in their order.
@@ -78,7 +84,7 @@ pub const CURVES: [Style; 6] =
     [Style::Curve1, Style::Curve2, Style::Curve3, Style::Curve4, Style::Curve5, Style::Curve6];
 
 /// All of them, in the order of their rules.
-pub const STYLES: [Style; 33] = [
+pub const STYLES: [Style; 36] = [
     Style::Link,
     Style::Medium,
     Style::Thin,
@@ -112,6 +118,9 @@ pub const STYLES: [Style; 33] = [
     Style::Curve5,
     Style::Curve6,
     Style::Number,
+    Style::BlueDot,
+    Style::VermilionDot,
+    Style::GreenDot,
 ];
 
 /// What a style comes to.
@@ -185,6 +194,9 @@ impl Style {
             Self::Curve5 => dashed("q5", Role::Grey, 0.7, ".7 .9"),
             Self::Curve6 => dashed("q6", Role::Ink, 0.35, "3 .8 .8 .8 .8 .8"),
             Self::Number => filled("n0", Role::Ink, 0.22, Role::Paper),
+            Self::BlueDot => area("kv", Role::Blue),
+            Self::VermilionDot => area("ka", Role::Vermilion),
+            Self::GreenDot => area("kr", Role::Green),
         }
     }
 

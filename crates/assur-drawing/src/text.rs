@@ -85,13 +85,13 @@ impl Text {
 
     /// With an upright index.
     #[must_use]
-    pub fn sub(self, letters: &str) -> Self {
+    pub fn lowered(self, letters: &str) -> Self {
         self.and(letters, false, Level::Sub)
     }
 
     /// With an upright exponent.
     #[must_use]
-    pub fn sup(self, letters: &str) -> Self {
+    pub fn raised(self, letters: &str) -> Self {
         self.and(letters, false, Level::Sup)
     }
 
@@ -125,7 +125,7 @@ impl Text {
         let (letters, index) = described.unwrap_or((letters, index));
         let letters = greek(&letters).map_or(letters, str::to_owned);
         let mut text =
-            Self::default().and(&letters, true, Level::Base).and(&primes, false, Level::Base).sub(&index);
+            Self::default().and(&letters, true, Level::Base).and(&primes, false, Level::Base).lowered(&index);
         text.full = full;
         text
     }

@@ -4,6 +4,7 @@ use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
 use assur_model::model::{DriveTarget, PairKind};
 use assur_solve::solve::Solution;
+use assur_text::diagnostic::did_you_mean;
 use miette::Diagnostic;
 use thiserror::Error;
 
@@ -46,6 +47,32 @@ pub enum Missing {
         #[help]
         help: String,
     },
+    /// No such point.
+    #[error("there is no point `{name}` whose path could be drawn")]
+    #[diagnostic(code("mech::picture::no_point"))]
+    NoPoint {
+        /// As given.
+        name: String,
+        /// What may be meant.
+        #[help]
+        help: String,
+    },
+    /// No way of the drive.
+    #[error("there is no motion over which paths or other poses could be drawn")]
+    #[diagnostic(
+        code("mech::picture::no_way"),
+        help("give the only drive a range: `drive crank = 0 deg .. 360 deg in 12 steps`")
+    )]
+    NoWay,
+    /// No friction.
+    #[error("there is no friction to draw: no pair has a friction circle or a coefficient")]
+    #[diagnostic(
+        code("mech::picture::no_friction"),
+        help(
+            "give a pair friction: `revolute A: ground - crank {{ friction_circle 5 mm }}`, or `prismatic D: … {{ friction 0.1 }}`"
+        )
+    )]
+    NoFriction,
     /// No shafts.
     #[error("there is no train to draw: no shaft or slider is declared without a position")]
     #[diagnostic(
@@ -71,6 +98,22 @@ pub enum Missing {
 const MOST: usize = 12;
 
 impl Missing {
+    /// No such point; the help names those that are meant.
+    pub(crate) fn no_point(scene: &Scene<'_>, name: &str) -> Self {
+        let links = scene.mechanism().links.iter().skip(1);
+        let all = links.flat_map(|link| link.points.iter().map(|p| format!("{}.{}", link.name, p.name)));
+        let all: Vec<String> = all.collect();
+        let near = did_you_mean(name, all.iter().map(String::as_str));
+        let help = match near.first() {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => {
+                let listed = all[..all.len().min(MOST)].iter().map(|p| format!("`{p}`"));
+                format!("the points are {}", listed.collect::<Vec<_>>().join(", "))
+            }
+        };
+        Self::NoPoint { name: name.to_owned(), help }
+    }
+
     /// No forces.
     pub(crate) fn no_forces(why: &str, help: &str) -> Self {
         Self::NoForces { why: why.to_owned(), help: help.to_owned() }

@@ -1,7 +1,7 @@
 //! The kinds of picture, by name.
 
 use crate::error::Missing;
-use crate::forces::forces;
+use crate::forces::{forces, friction, lever};
 use crate::motion::{accelerations, velocities};
 use crate::plot::plot;
 use crate::scene::Scene;
@@ -22,6 +22,10 @@ pub enum Kind {
     Accelerations,
     /// A free body and a polygon of forces per structural group.
     Forces,
+    /// Zhukovsky's lever.
+    Lever,
+    /// Friction circles, angles and action lines.
+    Friction,
     /// Shafts in section.
     Train,
     /// Numbers over the sweep.
@@ -31,8 +35,17 @@ pub enum Kind {
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 7] =
-    [Kind::Scheme, Kind::Velocities, Kind::Accelerations, Kind::Forces, Kind::Train, Kind::Plot, Kind::Work];
+pub const KINDS: [Kind; 9] = [
+    Kind::Scheme,
+    Kind::Velocities,
+    Kind::Accelerations,
+    Kind::Forces,
+    Kind::Lever,
+    Kind::Friction,
+    Kind::Train,
+    Kind::Plot,
+    Kind::Work,
+];
 
 /// How pictures are drawn.
 #[derive(Clone, Debug, Default)]
@@ -54,6 +67,8 @@ impl Kind {
             Self::Velocities => "velocities",
             Self::Accelerations => "accelerations",
             Self::Forces => "forces",
+            Self::Lever => "lever",
+            Self::Friction => "friction",
             Self::Train => "train",
             Self::Plot => "plot",
             Self::Work => "work",
@@ -65,7 +80,7 @@ impl Kind {
     pub const fn level(self) -> Level {
         match self {
             Self::Scheme | Self::Forces | Self::Train | Self::Plot | Self::Work => Level::Positions,
-            Self::Velocities => Level::Velocities,
+            Self::Velocities | Self::Lever | Self::Friction => Level::Velocities,
             Self::Accelerations => Level::Accelerations,
         }
     }
@@ -73,7 +88,7 @@ impl Kind {
     /// Whether it shows forces.
     #[must_use]
     pub const fn forces(self) -> bool {
-        matches!(self, Self::Forces)
+        matches!(self, Self::Forces | Self::Lever | Self::Friction)
     }
 
     /// Whether it shows the whole sweep and not one position.
@@ -108,11 +123,13 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Accelerations => accelerations(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Forces => forces(scene, options.scheme.size),
+        Kind::Friction => friction(scene, options.scheme.size).map(|picture| vec![picture]),
+        Kind::Lever => lever(scene, options.scheme.size).map(|lever| vec![lever]),
     }
 }
 
 /// The scheme; of shafts that have no place the section.
 fn scheme_or_section(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Missing> {
     let placed = (1..scene.mechanism().links.len()).any(|i| scene.is_placed(LinkId::at(i)));
-    if placed { Ok(scheme(scene, &options.scheme)) } else { train(scene) }
+    if placed { scheme(scene, &options.scheme) } else { train(scene) }
 }

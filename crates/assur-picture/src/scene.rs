@@ -22,6 +22,8 @@ pub struct Scene<'a> {
     pub file: &'a str,
     /// Its text.
     pub text: &'a str,
+    /// Positions in small steps over the way of the drive, where paths or other poses are wanted.
+    pub turn: &'a [Pose],
 }
 
 impl<'a> Scene<'a> {
@@ -38,7 +40,7 @@ impl<'a> Scene<'a> {
         let wanted = |pose: &&Pose| name.is_none_or(|name| pose.name == name);
         let found = solution.poses.iter().filter(wanted).find_map(|pose| {
             let solved = pose.outcome.as_ref().ok()?;
-            Some(Self { model, solution, pose, solved, file, text })
+            Some(Self { model, solution, pose, solved, file, text, turn: &[] })
         });
         found.ok_or_else(|| Missing::no_position(solution, name))
     }
@@ -139,7 +141,7 @@ impl<'a> Scene<'a> {
     /// A letter with the number or the name of a link as its index.
     #[must_use]
     pub fn indexed(&self, letter: &str, link: LinkId) -> Text {
-        Text::italic(letter).sub(self.link_label(link))
+        Text::italic(letter).lowered(self.link_label(link))
     }
 }
 

@@ -111,7 +111,7 @@ impl Sheet<'_> {
         drawing.begin("mean", "");
         let (from, to) = (panel.at(x.from, mean), panel.at(x.to, mean));
         drawing.line(Style::Velocity, from, to);
-        let text = Text::italic("M").sub("m").and(
+        let text = Text::italic("M").lowered("m").and(
             &format!(" = {}", value_text(&self.moment, self.mean)),
             false,
             Level::Base,
@@ -201,7 +201,7 @@ impl Sheet<'_> {
         {
             let at = panel.dot(drawing, printed(&self.along, place), y);
             drawing.line(Style::Thin, at, level(y) + Vec2::new(2.0, 0.0));
-            let text = Text::italic("φ").sub(index).and(
+            let text = Text::italic("φ").lowered(index).and(
                 &format!(" = {}", value_text(&self.along, place)),
                 false,
                 Level::Base,
@@ -245,7 +245,7 @@ impl Sheet<'_> {
                 _ => None,
             },
         };
-        own.unwrap_or_else(|| Text::italic("M").sub("red"))
+        own.unwrap_or_else(|| Text::italic("M").lowered("red"))
     }
 
     fn said(&self, scene: &Scene<'_>) -> String {

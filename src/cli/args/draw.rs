@@ -3,21 +3,35 @@
 use super::setting;
 use assur_check::Overrides;
 use assur_drawing::Theme;
-use assur_picture::{Kind, Loads};
+use assur_picture::{KINDS, Kind, Loads};
 use clap::ValueEnum;
 
 /// Arguments of `draw`.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Draw {
-    /// Files to draw, and the pictures wanted: `scheme`, `plot "omega(rocker), Mb"`, … [default: scheme]
+    /// Files to draw, and the pictures wanted: `scheme`, `velocities`, `accelerations`, `forces`, `lever`, `friction`,
+    /// `train`, `plot "omega(rocker), Mb"`, `work` [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
-    /// Write to this file (.svg), or to files in this folder (created only when complete) [default: standard output]
+    /// Write one picture to this file (.svg), all to this page (.html), or to files in this folder (created only when
+    /// complete) [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<String>,
     /// Draw the pose of this name; may be repeated [default: the first]
     #[arg(long, value_name = "NAME")]
     pub pose: Vec<String>,
+    /// Draw this number of other poses pale behind the scheme
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub ghosts: usize,
+    /// Draw the path of this point over the way of the drive; may be repeated
+    #[arg(long, value_name = "LINK.POINT")]
+    pub path: Vec<String>,
+    /// Space for the mechanism or the plan, mm
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
+    pub size: Option<(f64, f64)>,
+    /// Draw every picture that the file declares the effects for
+    #[arg(long)]
+    pub all: bool,
     /// Show all loads, without unknown efforts, or none
     #[arg(long, value_enum, value_name = "WHICH", default_value_t = LoadsArg::All)]
     pub loads: LoadsArg,
@@ -47,6 +61,9 @@ impl Draw {
             if !pictures.contains(&picture) {
                 pictures.push(picture);
             }
+        }
+        if self.all {
+            pictures = KINDS.into_iter().map(|kind| Picture { kind, of: String::new() }).collect();
         }
         if pictures.is_empty() {
             pictures.push(Picture { kind: Kind::Scheme, of: String::new() });
@@ -118,4 +135,10 @@ impl From<ThemeArg> for Theme {
             ThemeArg::Mono => Self::Mono,
         }
     }
+}
+
+fn size(text: &str) -> Result<(f64, f64), String> {
+    let side = |text: &str| text.trim().parse::<f64>().ok().filter(|x| (60.0..=2000.0).contains(x));
+    let sides = text.split_once(['x', '×']).and_then(|(w, h)| Some((side(w)?, side(h)?)));
+    sides.ok_or_else(|| "write two numbers from 60 to 2000, e.g. 180x120".to_owned())
 }

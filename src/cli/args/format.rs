@@ -92,3 +92,50 @@ impl ValueEnum for ProfileFormat {
         }
     }
 }
+
+/// A form of answers: a stream of columns too.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SolveFormat {
+    /// As in every command.
+    Common(Format),
+    /// A stream of Arrow.
+    #[cfg(feature = "arrow")]
+    Arrow,
+}
+
+impl SolveFormat {
+    /// The common form; a stream of Arrow goes position by position as lines of JSON do.
+    pub(in crate::cli) const fn common(self) -> Format {
+        match self {
+            Self::Common(format) => format,
+            #[cfg(feature = "arrow")]
+            Self::Arrow => Format::Jsonl,
+        }
+    }
+}
+
+impl ValueEnum for SolveFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[
+            Self::Common(Format::Table),
+            Self::Common(Format::Json),
+            Self::Common(Format::Jsonl),
+            Self::Common(Format::Csv),
+            Self::Common(Format::Markdown),
+            Self::Common(Format::Latex),
+            #[cfg(feature = "arrow")]
+            Self::Arrow,
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            Self::Common(format) => format.to_possible_value(),
+            #[cfg(feature = "arrow")]
+            Self::Arrow => Some(
+                PossibleValue::new("arrow")
+                    .help("A stream of Arrow IPC: columns with their units as metadata"),
+            ),
+        }
+    }
+}

@@ -12,6 +12,7 @@ use super::screen::Screen;
 use crate::pipeline::{self, Solved};
 use assur_check::Overrides;
 use assur_drawing::Theme;
+use assur_math::math::Vec2;
 use assur_picture::{Kind, Options, Scene, Scheme};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -30,8 +31,15 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
         }
     };
     let overrides = args.overrides();
-    let drawing = Drawing { args, screen, pictures, overrides, output };
-    for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source))
+    let drawing = Drawing { args, screen, pictures, overrides, output, several: inputs.len() > 1 };
+    let status = for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source));
+    match drawing.output.finish(&names) {
+        Ok(()) => status,
+        Err(error) => {
+            screen.complain(&complaint(error, screen));
+            Status::Unusable
+        }
+    }
 }
 
 /// Pictures that are wanted.
@@ -41,11 +49,14 @@ struct Drawing<'a> {
     pictures: Vec<Picture>,
     overrides: Overrides,
     output: Output,
+    /// The command line names several files.
+    several: bool,
 }
 
-/// A picture as text, with the name of its file.
+/// A picture as text, with its title and the name of its file.
 struct Page {
     name: String,
+    title: String,
     text: String,
 }
 
@@ -73,28 +84,47 @@ impl Drawing<'_> {
         self.args.pictures().1
     }
 
+    fn options(&self) -> Options {
+        let mut scheme = Scheme {
+            loads: self.args.loads.into(),
+            ghosts: self.args.ghosts,
+            paths: self.args.path.clone(),
+            ..Scheme::default()
+        };
+        if let Some((width, height)) = self.args.size {
+            scheme.size = Vec2::new(width, height);
+        }
+        Options { scheme, ..Options::default() }
+    }
+
     /// All pictures of a file.
     fn pages(&self, source: &Source, solved: &Solved, problems: &mut Problems) -> Vec<Page> {
+        let moves = self.args.ghosts > 0 || !self.args.path.is_empty();
+        let turn = if moves { pipeline::turn(&solved.compiled, &solved.solution) } else { Vec::new() };
         let scenes = self.scenes(source, solved, problems);
-        let mut pages = Vec::new();
+        let scenes: Vec<Scene<'_>> = scenes.into_iter().map(|scene| Scene { turn: &turn, ..scene }).collect();
+        let stem = if self.several { path_in_one(&source.name) } else { stem(&source.name) };
         let several = scenes.len() > 1;
+        let mut pages = Vec::new();
         for picture in &self.pictures {
             let plotted = plotted::items(source, &solved.compiled.mechanism, &picture.of);
-            let scheme = Scheme { loads: self.args.loads.into(), ..Scheme::default() };
-            let options = Options { scheme, plotted, of: picture.of.clone() };
+            let options = Options { plotted, of: picture.of.clone(), ..self.options() };
             let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
             for scene in &scenes[..shown.min(scenes.len())] {
                 match assur_picture::draw(picture.kind, scene, &options) {
                     Ok(drawings) => {
-                        let mut name = format!("{}-{}", stem(&source.name), picture.kind.name());
+                        let mut name = format!("{stem}-{}", picture.kind.name());
                         if !picture.of.is_empty() {
                             name += &format!("-{}", picture.of);
                         }
                         if several && !picture.kind.is_of_sweep() {
                             name += &format!("-{}", scene.pose.name);
                         }
+                        let name = output::file_name(&name);
                         pages.extend(self.numbered(&name, drawings));
                     }
+                    // of all kinds those are left out that the file has no effects for
+                    Err(_) if self.args.all => break,
                     Err(missing) => {
                         problems.push(missing);
                         break;
@@ -105,15 +135,19 @@ impl Drawing<'_> {
         pages
     }
 
-    /// Pictures as text; with numbers where there are several.
+    /// Pictures of one kind and one position as text, numbered where there are several.
     fn numbered(&self, name: &str, drawings: Vec<assur_drawing::Drawing>) -> Vec<Page> {
         let theme: Theme = self.args.theme.into();
         let many = drawings.len() > 1;
-        let page = |(i, drawing): (usize, assur_drawing::Drawing)| {
+        let pages = drawings.into_iter().enumerate().map(|(i, mut drawing)| {
             let name = if many { format!("{name}-{}", i + 1) } else { name.to_owned() };
-            Page { name: output::file_name(&name), text: drawing.placed().svg(theme) }
-        };
-        drawings.into_iter().enumerate().map(page).collect()
+            if self.several {
+                // two files of one name may be in one page
+                drawing.id = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+            }
+            Page { name, title: drawing.title.clone(), text: drawing.placed().svg(theme) }
+        });
+        pages.collect()
     }
 
     /// The positions that are shown: those named, else on standard output and in one file the first, else the first of a
@@ -140,6 +174,12 @@ fn stem(name: &str) -> String {
     let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let stem = last.strip_suffix(".mech").unwrap_or(last);
     if stem == "-" { "picture".to_owned() } else { stem.to_owned() }
+}
+
+/// The file's name with its folders, so that two of one name in two folders are apart: `cams-lever` of `cams/lever.mech`.
+fn path_in_one(name: &str) -> String {
+    let parts = name.split(['/', '\\']).filter(|part| !part.is_empty() && *part != "." && *part != "..");
+    stem(&parts.collect::<Vec<_>>().join("-"))
 }
 
 /// An output that cannot hold several pictures.

@@ -1,8 +1,11 @@
-//! Where pictures go: standard output, one file, or files in a folder.
+//! Where pictures go: standard output, one file, one page with all, or files in a folder.
 
 use super::{Page, one_only};
 use crate::cli::batch::Sink;
 use crate::cli::error::CliError;
+use assur_drawing::escaped;
+use std::cell::RefCell;
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Where pictures go.
@@ -11,16 +14,21 @@ pub enum Output {
     Stdout,
     /// One file: one picture.
     File(PathBuf),
+    /// One page with all pictures, until it is written.
+    Page(PathBuf, RefCell<String>),
     /// Files in a folder.
     Folder(PathBuf),
 }
 
 impl Output {
-    /// What `-o` names; a name that ends in `.svg` is a file, any other a folder.
+    /// What `-o` names; a name that ends in `.svg` or `.html` is a file, any other a folder.
     pub fn of(name: Option<&str>, one: bool) -> Result<Self, CliError> {
         match name {
             None | Some("-") if one => Ok(Self::Stdout),
             None | Some("-") => Err(one_only("standard output")),
+            Some(name) if name.ends_with(".html") => {
+                Ok(Self::Page(PathBuf::from(name), RefCell::new(String::new())))
+            }
             Some(name) if name.ends_with(".svg") && one => Ok(Self::File(PathBuf::from(name))),
             Some(name) if name.ends_with(".svg") => Err(one_only(name)),
             Some(name) => Ok(Self::Folder(PathBuf::from(name))),
@@ -39,6 +47,15 @@ impl Output {
                 [page] => written(path, &page.text, inputs).map(|()| String::new()),
                 _ => Err(one_only(&path.display().to_string())),
             },
+            Self::Page(_, body) => {
+                let mut body = body.borrow_mut();
+                for page in pages {
+                    let title = escaped(&page.title);
+                    let _ =
+                        write!(body, "<figure>\n<figcaption>{title}</figcaption>\n{}</figure>\n", page.text);
+                }
+                Ok(String::new())
+            }
             Self::Folder(folder) => {
                 std::fs::create_dir_all(folder).map_err(|error| CliError::NotCreated {
                     name: folder.display().to_string(),
@@ -52,6 +69,34 @@ impl Output {
         }
     }
 }
+
+impl Output {
+    /// Writes the page, where there is one with pictures.
+    pub fn finish(&self, inputs: &[String]) -> Result<(), CliError> {
+        let Self::Page(path, body) = self else { return Ok(()) };
+        let body = body.borrow();
+        if body.is_empty() { Ok(()) } else { written(path, &format!("{HEAD}{body}{FOOT}"), inputs) }
+    }
+}
+
+/// Begin and end of a page: figures that shrink to the screen, with their own colours.
+const HEAD: &str = "<!doctype html>
+<html lang=\"en\">
+<head>
+<meta charset=\"utf-8\">
+<meta name=\"viewport\" content=\"width=device-width\">
+<title>Pictures</title>
+<style>
+body{margin:1rem;font-family:\"Times New Roman\",Tinos,\"Liberation Serif\",serif;background:#fff;color:#111}
+figure{margin:0 0 2rem;break-inside:avoid}figcaption{margin-bottom:.5rem}
+figure svg{max-width:100%;height:auto}
+@media (prefers-color-scheme:dark){body{background:#16181c;color:#ececec}}
+@media print{body{background:#fff;color:#000}}
+</style>
+</head>
+<body>
+";
+const FOOT: &str = "</body>\n</html>\n";
 
 /// Writes a file, which appears only when complete.
 fn written(path: &Path, text: &str, inputs: &[String]) -> Result<(), CliError> {

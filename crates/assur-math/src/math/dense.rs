@@ -100,25 +100,6 @@ impl Lu {
         }
         b.copy_from_slice(x);
     }
-
-    /// Solves Aᵀ x = b in place, after [`Lu::factor`].
-    pub fn solve_transposed(&mut self, b: &mut [f64]) {
-        let n = self.order();
-        let (factors, x) = (self.factors.as_slice(), self.scratch.as_mut_slice());
-        for i in 0..n {
-            let column = &factors[i * n..][..n];
-            let known: f64 = column[..i].iter().zip(&*x).map(|(a, x)| a * x).sum();
-            x[i] = (b[i] - known) / column[i];
-        }
-        for i in (0..n).rev() {
-            let column = &factors[i * n..][..n];
-            let known: f64 = column[i + 1..].iter().zip(&x[i + 1..]).map(|(a, x)| a * x).sum();
-            x[i] -= known;
-        }
-        for (x, &row) in self.scratch.iter().zip(&self.order) {
-            b[row] = *x;
-        }
-    }
 }
 
 impl Default for Lu {

@@ -40,4 +40,24 @@ impl Mechanism {
             | Expr::Curve(..) => false,
         }
     }
+
+    /// Whether the value of an expression is a condition.
+    #[must_use]
+    pub fn is_condition(&self, expr: &Expr) -> bool {
+        match expr {
+            Expr::Constant(value) => matches!(value, Value::Bool(_)),
+            Expr::Compare(..) | Expr::And(..) | Expr::Or(..) | Expr::Not(_) => true,
+            Expr::Frictionless(a) => self.is_condition(a),
+            Expr::Quantity(id) => self.quantities.get(id.index()).is_some_and(|q| self.is_condition(&q.expr)),
+            Expr::Query(query) => query.facts().answer == Answer::Condition,
+            Expr::Vector(..)
+            | Expr::Polar(..)
+            | Expr::Negate(_)
+            | Expr::Binary(..)
+            | Expr::Call(..)
+            | Expr::Component(..)
+            | Expr::Power(..)
+            | Expr::Curve(..) => false,
+        }
+    }
 }

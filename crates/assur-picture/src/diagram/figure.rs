@@ -37,7 +37,7 @@ pub fn drive_label(scene: &Scene<'_>) -> Text {
         Some(DriveTarget::Pair(pair)) => {
             let pair = mechanism.pair(pair);
             let turns = matches!(pair.kind, PairKind::Revolute(_));
-            Text::italic(if turns { "φ" } else { "s" }).sub(&pair.name)
+            Text::italic(if turns { "φ" } else { "s" }).lowered(&pair.name)
         }
         _ => Text::upright("share of the sweep"),
     }

@@ -112,11 +112,11 @@ impl Acting {
         }
         if effects.inertia {
             if let Value::Vector(force) = scene.view().query(&Query::InertiaForce(link)) {
-                let name = Text::italic("F").sub(&format!("I{}", scene.link_label(link)));
+                let name = Text::italic("F").lowered(&format!("I{}", scene.link_label(link)));
                 self.push(name, link, at, force, Acts::Load);
             }
             if let Value::Scalar(m) = scene.view().query(&Query::InertiaTorque(link)) {
-                let name = Text::italic("M").sub(&format!("I{}", scene.link_label(link)));
+                let name = Text::italic("M").lowered(&format!("I{}", scene.link_label(link)));
                 self.couples.push((name, link, at, m, false));
             }
         }
@@ -139,8 +139,8 @@ impl Acting {
             .filter_map(|s| [s.from, s.to].into_iter().find(|(l, _)| *l == link).map(|(_, at)| (s, at)))
             .collect();
         let (name, at) = match springs.as_slice() {
-            [(spring, at)] => (Text::italic("F").sub(&spring.name), scene.at(link, *at)),
-            _ => (Text::italic("F").sub("s"), centre(scene, link)),
+            [(spring, at)] => (Text::italic("F").lowered(&spring.name), scene.at(link, *at)),
+            _ => (Text::italic("F").lowered("s"), centre(scene, link)),
         };
         self.push(name, link, at, rest, Acts::Load);
     }
@@ -208,9 +208,9 @@ impl Acting {
         // where nothing else is unknown, the drives' own efforts are
         let own = mechanism.balances.is_empty();
         let drives = mechanism.drives.iter().filter_map(|d| match d.target {
-            DriveTarget::Pair(pair) if own && touches(pair) => Some(Text::italic("F").sub(&d.name)),
+            DriveTarget::Pair(pair) if own && touches(pair) => Some(Text::italic("F").lowered(&d.name)),
             DriveTarget::Point(link, _) if own && part.links.contains(&link) => {
-                Some(Text::italic("F").sub(&d.name))
+                Some(Text::italic("F").lowered(&d.name))
             }
             _ => None,
         });
@@ -252,9 +252,9 @@ fn reaction_name(scene: &Scene<'_>, pair: PairId, from: LinkId, on: LinkId) -> T
     match (number(from), number(on)) {
         (Some(from), Some(on)) if !cylinder => {
             let comma = if from.chars().count() > 1 || on.chars().count() > 1 { "," } else { "" };
-            Text::italic("R").sub(&format!("{from}{comma}{on}"))
+            Text::italic("R").lowered(&format!("{from}{comma}{on}"))
         }
-        _ => Text::italic("R").sub(&scene.mechanism().pair(pair).name),
+        _ => Text::italic("R").lowered(&scene.mechanism().pair(pair).name),
     }
 }
 

@@ -148,7 +148,7 @@ fn arrows(scene: &Scene<'_>, part: &Part, acting: &Acting) -> Vec<(Text, Vec2, V
                 for (kind, value) in ["n", "t"].into_iter().zip(parts) {
                     let mut name = force.name.clone();
                     let index = name.runs.pop();
-                    name = name.sup(kind);
+                    name = name.raised(kind);
                     name.runs.extend(index);
                     all.push((name, force.at, value, style));
                 }
@@ -217,7 +217,7 @@ fn arms(scene: &Scene<'_>, part: &Part, acting: &Acting, frame: &Frame, drawing:
         let lowered = force.name.runs.iter().filter(|r| r.level == Level::Sub);
         let index: String = lowered.map(|r| r.letters.as_str()).collect();
         let index = if index.is_empty() { force.name.plain() } else { index };
-        let name = Text::italic("h").sub(&index);
+        let name = Text::italic("h").lowered(&index);
         drawing.label(Label::along(name, 3.4, centre, foot).coloured(Role::Grey).ranked(5));
         drawing.end();
     }

@@ -2,7 +2,12 @@
 
 mod acting;
 mod free_body;
+mod friction;
+mod lever;
 mod polygon;
+
+pub use friction::friction;
+pub use lever::lever;
 
 use crate::error::Missing;
 use crate::scene::Scene;
@@ -26,21 +31,9 @@ pub struct Part {
 /// # Errors
 /// There are no forces: nothing loads the mechanism, they are not determined, or friction locks it.
 pub fn forces(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
-    let model = &scene.model;
-    if let Some(defect) = &model.structure.force_defect {
-        return Err(Missing::no_forces(
-            &defect.to_string(),
-            "declare what holds it: `balance torque Mb on crank`",
-        ));
-    }
-    if scene.solved.state.forces.locked {
-        let help = "draw another pose, or lower the friction";
-        return Err(Missing::no_forces("friction locks the mechanism", help));
-    }
-    if !model.plan.effects.forces || !is_loaded(model) {
-        let help =
-            "declare a load: `force P on ram at Q = 100 N @ 180 deg`, or `gravity 9.81 m/s^2` and masses";
-        return Err(Missing::no_forces("nothing loads the mechanism", help));
+    determined(scene)?;
+    if !is_loaded(&scene.model) {
+        return Err(nothing_loads());
     }
     let mut drawings = Vec::new();
     for part in parts(scene) {
@@ -55,6 +48,26 @@ pub fn forces(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
         return Err(Missing::nothing_placed("forces act at points"));
     }
     Ok(drawings)
+}
+
+/// Refuses where the forces are not known.
+fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
+    if let Some(defect) = &scene.model.structure.force_defect {
+        return Err(Missing::no_forces(
+            &defect.to_string(),
+            "declare what holds it: `balance torque Mb on crank`",
+        ));
+    }
+    if scene.solved.state.forces.locked {
+        let help = "draw another pose, or lower the friction";
+        return Err(Missing::no_forces("friction locks the mechanism", help));
+    }
+    if scene.model.plan.effects.forces { Ok(()) } else { Err(nothing_loads()) }
+}
+
+fn nothing_loads() -> Missing {
+    let help = "declare a load: `force P on ram at Q = 100 N @ 180 deg`, or `gravity 9.81 m/s^2` and masses";
+    Missing::no_forces("nothing loads the mechanism", help)
 }
 
 fn is_loaded(model: &Model<'_>) -> bool {

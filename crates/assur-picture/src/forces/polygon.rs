@@ -121,7 +121,7 @@ fn letter(i: usize) -> String {
 }
 
 fn captions(drawing: &mut Drawing, sides: &[Side], scale: &Scale) {
-    let text = Text::italic("μ").sub("F").and(&format!(" = {} N/mm", scale.text()), false, Level::Base);
+    let text = Text::italic("μ").lowered("F").and(&format!(" = {} N/mm", scale.text()), false, Level::Base);
     drawing.caption(text);
     for (row, line) in sides.chunks(4).enumerate() {
         let mut text = Text::default();
@@ -192,7 +192,7 @@ fn sides(scene: &Scene<'_>, part: &Part, acting: &Acting) -> Sides {
 fn part_of(force: &Force, kind: &str, value: Vec2) -> Side {
     let mut name = force.name.clone();
     let index = name.runs.pop();
-    name = name.sup(kind);
+    name = name.raised(kind);
     name.runs.extend(index);
     Side { name, force: value, style: Style::UnknownPart }
 }

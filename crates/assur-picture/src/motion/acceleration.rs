@@ -36,7 +36,7 @@ pub fn accelerations(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> 
     let mut plan = PlanOf::new(drawing, &ends, &all, "m/s²", size);
     plan.pole(Text::italic("p").and("′", false, assur_drawing::Level::Base));
     for (node, a) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
-        plan.absolute(Style::Acceleration, *a, Text::italic("a").sub(&node.index()));
+        plan.absolute(Style::Acceleration, *a, Text::italic("a").lowered(&node.index()));
     }
     for part in parts {
         plan.vector(part.style, (part.from, part.to), part.name, (part.to - part.from).norm());
@@ -62,7 +62,7 @@ struct Part {
 }
 
 fn named(kind: &str, of: &str) -> Text {
-    Text::italic("a").sup(kind).sub(of)
+    Text::italic("a").raised(kind).lowered(of)
 }
 
 /// What is drawn beside the absolute vectors.
@@ -88,7 +88,7 @@ fn parts(scene: &Scene<'_>, nodes: &Nodes) -> Vec<Part> {
         let (from, to) = (known.acceleration(scene), found.acceleration(scene));
         let index = format!("{}{}", found.index(), known.index());
         let several = nodes.sliding.len() > 1;
-        let k = if several { Text::italic("k").sub(&found.index()) } else { Text::italic("k") };
+        let k = if several { Text::italic("k").lowered(&found.index()) } else { Text::italic("k") };
         let style = Style::AccelerationPart;
         parts.push(Part { style, from, to: from + coriolis, name: named("k", &index), end: Some(k) });
         let style = Style::AccelerationTangent;
@@ -108,7 +108,7 @@ fn replaced(scene: &Scene<'_>, base: &Node, other: &Node, parts: &mut Vec<Part>)
     let (from, to) = (base.acceleration(scene), other.acceleration(scene));
     let normal = from - r * (omega * omega);
     let index = format!("{}{}", other.index(), base.index());
-    let n = Text::italic("n").sub(&index);
+    let n = Text::italic("n").lowered(&index);
     let style = Style::AccelerationPart;
     parts.push(Part { style, from, to: normal, name: named("n", &index), end: Some(n) });
     let style = Style::AccelerationTangent;
@@ -134,7 +134,7 @@ fn turning(scene: &Scene<'_>, link: LinkId, base: &Node, other: &Node, parts: &m
     let normal = from - r * (body.omega * body.omega);
     let to = acceleration(body, other.at);
     let index = if base.fixed { other.index() } else { format!("{}{}", other.index(), base.index()) };
-    let n = Text::italic("n").sub(scene.link_label(link));
+    let n = Text::italic("n").lowered(scene.link_label(link));
     let style = Style::AccelerationPart;
     parts.push(Part { style, from, to: normal, name: named("n", &index), end: Some(n) });
     let style = Style::AccelerationTangent;

@@ -5,6 +5,7 @@ mod nodes;
 mod velocity;
 
 pub use acceleration::accelerations;
+pub use nodes::{Node, Nodes, velocity as velocity_at};
 pub use velocity::velocities;
 
 use crate::frame::Frame;
@@ -202,7 +203,7 @@ fn significant(x: f64) -> String {
 fn small(name: &str, sub: Option<&str>) -> Text {
     let lower: String = name.to_lowercase();
     match sub {
-        Some(sub) => Text::name(&lower).sub(sub),
+        Some(sub) => Text::name(&lower).lowered(sub),
         None => Text::name(&lower),
     }
 }

@@ -35,7 +35,7 @@ pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     plan.pole(Text::italic("p"));
     let is_of = |n: &Node| !n.fixed;
     for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| is_of(n)) {
-        plan.absolute(Style::Velocity, *v, Text::italic("v").sub(&node.index()));
+        plan.absolute(Style::Velocity, *v, Text::italic("v").lowered(&node.index()));
     }
     relative(scene, &nodes, &mut plan);
     for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| is_of(n)) {
@@ -58,7 +58,7 @@ fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf<'_>) {
         }
         for other in others {
             let ends = (base.velocity(scene), other.velocity(scene));
-            let name = Text::italic("v").sub(&format!("{}{}", other.index(), base.index()));
+            let name = Text::italic("v").lowered(&format!("{}{}", other.index(), base.index()));
             plan.vector(Style::VelocityPart, ends, name, (ends.1 - ends.0).norm());
         }
     }
@@ -66,7 +66,7 @@ fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf<'_>) {
         let (a, b) = (&nodes.nodes[*first.min(second)], &nodes.nodes[*first.max(second)]);
         if !a.fixed && !b.fixed {
             let ends = (a.velocity(scene), b.velocity(scene));
-            let name = Text::italic("v").sub(&format!("{}{}", b.index(), a.index()));
+            let name = Text::italic("v").lowered(&format!("{}{}", b.index(), a.index()));
             plan.vector(Style::VelocityPart, ends, name, (ends.1 - ends.0).norm());
         }
     }
@@ -76,7 +76,7 @@ fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf<'_>) {
         let later = super::nodes::rank(scene, slider.link) > super::nodes::rank(scene, guide.link);
         let (known, found) = if later { (guide, slider) } else { (slider, guide) };
         let ends = (known.velocity(scene), found.velocity(scene));
-        let name = Text::italic("v").sub(&format!("{}{}", found.index(), known.index()));
+        let name = Text::italic("v").lowered(&format!("{}{}", found.index(), known.index()));
         plan.vector(Style::VelocityPart, ends, name, (ends.1 - ends.0).norm());
     }
 }

@@ -47,7 +47,7 @@ impl Sketch<'_, '_> {
                             from,
                             along,
                             LENGTH,
-                            Text::italic("v").sub(&drive.name),
+                            Text::italic("v").lowered(&drive.name),
                         );
                     }
                 }
@@ -62,7 +62,7 @@ impl Sketch<'_, '_> {
     }
 
     /// The hinge of a link: on the ground, else any.
-    fn pivot(&self, link: LinkId) -> Option<Vec2> {
+    pub(super) fn pivot(&self, link: LinkId) -> Option<Vec2> {
         let pins = self.scene.mechanism().pairs.iter().filter_map(|p| match &p.kind {
             PairKind::Revolute(pins) => {
                 let own = pins.iter().find(|pin| pin.link == link)?;
@@ -139,7 +139,7 @@ impl Sketch<'_, '_> {
             PairKind::Prismatic(_) | PairKind::Slot(_) | PairKind::Cylinder { .. } => {
                 let Some((at, along)) = self.line_of(pair) else { return };
                 let along = if forward { along } else { -along };
-                self.push(drawing, Style::Drive, at, along, LENGTH, Text::italic("v").sub(&drive.name));
+                self.push(drawing, Style::Drive, at, along, LENGTH, Text::italic("v").lowered(&drive.name));
             }
             _ => {}
         }

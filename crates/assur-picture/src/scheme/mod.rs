@@ -3,9 +3,12 @@
 mod effort;
 mod label;
 mod link;
+mod mesh;
 mod pair;
 mod profile;
+mod ways;
 
+use crate::error::Missing;
 use crate::frame::Frame;
 use crate::scene::Scene;
 use crate::shape::{LinkShape, Outline, shapes};
@@ -35,11 +38,16 @@ pub struct Scheme {
     pub size: Vec2,
     /// Its scale, where it is wanted.
     pub scale: Option<Scale>,
+    /// How many other poses are shown.
+    pub ghosts: usize,
+    /// Points whose paths are shown: `coupler.S2`.
+    pub paths: Vec<String>,
 }
 
 impl Default for Scheme {
     fn default() -> Self {
-        Self { loads: Loads::All, size: Vec2::new(180.0, 120.0), scale: None }
+        let (ghosts, paths) = (0, Vec::new());
+        Self { loads: Loads::All, size: Vec2::new(180.0, 120.0), scale: None, ghosts, paths }
     }
 }
 
@@ -53,10 +61,14 @@ const TALLER: f64 = 1.35;
 const BAR: f64 = 25.0;
 
 /// The scheme of a position.
-#[must_use]
-pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Drawing {
+///
+/// # Errors
+/// A path is wanted of a point that is not there, or where the drive has no way.
+pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
     let shapes = shapes(scene);
-    let bounds = extent(scene, &shapes);
+    let traced = ways::traced(scene, wanted)?;
+    let mut bounds = extent(scene, &shapes);
+    ways::extent(scene, wanted, &traced, &mut bounds);
     let size = wanted.size * crowding(scene);
     let fitting = Frame::fitting(&bounds, paper(&bounds, size) - AROUND);
     let frame = match (wanted.scale, fitting.scale) {
@@ -66,13 +78,15 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Drawing {
     let title = format!("{}: kinematic scheme{}", words::title(scene), words::at_position(scene));
     let mut drawing = Drawing::new(&words::id(scene, "scheme"), title, String::new());
     let mut sketch = Sketch::new(scene, &shapes, &frame);
+    sketch.ghosts(&mut drawing, wanted.ghosts);
+    sketch.paths(&mut drawing, &traced);
     sketch.draw(&mut drawing, wanted);
     drawing.description = words::mechanism(scene) + &sketch.said;
     if let Some(scale) = frame.scale {
         drawing.captions.push(length_scale(&scale));
         drawing.description += &format!("Length scale {} m per mm.", scale.text());
     }
-    drawing
+    Ok(drawing)
 }
 
 /// How much larger than usual a sheet is, so that the symbols of many pairs have room.
@@ -164,6 +178,7 @@ impl<'a, 's> Sketch<'a, 's> {
     fn draw(&mut self, drawing: &mut Drawing, wanted: &Scheme) {
         self.rails(drawing);
         self.wheels(drawing);
+        self.meshes(drawing);
         self.profiles(drawing);
         self.plates(drawing);
         self.draw_blocks(drawing);

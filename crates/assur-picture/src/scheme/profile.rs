@@ -5,7 +5,7 @@ use crate::scene::Scene;
 use crate::symbol::{hinge, mass};
 use assur_drawing::{Drawing, Rect, Shape, Style};
 use assur_math::math::Vec2;
-use assur_model::model::{LinkId, PairId, PairKind, Profile, ProfileShape, TransmissionKind, Wheel};
+use assur_model::model::{LinkId, PairId, PairKind, Profile, ProfileShape, Wheel};
 
 /// How far a flat face goes beyond its contact, mm.
 const FACE: f64 = 7.0;
@@ -61,21 +61,6 @@ impl Sketch<'_, '_> {
             let at = self.on_paper(wheel.link, centre);
             drawing
                 .mark(Style::Medium, Shape::Circle { centre: at, radius: self.frame.length(wheel.radius) });
-            drawing.end();
-        }
-        self.racks(drawing);
-    }
-
-    /// The pitch lines of racks.
-    fn racks(&self, drawing: &mut Drawing) {
-        for pair in &self.scene.mechanism().pairs {
-            let PairKind::Transmission(t) = &pair.kind else { continue };
-            if t.kind != TransmissionKind::Rack {
-                continue;
-            }
-            let Some(meeting) = &t.meeting else { continue };
-            let _ = meeting;
-            drawing.begin("pair", &pair.name);
             drawing.end();
         }
     }

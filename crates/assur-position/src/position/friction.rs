@@ -255,11 +255,10 @@ fn newton(plan: &Plan, group: &FrictionGroup, work: &mut FrictionWork) -> bool {
             let weight = work.senses[i] * kind.factor();
             work.right[i] = -(work.values[i] + weight * measure);
             scale = scale.max((weight * measure).abs());
-            let slopes = row[1..].iter().zip(&work.senses).enumerate().map(|(j, (unit, sense))| {
-                let slope = if *sense == 0.0 { 0.0 } else { gradient.dot(*unit) };
-                f64::from(u8::from(i == j)) + weight * slope
-            });
-            work.jacobian.set_row(i, slopes);
+            for j in 0..count {
+                let slope = if work.senses[j] == 0.0 { 0.0 } else { gradient.dot(row[j + 1]) };
+                *work.jacobian.at_mut(i, j) = f64::from(u8::from(i == j)) + weight * slope;
+            }
         }
         if !work.jacobian.factor() {
             return false;

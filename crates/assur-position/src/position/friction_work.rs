@@ -1,7 +1,7 @@
 //! Memory of the steps that solve a group with friction.
 
 use super::wrench::Wrench;
-use crate::math::{Sparse, Vec2};
+use crate::math::{Lu, Vec2};
 use crate::plan::FrictionGroup;
 
 /// Memory of a group with friction.
@@ -12,7 +12,7 @@ pub struct FrictionWork {
     /// What the law of each element measures, two numbers each: a row per element, from the loads and from each unit.
     pub(super) measured: Vec<Vec2>,
     pub(super) senses: Vec<f64>,
-    pub(super) jacobian: Sparse,
+    pub(super) jacobian: Lu,
     pub(super) values: Vec<f64>,
     pub(super) right: Vec<f64>,
     pub(super) steps: u32,
@@ -33,7 +33,7 @@ impl FrictionWork {
             saved: vec![Wrench::default(); group.bodies.len() + group.bases.len()],
             measured: vec![Vec2::zero(); count * (count + 1)],
             senses: vec![0.0; count],
-            jacobian: Sparse::new(count),
+            jacobian: Lu::new(count),
             values: vec![0.0; count],
             right: vec![0.0; count],
             steps: 0,

@@ -2,7 +2,7 @@
 
 use super::general_work::Workspace;
 use super::state::{Branch, State};
-use crate::group::general::{self, Acceleration, Constraint, Geared, General, Law, Pose, Velocity};
+use crate::group::general::{self, Acceleration, Constraint, Geared, General, Law, Meant, Pose, Velocity};
 use crate::plan::{GeneralMotion, Settings};
 
 /// Starts of the search for assemblies: many for few bodies, as `group::general::assemblies` advises.
@@ -142,13 +142,13 @@ pub fn is_never_regular(state: &State, problem: usize, group: &GeneralMotion) ->
     general::is_never_regular(&mut work.equations, &work.poses)
 }
 
-/// All states in which a general group can be, from a given number of starts.
+/// All states in which a general group can be, from a given number of starts, and from where it is meant to stand.
 pub fn assemblies(
     before: &State,
     branch: usize,
     problem: usize,
     group: &GeneralMotion,
-    starts: usize,
+    (starts, meant): (usize, Option<&Meant>),
 ) -> Vec<State> {
     let Some(work) = before.scratch.motion_work.get(problem).and_then(Option::as_ref) else {
         return Vec::new();
@@ -162,7 +162,7 @@ pub fn assemblies(
         state.set_sides(&mut work.equations, group, state.branches[branch]);
         state.set_turns(&mut work.equations, group);
         state.read_poses(&group.bodies, &mut work.poses);
-        for poses in general::assemblies(&mut work.equations, &work.poses, starts) {
+        for poses in general::assemblies_near(&mut work.equations, &work.poses, starts, meant) {
             let mut found = state.clone();
             found.motion.open = None;
             found.write_poses(&group.bodies[..group.moving], &poses);

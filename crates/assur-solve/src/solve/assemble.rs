@@ -1,6 +1,7 @@
 //! Finds the assembly of the first position: all of them are tried, group by group, and `assemble` chooses.
 
 use super::failure::Cause;
+use super::meant::meant;
 use super::unassembled::{ambiguous, does_not_close, not_met};
 use crate::answer::{PoseAnswers, first_angles};
 use crate::math::Vec2;
@@ -137,7 +138,10 @@ fn assemblies(model: &Model<'_>, state: &mut State, index: usize, starts: usize)
     let step = &model.plan.motion[index];
     if let MotionStep::General { problem, .. } = step {
         let group = &model.plan.general[*problem];
-        let mut found = crate::position::general_assemblies(state, index, *problem, group, starts);
+        let mut found = {
+            let meant = meant(model, state, index, group);
+            crate::position::general_assemblies(state, index, *problem, group, (starts, meant.as_ref()))
+        };
         found.retain(|state| cylinders_are_positive(model, state, index));
         return found.iter().map(|state| Assembly::of(model, state, index)).collect();
     }

@@ -16,6 +16,7 @@ mod friction_notes;
 mod gap;
 mod inputs;
 mod lost;
+mod meant;
 mod note;
 mod notes;
 mod pose;

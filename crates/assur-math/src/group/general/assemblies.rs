@@ -9,11 +9,23 @@ const DISTINCT: f64 = 1e-6;
 /// A step below this, relative to the length of the group, ends the iteration.
 const SMALL: f64 = 1e-12;
 
+/// Of more bodies than this many starts find little, and where the bodies are meant to stand is enough.
+const FEW_BODIES: usize = 12;
+
 /// Places at which a determinant is looked at.
 const PROBES: usize = 8;
 
 /// A condition figure of rounding alone.
 const VANISHES: f64 = 4.0 * f64::EPSILON;
+
+/// Where the bodies of a group are meant to stand.
+#[derive(Clone, Debug)]
+pub struct Meant {
+    /// One pose for each of the group's own bodies.
+    pub poses: Vec<Pose>,
+    /// Every one of them follows from places that are named.
+    pub whole: bool,
+}
 
 /// Assemblies of a group, by Newton's method from many starts. For use when a problem is set up: it allocates.
 /// # Given
@@ -25,29 +37,57 @@ const VANISHES: f64 = 4.0 * f64::EPSILON;
 /// between −π and π.
 #[must_use]
 pub fn assemblies(group: &mut General, poses: &[Pose], starts: usize) -> Vec<Vec<Pose>> {
+    assemblies_near(group, poses, starts, None)
+}
+
+/// As [`assemblies`], with a start more: where the group's bodies are meant to stand. In a group of many bodies hardly any
+/// other start leads anywhere; if all places of such a group are meant and this start closes, it is the only one.
+#[must_use]
+pub fn assemblies_near(
+    group: &mut General,
+    poses: &[Pose],
+    starts: usize,
+    meant: Option<&Meant>,
+) -> Vec<Vec<Pose>> {
     let mut found: Vec<Vec<Pose>> = Vec::new();
     if is_never_regular(group, poses) {
         return found;
     }
+    let near = meant.and_then(|meant| {
+        let mut trial = poses.to_vec();
+        trial[..group.moving].copy_from_slice(&meant.poses);
+        closed(group, trial)
+    });
+    let alone = group.moving > FEW_BODIES && near.is_some() && meant.is_some_and(|meant| meant.whole);
     let (centre, reach) = surroundings(group, poses);
-    for start in 0..starts {
+    for start in 0..if alone { 0 } else { starts } {
         let mut trial = poses.to_vec();
         if start > 0 {
             for (body, pose) in trial[..group.moving].iter_mut().enumerate() {
                 *pose = scattered(start, body, centre, reach);
             }
         }
-        group.laws.iter_mut().for_each(|law| law.count_from(group.moving, &trial));
-        let closes = group.position(&mut trial, SMALL).is_ok();
-        if closes && group.laws.iter().all(|law| law.is_principal(group.moving, &trial)) {
-            trial.truncate(group.moving);
-            let known = found.iter().any(|other| distance(other, &trial, group.length) < DISTINCT);
-            if !known {
-                found.push(trial);
-            }
-        }
+        let one = closed(group, trial);
+        enter(group, &mut found, one);
     }
+    enter(group, &mut found, near);
     found
+}
+
+/// Where Newton's method leads from a start, if it closes there.
+fn closed(group: &mut General, mut trial: Vec<Pose>) -> Option<Vec<Pose>> {
+    group.laws.iter_mut().for_each(|law| law.count_from(group.moving, &trial));
+    let closes = group.position(&mut trial, SMALL).is_ok();
+    let is_one = closes && group.laws.iter().all(|law| law.is_principal(group.moving, &trial));
+    trial.truncate(group.moving);
+    is_one.then_some(trial)
+}
+
+/// Keeps an assembly that is not known.
+fn enter(group: &General, found: &mut Vec<Vec<Pose>>, trial: Option<Vec<Pose>>) {
+    let known = |trial: &Vec<Pose>| found.iter().any(|other| distance(other, trial, group.length) < DISTINCT);
+    let new = trial.filter(|trial| !known(trial));
+    found.extend(new);
 }
 
 /// Whether the Jacobian is singular wherever the group's bodies stand, as with guides that are parallel. Its determinant is

@@ -315,6 +315,22 @@ fn two_assemblies_of_a_dyad() {
     assert_eq!(branches.filter_map(Result::ok).sum::<f64>(), 0.0);
 }
 
+#[test]
+fn starts_where_the_bodies_are_meant_to_stand() {
+    let mut group = dyad(2.0, 2.5);
+    let x = Vec2::new(1.0, 0.0);
+    let poses = [0.0, 3.0, 0.0, 3.0].map(|at| Pose { p: Vec2::new(at, 0.0), u: x });
+    let all = assemblies(&mut group, &poses, 40);
+    for wanted in &all {
+        let near = |pose: &Pose| pose.moved(Vec2::new(0.01, -0.02), 0.03);
+        let meant = Meant { poses: wanted.iter().map(near).collect(), whole: true };
+        // one start alone, and as one more among others
+        let found = assemblies_near(&mut group, &poses, 0, Some(&meant));
+        assert!(found.len() == 1 && (found[0][0].u - wanted[0].u).norm() < 1e-9, "{found:?}");
+        assert_eq!(assemblies_near(&mut group, &poses, 40, Some(&meant)).len(), all.len());
+    }
+}
+
 /// Assemblies of a triad, counted otherwise: the third link's length as leg 1 turns, the rest a dyad.
 fn count_by_scanning(scene: &Scene) -> usize {
     let r: Vec<Vec2> = (0..3)

@@ -9,4 +9,5 @@ mod magnitudes;
 mod periodic;
 mod ratio;
 mod root;
+mod sparse;
 mod table_function;

@@ -1,0 +1,7 @@
+//! Unit tests of the drawing floor.
+
+mod palette;
+mod placement;
+mod scale;
+mod svg;
+mod text;

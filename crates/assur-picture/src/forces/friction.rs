@@ -1,0 +1,305 @@
+//! Friction: circles at the scale of lengths with the action lines that touch them, the angle between a reaction and the
+//! normal at guides and contacts, and the frictionless line beside each.
+
+use super::{determined, figure};
+use crate::angles::{flipped, freest, wrapped};
+use crate::error::Missing;
+use crate::frame::Frame;
+use crate::scene::Scene;
+use crate::scheme::length_scale;
+use crate::shape::{Outline, shapes};
+use crate::symbol::{arrow, guide, hinge, mass};
+use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text, on_circle};
+use assur_math::math::Vec2;
+use assur_model::model::{LinkId, PairId, PairKind};
+use assur_solve::solve::PairFriction;
+use std::f64::consts::TAU;
+
+/// Length of a reaction's arrow, and of its line on the other side, mm.
+const ARROW: f64 = 19.0;
+const LINE: f64 = 14.0;
+/// Radius of a hinge within its friction circle.
+const SMALL: f64 = 0.7;
+/// Friction circles smaller than this on paper are shown magnified; their radius there, and that of the inset.
+const HIDDEN: f64 = 1.2;
+const MAGNIFIED: f64 = 5.0;
+const INSET: f64 = 12.0;
+/// From the drawing to the inset.
+const BESIDE: f64 = 20.0;
+/// Radius and angle of the arrow of a relative turn.
+const TURN: (f64, f64) = (6.0, 1.0);
+/// What arrows and names take, mm.
+const AROUND: Vec2 = Vec2::new(40.0, 36.0);
+/// Sizes of letters.
+const LETTERS: f64 = 4.0;
+const POINT: f64 = 4.4;
+
+/// The picture of friction at a position.
+///
+/// # Errors
+/// No pair has friction; the forces are not known.
+pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+    if !scene.mechanism().pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some())) {
+        return Err(Missing::NoFriction);
+    }
+    if !scene.model.plan.effects.moving {
+        return Err(Missing::no_speed(scene, "velocities"));
+    }
+    determined(scene)?;
+    let frictions: Vec<PairFriction> = scene
+        .view()
+        .pair_frictions()
+        .into_iter()
+        .filter(|f| scene.is_placed(f.on) && scene.is_placed(f.from))
+        .collect();
+    if frictions.is_empty() {
+        return Err(Missing::nothing_placed("friction is drawn at its pairs"));
+    }
+    let all = shapes(scene);
+    let mut bounds = Rect::NOTHING;
+    for (i, shape) in all.iter().enumerate().skip(1) {
+        let link = LinkId::at(i);
+        if scene.is_placed(link) && !scene.is_in_cylinder(link) {
+            shape.extent(scene, link, &mut bounds);
+        }
+    }
+    let frame = Frame::fitting(&bounds, size - AROUND);
+    let mut picture = Picture { scene, frame, drawing: empty(scene, &frictions), outlines: Vec::new() };
+    for (i, shape) in all.iter().enumerate().skip(1) {
+        let link = LinkId::at(i);
+        if scene.is_placed(link) && !scene.is_in_cylinder(link) {
+            let body = scene.body(link);
+            picture.outlines.push((link, shape.outline(&picture.frame, &|at| body.position(at))));
+        }
+    }
+    picture.links();
+    for friction in &frictions {
+        if friction.turns { picture.journal(friction) } else { picture.guide(friction) }
+    }
+    picture.inset(&frictions);
+    if let Some(scale) = picture.frame.scale {
+        picture.drawing.captions.push(length_scale(&scale));
+    }
+    Ok(picture.drawing)
+}
+
+fn empty(scene: &Scene<'_>, frictions: &[PairFriction]) -> Drawing {
+    let title = format!("{}: friction{}", crate::words::title(scene), crate::words::at_position(scene));
+    let said = frictions.iter().map(|f| {
+        let name = &scene.mechanism().pair(f.pair).name;
+        let (what, unit) = if f.turns { ("torque", "N·m") } else { ("force", "N") };
+        let pressed = figure(f.normal);
+        format!(
+            "{name}: {what} {} {unit} on {}, pressed by {pressed} N",
+            figure(f.effort),
+            scene.link_label(f.on)
+        )
+    });
+    let description = format!("Friction in the pairs. {}.", said.collect::<Vec<_>>().join("; "));
+    Drawing::new(&crate::words::id(scene, "friction"), title, description)
+}
+
+/// A picture that is being drawn.
+struct Picture<'a, 's> {
+    scene: &'s Scene<'a>,
+    frame: Frame,
+    drawing: Drawing,
+    outlines: Vec<(LinkId, Outline)>,
+}
+
+impl Picture<'_, '_> {
+    fn links(&mut self) {
+        let mechanism = self.scene.mechanism();
+        for pair in &mechanism.pairs {
+            if let PairKind::Prismatic(g) = &pair.kind
+                && self.scene.is_placed(g.slider)
+                && self.scene.is_placed(g.guide)
+            {
+                let along = flipped(g.along.turned(self.scene.body(g.guide).u));
+                let at = self.frame.point(self.scene.at(g.slider, g.point));
+                guide::block(&mut self.drawing, at, along, (-guide::BLOCK.x, guide::BLOCK.x), guide::BLOCK.y);
+                if g.guide == LinkId::GROUND {
+                    guide::rail(&mut self.drawing, at, along, (-15.0, 15.0));
+                }
+            }
+        }
+        for (link, outline) in &self.outlines {
+            self.drawing.begin("link", &mechanism.link(*link).name);
+            for plate in &outline.plates {
+                self.drawing.mark(Style::Plate, Shape::polygon(plate.clone()));
+            }
+            outline.bars.iter().for_each(|(a, b)| self.drawing.line(Style::Link, *a, *b));
+            let longest =
+                outline.bars.iter().max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));
+            if let (Some((a, b)), Some(number)) = (longest, &mechanism.link(*link).number) {
+                let label = Label::along(Text::upright(number), 3.7, *a, *b).ringed(2.5).ranked(3);
+                self.drawing.label(label);
+            }
+            self.drawing.end();
+        }
+        for pair in &mechanism.pairs {
+            let PairKind::Revolute(pins) = &pair.kind else { continue };
+            let Some(pin) = pins.iter().find(|p| p.link != LinkId::GROUND && self.scene.is_placed(p.link))
+            else {
+                continue;
+            };
+            let at = self.frame.point(self.scene.at(pin.link, pin.at));
+            if pins.iter().any(|p| p.link == LinkId::GROUND) {
+                hinge::support(&mut self.drawing, at);
+            }
+            let lines: Vec<Vec2> = self.lines_at(at);
+            let label = Label::at(Text::name(&pair.name), POINT, at, hinge::RADIUS + 0.6).ranked(1);
+            self.drawing.label(freest(&lines).map_or(label.clone(), |d| label.towards(d)));
+        }
+    }
+
+    fn lines_at(&self, at: Vec2) -> Vec<Vec2> {
+        let bars = self.outlines.iter().flat_map(|(_, o)| o.bars.iter());
+        let near = bars.filter(|(a, b)| Segment { a: *a, b: *b }.distance(at) < 0.3);
+        near.flat_map(|(a, b)| [*a - at, *b - at]).filter(|d| d.norm() > 1.0).collect()
+    }
+
+    /// The reaction on the second link, its distance to the left of the hinge, m, and the hinge, m.
+    fn action(&self, f: &PairFriction) -> Option<(Vec2, f64, Vec2)> {
+        let PairKind::Revolute(pins) = &self.scene.mechanism().pair(f.pair).kind else { return None };
+        let at = pins.iter().find(|p| p.link == f.on)?;
+        let force = self.scene.view().reaction(f.pair, f.on);
+        let size = force.norm();
+        (size > 0.0).then(|| (force, -f.effort / size, self.scene.at(f.on, at.at)))
+    }
+
+    /// A friction circle with its action line, the frictionless line and the relative turn.
+    fn journal(&mut self, f: &PairFriction) {
+        let Some((force, left, centre)) = self.action(f) else { return };
+        let name = self.scene.mechanism().pair(f.pair).name.clone();
+        self.drawing.begin("pair", &name);
+        let at = self.frame.point(centre);
+        let radius = self.frame.length(f.factor);
+        if radius > 0.05 {
+            self.drawing.mark(Style::FrictionCircle, Shape::Circle { centre: at, radius });
+        }
+        self.drawing.mark(Style::Hinge, Shape::Circle { centre: at, radius: SMALL.min(hinge::RADIUS) });
+        let along = flipped(force) / force.norm();
+        // to the left of the force on the ground
+        let touch = at + flipped(force.perp()) / force.norm() * self.frame.length(left);
+        self.drawing.line(Style::Dashed, touch - along * LINE, touch + along * LINE);
+        self.drawing.mark(Style::Unknown, Shape::Arrow(touch, touch + along * ARROW));
+        let label =
+            Label::along(self.reaction_name(f), LETTERS, touch + along * 9.0, touch + along * (ARROW + 2.0));
+        self.drawing.label(label.coloured(Role::Green).ranked(2));
+        self.without(f, at);
+        if f.speed != 0.0 {
+            let fixed = f.from == LinkId::GROUND || f.on == LinkId::GROUND;
+            let middle = -self.free_angle(at, along, fixed);
+            arrow::turn(&mut self.drawing, Style::Drive, at, TURN.0, (middle, TURN.1), f.speed > 0.0);
+            let tip = arrow::middle(at, TURN.0, middle);
+            let on = self.scene.link_label(f.on);
+            let from = if f.from == LinkId::GROUND { "" } else { self.scene.link_label(f.from) };
+            let label = Label::at(Text::italic("ω").lowered(&format!("{on}{from}")), 3.6, tip, 0.4);
+            self.drawing.label(label.towards(tip - at).coloured(Role::Blue).ranked(3));
+        }
+        self.drawing.end();
+    }
+
+    /// A direction on paper away from bars, from the action line and from the support of a fixed hinge.
+    fn free_angle(&self, at: Vec2, along: Vec2, fixed: bool) -> f64 {
+        let mut busy = self.lines_at(at);
+        busy.extend([along, -along]);
+        if fixed {
+            busy.extend([Vec2::new(-0.7, 0.7), Vec2::new(0.0, 1.0), Vec2::new(0.7, 0.7)]);
+        }
+        freest(&busy).map_or(0.0, Vec2::angle)
+    }
+
+    /// The line of the reaction without friction, thin.
+    fn without(&mut self, f: &PairFriction, at: Vec2) {
+        let free = self.scene.view().without_friction().reaction(f.pair, f.on);
+        if let Some(along) = flipped(free).unit() {
+            self.drawing.line(Style::Thin, at - along * LINE, at + along * LINE);
+        }
+    }
+
+    fn reaction_name(&self, f: &PairFriction) -> Text {
+        let mechanism = self.scene.mechanism();
+        let number = |link: LinkId| mechanism.link(link).number.as_deref();
+        match (number(f.from), number(f.on)) {
+            (Some(from), Some(on)) => Text::italic("R").lowered(&format!("{from}{on}")),
+            _ => Text::italic("R").lowered(&mechanism.pair(f.pair).name),
+        }
+    }
+
+    /// Normal, reaction and the angle of friction between them.
+    fn guide(&mut self, f: &PairFriction) {
+        let Some((at, normal)) = self.guide_of(f.pair) else { return };
+        let force = flipped(self.scene.view().reaction(f.pair, f.on));
+        let (Some(along), Some(normal)) = (force.unit(), flipped(normal).unit()) else { return };
+        let normal = if normal.dot(along) < 0.0 { -normal } else { normal };
+        let name = self.scene.mechanism().pair(f.pair).name.clone();
+        self.drawing.begin("pair", &name);
+        let at = self.frame.point(at);
+        self.drawing.line(Style::Axis, at - normal * LINE, at + normal * (ARROW + 3.0));
+        self.drawing.line(Style::Dashed, at - along * LINE, at);
+        self.drawing.mark(Style::Unknown, Shape::Arrow(at, at + along * ARROW));
+        let label =
+            Label::along(self.reaction_name(f), LETTERS, at + along * 9.0, at + along * (ARROW + 2.0));
+        self.drawing.label(label.coloured(Role::Green).ranked(2));
+        let (from, sweep) = (normal.angle(), wrapped(along.angle() - normal.angle()));
+        if sweep.abs() > 0.01 {
+            let radius = ARROW * 0.8;
+            self.drawing.mark(Style::Thin, Shape::Arc { centre: at, radius, from, sweep });
+            let angle = libm::atan(f.factor) * 360.0 / TAU;
+            let name = Text::italic("φ").and(&format!(" = {}°", figure(angle)), false, Level::Base);
+            let middle = on_circle(at, radius, from + sweep / 2.0);
+            self.drawing.label(Label::at(name, 3.6, middle, 0.4).towards(middle - at).ranked(4));
+        }
+        self.drawing.end();
+    }
+
+    /// Where a guide or a contact presses, and its normal, in ground axes.
+    fn guide_of(&self, pair: PairId) -> Option<(Vec2, Vec2)> {
+        match &self.scene.mechanism().pair(pair).kind {
+            PairKind::Prismatic(g) => {
+                let along = g.along.turned(self.scene.body(g.guide).u);
+                Some((self.scene.at(g.slider, g.point), along.perp()))
+            }
+            _ => self.scene.view().contact_normal(pair),
+        }
+    }
+
+    /// The largest friction circle that the scale hides, magnified beside the drawing.
+    fn inset(&mut self, frictions: &[PairFriction]) {
+        let hidden = frictions.iter().filter(|f| f.turns && self.frame.length(f.factor) < HIDDEN);
+        let right = |f: &PairFriction| self.action(f).map_or(f64::MIN, |(_, _, at)| at.x);
+        let largest = hidden.max_by(|a, b| a.factor.total_cmp(&b.factor).then(right(a).total_cmp(&right(b))));
+        let Some(f) = largest else { return };
+        let Some((force, left, place)) = self.action(f) else { return };
+        let all = self.drawing.extent();
+        let at = self.frame.point(place);
+        let centre = Vec2::new(all.max.x + BESIDE, all.centre().y);
+        self.drawing.begin("inset", &self.scene.mechanism().pair(f.pair).name.clone());
+        self.drawing.mark(Style::Thin, Shape::Circle { centre: at, radius: 2.7 });
+        let towards = (centre - at).unit().unwrap_or(Vec2::new(1.0, 0.0));
+        self.drawing.line(Style::Thin, at + towards * 2.7, centre - towards * INSET);
+        self.drawing.mark(Style::Medium, Shape::Circle { centre, radius: INSET });
+        self.drawing.mark(Style::FrictionCircle, Shape::Circle { centre, radius: MAGNIFIED });
+        for line in self.lines_at(at) {
+            let along = line / line.norm();
+            self.drawing.line(Style::Link, centre + along * 1.2, centre + along * INSET);
+        }
+        self.drawing.mark(Style::Hinge, Shape::Circle { centre, radius: 1.2 });
+        let along = flipped(force) / force.norm();
+        let side = flipped(force.perp()) / force.norm() * (MAGNIFIED * left / f.factor);
+        let half = (INSET * INSET - side.dot(side)).max(0.0).sqrt();
+        let touch = centre + side;
+        self.drawing.line(Style::Thin, centre, touch);
+        self.drawing.line(Style::Dashed, touch - along * half, touch);
+        self.drawing.mark(Style::Unknown, Shape::Arrow(touch, touch + along * half));
+        mass::point(&mut self.drawing, touch);
+        let words = format!(" = {} mm, magnified", figure(f.factor * 1000.0));
+        let text = Text::italic("ρ").and(&words, false, Level::Base);
+        let below = Vec2::new(centre.x, centre.y + INSET);
+        let label = Label::at(text, 3.6, below, 0.3).towards(Vec2::new(0.0, 1.0));
+        self.drawing.label(label.coloured(Role::Vermilion).ranked(0));
+        self.drawing.end();
+    }
+}

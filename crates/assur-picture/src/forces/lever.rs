@@ -1,0 +1,292 @@
+//! Zhukovsky's lever: the plan of velocities turned by 90°, with the forces at the images of their points. The moments of
+//! all forces about the pole add up to nothing, which is the balance of powers.
+
+use super::acting::{Acting, Acts, Force};
+use super::{Part, figure, is_loaded};
+use crate::angles::{flipped, freest};
+use crate::error::Missing;
+use crate::frame::Frame;
+use crate::motion::{Node, Nodes, velocity_at};
+use crate::scene::Scene;
+use crate::symbol::{hinge, mass};
+use assur_drawing::{Drawing, Label, Level, Rect, Shape, Style, Text};
+use assur_math::math::Vec2;
+use assur_model::model::{BalanceId, DriveId, DriveTarget, LinkId, LoadId, LoadKind, PairKind, Query, Value};
+
+/// Lengths of arrows, mm: the least, and what the greatest force adds.
+const ARROW: (f64, f64) = (8.0, 12.0);
+/// What arrows and names take, mm.
+const AROUND: Vec2 = Vec2::new(60.0, 50.0);
+/// Sizes of letters.
+const POINT: f64 = 4.2;
+const LETTERS: f64 = 4.0;
+/// Terms less than this part of the largest are rounding.
+const NOTHING: f64 = 1e-12;
+/// Powers less than this part of the greatest there could be are none.
+const DEAD: f64 = 1e-12;
+
+/// The lever at a position.
+///
+/// # Errors
+/// There are no velocities, no forces, or no link has a place.
+pub fn lever(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+    if !scene.model.plan.effects.moving {
+        return Err(Missing::no_speed(scene, "velocities"));
+    }
+    super::determined(scene)?;
+    if !is_loaded(&scene.model) {
+        return Err(super::nothing_loads());
+    }
+    if scene.mechanism().drives.iter().any(|d| matches!(d.target, DriveTarget::Point(..))) {
+        let help = "the lever needs the whole machine; `forces` draws the group";
+        return Err(Missing::no_forces("a driven point replaces the rest of the machine", help));
+    }
+    let nodes = Nodes::of(scene, false);
+    if nodes.nodes.is_empty() {
+        return Err(Missing::nothing_placed("the lever is a plan of velocities"));
+    }
+    let forces = forces(scene);
+    let mut bounds = Rect::NOTHING;
+    bounds.add(Vec2::zero());
+    nodes.nodes.iter().for_each(|n| bounds.add(turned(scene, n.velocity(scene))));
+    forces.iter().for_each(|f| bounds.add(image(scene, f.on, f.at)));
+    let frame = Frame::new(Frame::fitting(&bounds, size - AROUND).scale, Vec2::zero());
+    let terms = terms(scene);
+    let largest = terms.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
+    let sum: f64 = terms.iter().map(|t| t.1).sum();
+    // where nothing does work, at a dead position, all terms are rounding
+    let scale = if largest > DEAD * greatest(scene) { largest } else { greatest(scene) };
+    let share = if scale > 0.0 { sum.abs() / scale } else { 0.0 };
+    let said: Vec<String> =
+        terms.iter().map(|(name, p)| format!("{} {}", name.plain(), figure(*p))).collect();
+    let title =
+        format!("{}: Zhukovsky’s lever{}", crate::words::title(scene), crate::words::at_position(scene));
+    let description = format!(
+        "The plan of velocities turned by 90 degrees, with the forces. Moments about the pole, N·m/s: {}. Their sum is {share:.0e} of the largest.",
+        said.join(", ")
+    );
+    let mut drawing = Drawing::new(&crate::words::id(scene, "lever"), title, description);
+    plan(scene, &nodes, &frame, &mut drawing);
+    arrows(scene, &frame, &forces, &mut drawing);
+    captions(&mut drawing, &frame, &terms);
+    Ok(drawing)
+}
+
+/// The power of the greatest force and the greatest moment at the greatest speeds.
+fn greatest(scene: &Scene<'_>) -> f64 {
+    let state = &scene.solved.state;
+    let (mut force, mut moment, mut v, mut omega) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+    for wrench in &state.forces.applied {
+        (force, moment) = (force.max(wrench.force.norm()), moment.max(wrench.moment.abs()));
+    }
+    for body in &state.motion.bodies {
+        (v, omega) = (v.max(body.v.norm()), omega.max(body.omega.abs()));
+    }
+    let extent = assur_solve::solve::extent(&scene.model);
+    (force + moment / extent) * (v + omega * extent)
+}
+
+/// A velocity turned by 90° against the first link that turns, so that the image of a crank lies as the crank.
+fn turned(scene: &Scene<'_>, v: Vec2) -> Vec2 {
+    let turning = scene.solved.state.motion.bodies.iter().map(|b| b.omega).find(|omega| *omega != 0.0);
+    if turning.unwrap_or(1.0) > 0.0 { -v.perp() } else { v.perp() }
+}
+
+/// The image of a point of a link, turned.
+fn image(scene: &Scene<'_>, link: LinkId, at: Vec2) -> Vec2 {
+    turned(scene, velocity_at(scene.body(link), at))
+}
+
+/// The turned plan: the pole on its support, images of the links as bars.
+fn plan(scene: &Scene<'_>, nodes: &Nodes, frame: &Frame, drawing: &mut Drawing) {
+    let paper = |v: Vec2| frame.point(turned(scene, v));
+    for i in 1..scene.mechanism().links.len() {
+        let link = LinkId::at(i);
+        let ends: Vec<Vec2> = nodes.on(link).iter().map(|n| paper(n.velocity(scene))).collect();
+        let Some((first, others)) = ends.split_first() else { continue };
+        drawing.begin("link", &scene.mechanism().link(link).name);
+        for other in others {
+            if (*other - *first).norm() > 0.1 {
+                drawing.line(Style::Medium, *first, *other);
+            }
+        }
+        drawing.end();
+    }
+    hinge::support(drawing, Vec2::zero());
+    let mut done: Vec<Vec2> = Vec::new();
+    let mut names: Vec<(Vec2, Text)> = Vec::new();
+    for node in nodes.nodes.iter().filter(|n| !n.fixed) {
+        let at = paper(node.velocity(scene));
+        // what slides on the ground is carried by the pole
+        if node.links.iter().any(|l| slides(scene, *l)) && at.norm() > 0.1 {
+            drawing.line(Style::Medium, Vec2::zero(), at);
+        }
+        match names.iter_mut().find(|(p, _)| (*p - at).norm() < 0.06) {
+            Some((_, text)) => {
+                *text = text.clone().and(" = ", false, Level::Base);
+                text.runs.extend(node.image().runs);
+            }
+            None => names.push((at, node.image())),
+        }
+    }
+    for (at, name) in further(scene, &nodes.nodes) {
+        let at = frame.point(at);
+        if names.iter().all(|(p, _)| (*p - at).norm() >= 0.06) {
+            names.push((at, name));
+        }
+    }
+    for (at, name) in names {
+        drawing.begin("point", &name.plain());
+        if at.norm() > hinge::RADIUS && done.iter().all(|d| (*d - at).norm() > 0.06) {
+            mass::point(drawing, at);
+        }
+        done.push(at);
+        drawing.label(Label::at(name, POINT, at, mass::POINT).towards(at).ranked(1));
+        drawing.end();
+    }
+    hinge::moving(drawing, Vec2::zero());
+    let away = freest(&done).map_or(Vec2::new(-1.0, 0.0), |d| d);
+    drawing.label(Label::at(Text::italic("p"), POINT, Vec2::zero(), hinge::RADIUS).towards(away).ranked(1));
+}
+
+/// Whether a link has a guide on the ground.
+fn slides(scene: &Scene<'_>, link: LinkId) -> bool {
+    let on_ground = |kind: &PairKind| matches!(kind, PairKind::Prismatic(g) if g.slider == link && g.guide == LinkId::GROUND);
+    scene.mechanism().pairs.iter().any(|p| on_ground(&p.kind))
+}
+
+/// Images of further points that links name.
+fn further(scene: &Scene<'_>, nodes: &[Node]) -> Vec<(Vec2, Text)> {
+    let near = 1e-7 * assur_solve::solve::extent(&scene.model);
+    let links = scene.mechanism().links.iter().enumerate().skip(1).map(|(i, link)| (LinkId::at(i), link));
+    let placed = links.filter(|(id, _)| scene.is_placed(*id) && !scene.is_in_cylinder(*id));
+    let points = placed.flat_map(|(id, link)| link.points.iter().map(move |p| (id, p, scene.at(id, p.at))));
+    let new = points.filter(|(_, _, at)| nodes.iter().all(|n| (n.at - *at).norm() > near));
+    new.map(|(id, p, at)| (image(scene, id, at), Text::name(&p.name.to_lowercase()))).collect()
+}
+
+/// Loads, weights, inertia and unknown forces; couples as pairs of forces on the image of their link.
+fn forces(scene: &Scene<'_>) -> Vec<Force> {
+    let mut all = Vec::new();
+    let nodes = Nodes::of(scene, false);
+    for i in 1..scene.mechanism().links.len() {
+        let link = LinkId::at(i);
+        if !scene.is_placed(link) || scene.is_in_cylinder(link) {
+            continue;
+        }
+        let Some(acting) = Acting::on(scene, &Part { links: vec![link], inner: None }) else { continue };
+        all.extend(acting.forces.into_iter().filter(|f| !matches!(f.acts, Acts::Reaction { .. })));
+        for (name, on, _, moment, unknown) in acting.couples {
+            let joints: Vec<Vec2> = nodes.on(on).iter().map(|n| n.at).collect();
+            let [first, second, ..] = joints.as_slice() else { continue };
+            let arm = *second - *first;
+            let force = arm.perp() * (moment / arm.dot(arm));
+            let acts = if unknown { Acts::Effort } else { Acts::Load };
+            let pair = Text::italic("F").lowered(&name.plain().replace('_', ""));
+            let back = pair.clone().and("′", false, Level::Base);
+            all.push(Force { name: pair, on, at: *second, force, acts });
+            all.push(Force { name: back, on, at: *first, force: -force, acts });
+        }
+    }
+    all.retain(|f| f.force.norm().is_finite() && f.force.norm() > 0.0);
+    all
+}
+
+fn arrows(scene: &Scene<'_>, frame: &Frame, forces: &[Force], drawing: &mut Drawing) {
+    let largest = forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
+    let mut taken: Vec<(Vec2, Vec2)> = Vec::new();
+    for force in forces {
+        let Some(along) = flipped(force.force).unit() else { continue };
+        let mut from = frame.point(image(scene, force.on, force.at));
+        while taken.iter().any(|(p, d)| (*p - from).norm() < 1.2 && d.dot(along).abs() > 0.97) {
+            from += along.perp() * 2.0;
+        }
+        taken.push((from, along));
+        let length = ARROW.0 + ARROW.1 * force.force.norm() / largest;
+        let style = if force.acts == Acts::Effort { Style::Unknown } else { Style::Force };
+        drawing.begin("vector", &force.name.plain());
+        drawing.mark(style, Shape::Arrow(from, from + along * length));
+        let label = Label::along(
+            force.name.clone(),
+            LETTERS,
+            from + along * (0.5 * length),
+            from + along * (length + 2.0),
+        );
+        drawing.label(label.coloured(style.text_role()).ranked(2));
+        drawing.end();
+    }
+}
+
+/// Moments about the pole, which are powers: of loads, weights, inertia, what else is applied, and unknown efforts.
+fn terms(scene: &Scene<'_>) -> Vec<(Text, f64)> {
+    let mechanism = scene.mechanism();
+    let view = scene.view().without_friction();
+    let scalar = |query: &Query| match view.query(query) {
+        Value::Scalar(x) if x.is_finite() => x,
+        _ => 0.0,
+    };
+    let mut terms: Vec<(Text, f64)> = Vec::new();
+    for (i, load) in mechanism.loads.iter().enumerate() {
+        let letter = if matches!(load.kind, LoadKind::Torque { .. }) { "M" } else { "F" };
+        let name = scene.load_name(load).unwrap_or_else(|| Text::italic(letter));
+        terms.push((name, scalar(&Query::LoadPower(LoadId::at(i)))));
+    }
+    let mut applied = 0.0;
+    for (i, wrench) in view.state.forces.applied.iter().enumerate() {
+        let body = &view.state.motion.bodies[i];
+        applied += wrench.force.dot(body.v) + wrench.moment * body.omega;
+    }
+    let effects = &scene.model.plan.effects;
+    for (i, link) in mechanism.links.iter().enumerate().skip(1) {
+        let (id, Some(mass)) = (LinkId::at(i), link.mass) else { continue };
+        let body = &view.state.motion.bodies[i];
+        if let (true, Some(gravity)) = (effects.gravity, mechanism.gravity) {
+            let weight = gravity.acceleration * mass.mass;
+            terms.push((scene.indexed("G", id), weight.dot(body.velocity(mass.centre))));
+        }
+        if effects.inertia {
+            let index = format!("I{}", scene.link_label(id));
+            let force = body.acceleration(mass.centre) * -mass.mass;
+            terms.push((Text::italic("F").lowered(&index), force.dot(body.velocity(mass.centre))));
+            terms.push((Text::italic("M").lowered(&index), -mass.inertia * body.alpha * body.omega));
+        }
+    }
+    let listed: f64 = terms.iter().map(|t| t.1).sum();
+    let size = terms.iter().map(|t| t.1.abs()).fold(applied.abs(), f64::max);
+    if (applied - listed).abs() > 1e-9 * size {
+        terms.push((Text::upright("springs"), applied - listed));
+    }
+    for (i, balance) in mechanism.balances.iter().enumerate() {
+        terms.push((Text::name(&balance.name), scalar(&Query::BalancePower(BalanceId::at(i)))));
+    }
+    if mechanism.balances.is_empty() {
+        for (i, drive) in mechanism.drives.iter().enumerate() {
+            terms.push((Text::italic("M").lowered(&drive.name), scalar(&Query::EffortPower(DriveId::at(i)))));
+        }
+    }
+    let largest = terms.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
+    terms.retain(|t| t.1.abs() > NOTHING * largest);
+    terms
+}
+
+fn captions(drawing: &mut Drawing, frame: &Frame, terms: &[(Text, f64)]) {
+    if let Some(scale) = frame.scale {
+        let text = Text::italic("μ").and("v", true, Level::Sub);
+        drawing.caption(text.and(&format!(" = {} (m/s)/mm", scale.text()), false, Level::Base));
+    }
+    for (row, line) in terms.chunks(4).enumerate() {
+        let mut text = if row == 0 {
+            let sum = Text::upright("Σ").and("M", true, Level::Base).and("p", true, Level::Sub);
+            sum.and(" = 0, in N·m/s:  ", false, Level::Base)
+        } else {
+            Text::default()
+        };
+        for (i, (name, power)) in line.iter().enumerate() {
+            let lead = if i > 0 { ",  " } else { "" };
+            text = text.and(lead, false, Level::Base);
+            text.runs.extend(name.runs.iter().cloned());
+            text = text.and(&format!(": {}", figure(*power)), false, Level::Base);
+        }
+        drawing.caption(text);
+    }
+}

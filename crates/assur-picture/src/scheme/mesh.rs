@@ -1,0 +1,173 @@
+//! What runs between wheels that have places, seen from the front: teeth where wheels meet, belts and ropes, racks.
+
+use super::{LinkId, Sketch};
+use crate::symbol::hinge;
+use assur_drawing::{Drawing, Shape, Style, on_circle};
+use assur_math::math::Vec2;
+use assur_model::model::{PairKind, Rate, Transmission, TransmissionKind, Wheel};
+use std::f64::consts::{PI, TAU};
+
+/// Teeth on each side of the place where wheels meet.
+const TEETH: i32 = 3;
+/// The smallest module that is drawn, mm: smaller teeth are shown larger.
+const MODULE: f64 = 0.7;
+/// How far a rack goes beyond its wheel, mm.
+const RACK: f64 = 8.0;
+
+impl<'a> Sketch<'a, '_> {
+    /// Teeth, belts, ropes, racks.
+    pub(super) fn meshes(&self, drawing: &mut Drawing) {
+        for pair in &self.scene.mechanism().pairs {
+            let PairKind::Transmission(t) = &pair.kind else { continue };
+            let wheels: Vec<&Wheel> = t.ends.iter().filter_map(|end| self.placed_wheel(end)).collect();
+            drawing.begin("pair", &pair.name);
+            match (t.kind, wheels.as_slice()) {
+                (TransmissionKind::Mesh, [a, b]) => self.teeth(drawing, a, b),
+                (TransmissionKind::Belt | TransmissionKind::Chain | TransmissionKind::Rope, [a, b]) => {
+                    self.belt(drawing, t, a, b);
+                }
+                (TransmissionKind::Rack, [wheel]) => self.rack(drawing, t, wheel),
+                _ => {}
+            }
+            drawing.end();
+        }
+    }
+
+    /// A wheel by the name of an end, if its place and its size are known.
+    fn placed_wheel(&self, end: &str) -> Option<&'a Wheel> {
+        let mechanism = self.scene.mechanism();
+        let bare = end.rsplit('.').next().unwrap_or(end);
+        let wheel = mechanism.wheels.iter().find(|w| w.name == bare)?;
+        let open = mechanism.open_sizes.iter().any(|o| o.wheel == wheel.name);
+        (wheel.centre.is_some() && !open && self.scene.is_placed(wheel.link)).then_some(wheel)
+    }
+
+    fn centre(&self, wheel: &Wheel) -> Vec2 {
+        self.on_paper(wheel.link, wheel.centre.unwrap_or_else(Vec2::zero))
+    }
+
+    /// Teeth of two wheels around the place where their pitch circles touch.
+    fn teeth(&self, drawing: &mut Drawing, a: &Wheel, b: &Wheel) {
+        let (c_a, c_b) = (self.centre(a), self.centre(b));
+        let radii = [a, b].map(|w| self.frame.length(w.radius));
+        let internal = (c_b - c_a).norm() < radii[0].max(radii[1]);
+        let Some(towards) = (c_b - c_a).unit() else { return };
+        let module = a.teeth.map_or(0.0, |z| 2.0 * radii[0] / z).max(MODULE);
+        for (i, centre) in [c_a, c_b].into_iter().enumerate() {
+            let (own, other) = (radii[i], radii[1 - i]);
+            let is_ring = internal && own > other;
+            // the wheels touch beyond the centre of the inner one
+            let outward = if i == 0 { towards } else { -towards };
+            let at = if internal && !is_ring { -outward } else { outward };
+            let shift = if i == 0 { 0.0 } else { 0.5 };
+            row(drawing, centre, own, at.angle(), module, shift, if is_ring { -1.0 } else { 1.0 });
+        }
+        for wheel in [a, b].into_iter().filter(|w| w.link == LinkId::GROUND) {
+            let (centre, radius) = (self.centre(wheel), self.frame.length(wheel.radius));
+            for third in 0..3 {
+                held(drawing, centre, radius, PI / 2.0 + TAU * f64::from(third) / 3.0);
+            }
+        }
+    }
+
+    /// The tangents of two wheels, crossed where they turn against each other.
+    fn belt(&self, drawing: &mut Drawing, t: &Transmission, a: &Wheel, b: &Wheel) {
+        let (c_a, c_b) = (self.centre(a), self.centre(b));
+        let [r_a, r_b] = [a, b].map(|w| self.frame.length(w.radius));
+        let apart = (c_b - c_a).norm();
+        let Some(along) = (c_b - c_a).unit() else { return };
+        let crossed = crossed(t, a.link, b.link);
+        let cos = if crossed { (r_a + r_b) / apart } else { (r_a - r_b) / apart };
+        if cos.abs() >= 1.0 {
+            return;
+        }
+        let sin = (1.0 - cos * cos).sqrt();
+        for side in [-1.0, 1.0] {
+            let normal = along * cos + along.perp() * (side * sin);
+            let end = if crossed { c_b - normal * r_b } else { c_b + normal * r_b };
+            drawing.line(Style::Medium, c_a + normal * r_a, end);
+        }
+    }
+
+    /// The toothed line under a wheel.
+    fn rack(&self, drawing: &mut Drawing, t: &Transmission, wheel: &Wheel) {
+        let Some((at, along)) = self.rack_line(t) else { return };
+        let (centre, radius) = (self.centre(wheel), self.frame.length(wheel.radius));
+        let away = (at - centre) - along * (at - centre).dot(along);
+        let side = away.unit().unwrap_or(Vec2::new(0.0, 1.0));
+        let touch = centre + side * radius;
+        let reach = radius.min(40.0) + RACK;
+        let (from, to) = (touch - along * reach, touch + along * reach);
+        drawing.line(Style::Medium, from, to);
+        let module = wheel.teeth.map_or(0.0, |z| 2.0 * radius / z).max(MODULE);
+        let count = 2 * TEETH;
+        let mut points = Vec::new();
+        for tooth in -count..=count {
+            let middle = touch + along * (PI * module * (f64::from(tooth) + 0.5));
+            for (s, up) in [(-0.3, 1.0), (-0.15, -1.0), (0.15, -1.0), (0.3, 1.0)] {
+                points.push(middle + along * (s * PI * module) + side * (up * module));
+            }
+        }
+        if wheel.teeth.is_some() {
+            drawing.mark(Style::Thin, Shape::Lines { points, closed: false });
+        }
+        if t.links.contains(&LinkId::GROUND) {
+            hinge::hatch(drawing, from, to, side);
+        }
+    }
+
+    /// A point and the direction of a rack: of a line that is named, or of a slider's guide.
+    fn rack_line(&self, t: &Transmission) -> Option<(Vec2, Vec2)> {
+        let mechanism = self.scene.mechanism();
+        for end in &t.ends {
+            let Some((link, line)) = end.split_once('.') else { continue };
+            let index = mechanism.links.iter().position(|l| l.name == link)?;
+            let id = LinkId::at(index);
+            if let Some(line) = mechanism.links[index].lines.iter().find(|l| l.name == line) {
+                return Some((self.on_paper(id, line.through), self.direction(id, line.along)));
+            }
+        }
+        let slides = t.laws.first()?.terms.iter().find_map(|(rate, _)| match rate {
+            Rate::Slide(pair) => Some(*pair),
+            Rate::Turn(_) => None,
+        })?;
+        let PairKind::Prismatic(g) = &mechanism.pair(slides).kind else { return None };
+        let placed = self.scene.is_placed(g.slider) && self.scene.is_placed(g.guide);
+        placed.then(|| (self.on_paper(g.slider, g.point), self.direction(g.guide, g.along)))
+    }
+}
+
+/// Whether two wheels of a belt turn against each other.
+fn crossed(t: &Transmission, a: LinkId, b: LinkId) -> bool {
+    let term = |link: LinkId| {
+        let law = t.laws.first()?;
+        law.terms.iter().find(|(r, _)| *r == Rate::Turn(link)).map(|t| t.1)
+    };
+    matches!((term(a), term(b)), (Some(a), Some(b)) if a * b > 0.0)
+}
+
+/// Teeth of a wheel about an angle; those of a ring point inwards.
+fn row(drawing: &mut Drawing, centre: Vec2, radius: f64, about: f64, module: f64, shift: f64, out: f64) {
+    let pitch = PI * module / radius;
+    if radius < 2.0 * module {
+        return;
+    }
+    let mut points = Vec::new();
+    for tooth in -TEETH..=TEETH {
+        let middle = about + pitch * (f64::from(tooth) + shift);
+        for (s, up) in [(-0.3, -1.0), (-0.15, 1.0), (0.15, 1.0), (0.3, -1.0)] {
+            points.push(on_circle(centre, radius + out * up * module, middle + s * pitch));
+        }
+    }
+    drawing.mark(Style::Thin, Shape::Lines { points, closed: false });
+}
+
+/// Hatching at the rim of a wheel of the ground.
+fn held(drawing: &mut Drawing, centre: Vec2, radius: f64, about: f64) {
+    let step = 1.6 / radius;
+    let lines = (-3..=3).map(|i| {
+        let angle = about + step * f64::from(i);
+        (on_circle(centre, radius, angle), on_circle(centre, radius + 2.0, angle + step * 0.8))
+    });
+    drawing.mark(Style::Thin, Shape::Strokes(lines.collect()));
+}

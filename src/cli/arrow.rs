@@ -1,0 +1,97 @@
+//! `assur solve --format arrow`: positions as a stream of columns.
+
+use super::error::CliError;
+use super::reply::{Printer, Reply, Status, complaint};
+use super::screen::Screen;
+use super::threads::Threads;
+use crate::pipeline::{Compiled, Sink};
+use crate::report::Answers;
+use crate::report::arrow::ArrowRows;
+use assur_solve::solve::{Ahead, BLOCK, Block, Pose};
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
+use std::io::IsTerminal;
+
+/// Blocks that a thread solves at once.
+const BLOCKS: usize = 8;
+
+/// Why no stream can be written.
+pub fn refusal(several: bool) -> Option<CliError> {
+    match several {
+        true => Some(CliError::OneStream),
+        false => std::io::stdout().is_terminal().then_some(CliError::OnScreen),
+    }
+}
+
+/// Writes all positions of a file.
+pub fn positions(
+    source: &Source,
+    compiled: Compiled,
+    mut problems: Problems,
+    screen: &Screen,
+    (printer, threads): (&mut Printer<'_>, &Threads),
+) -> Reply {
+    let unprinted = |why: String| {
+        let diagnostics = complaint(CliError::Unprinted { why }, screen);
+        Reply { diagnostics, status: Status::Unusable, ..Reply::default() }
+    };
+    let rows = match ArrowRows::of(&compiled.model()) {
+        Ok(rows) => rows,
+        Err(error) => return unprinted(error.to_string()),
+    };
+    let angles = rows.reads_angles(&compiled.model());
+    let mut out = Out { rows, angles, error: None, failed: false, printer, threads };
+    let (_, found) = crate::pipeline::solve_each(compiled, &mut out);
+    problems.append(found);
+    let ended = out.rows.end();
+    out.error = out.error.take().or(ended.err().map(|error| error.to_string()));
+    out.print();
+    match out.error {
+        Some(why) => unprinted(why),
+        None if out.failed => Reply { status: Status::Unusable, ..Reply::default() },
+        None => Reply::new(String::new(), &problems, source, screen),
+    }
+}
+
+struct Out<'p, 'o> {
+    rows: ArrowRows,
+    /// Columns show angles.
+    angles: bool,
+    error: Option<String>,
+    failed: bool,
+    printer: &'p mut Printer<'o>,
+    threads: &'p Threads,
+}
+
+impl Sink for Out<'_, '_> {
+    fn add(&mut self, answers: &Answers<'_>, pose: &Pose) -> bool {
+        self.error = self.rows.add(answers, pose).err().map(|error| error.to_string());
+        self.print();
+        self.error.is_none() && !self.failed
+    }
+
+    fn forgets(&self) -> bool {
+        true
+    }
+
+    fn blocks(&self) -> usize {
+        self.threads.count() * BLOCKS
+    }
+
+    fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+        self.threads.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
+    }
+
+    fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {
+        let angles = self.angles;
+        self.threads.each(blocks, |(_, block)| ahead.answer(block, angles));
+        blocks.iter().all(|block| block.poses().iter().all(|pose| self.add(answers, pose)))
+    }
+}
+
+impl Out<'_, '_> {
+    fn print(&mut self) {
+        let written = self.rows.take();
+        self.failed |= !written.is_empty() && !self.printer.print(written);
+    }
+}
