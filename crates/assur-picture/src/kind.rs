@@ -1,5 +1,6 @@
 //! The kinds of picture, by name.
 
+use crate::cam::cams;
 use crate::error::Missing;
 use crate::forces::{forces, friction, lever};
 use crate::motion::{accelerations, velocities};
@@ -32,10 +33,12 @@ pub enum Kind {
     Plot,
     /// Effort and work of a flywheel over the cycle.
     Work,
+    /// Profile and motion of designed cams.
+    Cam,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 9] = [
+pub const KINDS: [Kind; 10] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
@@ -45,6 +48,7 @@ pub const KINDS: [Kind; 9] = [
     Kind::Train,
     Kind::Plot,
     Kind::Work,
+    Kind::Cam,
 ];
 
 /// How pictures are drawn.
@@ -72,6 +76,7 @@ impl Kind {
             Self::Train => "train",
             Self::Plot => "plot",
             Self::Work => "work",
+            Self::Cam => "cam",
         }
     }
 
@@ -79,7 +84,9 @@ impl Kind {
     #[must_use]
     pub const fn level(self) -> Level {
         match self {
-            Self::Scheme | Self::Forces | Self::Train | Self::Plot | Self::Work => Level::Positions,
+            Self::Scheme | Self::Forces | Self::Train | Self::Plot | Self::Work | Self::Cam => {
+                Level::Positions
+            }
             Self::Velocities | Self::Lever | Self::Friction => Level::Velocities,
             Self::Accelerations => Level::Accelerations,
         }
@@ -118,6 +125,7 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
     match kind {
         Kind::Scheme => scheme_or_section(scene, options).map(|scheme| vec![scheme]),
         Kind::Train => train(scene).map(|section| vec![section]),
+        Kind::Cam => cams(scene, options.scheme.size),
         Kind::Work => work(scene),
         Kind::Plot => plot(scene, &options.plotted).map(|plot| vec![plot]),
         Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),

@@ -1,6 +1,7 @@
 //! Pictures of a solved problem. Nothing is computed here: a picture shows a [`Scene`], one position of a solution.
 
 mod angles;
+mod cam;
 mod diagram;
 mod error;
 mod forces;
@@ -17,6 +18,7 @@ mod train;
 mod words;
 mod work;
 
+pub use cam::cams_alone;
 pub use error::Missing;
 pub use frame::Frame;
 pub use kind::{KINDS, Kind, Options, draw};

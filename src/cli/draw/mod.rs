@@ -13,6 +13,7 @@ use crate::pipeline::{self, Solved};
 use assur_check::Overrides;
 use assur_drawing::Theme;
 use assur_math::math::Vec2;
+use assur_model::model::Mechanism;
 use assur_picture::{Kind, Options, Scene, Scheme};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -101,13 +102,18 @@ impl Drawing<'_> {
     fn pages(&self, source: &Source, solved: &Solved, problems: &mut Problems) -> Vec<Page> {
         let moves = self.args.ghosts > 0 || !self.args.path.is_empty();
         let turn = if moves { pipeline::turn(&solved.compiled, &solved.solution) } else { Vec::new() };
+        let mechanism = &solved.compiled.mechanism;
+        let of_cams = |picture: &Picture| picture.kind == Kind::Cam;
+        if solved.solution.poses.is_empty() && self.pictures.iter().all(of_cams) {
+            return self.cams(source, mechanism, problems);
+        }
         let scenes = self.scenes(source, solved, problems);
         let scenes: Vec<Scene<'_>> = scenes.into_iter().map(|scene| Scene { turn: &turn, ..scene }).collect();
-        let stem = if self.several { path_in_one(&source.name) } else { stem(&source.name) };
+        let stem = self.stem(source);
         let several = scenes.len() > 1;
         let mut pages = Vec::new();
         for picture in &self.pictures {
-            let plotted = plotted::items(source, &solved.compiled.mechanism, &picture.of);
+            let plotted = plotted::items(source, mechanism, &picture.of);
             let options = Options { plotted, of: picture.of.clone(), ..self.options() };
             let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
             for scene in &scenes[..shown.min(scenes.len())] {
@@ -133,6 +139,24 @@ impl Drawing<'_> {
             }
         }
         pages
+    }
+
+    /// The cams of a file that has no position.
+    fn cams(&self, source: &Source, mechanism: &Mechanism, problems: &mut Problems) -> Vec<Page> {
+        match assur_picture::cams_alone(mechanism, &source.name, self.options().scheme.size) {
+            Ok(drawings) => {
+                self.numbered(&output::file_name(&format!("{}-cam", self.stem(source))), drawings)
+            }
+            Err(missing) => {
+                problems.push(missing);
+                Vec::new()
+            }
+        }
+    }
+
+    /// The begin of the names of pictures.
+    fn stem(&self, source: &Source) -> String {
+        if self.several { path_in_one(&source.name) } else { stem(&source.name) }
     }
 
     /// Pictures of one kind and one position as text, numbered where there are several.
