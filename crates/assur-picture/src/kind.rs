@@ -1,6 +1,7 @@
 //! The kinds of picture, by name.
 
 use crate::cam::cams;
+use crate::ends::{hodographs, polars};
 use crate::error::Missing;
 use crate::forces::{forces, friction, lever};
 use crate::motion::{accelerations, velocities};
@@ -35,10 +36,14 @@ pub enum Kind {
     Work,
     /// Profile and motion of designed cams.
     Cam,
+    /// Velocities of a point over the sweep.
+    Hodograph,
+    /// Reactions in a pair over the sweep.
+    Polar,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 10] = [
+pub const KINDS: [Kind; 12] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
@@ -49,6 +54,8 @@ pub const KINDS: [Kind; 10] = [
     Kind::Plot,
     Kind::Work,
     Kind::Cam,
+    Kind::Hodograph,
+    Kind::Polar,
 ];
 
 /// How pictures are drawn.
@@ -77,6 +84,8 @@ impl Kind {
             Self::Plot => "plot",
             Self::Work => "work",
             Self::Cam => "cam",
+            Self::Hodograph => "hodograph",
+            Self::Polar => "polar",
         }
     }
 
@@ -84,10 +93,10 @@ impl Kind {
     #[must_use]
     pub const fn level(self) -> Level {
         match self {
-            Self::Scheme | Self::Forces | Self::Train | Self::Plot | Self::Work | Self::Cam => {
+            Self::Scheme | Self::Forces | Self::Train | Self::Plot | Self::Work | Self::Cam | Self::Polar => {
                 Level::Positions
             }
-            Self::Velocities | Self::Lever | Self::Friction => Level::Velocities,
+            Self::Velocities | Self::Lever | Self::Friction | Self::Hodograph => Level::Velocities,
             Self::Accelerations => Level::Accelerations,
         }
     }
@@ -95,19 +104,19 @@ impl Kind {
     /// Whether it shows forces.
     #[must_use]
     pub const fn forces(self) -> bool {
-        matches!(self, Self::Forces | Self::Lever | Self::Friction)
+        matches!(self, Self::Forces | Self::Lever | Self::Friction | Self::Polar)
     }
 
     /// Whether it shows the whole sweep and not one position.
     #[must_use]
     pub const fn is_of_sweep(self) -> bool {
-        matches!(self, Self::Plot | Self::Work)
+        matches!(self, Self::Plot | Self::Work | Self::Hodograph | Self::Polar)
     }
 
     /// Whether its name may be followed by what it shows.
     #[must_use]
     pub const fn names_something(self) -> bool {
-        matches!(self, Self::Plot)
+        matches!(self, Self::Plot | Self::Hodograph | Self::Polar)
     }
 
     /// The kind of a name.
@@ -126,6 +135,8 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Scheme => scheme_or_section(scene, options).map(|scheme| vec![scheme]),
         Kind::Train => train(scene).map(|section| vec![section]),
         Kind::Cam => cams(scene, options.scheme.size),
+        Kind::Hodograph => hodographs(scene, &options.of, options.scheme.size),
+        Kind::Polar => polars(scene, &options.of, options.scheme.size),
         Kind::Work => work(scene),
         Kind::Plot => plot(scene, &options.plotted).map(|plot| vec![plot]),
         Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),

@@ -3,6 +3,7 @@
 mod angles;
 mod cam;
 mod diagram;
+mod ends;
 mod error;
 mod forces;
 mod frame;
