@@ -136,6 +136,7 @@ impl Sketch<'_, '_> {
             .bars
             .iter()
             .copied()
+            .chain(self.rods.iter().filter(|r| r.0 == link).map(|r| (r.1, r.2)))
             .chain(outline.plates.iter().flat_map(|p| (0..p.len()).map(|i| (p[i], p[(i + 1) % p.len()]))))
             .filter(|(a, b)| (*b - *a).norm() > 4.0)
             .max_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));

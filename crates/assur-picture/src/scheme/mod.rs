@@ -156,6 +156,8 @@ struct Sketch<'a, 's> {
     labelled: Vec<Vec2>,
     /// Hinges on the ground.
     supports: Vec<Vec2>,
+    /// Rods of followers.
+    rods: Vec<(LinkId, Vec2, Vec2)>,
 }
 
 impl<'a, 's> Sketch<'a, 's> {
@@ -170,8 +172,8 @@ impl<'a, 's> Sketch<'a, 's> {
         };
         let outlines = shapes.iter().enumerate().map(outline).collect();
         let (said, taken, blocks) = (String::new(), Vec::new(), Vec::new());
-        let (labelled, supports) = (Vec::new(), Vec::new());
-        Self { scene, shapes, frame, outlines, said, taken, blocks, labelled, supports }
+        let (labelled, supports, rods) = (Vec::new(), Vec::new(), Vec::new());
+        Self { scene, shapes, frame, outlines, said, taken, blocks, labelled, supports, rods }
     }
 
     /// From the back to the front.

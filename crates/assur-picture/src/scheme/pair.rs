@@ -10,6 +10,8 @@ use assur_model::model::{Guide, PairId, PairKind};
 
 /// How far a rail goes beyond all places of its block, mm.
 const BEYOND: f64 = 9.0;
+/// From a follower's highest place to the guide of its rod, and the length of that guide.
+const ROD: (f64, f64) = (13.0, 7.0);
 /// Half the part of a bar that passes over a hinge in its middle.
 const OVER: f64 = 3.5;
 /// A point that is nearer to the end of a bar is its end, mm.
@@ -46,7 +48,7 @@ impl<'a> Sketch<'a, '_> {
     /// Rails of the ground with their axes.
     pub(super) fn rails(&self, drawing: &mut Drawing) {
         for (id, name, g, form) in self.guides() {
-            if form != Form::Rail {
+            if form != Form::Rail || self.follower(g).is_some() {
                 continue;
             }
             drawing.begin("pair", name);
@@ -80,11 +82,12 @@ impl<'a> Sketch<'a, '_> {
 
     pub(super) fn draw_blocks(&mut self, drawing: &mut Drawing) {
         let guides: Vec<_> = self.guides().collect();
-        for (_, name, g, form) in guides {
+        for (id, name, g, form) in guides {
             drawing.begin("pair", name);
             let along = self.direction(g.guide, g.along);
             let slider = self.on_paper(g.slider, g.point);
             match form {
+                Form::Rail if self.follower(g).is_some() => self.rod(drawing, id, g),
                 Form::Rail => {
                     let ends = self.along_block(g, along);
                     guide::block(drawing, slider, along, ends, guide::BLOCK.y);
@@ -102,6 +105,47 @@ impl<'a> Sketch<'a, '_> {
             }
             drawing.end();
         }
+    }
+
+    /// Of a slider that another link pushes at a contact, the direction on paper in which it is pushed along its guide.
+    fn follower(&self, g: &Guide) -> Option<Vec2> {
+        let along = crate::angles::flipped(g.along);
+        self.scene.mechanism().pairs.iter().enumerate().find_map(|(i, pair)| {
+            let PairKind::Contact { first, second, .. } = &pair.kind else { return None };
+            // a roller of its own is pushed for the link that it runs on
+            let rollers = self.scene.mechanism().cam_contacts.iter().filter(|c| c.follower == g.slider);
+            let roller = rollers.filter_map(|c| c.roller).map(|(link, _)| link).next();
+            let pushes = |link: LinkId| link == g.slider || Some(link) == roller;
+            let is_first = pushes(first.link);
+            if !is_first && !pushes(second.link) {
+                return None;
+            }
+            let (_, into_first) = self.scene.view().contact_normal(PairId::at(i))?;
+            let pushed = crate::angles::flipped(if is_first { into_first } else { -into_first }).dot(along);
+            (pushed.abs() > 0.1).then(|| along * pushed.signum())
+        })
+    }
+
+    /// A rod from the point of a follower through a fixed guide.
+    fn rod(&mut self, drawing: &mut Drawing, id: PairId, g: &Guide) {
+        let Some(along) = self.follower(g) else { return };
+        let at = self.on_paper(g.slider, g.point);
+        let (least, greatest) = self.scene.way(id);
+        let way = self.frame.length(greatest - least);
+        // the guide is where no position of the follower reaches it
+        let here = self.frame.point(g.through);
+        let s = (at - here).dot(along);
+        let forwards = along.dot(crate::angles::flipped(g.along)) > 0.0;
+        let highest = if forwards { self.frame.length(greatest) } else { -self.frame.length(least) };
+        let clear = highest - s + ROD.0;
+        let shape = &self.shapes[g.slider.index()];
+        let reach = shape.attached.iter().map(|p| (self.on_paper(g.slider, *p) - at).dot(along));
+        let end = reach.fold(clear + ROD.1 + way + 3.0, f64::max);
+        drawing.line(Style::Axis, at - along * 4.0, at + along * (end + 5.0));
+        drawing.line(Style::Link, at, at + along * end);
+        self.rods.push((g.slider, at, at + along * end));
+        guide::bush(drawing, at, along, (clear, clear + ROD.1));
+        self.ground_number(drawing, at + along * (clear + ROD.1 / 2.0) + guide::below(along) * 4.0);
     }
 
     fn sleeve(&mut self, drawing: &mut Drawing, link: LinkId, at: Vec2, along: Vec2) {

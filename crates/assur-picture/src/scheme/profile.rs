@@ -98,8 +98,9 @@ impl Sketch<'_, '_> {
         let inside = |at: Vec2| (at - centre).norm() < radius;
         // a disc has its hinge inside
         let disc = hinged.clone().any(|at| apart(at, centre) && inside(at));
-        !disc && joints.iter().any(|j| apart(*j, centre))
-            || hinged.clone().count() == 1 && !hinged.clone().any(|at| apart(at, centre))
+        let turns_about_it = hinged.clone().count() == 1 && !hinged.clone().any(|at| apart(at, centre));
+        // what no hinge holds slides
+        !disc && joints.iter().any(|j| apart(*j, centre)) || turns_about_it || hinged.clone().count() == 0
     }
 
     /// Rollers, over the links that carry them.

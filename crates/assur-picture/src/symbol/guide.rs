@@ -10,6 +10,8 @@ pub const BLOCK: Vec2 = Vec2::new(6.0, 3.4);
 pub const SLEEVE: Vec2 = Vec2::new(5.2, 3.0);
 /// From a block to its rail.
 const RAIL: f64 = 0.8;
+/// From a rod to the lines of its guide.
+const BUSH: f64 = 1.5;
 /// Half the distance of the lines of a slot.
 const SLOT: f64 = 1.7;
 
@@ -41,6 +43,15 @@ pub fn fixed(drawing: &mut Drawing, at: Vec2, along: Vec2) {
     let side = below(along);
     for side in [side, -side] {
         let (a, b) = (at - along * SLEEVE.x + side * SLEEVE.y, at + along * SLEEVE.x + side * SLEEVE.y);
+        hatch(drawing, a, b, side);
+    }
+}
+
+/// The fixed guide of a rod: a line on both sides of it, hatched, from and to coordinates along it.
+pub fn bush(drawing: &mut Drawing, at: Vec2, along: Vec2, (from, to): (f64, f64)) {
+    for side in [along.perp(), -along.perp()] {
+        let (a, b) = (at + along * from + side * BUSH, at + along * to + side * BUSH);
+        drawing.line(Style::Medium, a, b);
         hatch(drawing, a, b, side);
     }
 }
