@@ -1,5 +1,6 @@
 //! The kinds of picture, by name.
 
+use crate::animation::still;
 use crate::cam::cams;
 use crate::ends::{hodographs, polars};
 use crate::error::Missing;
@@ -40,10 +41,12 @@ pub enum Kind {
     Hodograph,
     /// Reactions in a pair over the sweep.
     Polar,
+    /// The mechanism in motion.
+    Animation,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 12] = [
+pub const KINDS: [Kind; 13] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
@@ -56,6 +59,7 @@ pub const KINDS: [Kind; 12] = [
     Kind::Cam,
     Kind::Hodograph,
     Kind::Polar,
+    Kind::Animation,
 ];
 
 /// How pictures are drawn.
@@ -86,6 +90,7 @@ impl Kind {
             Self::Cam => "cam",
             Self::Hodograph => "hodograph",
             Self::Polar => "polar",
+            Self::Animation => "animation",
         }
     }
 
@@ -93,9 +98,14 @@ impl Kind {
     #[must_use]
     pub const fn level(self) -> Level {
         match self {
-            Self::Scheme | Self::Forces | Self::Train | Self::Plot | Self::Work | Self::Cam | Self::Polar => {
-                Level::Positions
-            }
+            Self::Scheme
+            | Self::Forces
+            | Self::Train
+            | Self::Plot
+            | Self::Work
+            | Self::Cam
+            | Self::Polar
+            | Self::Animation => Level::Positions,
             Self::Velocities | Self::Lever | Self::Friction | Self::Hodograph => Level::Velocities,
             Self::Accelerations => Level::Accelerations,
         }
@@ -110,7 +120,7 @@ impl Kind {
     /// Whether it shows the whole sweep and not one position.
     #[must_use]
     pub const fn is_of_sweep(self) -> bool {
-        matches!(self, Self::Plot | Self::Work | Self::Hodograph | Self::Polar)
+        matches!(self, Self::Plot | Self::Work | Self::Hodograph | Self::Polar | Self::Animation)
     }
 
     /// Whether its name may be followed by what it shows.
@@ -137,8 +147,9 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
         Kind::Cam => cams(scene, options.scheme.size),
         Kind::Hodograph => hodographs(scene, &options.of, options.scheme.size),
         Kind::Polar => polars(scene, &options.of, options.scheme.size),
+        Kind::Animation => still(scene, options.scheme.size).map(|first| vec![first]),
         Kind::Work => work(scene),
-        Kind::Plot => plot(scene, &options.plotted).map(|plot| vec![plot]),
+        Kind::Plot => plot(scene, &options.plotted).map(|(plot, _)| vec![plot]),
         Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Accelerations => accelerations(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Forces => forces(scene, options.scheme.size),

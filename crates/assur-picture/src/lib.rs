@@ -1,6 +1,7 @@
 //! Pictures of a solved problem. Nothing is computed here: a picture shows a [`Scene`], one position of a solution.
 
 mod angles;
+mod animation;
 mod cam;
 mod diagram;
 mod ends;
@@ -19,6 +20,7 @@ mod train;
 mod words;
 mod work;
 
+pub use animation::animation;
 pub use cam::cams_alone;
 pub use error::Missing;
 pub use frame::Frame;

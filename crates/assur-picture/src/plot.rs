@@ -43,11 +43,33 @@ struct Group<'i> {
     shown: Vec<(&'i Item, Curve)>,
 }
 
+/// The curves of a plot, for what is shown beside it.
+pub struct Curves {
+    along: Display,
+    x: Axis,
+    all: Vec<(String, Display, Curve)>,
+}
+
+impl Curves {
+    /// Where a value of the drive is, from the left edge, mm.
+    #[must_use]
+    pub fn place(&self, drive: f64) -> f64 {
+        self.x.share(printed(&self.along, drive)) * WIDTH
+    }
+
+    /// The numbers at a value of the drive: between the points of the curves.
+    pub fn at(&self, drive: f64) -> impl Iterator<Item = (&str, &Display, f64)> {
+        self.all
+            .iter()
+            .filter_map(move |(name, display, curve)| Some((name.as_str(), display, curve.at(drive)?)))
+    }
+}
+
 /// The plot of items of `find`, by their indices; of all that change where none is named.
 ///
 /// # Errors
 /// There is no sweep, or nothing to plot.
-pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<Drawing, Missing> {
+pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<(Drawing, Curves), Missing> {
     let items = items(scene, which);
     if items.is_empty() {
         return Err(NoDiagram::no_quantity(
@@ -83,8 +105,10 @@ pub fn plot(scene: &Scene<'_>, which: &[usize]) -> Result<Drawing, Missing> {
     }
     let title = format!("{}: {}", words::title(scene), listed(&items));
     let mut drawing = Drawing::new(&words::id(scene, "plot"), title, String::new());
-    panels(scene, &mut drawing, &groups);
-    Ok(drawing)
+    let (along, x) = panels(scene, &mut drawing, &groups);
+    let all = groups.into_iter().flat_map(|group| group.shown);
+    let all = all.map(|(item, curve)| (item.plain.clone(), item.display.clone(), curve)).collect();
+    Ok((drawing, Curves { along, x, all }))
 }
 
 /// The numbers among the items of `find`; of a vector both components.
@@ -129,7 +153,7 @@ fn listed(items: &[Item]) -> String {
     format!("{} over the sweep", names.join(", "))
 }
 
-fn panels(scene: &Scene<'_>, drawing: &mut Drawing, groups: &[Group<'_>]) {
+fn panels(scene: &Scene<'_>, drawing: &mut Drawing, groups: &[Group<'_>]) -> (Display, Axis) {
     let of_count = (groups.len() - 1).min(2);
     let height = HEIGHTS[of_count];
     let along = drive_axis(scene);
@@ -164,6 +188,7 @@ fn panels(scene: &Scene<'_>, drawing: &mut Drawing, groups: &[Group<'_>]) {
         }
         top += height + BETWEEN;
     }
+    (along, x)
 }
 
 /// The title of the vertical axis: name and unit of one curve, the unit alone of several.

@@ -24,7 +24,8 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
     let (pictures, names) = args.pictures();
     let inputs = files::expand(&names);
     let one = inputs.len() == 1 && pictures.len() == 1;
-    let output = match Output::of(args.out.as_deref(), one) {
+    let animation = matches!(pictures.as_slice(), [picture] if picture.kind == Kind::Animation);
+    let output = match Output::of(args.out.as_deref(), one, animation) {
         Ok(output) => output,
         Err(error) => {
             screen.complain(&complaint(error, screen));
@@ -59,6 +60,8 @@ struct Page {
     name: String,
     title: String,
     text: String,
+    /// Of its file.
+    ending: &'static str,
 }
 
 impl Drawing<'_> {
@@ -100,7 +103,8 @@ impl Drawing<'_> {
 
     /// All pictures of a file.
     fn pages(&self, source: &Source, solved: &Solved, problems: &mut Problems) -> Vec<Page> {
-        let moves = self.args.ghosts > 0 || !self.args.path.is_empty();
+        let animated = self.pictures.iter().any(|picture| picture.kind == Kind::Animation);
+        let moves = animated || self.args.ghosts > 0 || !self.args.path.is_empty();
         let turn = if moves { pipeline::turn(&solved.compiled, &solved.solution) } else { Vec::new() };
         let mechanism = &solved.compiled.mechanism;
         let of_cams = |picture: &Picture| picture.kind == Kind::Cam;
@@ -117,6 +121,19 @@ impl Drawing<'_> {
             let options = Options { plotted, of: picture.of.clone(), ..self.options() };
             let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
             for scene in &scenes[..shown.min(scenes.len())] {
+                if picture.kind == Kind::Animation && !self.output.is_page() {
+                    let size = options.scheme.size;
+                    let page = assur_picture::animation(scene, size, self.args.theme.into());
+                    match page {
+                        Ok(text) => {
+                            let name = output::file_name(&format!("{stem}-animation"));
+                            pages.push(Page { name, title: String::new(), text, ending: "html" });
+                        }
+                        Err(_) if self.args.all => {}
+                        Err(missing) => problems.push(missing),
+                    }
+                    continue;
+                }
                 match assur_picture::draw(picture.kind, scene, &options) {
                     Ok(drawings) => {
                         let mut name = format!("{stem}-{}", picture.kind.name());
@@ -169,7 +186,7 @@ impl Drawing<'_> {
                 // two files of one name may be in one page
                 drawing.id = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
             }
-            Page { name, title: drawing.title.clone(), text: drawing.placed().svg(theme) }
+            Page { name, title: drawing.title.clone(), text: drawing.placed().svg(theme), ending: "svg" }
         });
         pages.collect()
     }

@@ -37,6 +37,17 @@ impl Curve {
         all.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), y| (least.min(y), most.max(y)))
     }
 
+    /// The number at a value of the drive, between the points.
+    #[must_use]
+    pub fn at(&self, drive: f64) -> Option<f64> {
+        let near = |a: f64, b: f64| (drive - a) * (drive - b) <= 0.0;
+        self.lines.iter().flat_map(|line| line.windows(2)).find_map(|pair| {
+            let ((x_1, y_1), (x_2, y_2)) = (pair[0], pair[1]);
+            let part = if x_1 == x_2 { 0.0 } else { (drive - x_1) / (x_2 - x_1) };
+            near(x_1, x_2).then_some(y_1 + (y_2 - y_1) * part)
+        })
+    }
+
     /// Whether it changes.
     #[must_use]
     pub fn changes(&self) -> bool {
