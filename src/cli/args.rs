@@ -4,7 +4,7 @@ mod draw;
 mod format;
 mod pages;
 
-pub use draw::{Draw, LoadsArg, ThemeArg};
+pub use draw::{Draw, LoadsArg, Picture, ThemeArg};
 pub use format::{Format, ProfileFormat, SolveFormat};
 pub use pages::{Explain, Help, New, StartKind};
 

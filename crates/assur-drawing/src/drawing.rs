@@ -80,6 +80,8 @@ pub struct Sheet {
     pub bounds: Rect,
     /// Where the lines below begin.
     pub lines: Vec<Vec2>,
+    /// Classes of marks and of labels that a script moves, by their places in the lists; none where nothing moves.
+    pub moved: [Vec<Option<String>>; 2],
 }
 
 impl Drawing {
@@ -159,7 +161,7 @@ impl Drawing {
             bounds.add(Vec2::new(left + caption.width(), y + 0.3 * CAPTION));
             y += LINE;
         }
-        Sheet { drawing: self, placed, bounds: bounds.grown(MARGIN), lines }
+        Sheet { drawing: self, placed, bounds: bounds.grown(MARGIN), lines, moved: Default::default() }
     }
 }
 

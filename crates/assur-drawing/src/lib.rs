@@ -22,6 +22,6 @@ pub use label::{Anchor, Label};
 pub use mark::{Mark, Obstacle, Shape, on_circle};
 pub use palette::{Palette, Role, Theme};
 pub use scale::{SERIES, Scale, plain, round_length};
-pub use style::{Paint, STYLES, Style};
-pub use svg::{escaped, number};
+pub use style::{CURVES, Paint, STYLES, Style};
+pub use svg::{escaped, mark_svg, number};
 pub use text::{Level, Run, Set, Text};

@@ -55,6 +55,20 @@ pub enum Style {
     Want,
     /// An area of surplus.
     Surplus,
+    /// Hatching of an area.
+    Hatch,
+    /// Curves of a diagram, in their order: each has its own dashes.
+    Curve1,
+    /// The second.
+    Curve2,
+    /// The third.
+    Curve3,
+    /// The fourth.
+    Curve4,
+    /// The fifth.
+    Curve5,
+    /// The sixth.
+    Curve6,
     /// The circle around the number of a link.
     Number,
     /// Filled with the colour of velocities.
@@ -65,8 +79,12 @@ pub enum Style {
     GreenDot,
 }
 
+/// Styles of curves, in their order.
+pub const CURVES: [Style; 6] =
+    [Style::Curve1, Style::Curve2, Style::Curve3, Style::Curve4, Style::Curve5, Style::Curve6];
+
 /// All of them, in the order of their rules.
-pub const STYLES: [Style; 29] = [
+pub const STYLES: [Style; 36] = [
     Style::Link,
     Style::Medium,
     Style::Thin,
@@ -92,6 +110,13 @@ pub const STYLES: [Style; 29] = [
     Style::FrictionCircle,
     Style::Want,
     Style::Surplus,
+    Style::Hatch,
+    Style::Curve1,
+    Style::Curve2,
+    Style::Curve3,
+    Style::Curve4,
+    Style::Curve5,
+    Style::Curve6,
     Style::Number,
     Style::BlueDot,
     Style::VermilionDot,
@@ -161,6 +186,13 @@ impl Style {
             }
             Self::Want => area("A1", Role::BlueTint),
             Self::Surplus => area("A2", Role::VermilionTint),
+            Self::Hatch => stroke("ha", Role::Vermilion, 0.15),
+            Self::Curve1 => stroke("q1", Role::Ink, 0.6),
+            Self::Curve2 => dashed("q2", Role::Blue, 0.55, "4 1"),
+            Self::Curve3 => dashed("q3", Role::Vermilion, 0.55, "1.5 .8"),
+            Self::Curve4 => dashed("q4", Role::Green, 0.55, "5 1 1 1"),
+            Self::Curve5 => dashed("q5", Role::Grey, 0.7, ".7 .9"),
+            Self::Curve6 => dashed("q6", Role::Ink, 0.35, "3 .8 .8 .8 .8 .8"),
             Self::Number => filled("n0", Role::Ink, 0.22, Role::Paper),
             Self::BlueDot => area("kv", Role::Blue),
             Self::VermilionDot => area("ka", Role::Vermilion),
@@ -181,6 +213,7 @@ impl Style {
                 | Self::Way
                 | Self::Want
                 | Self::Surplus
+                | Self::Hatch
                 | Self::Number
         )
     }

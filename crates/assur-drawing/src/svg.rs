@@ -56,7 +56,9 @@ impl Sheet {
             number(size.y)
         );
         self.marks(&mut out);
-        self.placed.iter().for_each(|placed| self.label(&mut out, placed));
+        for (i, placed) in self.placed.iter().enumerate() {
+            within(&mut out, self.moved[1].get(i), |out| self.label(out, placed));
+        }
         self.captions(&mut out);
         out.push_str("</svg>\n");
         out
@@ -170,7 +172,7 @@ impl Sheet {
 
     fn marks(&self, out: &mut String) {
         let mut open = 0;
-        for mark in &self.drawing.marks {
+        for (i, mark) in self.drawing.marks.iter().enumerate() {
             if mark.group != open {
                 if open != 0 {
                     out.push_str("</g>\n");
@@ -182,7 +184,7 @@ impl Sheet {
                     let _ = writeln!(out, r#"<g class="{}" data-name="{name}">"#, group.class);
                 }
             }
-            shape(out, mark);
+            within(out, self.moved[0].get(i), |out| shape(out, mark));
         }
         if open != 0 {
             out.push_str("</g>\n");
@@ -248,6 +250,22 @@ impl Sheet {
             out.push_str("</g>\n");
         }
     }
+}
+
+/// Writes something, in a group of its own where it has a class.
+fn within(out: &mut String, class: Option<&Option<String>>, write: impl FnOnce(&mut String)) {
+    let Some(class) = class.and_then(Option::as_ref) else { return write(out) };
+    let _ = write!(out, r#"<g class="{class}">"#);
+    write(out);
+    out.push_str("</g>\n");
+}
+
+/// A mark alone.
+#[must_use]
+pub fn mark_svg(mark: &Mark) -> String {
+    let mut out = String::new();
+    shape(&mut out, mark);
+    out.trim_end().to_owned()
 }
 
 /// The class of texts in a colour.

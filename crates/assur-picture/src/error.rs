@@ -1,5 +1,6 @@
 //! Pictures that cannot exist.
 
+use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
 use assur_model::model::{DriveTarget, PairKind};
 use assur_solve::solve::Solution;
@@ -10,6 +11,10 @@ use thiserror::Error;
 /// Why there is no picture.
 #[derive(Clone, Debug, Error, Diagnostic)]
 pub enum Missing {
+    /// No diagram.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Diagram(#[from] NoDiagram),
     /// No position is solved.
     #[error("there is no position to draw{named}")]
     #[diagnostic(code("mech::picture::no_position"))]

@@ -1,11 +1,16 @@
 //! The kinds of picture, by name.
 
+use crate::animation::still;
+use crate::cam::cams;
+use crate::ends::{hodographs, polars};
 use crate::error::Missing;
 use crate::forces::{forces, friction, lever};
 use crate::motion::{accelerations, velocities};
+use crate::plot::plot;
 use crate::scene::Scene;
 use crate::scheme::{Scheme, scheme};
 use crate::train::train;
+use crate::work::work;
 use assur_drawing::Drawing;
 use assur_model::model::{Level, LinkId};
 
@@ -26,10 +31,22 @@ pub enum Kind {
     Friction,
     /// Shafts in section.
     Train,
+    /// Numbers over the sweep.
+    Plot,
+    /// Effort and work of a flywheel over the cycle.
+    Work,
+    /// Profile and motion of designed cams.
+    Cam,
+    /// Velocities of a point over the sweep.
+    Hodograph,
+    /// Reactions in a pair over the sweep.
+    Polar,
+    /// The mechanism in motion.
+    Animation,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 7] = [
+pub const KINDS: [Kind; 13] = [
     Kind::Scheme,
     Kind::Velocities,
     Kind::Accelerations,
@@ -37,6 +54,12 @@ pub const KINDS: [Kind; 7] = [
     Kind::Lever,
     Kind::Friction,
     Kind::Train,
+    Kind::Plot,
+    Kind::Work,
+    Kind::Cam,
+    Kind::Hodograph,
+    Kind::Polar,
+    Kind::Animation,
 ];
 
 /// How pictures are drawn.
@@ -44,6 +67,10 @@ pub const KINDS: [Kind; 7] = [
 pub struct Options {
     /// The scheme.
     pub scheme: Scheme,
+    /// The items of `find` that are plotted, by index; all that change where there are none.
+    pub plotted: Vec<usize>,
+    /// The point of a hodograph, the pair of a polar diagram; all that the file asks for where it is empty.
+    pub of: String,
 }
 
 impl Kind {
@@ -58,6 +85,12 @@ impl Kind {
             Self::Lever => "lever",
             Self::Friction => "friction",
             Self::Train => "train",
+            Self::Plot => "plot",
+            Self::Work => "work",
+            Self::Cam => "cam",
+            Self::Hodograph => "hodograph",
+            Self::Polar => "polar",
+            Self::Animation => "animation",
         }
     }
 
@@ -65,8 +98,15 @@ impl Kind {
     #[must_use]
     pub const fn level(self) -> Level {
         match self {
-            Self::Scheme | Self::Forces | Self::Train => Level::Positions,
-            Self::Velocities | Self::Lever | Self::Friction => Level::Velocities,
+            Self::Scheme
+            | Self::Forces
+            | Self::Train
+            | Self::Plot
+            | Self::Work
+            | Self::Cam
+            | Self::Polar
+            | Self::Animation => Level::Positions,
+            Self::Velocities | Self::Lever | Self::Friction | Self::Hodograph => Level::Velocities,
             Self::Accelerations => Level::Accelerations,
         }
     }
@@ -74,7 +114,19 @@ impl Kind {
     /// Whether it shows forces.
     #[must_use]
     pub const fn forces(self) -> bool {
-        matches!(self, Self::Forces | Self::Lever | Self::Friction)
+        matches!(self, Self::Forces | Self::Lever | Self::Friction | Self::Polar)
+    }
+
+    /// Whether it shows the whole sweep and not one position.
+    #[must_use]
+    pub const fn is_of_sweep(self) -> bool {
+        matches!(self, Self::Plot | Self::Work | Self::Hodograph | Self::Polar | Self::Animation)
+    }
+
+    /// Whether its name may be followed by what it shows.
+    #[must_use]
+    pub const fn names_something(self) -> bool {
+        matches!(self, Self::Plot | Self::Hodograph | Self::Polar)
     }
 
     /// The kind of a name.
@@ -92,6 +144,12 @@ pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Draw
     match kind {
         Kind::Scheme => scheme_or_section(scene, options).map(|scheme| vec![scheme]),
         Kind::Train => train(scene).map(|section| vec![section]),
+        Kind::Cam => cams(scene, options.scheme.size),
+        Kind::Hodograph => hodographs(scene, &options.of, options.scheme.size),
+        Kind::Polar => polars(scene, &options.of, options.scheme.size),
+        Kind::Animation => still(scene, options.scheme.size).map(|first| vec![first]),
+        Kind::Work => work(scene),
+        Kind::Plot => plot(scene, &options.plotted).map(|(plot, _)| vec![plot]),
         Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Accelerations => accelerations(scene, options.scheme.size).map(|plan| vec![plan]),
         Kind::Forces => forces(scene, options.scheme.size),

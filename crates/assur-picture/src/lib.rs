@@ -1,18 +1,27 @@
 //! Pictures of a solved problem. Nothing is computed here: a picture shows a [`Scene`], one position of a solution.
 
 mod angles;
+mod animation;
+mod cam;
+mod diagram;
+mod ends;
 mod error;
 mod forces;
 mod frame;
 mod kind;
 mod motion;
+mod no_diagram;
+mod plot;
 mod scene;
 mod scheme;
 mod shape;
 mod symbol;
 mod train;
 mod words;
+mod work;
 
+pub use animation::animation;
+pub use cam::cams_alone;
 pub use error::Missing;
 pub use frame::Frame;
 pub use kind::{KINDS, Kind, Options, draw};

@@ -10,7 +10,7 @@ use clap::ValueEnum;
 #[derive(Clone, Debug, clap::Args)]
 pub struct Draw {
     /// Files to draw, and the pictures wanted: `scheme`, `velocities`, `accelerations`, `forces`, `lever`, `friction`,
-    /// `train` [default: scheme]
+    /// `train`, `plot "omega(rocker), Mb"`, `work` [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
     /// Write one picture to this file (.svg), all to this page (.html), or to files in this folder (created only when
@@ -44,24 +44,31 @@ pub struct Draw {
 }
 
 impl Draw {
-    /// The pictures wanted, and the names of the files.
+    /// The pictures wanted, and the names of the files. What stands behind `plot`, `hodograph` and `polar` is what they show,
+    /// unless it names a file or another picture.
     #[must_use]
-    pub fn kinds(&self) -> (Vec<Kind>, Vec<String>) {
-        let (mut kinds, mut files) = (Vec::new(), Vec::new());
-        for name in &self.names {
-            match Kind::named(name) {
-                Some(kind) if kinds.contains(&kind) => {}
-                Some(kind) => kinds.push(kind),
-                None => files.push(name.clone()),
+    pub fn pictures(&self) -> (Vec<Picture>, Vec<String>) {
+        let (mut pictures, mut files) = (Vec::<Picture>::new(), Vec::new());
+        let mut names = self.names.iter().peekable();
+        while let Some(name) = names.next() {
+            let Some(kind) = Kind::named(name) else {
+                files.push(name.clone());
+                continue;
+            };
+            let of =
+                names.next_if(|next| kind.names_something() && !is_file(next) && Kind::named(next).is_none());
+            let picture = Picture { kind, of: of.cloned().unwrap_or_default() };
+            if !pictures.contains(&picture) {
+                pictures.push(picture);
             }
         }
         if self.all {
-            kinds = KINDS.to_vec();
+            pictures = KINDS.into_iter().map(|kind| Picture { kind, of: String::new() }).collect();
         }
-        if kinds.is_empty() {
-            kinds.push(Kind::Scheme);
+        if pictures.is_empty() {
+            pictures.push(Picture { kind: Kind::Scheme, of: String::new() });
         }
-        (kinds, files)
+        (pictures, files)
     }
 
     /// The values from outside.
@@ -69,6 +76,20 @@ impl Draw {
     pub fn overrides(&self) -> Overrides {
         Overrides::set(self.settings.clone())
     }
+}
+
+/// A picture that is wanted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Its kind.
+    pub kind: Kind,
+    /// What it shows: numbers of a plot, a point, a pair; empty where nothing is named.
+    pub of: String,
+}
+
+/// Whether an argument names a file or a folder.
+fn is_file(name: &str) -> bool {
+    name == "-" || name.ends_with(".mech") || std::path::Path::new(name).exists()
 }
 
 /// Which loads are shown.

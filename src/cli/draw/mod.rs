@@ -1,8 +1,9 @@
 //! `assur draw`
 
 mod output;
+mod plotted;
 
-use super::args::Draw;
+use super::args::{Draw, Picture};
 use super::error::CliError;
 use super::files;
 use super::reply::Printer;
@@ -12,6 +13,7 @@ use crate::pipeline::{self, Solved};
 use assur_check::Overrides;
 use assur_drawing::Theme;
 use assur_math::math::Vec2;
+use assur_model::model::Mechanism;
 use assur_picture::{Kind, Options, Scene, Scheme};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
@@ -19,10 +21,11 @@ use output::Output;
 
 /// Draws pictures of solved problems.
 pub fn run(args: &Draw, screen: &Screen) -> Status {
-    let (kinds, names) = args.kinds();
+    let (pictures, names) = args.pictures();
     let inputs = files::expand(&names);
-    let one = inputs.len() == 1 && kinds.len() == 1;
-    let output = match Output::of(args.out.as_deref(), one) {
+    let one = inputs.len() == 1 && pictures.len() == 1;
+    let animation = matches!(pictures.as_slice(), [picture] if picture.kind == Kind::Animation);
+    let output = match Output::of(args.out.as_deref(), one, animation) {
         Ok(output) => output,
         Err(error) => {
             screen.complain(&complaint(error, screen));
@@ -30,7 +33,7 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
         }
     };
     let overrides = args.overrides();
-    let drawing = Drawing { args, screen, kinds, overrides, output, several: inputs.len() > 1 };
+    let drawing = Drawing { args, screen, pictures, overrides, output, several: inputs.len() > 1 };
     let status = for_each_input(inputs, &mut Printer::new(screen, ""), |source, _| drawing.of_file(source));
     match drawing.output.finish(&names) {
         Ok(()) => status,
@@ -45,7 +48,7 @@ pub fn run(args: &Draw, screen: &Screen) -> Status {
 struct Drawing<'a> {
     args: &'a Draw,
     screen: &'a Screen,
-    kinds: Vec<Kind>,
+    pictures: Vec<Picture>,
     overrides: Overrides,
     output: Output,
     /// The command line names several files.
@@ -57,11 +60,16 @@ struct Page {
     name: String,
     title: String,
     text: String,
+    /// Of its file.
+    ending: &'static str,
 }
 
 impl Drawing<'_> {
     fn of_file(&self, source: &Source) -> Reply {
-        let (solved, mut problems) = pipeline::solve_drawn(source, &self.overrides, &self.kinds);
+        let extended = plotted::extended(source, &self.overrides, &self.pictures);
+        let source = extended.as_ref().unwrap_or(source);
+        let kinds: Vec<Kind> = self.pictures.iter().map(|picture| picture.kind).collect();
+        let (solved, mut problems) = pipeline::solve_drawn(source, &self.overrides, &kinds);
         let pages = match solved {
             Some(solved) => self.pages(source, &solved, &mut problems),
             None => Vec::new(),
@@ -77,7 +85,7 @@ impl Drawing<'_> {
     }
 
     fn args_inputs(&self) -> Vec<String> {
-        self.args.kinds().1
+        self.args.pictures().1
     }
 
     fn options(&self) -> Options {
@@ -90,25 +98,52 @@ impl Drawing<'_> {
         if let Some((width, height)) = self.args.size {
             scheme.size = Vec2::new(width, height);
         }
-        Options { scheme }
+        Options { scheme, ..Options::default() }
     }
 
     /// All pictures of a file.
     fn pages(&self, source: &Source, solved: &Solved, problems: &mut Problems) -> Vec<Page> {
-        let moves = self.args.ghosts > 0 || !self.args.path.is_empty();
+        let animated = self.pictures.iter().any(|picture| picture.kind == Kind::Animation);
+        let moves = animated || self.args.ghosts > 0 || !self.args.path.is_empty();
         let turn = if moves { pipeline::turn(&solved.compiled, &solved.solution) } else { Vec::new() };
+        let mechanism = &solved.compiled.mechanism;
+        let of_cams = |picture: &Picture| picture.kind == Kind::Cam;
+        if solved.solution.poses.is_empty() && self.pictures.iter().all(of_cams) {
+            return self.cams(source, mechanism, problems);
+        }
         let scenes = self.scenes(source, solved, problems);
         let scenes: Vec<Scene<'_>> = scenes.into_iter().map(|scene| Scene { turn: &turn, ..scene }).collect();
-        let options = self.options();
-        let stem = if self.several { path_in_one(&source.name) } else { stem(&source.name) };
+        let stem = self.stem(source);
         let several = scenes.len() > 1;
         let mut pages = Vec::new();
-        for kind in &self.kinds {
-            for scene in &scenes {
-                match assur_picture::draw(*kind, scene, &options) {
+        for picture in &self.pictures {
+            let plotted = plotted::items(source, mechanism, &picture.of);
+            let options = Options { plotted, of: picture.of.clone(), ..self.options() };
+            let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
+            for scene in &scenes[..shown.min(scenes.len())] {
+                if picture.kind == Kind::Animation && !self.output.is_page() {
+                    let size = options.scheme.size;
+                    let page = assur_picture::animation(scene, size, self.args.theme.into());
+                    match page {
+                        Ok(text) => {
+                            let name = output::file_name(&format!("{stem}-animation"));
+                            pages.push(Page { name, title: String::new(), text, ending: "html" });
+                        }
+                        Err(_) if self.args.all => {}
+                        Err(missing) => problems.push(missing),
+                    }
+                    continue;
+                }
+                match assur_picture::draw(picture.kind, scene, &options) {
                     Ok(drawings) => {
-                        let pose = if several { format!("-{}", scene.pose.name) } else { String::new() };
-                        let name = output::file_name(&format!("{stem}-{}{pose}", kind.name()));
+                        let mut name = format!("{stem}-{}", picture.kind.name());
+                        if !picture.of.is_empty() {
+                            name += &format!("-{}", picture.of);
+                        }
+                        if several && !picture.kind.is_of_sweep() {
+                            name += &format!("-{}", scene.pose.name);
+                        }
+                        let name = output::file_name(&name);
                         pages.extend(self.numbered(&name, drawings));
                     }
                     // of all kinds those are left out that the file has no effects for
@@ -123,6 +158,24 @@ impl Drawing<'_> {
         pages
     }
 
+    /// The cams of a file that has no position.
+    fn cams(&self, source: &Source, mechanism: &Mechanism, problems: &mut Problems) -> Vec<Page> {
+        match assur_picture::cams_alone(mechanism, &source.name, self.options().scheme.size) {
+            Ok(drawings) => {
+                self.numbered(&output::file_name(&format!("{}-cam", self.stem(source))), drawings)
+            }
+            Err(missing) => {
+                problems.push(missing);
+                Vec::new()
+            }
+        }
+    }
+
+    /// The begin of the names of pictures.
+    fn stem(&self, source: &Source) -> String {
+        if self.several { path_in_one(&source.name) } else { stem(&source.name) }
+    }
+
     /// Pictures of one kind and one position as text, numbered where there are several.
     fn numbered(&self, name: &str, drawings: Vec<assur_drawing::Drawing>) -> Vec<Page> {
         let theme: Theme = self.args.theme.into();
@@ -133,7 +186,7 @@ impl Drawing<'_> {
                 // two files of one name may be in one page
                 drawing.id = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
             }
-            Page { name, title: drawing.title.clone(), text: drawing.placed().svg(theme) }
+            Page { name, title: drawing.title.clone(), text: drawing.placed().svg(theme), ending: "svg" }
         });
         pages.collect()
     }

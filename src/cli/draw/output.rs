@@ -22,10 +22,15 @@ pub enum Output {
 
 impl Output {
     /// What `-o` names; a name that ends in `.svg` or `.html` is a file, any other a folder.
-    pub fn of(name: Option<&str>, one: bool) -> Result<Self, CliError> {
+    pub fn of(name: Option<&str>, one: bool, animation: bool) -> Result<Self, CliError> {
         match name {
             None | Some("-") if one => Ok(Self::Stdout),
             None | Some("-") => Err(one_only("standard output")),
+            Some(name) if name.ends_with(".html") && one && animation => Ok(Self::File(PathBuf::from(name))),
+            Some(name) if name.ends_with(".svg") && animation => Err(CliError::NotCreated {
+                name: name.to_owned(),
+                why: "an animation is a page: write it to a file that ends in `.html`".to_owned(),
+            }),
             Some(name) if name.ends_with(".html") => {
                 Ok(Self::Page(PathBuf::from(name), RefCell::new(String::new())))
             }
@@ -33,6 +38,11 @@ impl Output {
             Some(name) if name.ends_with(".svg") => Err(one_only(name)),
             Some(name) => Ok(Self::Folder(PathBuf::from(name))),
         }
+    }
+
+    /// Whether all pictures come into one page, in which nothing moves.
+    pub const fn is_page(&self) -> bool {
+        matches!(self, Self::Page(..))
     }
 
     /// Writes pictures; what goes to standard output is given back.
@@ -62,7 +72,7 @@ impl Output {
                     why: error.to_string(),
                 })?;
                 for page in pages {
-                    written(&folder.join(format!("{}.svg", page.name)), &page.text, inputs)?;
+                    written(&folder.join(format!("{}.{}", page.name, page.ending)), &page.text, inputs)?;
                 }
                 Ok(String::new())
             }

@@ -51,7 +51,7 @@ pub fn forces(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
 }
 
 /// Refuses where the forces are not known.
-fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
+pub fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
     if let Some(defect) = &scene.model.structure.force_defect {
         return Err(Missing::no_forces(
             &defect.to_string(),

@@ -195,7 +195,7 @@ fn joined(names: Vec<Text>) -> Text {
 }
 
 /// Five digits.
-fn significant(x: f64) -> String {
+pub fn significant(x: f64) -> String {
     assur_text::units::significant(x, 5).replace('-', "−")
 }
 

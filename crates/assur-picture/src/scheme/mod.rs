@@ -75,18 +75,41 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
         (Some(scale), Some(_)) => Frame::new(Some(scale), fitting.origin),
         _ => fitting,
     };
+    Ok(drawn(scene, wanted, &shapes, &frame, &traced))
+}
+
+/// The size and place on paper that hold a mechanism at several positions.
+pub fn frame_of_all(scenes: &[Scene<'_>], size: Vec2) -> Frame {
+    let mut bounds = Rect::NOTHING;
+    scenes.iter().for_each(|scene| bounds.join(&extent(scene, &shapes(scene))));
+    let size = scenes.first().map_or(size, |scene| size * crowding(scene));
+    Frame::fitting(&bounds, paper(&bounds, size) - AROUND)
+}
+
+/// The scheme of a position where others have their places too.
+pub fn scheme_in(scene: &Scene<'_>, wanted: &Scheme, frame: &Frame) -> Drawing {
+    drawn(scene, wanted, &shapes(scene), frame, &[])
+}
+
+fn drawn(
+    scene: &Scene<'_>,
+    wanted: &Scheme,
+    shapes: &[LinkShape],
+    frame: &Frame,
+    traced: &[ways::Traced],
+) -> Drawing {
     let title = format!("{}: kinematic scheme{}", words::title(scene), words::at_position(scene));
     let mut drawing = Drawing::new(&words::id(scene, "scheme"), title, String::new());
-    let mut sketch = Sketch::new(scene, &shapes, &frame);
+    let mut sketch = Sketch::new(scene, shapes, frame);
     sketch.ghosts(&mut drawing, wanted.ghosts);
-    sketch.paths(&mut drawing, &traced);
+    sketch.paths(&mut drawing, traced);
     sketch.draw(&mut drawing, wanted);
     drawing.description = words::mechanism(scene) + &sketch.said;
     if let Some(scale) = frame.scale {
         drawing.captions.push(length_scale(&scale));
         drawing.description += &format!("Length scale {} m per mm.", scale.text());
     }
-    Ok(drawing)
+    drawing
 }
 
 /// How much larger than usual a sheet is, so that the symbols of many pairs have room.

@@ -50,7 +50,7 @@ pub use again::Again;
 pub use assemblies::{Assemblies, GroupAssemblies, GroupAssembly, assemblies};
 pub use block::{Ahead, BLOCK, Block};
 pub use clause::{Clause, NamedPoint};
-pub use cycle::over_cycle;
+pub use cycle::{Course, courses, over_cycle};
 pub use failure::{Cause, Failure, GroupId, Lost};
 pub use gap::GroupGap;
 pub use note::{Closing, Gap, Locking, Loss, Note, Pull, Uncertified};

@@ -261,6 +261,11 @@ pub const CODES: &[Code] = codes! {
     "picture" / "no_forces",
     "picture" / "no_friction",
     "picture" / "no_train",
+    "picture" / "no_sweep",
+    "picture" / "no_quantity",
+    "picture" / "no_flywheel",
+    "picture" / "no_cam",
+    "picture" / "unknown",
     "picture" / "no_point",
     "picture" / "no_way",
     // tables beside a file

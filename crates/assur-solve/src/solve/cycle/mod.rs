@@ -5,6 +5,7 @@
 //! integrated. Between them a quantity is a Chebyshev series per panel, halved until it has converged; a quantity that
 //! is smooth over whole turns has its mean from equally spaced samples, of which the fewest suffice.
 
+mod course;
 mod depends;
 mod flywheel;
 mod interval;
@@ -12,6 +13,7 @@ mod panels;
 mod sampler;
 mod switches;
 
+pub use course::{Course, courses};
 pub(super) use depends::loads_name_quantities;
 
 use super::failure::{Cause, Failure};

@@ -12,7 +12,7 @@ use crate::model::{
 use crate::position::Model;
 
 /// Roots nearer than this to the sweep's ends, or to one another, are one with them.
-const APART: f64 = 1e-13;
+pub(super) const APART: f64 = 1e-13;
 /// A vector below this part of its greatest magnitude passes through zero.
 const NULL: f64 = 1e-9;
 /// A function that changes its sign in more than this part of all intervals is rounding noise.

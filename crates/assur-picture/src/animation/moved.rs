@@ -1,0 +1,184 @@
+//! How the marks of a drawing move from frame to frame: those that keep their shape are turned and shifted, the others are
+//! drawn anew.
+
+use crate::angles::wrapped;
+use assur_drawing::{Anchor, Drawing, Label, Mark, Shape, mark_svg, on_circle};
+use assur_math::math::Vec2;
+
+/// What two places may differ by and are still one, mm.
+const SAME: f64 = 0.02;
+
+/// Marks that move together.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// About which they turn, in the first frame.
+    pub centre: Vec2,
+    /// Whether they turn.
+    pub turns: bool,
+    /// Where that place is in each frame, mm, and how far they have turned, rad.
+    pub poses: Vec<(Vec2, f64)>,
+}
+
+/// A mark that changes its shape, as text in each frame.
+pub type Redrawn = Vec<String>;
+
+/// What moves in a drawing.
+#[derive(Default)]
+pub struct Moved {
+    /// What moves together.
+    pub bodies: Vec<Body>,
+    /// What is drawn anew.
+    pub redrawn: Vec<Redrawn>,
+    /// Classes of marks and of labels.
+    pub classes: [Vec<Option<String>>; 2],
+}
+
+impl Body {
+    fn moves(&self) -> bool {
+        let still = |(at, angle): &(Vec2, f64)| (*at - self.centre).norm() <= SAME && angle.abs() < 1e-5;
+        !self.poses.iter().all(still)
+    }
+
+    /// Where a place of the first frame is in another.
+    fn carried(&self, frame: usize, at: Vec2) -> Vec2 {
+        let (to, angle) = self.poses[frame];
+        to + (at - self.centre).turned(Vec2::direction(angle))
+    }
+
+    /// Whether another moves with it.
+    fn takes(&self, other: &Self) -> bool {
+        (!other.turns || self.turns)
+            && other.poses.iter().enumerate().all(|(k, (at, angle))| {
+                (self.carried(k, other.centre) - *at).norm() <= SAME
+                    && (!other.turns || wrapped(self.poses[k].1 - angle).abs() < 2e-4)
+            })
+    }
+}
+
+impl Moved {
+    /// Of a drawing and all frames, of which it is the first.
+    pub fn of(frames: &[Drawing]) -> Self {
+        let mut moved = Self::default();
+        let Some(first) = frames.first() else { return moved };
+        let found: Vec<Vec<Option<&Mark>>> = frames.iter().map(|frame| matching(first, frame)).collect();
+        let bodies: Vec<Option<Body>> = (0..first.marks.len()).map(|i| rigid(&found, i)).collect();
+        // those that turn first: circles move with them
+        let mut order: Vec<usize> = (0..bodies.len()).collect();
+        order.sort_by_key(|i| !bodies[*i].as_ref().is_some_and(|body| body.turns));
+        let mut classes = vec![None; first.marks.len()];
+        for i in order {
+            classes[i] = match &bodies[i] {
+                Some(body) if !body.moves() => None,
+                Some(body) => Some(moved.class_of(body)),
+                None => {
+                    let texts = found.iter().map(|marks| marks[i].map(mark_svg).unwrap_or_default());
+                    moved.redrawn.push(texts.collect());
+                    Some(format!("r{}", moved.redrawn.len() - 1))
+                }
+            };
+        }
+        let labels = first.labels.iter().enumerate().map(|(i, label)| {
+            let at = |frame: &Drawing| frame.labels.get(i).filter(|l| l.text == label.text).map(anchor);
+            let poses: Option<Vec<(Vec2, f64)>> = frames.iter().map(|f| Some((at(f)?, 0.0))).collect();
+            let body = Body { centre: anchor(label), turns: false, poses: poses? };
+            body.moves().then(|| moved.shift_of(&body))
+        });
+        moved.classes = [classes, labels.collect()];
+        moved
+    }
+
+    fn class_of(&mut self, body: &Body) -> String {
+        let known = self.bodies.iter().position(|b| b.takes(body));
+        let index = known.unwrap_or_else(|| {
+            self.bodies.push(body.clone());
+            self.bodies.len() - 1
+        });
+        format!("m{index}")
+    }
+
+    /// Labels are shifted and never turned.
+    fn shift_of(&mut self, body: &Body) -> String {
+        let known = self.bodies.iter().position(|b| !b.turns && b.takes(body));
+        let index = known.unwrap_or_else(|| {
+            self.bodies.push(body.clone());
+            self.bodies.len() - 1
+        });
+        format!("m{index}")
+    }
+}
+
+const fn anchor(label: &Label) -> Vec2 {
+    match label.anchor {
+        Anchor::Point(at, _) => at,
+        Anchor::Line(a, b) => Vec2::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y)),
+    }
+}
+
+/// The mark of a frame for each of the first: of the same group, style and place in the group.
+fn matching<'d>(first: &Drawing, frame: &'d Drawing) -> Vec<Option<&'d Mark>> {
+    let same =
+        |a: &Mark, b: &Mark| a.style == b.style && first.groups.get(a.group) == frame.groups.get(b.group);
+    if first.marks.len() == frame.marks.len() && first.marks.iter().zip(&frame.marks).all(|(a, b)| same(a, b))
+    {
+        return frame.marks.iter().map(Some).collect();
+    }
+    let mut taken = vec![false; frame.marks.len()];
+    let mut found = Vec::with_capacity(first.marks.len());
+    for mark in &first.marks {
+        let at = frame.marks.iter().enumerate().position(|(i, other)| !taken[i] && same(mark, other));
+        if let Some(at) = at {
+            taken[at] = true;
+        }
+        found.push(at.map(|at| &frame.marks[at]));
+    }
+    found
+}
+
+/// How a mark moves if it keeps its shape.
+fn rigid(frames: &[Vec<Option<&Mark>>], index: usize) -> Option<Body> {
+    let first = places(&frames.first()?.get(index).copied().flatten()?.shape);
+    let count = first.len() as f64;
+    let middle = |points: &[Vec2]| points.iter().fold(Vec2::zero(), |sum, p| sum + *p) / count;
+    let centre = middle(&first);
+    let turns = first.len() > 1;
+    let mut before = 0.0;
+    let mut poses = Vec::with_capacity(frames.len());
+    for marks in frames {
+        let here = places(&marks[index]?.shape);
+        if here.len() != first.len() {
+            return None;
+        }
+        let to = middle(&here);
+        let (mut cross, mut dot) = (0.0, 0.0);
+        for (a, b) in first.iter().zip(&here) {
+            let (a, b) = (*a - centre, *b - to);
+            cross += a.cross(b);
+            dot += a.dot(b);
+        }
+        let angle = if turns { libm::atan2(cross, dot) } else { 0.0 };
+        let u = Vec2::direction(angle);
+        let keeps = |(a, b): (&Vec2, &Vec2)| (to + (*a - centre).turned(u) - *b).norm() <= SAME;
+        if !first.iter().zip(&here).all(keeps) {
+            return None;
+        }
+        // angles go on without jumps
+        before += wrapped(angle - before);
+        poses.push((to, before));
+    }
+    Some(Body { centre, turns, poses })
+}
+
+/// Places that say where a shape is; one alone of a circle, whose turn is not seen.
+fn places(shape: &Shape) -> Vec<Vec2> {
+    match shape {
+        Shape::Line(a, b) | Shape::Arrow(a, b) => vec![*a, *b],
+        Shape::Lines { points, .. } => points.clone(),
+        Shape::Strokes(lines) => lines.iter().flat_map(|(a, b)| [*a, *b]).collect(),
+        Shape::Circle { centre, .. } => vec![*centre],
+        Shape::Arc { centre, radius, from, sweep }
+        | Shape::Sector { centre, radius, from, sweep }
+        | Shape::ArcArrow { centre, radius, from, sweep } => {
+            vec![*centre, on_circle(*centre, *radius, *from), on_circle(*centre, *radius, from + sweep)]
+        }
+    }
+}

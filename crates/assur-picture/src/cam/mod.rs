@@ -1,0 +1,56 @@
+//! Designed cams: the profile with its follower, and the motion of the follower over a turn.
+
+mod motion;
+mod placed;
+mod profile;
+
+use crate::error::Missing;
+use crate::no_diagram::NoDiagram;
+use crate::scene::Scene;
+use crate::words;
+use assur_drawing::Drawing;
+use assur_math::math::Vec2;
+use assur_model::model::Mechanism;
+use placed::PlacedCam;
+
+/// Whose cams are drawn.
+struct Subject<'s, 'a> {
+    mechanism: &'a Mechanism,
+    title: String,
+    /// The begin of ids.
+    id: String,
+    /// The position at which cams stand that are in the mechanism.
+    scene: Option<&'s Scene<'a>>,
+}
+
+/// Two pictures per cam.
+///
+/// # Errors
+/// There is none.
+pub fn cams(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+    let (title, id) = (words::title(scene), words::id(scene, "cam"));
+    drawn(&Subject { mechanism: scene.mechanism(), title, id, scene: Some(scene) }, size)
+}
+
+/// The cams of a file that has no position: each at the angle of its greatest pressure angle.
+///
+/// # Errors
+/// There is none.
+pub fn cams_alone(mechanism: &Mechanism, file: &str, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+    let title = if mechanism.title.is_empty() { file.to_owned() } else { mechanism.title.clone() };
+    let stem = file.rsplit(['/', '\\']).next().unwrap_or_default().trim_end_matches(".mech");
+    drawn(&Subject { mechanism, title, id: format!("cam-{stem}"), scene: None }, size)
+}
+
+fn drawn(subject: &Subject<'_, '_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+    let plates = &subject.mechanism.cams;
+    if plates.is_empty() {
+        return Err(NoDiagram::NoCam.into());
+    }
+    let mut drawings = Vec::new();
+    for (i, plate) in plates.iter().enumerate() {
+        drawings.push(profile::profile(subject, &PlacedCam::of(subject, i, plate), size));
+        drawings.push(motion::motion(subject, plate));
+    }
+    Ok(drawings)
+}

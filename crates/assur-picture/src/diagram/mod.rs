@@ -1,0 +1,13 @@
+//! Diagrams: panels with axes, curves in them, areas.
+
+mod area;
+mod axis;
+mod curve;
+mod figure;
+mod panel;
+
+pub use area::hatched;
+pub use axis::Axis;
+pub use curve::{Curve, Line, over_poses};
+pub use figure::{drive_axis, drive_label, printed, scaled, unit_text, value_text, with_unit};
+pub use panel::{LETTERS, Panel, thinned};

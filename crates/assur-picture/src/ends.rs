@@ -1,0 +1,349 @@
+//! Vectors over the sweep by the curve of their ends: the hodograph of a point's velocity, the polar diagram of a reaction.
+
+use crate::diagram::thinned;
+use crate::error::Missing;
+use crate::frame::Frame;
+use crate::no_diagram::NoDiagram;
+use crate::scene::Scene;
+use crate::words;
+use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};
+use assur_math::math::Vec2;
+use assur_model::model::{Axis, Expr, FindKind, LinkId, Mechanism, PairId, PairKind, PointRef, Query, Value};
+use assur_solve::solve::{Pose, PoseOrigin, courses};
+
+/// Points of the curve over the sweep.
+const PARTS: f64 = 480.0;
+/// The most vectors that are drawn.
+const MOST: usize = 12;
+/// Axes beyond the curve, mm.
+const BEYOND: f64 = 6.0;
+/// Sizes of numbers of poses and of names.
+const NUMBERS: f64 = 3.1;
+const NAMES: f64 = 4.2;
+/// Radius of the pole.
+const POLE: f64 = 0.9;
+/// An arrow on the curve is so long, mm.
+const ALONG: f64 = 4.0;
+
+/// Which vectors.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Of {
+    Velocity,
+    Reaction,
+}
+
+/// A vector over the sweep.
+struct Swept {
+    query: Query,
+    /// As written: `ram.F`, `B on coupler`.
+    plain: String,
+    letter: Text,
+}
+
+/// Hodographs: of a point of a name, or of all whose velocity the file asks for.
+///
+/// # Errors
+/// No speed, no sweep, no such point.
+pub fn hodographs(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+    if !scene.model.plan.effects.moving {
+        return Err(Missing::no_speed(scene, "velocities"));
+    }
+    let mut all = Vec::new();
+    if name.is_empty() {
+        asked(scene.mechanism(), &mut |query, text| {
+            if let Query::Velocity(point) = query {
+                all.push(velocity(scene.mechanism(), *point, text));
+            }
+        });
+        if all.is_empty() {
+            let known = points(scene.mechanism());
+            let why = "the file asks for no velocity of a point".to_owned();
+            return Err(NoDiagram::unknown("hodograph", why, &known, "name a point of a link").into());
+        }
+    } else {
+        let Some(point) = point(scene.mechanism(), name) else {
+            let known = points(scene.mechanism());
+            let why = format!("no point of a link is named `{name}`");
+            return Err(NoDiagram::unknown("hodograph", why, &known, "name a point of a link").into());
+        };
+        all.push(velocity(scene.mechanism(), point, name));
+    }
+    drawn(scene, Of::Velocity, &all, size)
+}
+
+/// Polar diagrams of reactions: of a pair of a name, or of all whose reaction the file asks for.
+///
+/// # Errors
+/// No forces, no sweep, no such pair.
+pub fn polars(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+    crate::forces::determined(scene)?;
+    let mechanism = scene.mechanism();
+    let mut all = Vec::new();
+    let known: Vec<String> = reacting(mechanism).map(|id| mechanism.pair(id).name.clone()).collect();
+    if name.is_empty() {
+        asked(mechanism, &mut |query, _| {
+            if let Query::Reaction(pair, link) = query {
+                all.push(reaction(mechanism, *pair, *link));
+            }
+        });
+        if mechanism.finds.iter().any(|f| matches!(f.kind, FindKind::Reactions)) {
+            all.extend(reacting(mechanism).map(|id| reaction(mechanism, id, on(mechanism, id))));
+        }
+        if all.is_empty() {
+            let why = "the file asks for no reaction".to_owned();
+            return Err(NoDiagram::unknown("polar diagram", why, &known, "name a pair").into());
+        }
+    } else {
+        let Some(id) = reacting(mechanism).find(|id| mechanism.pair(*id).name == name) else {
+            let why = format!("no pair is named `{name}`");
+            return Err(NoDiagram::unknown("polar diagram", why, &known, "declare a pair").into());
+        };
+        all.push(reaction(mechanism, id, on(mechanism, id)));
+    }
+    drawn(scene, Of::Reaction, &all, size)
+}
+
+/// The questions in the items of `find`, each once, with the name of the item.
+fn asked(mechanism: &Mechanism, visit: &mut impl FnMut(&Query, &str)) {
+    let mut done: Vec<Query> = Vec::new();
+    for find in &mechanism.finds {
+        let FindKind::Value { expr, .. } = &find.kind else { continue };
+        expr.queries(&mut |query| {
+            if !done.contains(query) {
+                done.push(*query);
+                visit(query, &find.name);
+            }
+        });
+    }
+}
+
+/// A point by its name, `ram.F` or, where one link alone has it, `F`.
+fn point(mechanism: &Mechanism, name: &str) -> Option<PointRef> {
+    let (link, point) = name.split_once('.').map_or((None, name), |(link, point)| (Some(link), point));
+    let fits = |i: &usize| {
+        let own = &mechanism.links[*i];
+        link.is_none_or(|link| own.name == link || own.number.as_deref() == Some(link))
+    };
+    let links = (1..mechanism.links.len()).filter(fits);
+    links
+        .filter_map(|i| {
+            let found = mechanism.links[i].points.iter().find(|p| p.name == point)?;
+            Some(PointRef::Fixed(LinkId::at(i), found.at))
+        })
+        .next()
+}
+
+fn points(mechanism: &Mechanism) -> Vec<String> {
+    let links = mechanism.links.iter().skip(1);
+    links.flat_map(|link| link.points.iter().map(|p| format!("{}.{}", link.name, p.name))).collect()
+}
+
+fn velocity(mechanism: &Mechanism, point: PointRef, written: &str) -> Swept {
+    let (link, name) = match point {
+        PointRef::Fixed(link, at) => {
+            let own = mechanism.link(link);
+            (link, own.points.iter().find(|p| p.at == at).map(|p| p.name.clone()))
+        }
+        PointRef::Under(link, _) => (link, None),
+    };
+    let plain = name
+        .as_ref()
+        .map_or_else(|| written.to_owned(), |name| format!("{}.{name}", mechanism.link(link).name));
+    let letter = Text::italic("v").lowered(name.as_deref().unwrap_or_default());
+    Swept { query: Query::Velocity(point), plain, letter }
+}
+
+fn reaction(mechanism: &Mechanism, pair: PairId, link: LinkId) -> Swept {
+    let name = &mechanism.pair(pair).name;
+    let plain = format!("{name} on {}", mechanism.link(link).name);
+    Swept { query: Query::Reaction(pair, link), plain, letter: Text::italic("R").lowered(name) }
+}
+
+/// Pairs with a force.
+fn reacting(mechanism: &Mechanism) -> impl Iterator<Item = PairId> {
+    let placed = |pair: &assur_model::model::Pair| {
+        pair.bearing.is_none() && !matches!(pair.kind, PairKind::Transmission(_))
+    };
+    mechanism.pairs.iter().enumerate().filter(move |(_, p)| placed(p)).map(|(i, _)| PairId::at(i))
+}
+
+/// The link on which the force of a pair is shown: the last that moves.
+fn on(mechanism: &Mechanism, pair: PairId) -> LinkId {
+    let links = mechanism.pair(pair).kind.links().into_iter();
+    links.filter(|l| *l != LinkId::GROUND).last().unwrap_or(LinkId::GROUND)
+}
+
+fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], size: Vec2) -> Result<Vec<Drawing>, Missing> {
+    let sets: Vec<Vec<Expr>> = all.iter().map(|swept| components(&swept.query)).collect();
+    let what = if of == Of::Velocity { "hodograph" } else { "polar diagram" };
+    let found = courses(&scene.model, &scene.solution.statics, &sets)
+        .map_err(|cause| NoDiagram::no_sweep(scene, what, &cause))?;
+    let mut drawings = Vec::new();
+    for (swept, found) in all.iter().zip(found) {
+        let lines: Vec<Vec<Vec2>> = match found.as_deref() {
+            Ok([x, y]) => {
+                let pairs = x.points(PARTS).into_iter().zip(y.points(PARTS));
+                vec![pairs.map(|(x, y)| Vec2::new(x.1, y.1)).collect()]
+            }
+            _ => over_poses(scene, &swept.query),
+        };
+        if lines.iter().any(|line| line.len() > 1) {
+            drawings.push(picture(scene, of, swept, &lines, size));
+        }
+    }
+    if drawings.is_empty() {
+        return Err(
+            NoDiagram::no_quantity(scene, "nothing that is asked for has a value over the sweep").into()
+        );
+    }
+    Ok(drawings)
+}
+
+fn components(query: &Query) -> Vec<Expr> {
+    let of = |axis| Expr::Component(Box::new(Expr::Query(*query)), axis);
+    vec![of(Axis::X), of(Axis::Y)]
+}
+
+/// The poses of the sweep.
+fn poses<'a>(scene: &Scene<'a>) -> impl Iterator<Item = &'a Pose> {
+    scene.solution.poses.iter().filter(|p| matches!(p.origin, PoseOrigin::Sweep(_)))
+}
+
+/// The vector at a pose.
+fn at(scene: &Scene<'_>, pose: &Pose, query: &Query) -> Option<Vec2> {
+    let solved = pose.outcome.as_ref().ok()?;
+    match scene.solution.view(&scene.model, solved).query(query) {
+        Value::Vector(v) if v.x.is_finite() && v.y.is_finite() => Some(v),
+        _ => None,
+    }
+}
+
+fn over_poses(scene: &Scene<'_>, query: &Query) -> Vec<Vec<Vec2>> {
+    let mut lines: Vec<Vec<Vec2>> = vec![Vec::new()];
+    for pose in poses(scene) {
+        match at(scene, pose, query) {
+            Some(v) => lines.last_mut().into_iter().for_each(|line| line.push(v)),
+            None => lines.push(Vec::new()),
+        }
+    }
+    lines
+}
+
+fn picture(scene: &Scene<'_>, of: Of, swept: &Swept, lines: &[Vec<Vec2>], size: Vec2) -> Drawing {
+    let (what, kind, unit) = match of {
+        Of::Velocity => ("hodograph of the velocity of", "hodograph", "m/s"),
+        Of::Reaction => ("polar diagram of the reaction in", "polar", "N"),
+    };
+    let title = format!("{}: {what} {}", words::title(scene), swept.plain);
+    let most = lines.iter().flatten().map(|v| v.norm()).fold(0.0, f64::max);
+    let unit_said = if scene.model.plan.effects.timed || of == Of::Reaction {
+        ""
+    } else {
+        " for a unit speed of the drive"
+    };
+    let said = format!(
+        "Ends of the vectors over the sweep{unit_said}; the greatest is {} {unit}.",
+        crate::motion::significant(most)
+    );
+    let id = format!("{}-{}", words::id(scene, kind), swept.plain);
+    let mut drawing = Drawing::new(&id, title, said);
+    let mut bounds = Rect::NOTHING;
+    bounds.add(Vec2::zero());
+    lines.iter().flatten().for_each(|v| bounds.add(*v));
+    let fitting = Frame::fitting(&bounds, size * 0.8);
+    let frame = Frame::new(fitting.scale, Vec2::zero());
+    axes(&mut drawing, &frame, &bounds);
+    let (thin, thick, role) = match of {
+        Of::Velocity => (Style::VelocityPart, Style::Velocity, Role::Blue),
+        Of::Reaction => (Style::UnknownPart, Style::Unknown, Role::Green),
+    };
+    vectors(scene, &mut drawing, &frame, (thin, role), swept);
+    drawing.begin("curve", &swept.plain);
+    for line in lines {
+        let points = thinned(&line.iter().map(|v| frame.point(*v)).collect::<Vec<_>>());
+        if points.len() > 1 {
+            sense(&mut drawing, thick, &points);
+            drawing.mark(thick, Shape::Lines { points, closed: false });
+        }
+    }
+    drawing.end();
+    let origin = frame.point(Vec2::zero());
+    drawing.mark(Style::Hinge, Shape::Circle { centre: origin, radius: POLE });
+    if let Some(scale) = frame.scale {
+        let symbol = if of == Of::Velocity { "v" } else { "F" };
+        let text = Text::italic("μ").and(symbol, true, Level::Sub);
+        drawing.caption(text.and(&format!(" = {} ({unit})/mm", scale.text()), false, Level::Base));
+        drawing.description += &format!(" Scale {} {unit} per mm.", scale.text());
+    } else {
+        drawing.caption(Text::upright("The vector is zero over the whole sweep."));
+    }
+    drawing
+}
+
+/// The axes of the ground through the pole.
+fn axes(drawing: &mut Drawing, frame: &Frame, bounds: &Rect) {
+    let (low, high) = (frame.point(bounds.min), frame.point(bounds.max));
+    drawing.begin("axes", "");
+    let right = Vec2::new(low.x.max(high.x) + BEYOND, 0.0);
+    let up = Vec2::new(0.0, low.y.min(high.y) - BEYOND);
+    drawing.line(Style::Axis, Vec2::new(low.x.min(high.x) - BEYOND, 0.0), right);
+    drawing.line(Style::Axis, Vec2::new(0.0, low.y.max(high.y) + BEYOND), up);
+    for (end, name) in [(right, "x"), (up, "y")] {
+        drawing.label(Label::at(Text::italic(name), NAMES, end, 0.4).towards(end).ranked(4));
+    }
+    drawing.end();
+}
+
+/// Vectors at poses, evenly over the sweep, with the poses' names; the longest with the letter.
+fn vectors(
+    scene: &Scene<'_>,
+    drawing: &mut Drawing,
+    frame: &Frame,
+    (style, role): (Style, Role),
+    swept: &Swept,
+) {
+    let all: Vec<&Pose> = poses(scene).collect();
+    let step = all.len().div_ceil(MOST).max(1);
+    let shown = all.iter().step_by(step).filter_map(|pose| Some((pose, at(scene, pose, &swept.query)?)));
+    let shown: Vec<(&&Pose, Vec2)> = shown.collect();
+    let longest = shown.iter().map(|(_, v)| v.norm()).fold(0.0, f64::max);
+    let mut named = false;
+    let origin = frame.point(Vec2::zero());
+    let mut taken: Vec<Vec2> = Vec::new();
+    for (pose, v) in shown {
+        let end = frame.point(v);
+        if (end - origin).norm() < 1.0 {
+            continue;
+        }
+        drawing.begin("vector", &format!("{} at pose {}", swept.plain, pose.name));
+        drawing.mark(style, Shape::Arrow(origin, end));
+        // one number where several poses share a vector
+        if taken.iter().all(|other| (*other - end).norm() > 0.8) {
+            let label = Label::at(Text::upright(&pose.name), NUMBERS, end, 0.6).towards(end - origin);
+            drawing.label(label.ranked(4));
+            taken.push(end);
+        }
+        if !named && v.norm() >= longest * (1.0 - 1e-9) {
+            named = true;
+            let label = Label::along(swept.letter.clone(), NAMES, origin, end);
+            drawing.label(label.coloured(role).ranked(1));
+        }
+        drawing.end();
+    }
+}
+
+/// An arrow's head on the curve, in the sense of the sweep.
+fn sense(drawing: &mut Drawing, style: Style, points: &[Vec2]) {
+    let lengths = points.windows(2).map(|p| (p[1] - p[0]).norm());
+    let total: f64 = lengths.clone().sum();
+    let mut left = total / 24.0;
+    for (pair, length) in points.windows(2).zip(lengths) {
+        if left <= length && total > 4.0 * ALONG {
+            let Some(along) = (pair[1] - pair[0]).unit() else { return };
+            let at = pair[0] + along * left;
+            drawing.mark(style, Shape::Arrow(at - along * (0.5 * ALONG), at + along * (0.5 * ALONG)));
+            return;
+        }
+        left -= length;
+    }
+}

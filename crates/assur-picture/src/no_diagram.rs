@@ -1,0 +1,124 @@
+//! Diagrams that cannot exist.
+
+use crate::scene::Scene;
+use assur_model::model::{DriveTarget, PairKind};
+use assur_solve::answer::NoSweep;
+use assur_solve::solve::Cause;
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// Why there is no diagram.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum NoDiagram {
+    /// There are no positions to go over.
+    #[error("there is no {what} to draw: {why}")]
+    #[diagnostic(code("mech::picture::no_sweep"))]
+    NoSweep {
+        /// `plot`, `hodograph`, …
+        what: &'static str,
+        /// What the file does not give.
+        why: &'static str,
+        /// What to write.
+        #[help]
+        help: String,
+    },
+    /// Nothing is asked that changes over the sweep.
+    #[error("there is nothing to plot: {why}")]
+    #[diagnostic(code("mech::picture::no_quantity"))]
+    NoQuantity {
+        /// `no item of `find` is a number`
+        why: String,
+        /// What to write.
+        #[help]
+        help: String,
+    },
+    /// No flywheel.
+    #[error("there is no work to draw: the file declares no flywheel")]
+    #[diagnostic(code("mech::picture::no_flywheel"))]
+    NoFlywheel {
+        /// What to write.
+        #[help]
+        help: String,
+    },
+    /// No cam.
+    #[error("there is no cam to draw: the file designs none")]
+    #[diagnostic(
+        code("mech::picture::no_cam"),
+        help(
+            "design one: `cam plate {{ base_radius 50 mm; follower translating roller {{ radius 10 mm }}; rise 120 deg through 30 mm cycloidal; fall 120 deg poly345 }}`"
+        )
+    )]
+    NoCam,
+    /// A point or a pair that is not there.
+    #[error("there is no {what} to draw: {why}")]
+    #[diagnostic(code("mech::picture::unknown"))]
+    Unknown {
+        /// `hodograph` or `polar diagram`.
+        what: &'static str,
+        /// `no point is named `ram.X``.
+        why: String,
+        /// What there is.
+        #[help]
+        help: String,
+    },
+}
+
+/// The most names that a help lists.
+const MOST: usize = 12;
+
+impl NoDiagram {
+    /// There is no sweep; the help writes one.
+    pub(crate) fn no_sweep(scene: &Scene<'_>, what: &'static str, cause: &Cause) -> Self {
+        let mechanism = scene.mechanism();
+        let why = match cause {
+            Cause::NoSweep(NoSweep::OnePosition) if mechanism.drives.is_empty() => "the file has no drive",
+            Cause::NoSweep(NoSweep::OnePosition) => "the file has one position and no sweep",
+            Cause::NoSweep(NoSweep::Unordered(_)) => "the positions of the drive are listed out of order",
+            Cause::NoSweep(NoSweep::TooLong) => "the sweep is too long",
+            _ => "the sweep cannot be followed",
+        };
+        let drive = mechanism.drives.first();
+        let turns = drive.is_none_or(|drive| match drive.target {
+            DriveTarget::Link(_) => true,
+            DriveTarget::Pair(pair) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
+            DriveTarget::Point(..) => false,
+        });
+        let name = drive.map_or("crank", |drive| drive.name.as_str());
+        let line = if turns {
+            format!("drive {name} = 0 deg .. 360 deg in 36 steps at 80 rpm")
+        } else {
+            format!("drive {name} = 0 mm .. 100 mm in 20 steps at 0.1 m/s")
+        };
+        Self::NoSweep { what, why, help: format!("let the drive go through positions: `{line}`") }
+    }
+
+    /// Nothing to plot; the help says what the file asks for.
+    pub(crate) fn no_quantity(scene: &Scene<'_>, why: &str) -> Self {
+        let link = scene.mechanism().links.get(1).map_or("rocker", |link| link.name.as_str());
+        let help = format!(
+            "name a number: `plot \"omega({link})\"`, or ask for one in the file: `find omega({link})`"
+        );
+        Self::NoQuantity { why: why.to_owned(), help }
+    }
+
+    /// No flywheel; the help writes one.
+    pub(crate) fn no_flywheel(scene: &Scene<'_>) -> Self {
+        let mechanism = scene.mechanism();
+        let drive = mechanism.drives.first();
+        let name = drive.map_or("crank", |drive| drive.name.as_str());
+        Self::NoFlywheel { help: format!("declare one: `flywheel J on {name} {{ fluctuation 1/25 }}`") }
+    }
+
+    /// A name that nothing has.
+    pub(crate) fn unknown(what: &'static str, why: String, known: &[String], asks: &str) -> Self {
+        let listed: Vec<String> = known.iter().take(MOST).map(|name| format!("`{name}`")).collect();
+        let more = known.len().saturating_sub(MOST);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let help = if listed.is_empty() {
+            asks.to_owned()
+        } else {
+            format!("there are {}{more}", listed.join(", "))
+        };
+        Self::Unknown { what, why, help }
+    }
+}

@@ -1,0 +1,130 @@
+//! Numbers over the sweep as they run, for pictures: smooth between the places where something switches.
+
+use super::super::failure::Cause;
+use super::super::positions::Sweep;
+use super::interval::Interval;
+use super::panels::{Piecewise, piecewise};
+use super::sampler::Sampler;
+use super::{extreme, switches};
+use crate::answer::{Undefined, WholeCycle};
+use crate::math::chebyshev::Series;
+use crate::model::Expr;
+use crate::position::Model;
+
+/// A number over the sweep.
+#[derive(Clone, Debug, Default)]
+pub struct Course {
+    /// The number in the sweep's own coordinate from 0 to 1, panel by panel.
+    panels: Vec<Series>,
+    /// Where it may jump, in that coordinate.
+    breaks: Vec<f64>,
+    /// First value and length of the sweep of the first drive, rad or m; from 0 to 1 where that is a point.
+    pub interval: (f64, f64),
+    /// Where it is least, as a value of the drive, and what it is there.
+    pub least: (f64, f64),
+    /// Where it is greatest.
+    pub greatest: (f64, f64),
+    /// The greatest magnitude in play.
+    pub scale: f64,
+}
+
+impl Course {
+    /// Points of it: values of the drive and of the number, at least `parts` over the sweep. Two at one place are a jump.
+    #[must_use]
+    pub fn points(&self, parts: f64) -> Vec<(f64, f64)> {
+        let mut all = Vec::new();
+        for panel in &self.panels {
+            let count = ((panel.to - panel.from) * parts).ceil().max(4.0);
+            let follows = !all.is_empty() && !self.breaks.contains(&panel.from);
+            let mut i = if follows { 1.0 } else { 0.0 };
+            while i <= count {
+                let s = if i == count { panel.to } else { panel.from + (panel.to - panel.from) * i / count };
+                all.push((self.value(s), panel.value(s)));
+                i += 1.0;
+            }
+        }
+        all
+    }
+
+    /// Values of the drive where it passes through a level, in order; a jump through it is one.
+    #[must_use]
+    pub fn crossings(&self, level: f64) -> Vec<f64> {
+        let mut all: Vec<f64> = Vec::new();
+        let mut before: Option<f64> = None;
+        for panel in &self.panels {
+            let apart = panel.clone().less(level);
+            let begin = apart.value(apart.from);
+            if before.is_some_and(|b| b * begin < 0.0) {
+                all.push(panel.from);
+            }
+            all.extend(apart.roots());
+            before = Some(apart.value(apart.to));
+        }
+        all.into_iter().map(|s| self.value(s)).collect()
+    }
+
+    /// Values of the drive where something switches.
+    pub fn switches(&self) -> impl Iterator<Item = f64> + '_ {
+        self.breaks.iter().map(|s| self.value(*s))
+    }
+
+    fn value(&self, s: f64) -> f64 {
+        self.interval.0 + self.interval.1 * s
+    }
+}
+
+/// The courses of numbers over the sweep of a solved file. Those of one set have their points at the same places.
+///
+/// # Errors
+/// There is no sweep.
+pub fn courses(
+    model: &Model<'_>,
+    statics: &WholeCycle,
+    sets: &[Vec<Expr>],
+) -> Result<Vec<Result<Vec<Course>, Undefined>>, Cause> {
+    let sweep = Sweep::of(model, statics);
+    let interval = Interval::of(model, statics, &sweep).map_err(Cause::NoSweep)?;
+    let mut sampler = Sampler::new(model, statics, &interval)?;
+    Ok(sets.iter().map(|exprs| of_set(model, statics, &mut sampler, exprs)).collect())
+}
+
+fn of_set(
+    model: &Model<'_>,
+    statics: &WholeCycle,
+    sampler: &mut Sampler<'_>,
+    exprs: &[Expr],
+) -> Result<Vec<Course>, Undefined> {
+    sampler.begin();
+    let mut breaks = Vec::new();
+    for expr in exprs {
+        breaks.extend(switches::breaks(model, statics, sampler, expr)?);
+    }
+    breaks.sort_by(f64::total_cmp);
+    breaks.dedup_by(|a, b| *a - *b <= switches::APART);
+    let all: Vec<&Expr> = exprs.iter().collect();
+    let found = piecewise(sampler, statics, &all, &breaks)?;
+    let (first, length) = (sampler.interval.value(0.0), sampler.interval.length());
+    let interval = if first.is_finite() && length.is_finite() { (first, length) } else { (0.0, 1.0) };
+    let course = |(expr, piecewise): (&Expr, Piecewise)| {
+        let mut found = |sign| -> Result<(f64, f64), Undefined> {
+            Ok(or_end(&piecewise, extreme(statics, sampler, expr, &piecewise, sign)?, sign))
+        };
+        let (least, greatest) = (found(-1.0)?, found(1.0)?);
+        let scale = piecewise.scale;
+        let mut course =
+            Course { panels: piecewise.panels, breaks: breaks.clone(), interval, scale, ..Course::default() };
+        course.least = (course.value(least.0), least.1);
+        course.greatest = (course.value(greatest.0), greatest.1);
+        Ok(course)
+    };
+    exprs.iter().zip(found).map(course).collect()
+}
+
+/// An extreme, or an end of the sweep where the number runs beyond it: there it may jump.
+fn or_end(of: &Piecewise, found: (f64, f64), sign: f64) -> (f64, f64) {
+    let first = of.panels.first().map(|p| (p.from, p.value(p.from)));
+    let last = of.panels.last().map(|p| (p.to, p.value(p.to)));
+    let beyond = |best: (f64, f64), end: (f64, f64)| sign * end.1 > sign * best.1 + 1e-6 * of.scale;
+    let ends = first.into_iter().chain(last);
+    ends.fold(found, |best, end| if beyond(best, end) { end } else { best })
+}
