@@ -70,7 +70,8 @@ impl Search<'_> {
             .map(|hinge| hinge.standing.map(|(slot, at)| self.state.motion.bodies[slot].position(at)))
             .collect();
         let extent = crate::position::extent(self.model);
-        loop {
+        // every round but the last places a hinge or a body; a point that is no number is never found again
+        for _ in 0..=self.hinges.len() + self.own.len() {
             let mut changed = false;
             for (hinge, place) in self.hinges.iter().zip(&mut place_of) {
                 if place.is_none() {
