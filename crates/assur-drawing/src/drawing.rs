@@ -54,6 +54,8 @@ pub struct Drawing {
     pub labels: Vec<Label>,
     /// Lines below.
     pub captions: Vec<Caption>,
+    /// What the sheet has room for beside the marks, where they move.
+    pub room: Option<Rect>,
     /// The group of the next marks.
     current: usize,
 }
@@ -127,7 +129,7 @@ impl Drawing {
     /// The box of all marks.
     #[must_use]
     pub fn extent(&self) -> Rect {
-        let mut all = Rect::NOTHING;
+        let mut all = self.room.unwrap_or(Rect::NOTHING);
         self.marks.iter().for_each(|mark| all.join(&mark.shape.bounds().grown(mark.style.half_width())));
         all
     }

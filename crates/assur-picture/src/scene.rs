@@ -57,9 +57,9 @@ impl<'a> Scene<'a> {
         self.solved.view(&self.model, &self.solution.statics)
     }
 
-    /// All positions of the sweep that are solved.
+    /// All positions of the sweep, and of the way around it where that is known, that are solved.
     pub fn states(&self) -> impl Iterator<Item = &'a State> {
-        self.solution.poses.iter().filter_map(|p| p.outcome.as_ref().ok()).map(|s| &s.state)
+        self.solution.poses.iter().chain(self.turn).filter_map(|p| p.outcome.as_ref().ok()).map(|s| &s.state)
     }
 
     /// A link.

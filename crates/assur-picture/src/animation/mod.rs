@@ -10,11 +10,11 @@ use crate::plot::{self, plot};
 use crate::scene::Scene;
 use crate::scheme::{Loads, Scheme, frame_of_all, scheme_in};
 use crate::words;
-use assur_drawing::{Drawing, Sheet, Theme, escaped, number};
+use assur_drawing::{Drawing, Rect, Sheet, Theme, escaped, number};
 use assur_math::math::Vec2;
 use assur_solve::answer::NoSweep;
 use assur_solve::solve::{Cause, DriveValue, Pose};
-use moved::{Body, Moved};
+use moved::{Body, Moved, Redrawn};
 use std::fmt::Write;
 
 /// The most frames.
@@ -66,8 +66,11 @@ pub fn animation(scene: &Scene<'_>, size: Vec2, theme: Theme) -> Result<String, 
     let moved = Moved::of(&schemes);
     let frames = frames(scene)?;
     let title = format!("{}: animation", words::title(scene));
+    let mut room = Rect::NOTHING;
+    schemes.iter().for_each(|scheme| room.join(&scheme.extent()));
     let mut first = schemes.into_iter().next().unwrap_or_default();
     first.id = words::id(scene, "animation");
+    first.room = Some(room);
     first.title.clone_from(&title);
     let mut sheet = first.placed();
     let count = sheet.drawing.labels.len().max(sheet.placed.len());
@@ -121,12 +124,7 @@ fn page(
         "<script>\nconst N={},B=[{}],R=[{}],V=[{}],X={shares};\n{SCRIPT}</script>\n</body>\n</html>\n",
         frames.len(),
         moved.bodies.iter().map(body).collect::<Vec<_>>().join(",\n"),
-        moved
-            .redrawn
-            .iter()
-            .map(|texts| list(texts.iter().map(|t| quoted(t))))
-            .collect::<Vec<_>>()
-            .join(",\n"),
+        moved.redrawn.iter().map(|texts| redrawn(texts)).collect::<Vec<_>>().join(",\n"),
         values.collect::<Vec<_>>().join(","),
     );
     out
@@ -141,6 +139,20 @@ fn drive(scene: &Scene<'_>) -> f64 {
 
 fn list(parts: impl Iterator<Item = String>) -> String {
     format!("[{}]", parts.collect::<Vec<_>>().join(","))
+}
+
+/// The texts of a mark, each once, and which one each frame shows.
+fn redrawn(texts: &Redrawn) -> String {
+    let mut known: Vec<&String> = Vec::new();
+    let mut which = Vec::with_capacity(texts.len());
+    for text in texts {
+        let at = known.iter().position(|other| *other == text).unwrap_or_else(|| {
+            known.push(text);
+            known.len() - 1
+        });
+        which.push(at.to_string());
+    }
+    format!("[{},{}]", list(known.into_iter().map(|text| quoted(text))), list(which.into_iter()))
 }
 
 /// A text in a script.
@@ -189,7 +201,7 @@ output{display:block;min-height:2.6em;font-variant-numeric:tabular-nums;white-sp
 const SCRIPT: &str = "const $=i=>document.getElementById(i),all=c=>[...document.querySelectorAll('.'+c)],few=matchMedia('(prefers-reduced-motion: reduce)');
 const M=B.map((b,j)=>{const w=b[2]?3:2,t=[];let q=[0,0,0];for(let k=0;k<N;k++){for(let i=0;i<w;i++)q[i]+=b[3][k*w+i];
 t.push(`translate(${q[0]/100} ${q[1]/100})`+(b[2]?` rotate(${q[2]/100})`:'')+` translate(${-b[0]} ${-b[1]})`)}return[all('m'+j),t]});
-const D=R.map((r,j)=>[all('r'+j),r]);let k=0,on=false,t0=0;
+const D=R.map((r,j)=>[all('r'+j),r[1].map(i=>r[0][i])]);let k=0,on=false,t0=0;
 function show(i){k=i;for(const[g,t]of M)for(const e of g)e.setAttribute('transform',t[i]);for(const[g,r]of D)for(const e of g)e.innerHTML=r[i];
 $('o').textContent=V[i];$('s').value=i;const c=$('c');if(c){const x=X[i];c.setAttribute('visibility',x>=-0.01&&x<=150.01?'visible':'hidden');c.setAttribute('transform',`translate(${x} 0)`)}}
 function step(t){if(!on)return;const w=few.matches?1000:6000/N;if(t-t0>=w){const d=few.matches?Math.ceil(N/12):Math.max(1,Math.min(4,Math.floor((t-t0)/w)));t0=t;show((k+d)%N)}requestAnimationFrame(step)}

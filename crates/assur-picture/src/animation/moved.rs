@@ -67,6 +67,10 @@ impl Moved {
         order.sort_by_key(|i| !bodies[*i].as_ref().is_some_and(|body| body.turns));
         let mut classes = vec![None; first.marks.len()];
         for i in order {
+            // the arrow of a drive shows its sense and stays
+            if class(first, first.marks[i].group) == "drive" {
+                continue;
+            }
             classes[i] = match &bodies[i] {
                 Some(body) if !body.moves() => None,
                 Some(body) => Some(moved.class_of(body)),
@@ -77,13 +81,22 @@ impl Moved {
                 }
             };
         }
+        let found: Vec<Vec<Option<Vec2>>> = frames.iter().map(|frame| anchors(first, frame)).collect();
         let labels = first.labels.iter().enumerate().map(|(i, label)| {
-            let at = |frame: &Drawing| frame.labels.get(i).filter(|l| l.text == label.text).map(anchor);
-            let poses: Option<Vec<(Vec2, f64)>> = frames.iter().map(|f| Some((at(f)?, 0.0))).collect();
-            let body = Body { centre: anchor(label), turns: false, poses: poses? };
+            if class(first, label.group) == "drive" {
+                return None;
+            }
+            // what has no name in a frame stays where it was
+            let mut last = anchor(label);
+            let poses = found.iter().map(|anchors| {
+                last = anchors[i].unwrap_or(last);
+                (last, 0.0)
+            });
+            let body = Body { centre: anchor(label), turns: false, poses: poses.collect() };
             body.moves().then(|| moved.shift_of(&body))
         });
-        moved.classes = [classes, labels.collect()];
+        let labels = labels.collect();
+        moved.classes = [classes, labels];
         moved
     }
 
@@ -112,6 +125,25 @@ const fn anchor(label: &Label) -> Vec2 {
         Anchor::Point(at, _) => at,
         Anchor::Line(a, b) => Vec2::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y)),
     }
+}
+
+fn class(drawing: &Drawing, group: usize) -> &'static str {
+    drawing.groups.get(group).map_or("", |g| g.class)
+}
+
+/// The anchors of a frame for each label of the first: of the same group and text.
+fn anchors(first: &Drawing, frame: &Drawing) -> Vec<Option<Vec2>> {
+    let same =
+        |a: &Label, b: &Label| a.text == b.text && first.groups.get(a.group) == frame.groups.get(b.group);
+    let mut taken = vec![false; frame.labels.len()];
+    let of = first.labels.iter().enumerate().map(|(i, label)| {
+        let fits = |j: &usize| !taken[*j] && same(label, &frame.labels[*j]);
+        let at = Some(i).filter(|i| *i < frame.labels.len()).filter(fits);
+        let at = at.or_else(|| (0..frame.labels.len()).find(fits))?;
+        taken[at] = true;
+        Some(anchor(&frame.labels[at]))
+    });
+    of.collect()
 }
 
 /// The mark of a frame for each of the first: of the same group, style and place in the group.
