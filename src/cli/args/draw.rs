@@ -44,7 +44,7 @@ pub struct Draw {
 }
 
 impl Draw {
-    /// The pictures wanted, and the names of the files. What stands behind `plot`, `hodograph` and `polar` is what they show,
+    /// The pictures wanted, and the names of the files. What comes after `plot`, `hodograph` and `polar` is what they show,
     /// unless it names a file or another picture.
     #[must_use]
     pub fn pictures(&self) -> (Vec<Picture>, Vec<String>) {
