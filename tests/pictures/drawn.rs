@@ -3,7 +3,7 @@
 use assur::internals::Solved;
 use assur::internals::check::Overrides;
 use assur::internals::drawing::{Obstacle, Rect, Sheet, Style, Theme, touches};
-use assur::internals::picture::{KINDS, Kind, Options, Scene, draw};
+use assur::internals::picture::{KINDS, Kind, Options, Scene, animation, draw};
 use assur::internals::pipeline::solve_drawn;
 use assur::internals::source::Source;
 
@@ -27,12 +27,21 @@ pub fn moving(source: &Source, solved: &Solved) -> Option<Sheet> {
     draw(Kind::Scheme, &scene, &options).ok()?.into_iter().next().map(|drawing| drawing.placed())
 }
 
+/// The page of the mechanism in motion, where it moves.
+pub fn animated(source: &Source, solved: &Solved) -> Option<String> {
+    let turn = assur::internals::pipeline::turn(&solved.compiled, &solved.solution);
+    let file = (source.name.as_str(), source.text.as_str());
+    let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
+    let scene = Scene { turn: &turn, ..scene };
+    animation(&scene, Options::default().scheme.size, Theme::Auto).ok()
+}
+
 /// All pictures of a kind, of the first position or of all.
 pub fn sheets(source: &Source, solved: &Solved, kind: Kind, every_pose: bool) -> Vec<Sheet> {
     let model = solved.compiled.model();
     let file = (source.name.as_str(), source.text.as_str());
     let poses = solved.solution.poses.iter().filter(|p| p.outcome.is_ok());
-    let poses = poses.take(if every_pose { 8 } else { 1 });
+    let poses = poses.take(if every_pose && !kind.is_of_sweep() { 8 } else { 1 });
     let scenes = poses.filter_map(|pose| Scene::of(model, &solved.solution, file, Some(&pose.name)).ok());
     let drawings = scenes.filter_map(|scene| draw(kind, &scene, &Options::default()).ok()).flatten();
     drawings.map(|drawing| drawing.placed()).collect()

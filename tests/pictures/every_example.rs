@@ -8,7 +8,7 @@ use assur::internals::model::{LinkId, PairKind};
 use assur::internals::picture::{KINDS, Kind};
 use std::path::Path;
 
-fn examples() -> Vec<(String, String)> {
+pub fn examples() -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
     let files = crate::folder::files(&root, "mech").into_iter();
     let texts = files.map(|path| {

@@ -6,4 +6,5 @@ mod folder;
 mod drawn;
 mod every_example;
 mod extreme;
+mod over_sweeps;
 mod xml;

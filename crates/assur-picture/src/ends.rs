@@ -76,7 +76,7 @@ pub fn hodographs(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawi
 /// # Errors
 /// No forces, no sweep, no such pair.
 pub fn polars(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawing>, Missing> {
-    crate::forces::determined(scene)?;
+    crate::forces::loaded(scene)?;
     let mechanism = scene.mechanism();
     let mut all = Vec::new();
     let known: Vec<String> = reacting(mechanism).map(|id| mechanism.pair(id).name.clone()).collect();
@@ -169,8 +169,8 @@ fn reacting(mechanism: &Mechanism) -> impl Iterator<Item = PairId> {
 
 /// The link on which the force of a pair is shown: the last that moves.
 fn on(mechanism: &Mechanism, pair: PairId) -> LinkId {
-    let links = mechanism.pair(pair).kind.links().into_iter();
-    links.filter(|l| *l != LinkId::GROUND).last().unwrap_or(LinkId::GROUND)
+    let links = mechanism.pair(pair).kind.links();
+    links.into_iter().rfind(|l| *l != LinkId::GROUND).unwrap_or(LinkId::GROUND)
 }
 
 fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], size: Vec2) -> Result<Vec<Drawing>, Missing> {

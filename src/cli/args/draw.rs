@@ -10,7 +10,7 @@ use clap::ValueEnum;
 #[derive(Clone, Debug, clap::Args)]
 pub struct Draw {
     /// Files to draw, and the pictures wanted: `scheme`, `velocities`, `accelerations`, `forces`, `lever`, `friction`,
-    /// `train`, `plot "omega(rocker), Mb"`, `work` [default: scheme]
+    /// `train`, `plot "omega(rocker), Mb"`, `work`, `cam`, `hodograph rod.S`, `polar B`, `animation` [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
     /// Write one picture to this file (.svg), all to this page (.html), or to files in this folder (created only when
@@ -44,7 +44,7 @@ pub struct Draw {
 }
 
 impl Draw {
-    /// The pictures wanted, and the names of the files. What stands behind `plot`, `hodograph` and `polar` is what they show,
+    /// The pictures wanted, and the names of the files. What comes after `plot`, `hodograph` and `polar` is what they show,
     /// unless it names a file or another picture.
     #[must_use]
     pub fn pictures(&self) -> (Vec<Picture>, Vec<String>) {

@@ -124,7 +124,7 @@ fn page(
         "<script>\nconst N={},B=[{}],R=[{}],V=[{}],X={shares};\n{SCRIPT}</script>\n</body>\n</html>\n",
         frames.len(),
         moved.bodies.iter().map(body).collect::<Vec<_>>().join(",\n"),
-        moved.redrawn.iter().map(|texts| redrawn(texts)).collect::<Vec<_>>().join(",\n"),
+        moved.redrawn.iter().map(redrawn).collect::<Vec<_>>().join(",\n"),
         values.collect::<Vec<_>>().join(","),
     );
     out

@@ -67,8 +67,8 @@ impl Moved {
         order.sort_by_key(|i| !bodies[*i].as_ref().is_some_and(|body| body.turns));
         let mut classes = vec![None; first.marks.len()];
         for i in order {
-            // the arrow of a drive shows its sense and stays
-            if class(first, first.marks[i].group) == "drive" {
+            // the arc of a drive shows its sense and stays
+            if shows_turn(first, first.marks[i].group) {
                 continue;
             }
             classes[i] = match &bodies[i] {
@@ -83,7 +83,7 @@ impl Moved {
         }
         let found: Vec<Vec<Option<Vec2>>> = frames.iter().map(|frame| anchors(first, frame)).collect();
         let labels = first.labels.iter().enumerate().map(|(i, label)| {
-            if class(first, label.group) == "drive" {
+            if shows_turn(first, label.group) {
                 return None;
             }
             // what has no name in a frame stays where it was
@@ -127,8 +127,10 @@ const fn anchor(label: &Label) -> Vec2 {
     }
 }
 
-fn class(drawing: &Drawing, group: usize) -> &'static str {
-    drawing.groups.get(group).map_or("", |g| g.class)
+/// Whether a group is the arc arrow of a drive.
+fn shows_turn(drawing: &Drawing, group: usize) -> bool {
+    let is_arc = |mark: &Mark| mark.group == group && matches!(mark.shape, Shape::ArcArrow { .. });
+    drawing.groups.get(group).is_some_and(|g| g.class == "drive") && drawing.marks.iter().any(is_arc)
 }
 
 /// The anchors of a frame for each label of the first: of the same group and text.

@@ -31,10 +31,7 @@ pub struct Part {
 /// # Errors
 /// There are no forces: nothing loads the mechanism, they are not determined, or friction locks it.
 pub fn forces(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
-    determined(scene)?;
-    if !is_loaded(&scene.model) {
-        return Err(nothing_loads());
-    }
+    loaded(scene)?;
     let mut drawings = Vec::new();
     for part in parts(scene) {
         let Some(acting) = Acting::on(scene, &part) else { continue };
@@ -50,8 +47,14 @@ pub fn forces(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
     Ok(drawings)
 }
 
+/// Refuses where there are no forces or they are not known.
+pub fn loaded(scene: &Scene<'_>) -> Result<(), Missing> {
+    determined(scene)?;
+    if is_loaded(&scene.model) { Ok(()) } else { Err(nothing_loads()) }
+}
+
 /// Refuses where the forces are not known.
-pub fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
+fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
     if let Some(defect) = &scene.model.structure.force_defect {
         return Err(Missing::no_forces(
             &defect.to_string(),
