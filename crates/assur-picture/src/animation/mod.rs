@@ -19,6 +19,8 @@ use std::fmt::Write;
 
 /// The most frames.
 const MOST: usize = 400;
+/// Room for labels around what moves, mm.
+const LABELS: f64 = 6.0;
 /// Steps of a millimetre and of a radian.
 const STEPS: (f64, f64) = (100.0, 18_000.0 / std::f64::consts::PI);
 
@@ -70,7 +72,8 @@ pub fn animation(scene: &Scene<'_>, size: Vec2, theme: Theme) -> Result<String, 
     schemes.iter().for_each(|scheme| room.join(&scheme.extent()));
     let mut first = schemes.into_iter().next().unwrap_or_default();
     first.id = words::id(scene, "animation");
-    first.room = Some(room);
+    // labels are beside what moves
+    first.room = Some(room.grown(LABELS));
     first.title.clone_from(&title);
     let mut sheet = first.placed();
     let count = sheet.drawing.labels.len().max(sheet.placed.len());
