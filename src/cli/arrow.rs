@@ -13,7 +13,7 @@ use assur_text::source::Source;
 use std::io::IsTerminal;
 
 /// Blocks that a thread solves at once.
-const BLOCKS: usize = 8;
+const BLOCKS: usize = 4;
 
 /// Why no stream can be written.
 pub fn refusal(several: bool) -> Option<CliError> {

@@ -18,7 +18,7 @@ const PIECE: usize = 1 << 16;
 /// What is held back at the most while no position has closed yet: where none does, the file has no answers.
 const HELD: usize = 1 << 25;
 /// Blocks that a thread solves at once: what it holds fits the cache.
-const BLOCKS: usize = 8;
+const BLOCKS: usize = 4;
 
 /// Writes all positions of a file; in CSV after its name, if one is given.
 pub fn positions(
