@@ -35,7 +35,7 @@ ROWS = [
     *(("assur, eight together", what, FROM_ANGLE) for what in ASKS),
     *(("assur, lanes", what, FROM_ANGLE) for what in ASKS),
     ("assur, lanes, from the text", FORCES, "the same for 36,000 positions, and once reading and compiling the text and following a turn with residuals"),
-    ("`assur solve --format csv`", FORCES, "the whole program for a million positions: sines, following, residuals, writing to /dev/null"),
+    ("`assur solve --format csv`", FORCES, "the whole program for a million positions: sines, following, closure, writing to /dev/null"),
     ("plan alone, one by one", FORCES, "sine and cosine given, nothing stored"),
     ("plan alone, eight together", FORCES, "sine and cosine given, nothing stored"),
     ("plan alone, lanes", FORCES, "sine and cosine given, nothing stored"),
