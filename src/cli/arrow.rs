@@ -7,13 +7,10 @@ use super::threads::Threads;
 use crate::pipeline::{Compiled, Sink};
 use crate::report::Answers;
 use crate::report::arrow::ArrowRows;
-use assur_solve::solve::{Ahead, BLOCK, Block, Pose};
+use assur_solve::solve::{Ahead, Block, Pose};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use std::io::IsTerminal;
-
-/// Blocks that a thread solves at once.
-const BLOCKS: usize = 4;
 
 /// Why no stream can be written.
 pub fn refusal(several: bool) -> Option<CliError> {
@@ -75,12 +72,11 @@ impl Sink for Out<'_, '_> {
     }
 
     fn blocks(&self) -> usize {
-        self.threads.count() * BLOCKS
+        self.threads.blocks()
     }
 
     fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
-        let ahead = ahead.without_residuals();
-        self.threads.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
+        self.threads.solve(&ahead.without_residuals(), blocks);
     }
 
     fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {

@@ -9,7 +9,7 @@ use crate::pipeline::{Compiled, Sink, Solved};
 use crate::report::json::JsonLines;
 use crate::report::lines::CsvLines;
 use crate::report::{Answers, Precision};
-use assur_solve::solve::{Ahead, BLOCK, Block, Pose};
+use assur_solve::solve::{Ahead, Block, Pose};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
@@ -17,9 +17,6 @@ use assur_text::source::Source;
 const PIECE: usize = 1 << 16;
 /// What is held back at the most while no position has closed yet: where none does, the file has no answers.
 const HELD: usize = 1 << 25;
-/// Blocks that a thread solves at once: what it holds fits the cache.
-const BLOCKS: usize = 4;
-
 /// Writes all positions of a file; in CSV after its name, if one is given.
 pub fn positions(
     (format, file): (Format, Option<&str>),
@@ -117,13 +114,13 @@ impl Sink for Out<'_, '_> {
     }
 
     fn blocks(&self) -> usize {
-        self.threads.count() * BLOCKS
+        self.threads.blocks()
     }
 
     fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
         // CSV shows no residuals
         let ahead = if matches!(self.lines, Lines::Csv(_)) { ahead.without_residuals() } else { *ahead };
-        self.threads.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
+        self.threads.solve(&ahead, blocks);
     }
 
     fn add_blocks(&mut self, answers: &Answers<'_>, ahead: &Ahead<'_>, blocks: &mut [Block]) -> bool {

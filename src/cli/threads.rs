@@ -1,7 +1,11 @@
 //! Work on several threads, which are started when there is the first of it.
 
+use assur_solve::solve::{Ahead, BLOCK, Block};
 use rayon::prelude::*;
 use std::sync::OnceLock;
+
+/// Blocks that a thread solves at once: what they hold fits the cache.
+const BLOCKS: usize = 4;
 
 /// Threads, started when they are needed.
 #[derive(Debug)]
@@ -18,10 +22,15 @@ impl Threads {
         Self { count: count.unwrap_or_else(all), pool: OnceLock::new() }
     }
 
-    /// How many there are.
+    /// How many blocks of positions are solved at once.
     #[must_use]
-    pub const fn count(&self) -> usize {
-        self.count
+    pub const fn blocks(&self) -> usize {
+        self.count * BLOCKS
+    }
+
+    /// Solves blocks of positions.
+    pub fn solve(&self, ahead: &Ahead<'_>, blocks: &mut [Block]) {
+        self.each(blocks, |(i, block)| ahead.solve(block, i * BLOCK));
     }
 
     /// Does the work on every item with its number. Where threads cannot be started it is done here.

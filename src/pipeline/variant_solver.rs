@@ -27,7 +27,7 @@ pub struct VariantSolver<'a> {
 
 /// Rows that differ in numbers alone.
 enum Quick {
-    /// Not looked for yet: so many rows were compiled without a word.
+    /// Not looked for yet: this number of rows went before.
     After(usize),
     /// Looked for in vain.
     None,
@@ -112,7 +112,7 @@ impl<'a> VariantSolver<'a> {
     fn found_quick(&mut self, row: &Row) -> Quick {
         let (compiled, problems) = self.compile(row);
         let Some(compiled) = compiled else { return Quick::After(0) };
-        // of another row nothing may be to be said
+        // a row with a message goes the general way, so that the message keeps its place
         if !problems.is_empty() {
             return Quick::After(0);
         }

@@ -32,6 +32,7 @@ mod powers;
 mod reactions;
 mod replacement;
 mod results;
+mod row_numbers;
 pub mod rows;
 mod scale;
 mod sections;

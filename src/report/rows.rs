@@ -4,12 +4,9 @@ use super::answers::{Answers, with_unit};
 use super::csv;
 use super::reactions::moment;
 use assur_math::math::Vec2;
-#[cfg(feature = "arrow")]
-use assur_model::model::Mechanism;
 use assur_model::model::{Bearing, Display, DriveTarget, FindKind, LinkId, PairId, PairKind, Value};
 use assur_solve::solve::{
-    DriveValue, JointReaction, Model, NumberColumns, Pose, PoseAnswers, Shown, Solved, State,
-    unplaced_reactions,
+    DriveValue, JointReaction, Model, Pose, PoseAnswers, Solved, State, unplaced_reactions,
 };
 use assur_text::units::{Dimension, push_significant};
 
@@ -18,7 +15,7 @@ pub const FULL: usize = 15;
 
 /// What a column shows, or two for a vector.
 #[derive(Clone, Debug)]
-enum Content {
+pub(super) enum Content {
     Drive(usize),
     Find {
         index: usize,
@@ -31,20 +28,20 @@ enum Content {
 }
 
 #[derive(Clone, Debug)]
-struct Answer {
-    name: String,
-    content: Content,
-    vector: bool,
-    display: Display,
+pub(super) struct Answer {
+    pub name: String,
+    pub content: Content,
+    pub vector: bool,
+    pub display: Display,
 }
 
 /// The columns of the answers of a file: drives, quantities, what needs no pose, reactions where they are asked for.
 #[derive(Clone, Debug)]
 pub struct AnswerColumns {
     drives: usize,
-    answers: Vec<Answer>,
+    pub(super) answers: Vec<Answer>,
     /// Every reaction among them has a place, whatever the values of the givens.
-    placed: bool,
+    pub(super) placed: bool,
 }
 
 impl AnswerColumns {
@@ -123,11 +120,7 @@ impl AnswerColumns {
     #[must_use]
     pub fn headers(&self, key: bool) -> Vec<String> {
         let shown = &self.answers[if key { self.drives } else { 0 }..];
-        let header = |a: &Answer| match a.vector {
-            true => [".x", ".y"].map(|c| with_unit(&format!("{}{c}", a.name), &a.display.unit)).to_vec(),
-            false => vec![with_unit(&a.name, &a.display.unit)],
-        };
-        shown.iter().flat_map(header).collect()
+        shown.iter().flat_map(|a| a.columns().map(|name| with_unit(&name, &a.display.unit))).collect()
     }
 
     /// Writes the answers at a pose, each with a comma before it; empty where there is none.
@@ -154,67 +147,6 @@ impl AnswerColumns {
         self.answers.iter().map(value).collect()
     }
 
-    /// Names and units of the columns, and whether each shows a condition.
-    #[cfg(feature = "arrow")]
-    #[must_use]
-    pub fn fields(&self, mechanism: &Mechanism) -> Vec<(String, String, bool)> {
-        let condition = |answer: &Answer| match answer.content {
-            Content::Find { index, .. } => match &mechanism.finds[index].kind {
-                FindKind::Value { expr, .. } => mechanism.is_condition(expr),
-                FindKind::Reactions | FindKind::Table(_) => false,
-            },
-            _ => false,
-        };
-        let field = |answer: &Answer| {
-            match answer.vector {
-                true => vec![".x", ".y"],
-                false => vec![""],
-            }
-            .into_iter()
-            .map(|part| (format!("{}{part}", answer.name), answer.display.unit.clone(), condition(answer)))
-            .collect::<Vec<_>>()
-        };
-        self.answers.iter().flat_map(field).collect()
-    }
-
-    /// The cells of a position: numbers in the author's units, 1 and 0 for conditions, NaN where there is no answer.
-    #[cfg(feature = "arrow")]
-    pub fn write_cells(
-        &self,
-        answers: &Answers<'_>,
-        pose: &Pose,
-        whole: &[Option<Value>],
-        out: &mut Vec<f64>,
-    ) {
-        out.clear();
-        self.each_value(0, answers, pose, whole, |answer, value| match (value, answer.vector) {
-            (Some(Value::Vector(v)), true) => out.extend([v.x, v.y].map(|x| answer.display.of_si(x))),
-            (Some(Value::Scalar(x)), false) => out.push(answer.display.of_si(x)),
-            (Some(Value::Bool(truth)), false) => out.push(f64::from(u8::from(truth))),
-            (_, true) => out.extend([f64::NAN; 2]),
-            (_, false) => out.push(f64::NAN),
-        });
-    }
-
-    /// The same columns as numbers, with what needs no pose known. `None` where some depend on more than a state.
-    #[must_use]
-    pub fn numbers(&self, whole: &[Option<Value>]) -> Option<NumberColumns> {
-        let mut columns = NumberColumns::default();
-        for (i, answer) in self.answers.iter().enumerate() {
-            let shown = match &answer.content {
-                Content::Drive(i) => Shown::Drive(*i),
-                Content::Find { index, poseless: false } => Shown::Find(*index),
-                Content::Find { poseless: true, .. } => Shown::Known(whole.get(i).copied().flatten()),
-                Content::Effort(slot) => Shown::Effort(*slot),
-                Content::Reaction(_, _, joints) if self.placed => Shown::Force(joints.clone()?),
-                Content::Moment(_, _, joints) if self.placed => Shown::Couple(joints.clone()?),
-                Content::Reaction(..) | Content::Moment(..) => return None,
-            };
-            columns.push(shown, answer.vector, &answer.display);
-        }
-        Some(columns)
-    }
-
     /// As [`AnswerColumns::write`], with what needs no pose known; a text in bytes.
     pub fn write_beside(
         &self,
@@ -226,21 +158,6 @@ impl AnswerColumns {
     ) {
         let from = if key { self.drives } else { 0 };
         self.each_value(from, answers, pose, whole, |answer, value| answer.write(value, digits, out));
-    }
-
-    /// Whether a column shows the angle of a link or of a hinge, or a quantity does that it may show.
-    #[must_use]
-    pub fn reads_angles(&self, model: &Model<'_>) -> bool {
-        let mechanism = model.mechanism;
-        let finds = mechanism.finds.iter().filter_map(|find| match &find.kind {
-            FindKind::Value { expr, .. } => Some(expr),
-            FindKind::Reactions | FindKind::Table(_) => None,
-        });
-        let mut reads = false;
-        for expr in finds.chain(mechanism.quantities.iter().map(|q| &q.expr)) {
-            expr.queries(&mut |query| reads |= query.facts().continuous.is_some());
-        }
-        reads
     }
 
     /// The names of the answers, drives first.
@@ -261,7 +178,7 @@ impl AnswerColumns {
         values
     }
 
-    fn each_value(
+    pub(super) fn each_value(
         &self,
         from: usize,
         answers: &Answers<'_>,
@@ -282,9 +199,7 @@ impl AnswerColumns {
         };
         let value = |(i, answer): (usize, &Answer)| match &answer.content {
             Content::Drive(i) => pose.drives.get(*i).and_then(DriveValue::value),
-            Content::Find { index, poseless: false } => {
-                view.as_ref().and_then(|view| found(answers, view, *index))
-            }
+            Content::Find { index, poseless: false } => view.as_ref().and_then(|view| view.found(*index)),
             Content::Find { poseless: true, .. } => whole.get(from + i).copied().flatten(),
             Content::Effort(slot) => solved.and_then(|s| effort(s, *slot)),
             Content::Reaction(pair, on, joints) => pressing(*pair).map(|view| {
@@ -331,41 +246,36 @@ impl AnswerColumns {
         let angles = vec![0.0; plan.bodies];
         let view = PoseAnswers::new(&answers.model, &state, &angles, &answers.solution.statics);
         let quantities = view.all_quantities();
-        found(answers, &PoseAnswers { quantities: &quantities, ..view }, index)
+        PoseAnswers { quantities: &quantities, ..view }.found(index)
     }
 }
 
 fn all_reactions(model: &Model<'_>, of_transmissions: bool, answers: &mut Vec<Answer>) {
     let mechanism = model.mechanism;
+    let state = State::closed(model.plan);
+    let view = PoseAnswers::bare(model, &state);
     for (i, pair) in mechanism.pairs.iter().enumerate() {
         let id = PairId::at(i);
         let links = pair.kind.links();
+        let determined = model.structure.undetermined_couples.binary_search(&id).is_err();
         let couple = match pair.kind {
             PairKind::Revolute(_) => true,
-            PairKind::Prismatic(_) => !model.structure.undetermined_couples.contains(&id),
+            PairKind::Prismatic(_) => determined,
             PairKind::Transmission(_) => of_transmissions,
             _ => false,
         };
         for &on in links.iter().skip(1) {
             let name = |what: &str| format!("{what}({}, {})", pair.name, mechanism.link(on).name);
             let display = mechanism.display_of(Dimension::FORCE);
-            let joints = || JointReaction::of(model, id, on);
+            let joints = || JointReaction::of(&view, id, on);
             let content = Content::Reaction(id, on, joints());
             answers.push(Answer { name: name("reaction"), content, vector: true, display });
             if couple {
                 let display = mechanism.display_of(Dimension::TORQUE);
-                let determined = !model.structure.undetermined_couples.contains(&id);
                 let content = Content::Moment(id, on, if determined { joints() } else { None });
                 answers.push(Answer { name: name("moment"), content, vector: false, display });
             }
         }
-    }
-}
-
-fn found(answers: &Answers<'_>, view: &PoseAnswers<'_>, index: usize) -> Option<Value> {
-    match &answers.model.mechanism.finds.get(index)?.kind {
-        FindKind::Value { expr, .. } => Some(view.value(expr)).filter(Value::is_defined),
-        FindKind::Reactions | FindKind::Table(_) => None,
     }
 }
 
@@ -374,6 +284,12 @@ fn effort(solved: &Solved, slot: usize) -> Option<Value> {
 }
 
 impl Answer {
+    /// The names of its columns: `.x` and `.y` for the components of a vector.
+    pub(super) fn columns(&self) -> impl Iterator<Item = String> {
+        let parts: &[&str] = if self.vector { &[".x", ".y"] } else { &[""] };
+        parts.iter().map(|part| format!("{}{part}", self.name))
+    }
+
     #[inline]
     fn write(&self, value: Option<Value>, digits: usize, out: &mut Vec<u8>) {
         let number = |x: f64, out: &mut Vec<u8>| {

@@ -2,7 +2,8 @@
 
 use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
-use assur_model::model::{DriveTarget, PairKind};
+use crate::words::offered;
+use assur_position::position::turns;
 use assur_solve::solve::Solution;
 use assur_text::diagnostic::did_you_mean;
 use miette::Diagnostic;
@@ -94,9 +95,6 @@ pub enum Missing {
     },
 }
 
-/// The most poses that a help lists.
-const MOST: usize = 12;
-
 impl Missing {
     /// No such point; the help names those that are meant.
     pub(crate) fn no_point(scene: &Scene<'_>, name: &str) -> Self {
@@ -106,10 +104,7 @@ impl Missing {
         let near = did_you_mean(name, all.iter().map(String::as_str));
         let help = match near.first() {
             Some(near) => format!("did you mean `{near}`?"),
-            None => {
-                let listed = all[..all.len().min(MOST)].iter().map(|p| format!("`{p}`"));
-                format!("the points are {}", listed.collect::<Vec<_>>().join(", "))
-            }
+            None => format!("the points are {}", offered(&all)),
         };
         Self::NoPoint { name: name.to_owned(), help }
     }
@@ -135,7 +130,7 @@ impl Missing {
         let line = mechanism.drives.first().map_or_else(
             || "drive crank = 45 deg at 80 rpm".to_owned(),
             |drive| {
-                let speed = if turns(scene, drive.target) { "80 rpm" } else { "0.1 m/s" };
+                let speed = if turns(&scene.model, drive) { "80 rpm" } else { "0.1 m/s" };
                 match &drive.written {
                     Some(written) => format!("drive {} = {written} at {speed}", drive.name),
                     None => format!("drive {} at {speed}", drive.name),
@@ -148,29 +143,16 @@ impl Missing {
     /// No position, or none of a name, is solved.
     pub(crate) fn no_position(solution: &Solution, name: Option<&str>) -> Self {
         let solved = solution.poses.iter().filter(|p| p.outcome.is_ok());
-        let known: Vec<String> = solved.map(|p| format!("`{}`", p.name)).collect();
+        let known: Vec<String> = solved.map(|p| p.name.clone()).collect();
         match name {
-            Some(name) if !known.is_empty() => {
-                let listed = known[..known.len().min(MOST)].join(", ");
-                let more = known.len().saturating_sub(MOST);
-                let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-                Self::NoPosition {
-                    named: format!(": no solved pose is named `{name}`"),
-                    help: format!("the poses are {listed}{more}"),
-                }
-            }
+            Some(name) if !known.is_empty() => Self::NoPosition {
+                named: format!(": no solved pose is named `{name}`"),
+                help: format!("the poses are {}", offered(&known)),
+            },
             _ => Self::NoPosition {
                 named: String::new(),
                 help: "declare a link with a drive: `drive crank = 45 deg`".to_owned(),
             },
         }
-    }
-}
-
-fn turns(scene: &Scene<'_>, target: DriveTarget) -> bool {
-    match target {
-        DriveTarget::Link(_) => true,
-        DriveTarget::Pair(pair) => matches!(scene.mechanism().pair(pair).kind, PairKind::Revolute(_)),
-        DriveTarget::Point(..) => false,
     }
 }

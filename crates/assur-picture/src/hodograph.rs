@@ -58,13 +58,13 @@ pub fn hodographs(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawi
         if all.is_empty() {
             let known = points(scene.mechanism());
             let why = "the file asks for no velocity of a point".to_owned();
-            return Err(NoDiagram::unknown("hodograph", why, &known, "name a point of a link").into());
+            return Err(NoDiagram::no_velocity(why, &known).into());
         }
     } else {
         let Some(point) = point(scene.mechanism(), name) else {
             let known = points(scene.mechanism());
             let why = format!("no point of a link is named `{name}`");
-            return Err(NoDiagram::unknown("hodograph", why, &known, "name a point of a link").into());
+            return Err(NoDiagram::no_velocity(why, &known).into());
         };
         all.push(velocity(scene.mechanism(), point, name));
     }
@@ -91,12 +91,12 @@ pub fn polars(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawing>,
         }
         if all.is_empty() {
             let why = "the file asks for no reaction".to_owned();
-            return Err(NoDiagram::unknown("polar diagram", why, &known, "name a pair").into());
+            return Err(NoDiagram::no_reaction(why, &known).into());
         }
     } else {
         let Some(id) = reacting(mechanism).find(|id| mechanism.pair(*id).name == name) else {
             let why = format!("no pair is named `{name}`");
-            return Err(NoDiagram::unknown("polar diagram", why, &known, "declare a pair").into());
+            return Err(NoDiagram::no_reaction(why, &known).into());
         };
         all.push(reaction(mechanism, id, on(mechanism, id)));
     }

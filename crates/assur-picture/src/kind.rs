@@ -2,9 +2,9 @@
 
 use crate::animation::still;
 use crate::cam::cams;
-use crate::ends::{hodographs, polars};
 use crate::error::Missing;
 use crate::forces::{forces, friction, lever};
+use crate::hodograph::{hodographs, polars};
 use crate::motion::{accelerations, velocities};
 use crate::plot::plot;
 use crate::scene::Scene;

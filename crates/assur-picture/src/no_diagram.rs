@@ -1,7 +1,8 @@
 //! Diagrams that cannot exist.
 
 use crate::scene::Scene;
-use assur_model::model::{DriveTarget, PairKind};
+use crate::words::offered;
+use assur_position::position::turns;
 use assur_solve::answer::NoSweep;
 use assur_solve::solve::Cause;
 use miette::Diagnostic;
@@ -63,9 +64,6 @@ pub enum NoDiagram {
     },
 }
 
-/// The most names that a help lists.
-const MOST: usize = 12;
-
 impl NoDiagram {
     /// There is no sweep; the help writes one.
     pub(crate) fn no_sweep(scene: &Scene<'_>, what: &'static str, cause: &Cause) -> Self {
@@ -78,11 +76,7 @@ impl NoDiagram {
             _ => "the sweep cannot be followed",
         };
         let drive = mechanism.drives.first();
-        let turns = drive.is_none_or(|drive| match drive.target {
-            DriveTarget::Link(_) => true,
-            DriveTarget::Pair(pair) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
-            DriveTarget::Point(..) => false,
-        });
+        let turns = drive.is_none_or(|drive| turns(&scene.model, drive));
         let name = drive.map_or("crank", |drive| drive.name.as_str());
         let line = if turns {
             format!("drive {name} = 0 deg .. 360 deg in 36 steps at 80 rpm")
@@ -109,16 +103,29 @@ impl NoDiagram {
         Self::NoFlywheel { help: format!("declare one: `flywheel J on {name} {{ fluctuation 1/25 }}`") }
     }
 
-    /// A name that nothing has.
-    pub(crate) fn unknown(what: &'static str, why: String, known: &[String], asks: &str) -> Self {
-        let listed: Vec<String> = known.iter().take(MOST).map(|name| format!("`{name}`")).collect();
-        let more = known.len().saturating_sub(MOST);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        let help = if listed.is_empty() {
-            asks.to_owned()
-        } else {
-            format!("there are {}{more}", listed.join(", "))
-        };
-        Self::Unknown { what, why, help }
+    /// No point to draw the velocity of; the help names one on the command line and in the file.
+    pub(crate) fn no_velocity(why: String, points: &[String]) -> Self {
+        let help = points.first().map_or_else(
+            || "give a link a point: `link crank A-B 100 mm`".to_owned(),
+            |first| {
+                let known = offered(points);
+                format!("name a point, `hodograph {first}`, or ask in the file, `find velocity({first})`; there are {known}")
+            },
+        );
+        Self::Unknown { what: "hodograph", why, help }
+    }
+
+    /// No pair to draw the reaction of; the help names one on the command line and asks in the file.
+    pub(crate) fn no_reaction(why: String, pairs: &[String]) -> Self {
+        let help = pairs.first().map_or_else(
+            || "declare a pair: `revolute A: ground - crank`".to_owned(),
+            |first| {
+                let known = offered(pairs);
+                format!(
+                    "name a pair, `polar {first}`, or ask in the file, `find reactions`; there are {known}"
+                )
+            },
+        );
+        Self::Unknown { what: "polar diagram", why, help }
     }
 }

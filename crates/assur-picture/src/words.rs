@@ -6,6 +6,10 @@ use assur_solve::solve::{DriveValue, PoseOrigin};
 
 /// Digits of numbers in a description.
 const DIGITS: usize = 5;
+/// The most entries of a list in a description.
+const MOST_DESCRIBED: usize = 40;
+/// The same in a help.
+const MOST_OFFERED: usize = 12;
 
 /// Where the drives are: `crank = 45 deg`.
 pub fn drives(scene: &Scene<'_>) -> String {
@@ -73,21 +77,26 @@ pub fn mechanism(scene: &Scene<'_>) -> String {
     let pairs: Vec<String> = pairs.collect();
     let mut said = String::new();
     if !links.is_empty() {
-        said += &format!("Links: {}. ", listed(&links));
+        said += &format!("Links: {}. ", listed(&links, MOST_DESCRIBED));
     }
     if !pairs.is_empty() {
-        said += &format!("Pairs: {}. ", listed(&pairs));
+        said += &format!("Pairs: {}. ", listed(&pairs, MOST_DESCRIBED));
     }
     said
 }
 
+/// A list of names in a help.
+pub fn offered(names: &[String]) -> String {
+    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    listed(&names, MOST_OFFERED)
+}
+
 /// A list that does not become too long.
-fn listed(all: &[String]) -> String {
-    const MOST: usize = 40;
-    if all.len() <= MOST {
-        return all.join(", ");
+fn listed(all: &[String], most: usize) -> String {
+    match all.get(..most) {
+        Some(first) if all.len() > most => format!("{} and {} more", first.join(", "), all.len() - most),
+        _ => all.join(", "),
     }
-    format!("{} and {} more", all[..MOST].join(", "), all.len() - MOST)
 }
 
 fn name<'a>(scene: &Scene<'a>, link: LinkId) -> &'a str {

@@ -14,7 +14,7 @@ use assur_check::Overrides;
 use assur_drawing::Theme;
 use assur_math::math::Vec2;
 use assur_model::model::Mechanism;
-use assur_picture::{Kind, Options, Scene, Scheme};
+use assur_picture::{Kind, Missing, Options, Scene, Scheme};
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 use output::Output;
@@ -121,31 +121,15 @@ impl Drawing<'_> {
             let options = Options { plotted, of: picture.of.clone(), ..self.options() };
             let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
             for scene in &scenes[..shown.min(scenes.len())] {
-                if picture.kind == Kind::Animation && !self.output.is_page() {
-                    let size = options.scheme.size;
-                    let page = assur_picture::animation(scene, size, self.args.theme.into());
-                    match page {
-                        Ok(text) => {
-                            let name = output::file_name(&format!("{stem}-animation"));
-                            pages.push(Page { name, title: String::new(), text, ending: "html" });
-                        }
-                        Err(_) if self.args.all => {}
-                        Err(missing) => problems.push(missing),
-                    }
-                    continue;
+                let mut name = format!("{stem}-{}", picture.kind.name());
+                if !picture.of.is_empty() {
+                    name += &format!("-{}", picture.of);
                 }
-                match assur_picture::draw(picture.kind, scene, &options) {
-                    Ok(drawings) => {
-                        let mut name = format!("{stem}-{}", picture.kind.name());
-                        if !picture.of.is_empty() {
-                            name += &format!("-{}", picture.of);
-                        }
-                        if several && !picture.kind.is_of_sweep() {
-                            name += &format!("-{}", scene.pose.name);
-                        }
-                        let name = output::file_name(&name);
-                        pages.extend(self.numbered(&name, drawings));
-                    }
+                if several && !picture.kind.is_of_sweep() {
+                    name += &format!("-{}", scene.pose.name);
+                }
+                match self.drawn(picture.kind, scene, &options, output::file_name(&name)) {
+                    Ok(drawn) => pages.extend(drawn),
                     // of all kinds those are left out that the file has no effects for
                     Err(_) if self.args.all => break,
                     Err(missing) => {
@@ -156,6 +140,21 @@ impl Drawing<'_> {
             }
         }
         pages
+    }
+
+    /// The pictures of a kind at a position; an animation is a page of its own where the output is not one.
+    fn drawn(
+        &self,
+        kind: Kind,
+        scene: &Scene<'_>,
+        options: &Options,
+        name: String,
+    ) -> Result<Vec<Page>, Missing> {
+        if kind == Kind::Animation && !self.output.is_page() {
+            let text = assur_picture::animation(scene, options.scheme.size, self.args.theme.into())?;
+            return Ok(vec![Page { name, title: String::new(), text, ending: "html" }]);
+        }
+        Ok(self.numbered(&name, assur_picture::draw(kind, scene, options)?))
     }
 
     /// The cams of a file that has no position.
@@ -191,8 +190,7 @@ impl Drawing<'_> {
         pages.collect()
     }
 
-    /// The positions that are shown: those named, else on standard output and in one file the first, else the first of a
-    /// sweep and all of a list.
+    /// The positions that are shown: those named, else the first.
     fn scenes<'s>(&self, source: &'s Source, solved: &'s Solved, problems: &mut Problems) -> Vec<Scene<'s>> {
         let model = solved.compiled.model();
         let file = (source.name.as_str(), source.text.as_str());

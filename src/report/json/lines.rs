@@ -8,7 +8,9 @@ use super::{Answers, escaped, render_position};
 use crate::report::reactions::{has_moment, meets_at};
 use assur_model::model::{FindKind, LinkId, PairId, PairKind};
 use assur_position::plan::Level;
-use assur_solve::solve::{Beside, JointReaction, Pose, Solved, Source, read_numbers, unplaced_reactions};
+use assur_solve::solve::{
+    Beside, JointReaction, Pose, PoseAnswers, Solved, Source, State, read_numbers, unplaced_reactions,
+};
 use assur_text::units::Template;
 
 /// Positions at which the pieces are looked for.
@@ -19,7 +21,8 @@ const TRIES: usize = 8;
 pub struct JsonLines {
     file: String,
     filled: Option<Filled>,
-    tries: usize,
+    /// Positions that were looked at.
+    seen: usize,
 }
 
 /// What is around the name of a position, and where the numbers behind come from.
@@ -36,13 +39,14 @@ impl JsonLines {
     /// For the positions of a file.
     #[must_use]
     pub const fn of(file: String) -> Self {
-        Self { file, filled: None, tries: 0 }
+        Self { file, filled: None, seen: 0 }
     }
 
     /// Looks for the pieces at a position.
     pub fn begin(&mut self, answers: &Answers<'_>, pose: &Pose) {
-        if self.filled.is_none() && self.tries < TRIES {
-            self.tries += 1;
+        self.seen += 1;
+        // one position alone is not worth it
+        if self.filled.is_none() && (2..TRIES).contains(&self.seen) {
             self.filled = Filled::of(&self.file, answers, pose);
         }
     }
@@ -176,12 +180,14 @@ fn reactions(answers: &Answers<'_>, all: &mut Vec<Source>) {
     if model.plan.reactions.is_empty() {
         return;
     }
+    let state = State::closed(model.plan);
+    let view = PoseAnswers::bare(model, &state);
     let unplaced = unplaced_reactions(model);
     for (i, pair) in model.mechanism.pairs.iter().enumerate().filter(|(i, _)| !unplaced[*i]) {
         let id = PairId::at(i);
         for &on in pair.kind.links().iter().skip(1) {
             // without it the sources are not complete, and the numbers not those written
-            let Some(joints) = JointReaction::of(model, id, on) else { return };
+            let Some(joints) = JointReaction::of(&view, id, on) else { return };
             all.push(Source::Force(joints.clone()));
             all.extend(has_moment(model, id).then_some(Source::Couple(joints)));
             all.extend(place(&pair.kind, id, on));

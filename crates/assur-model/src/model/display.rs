@@ -1,7 +1,7 @@
 //! How a value is printed.
 
 use crate::math::Vec2;
-use crate::units::{Dimension, Unit};
+use crate::units::Conversion;
 
 /// How a value is printed: SI value over `factor`, followed by `unit`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,10 +18,7 @@ impl Display {
     /// A number of SI units in the author's unit.
     #[must_use]
     pub fn of_si(&self, si: f64) -> f64 {
-        if self.factor == 0.0 || self.factor == 1.0 {
-            return si;
-        }
-        Unit { factor: self.factor, dimension: Dimension::NUMBER, text: String::new() }.from_si(si)
+        Conversion::into_units_of(self.factor).of(si)
     }
 
     /// A vector of SI units in the author's unit.

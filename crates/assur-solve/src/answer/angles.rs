@@ -64,6 +64,7 @@ pub(crate) fn first_angles_in(model: &Model<'_>, state: &State, angles: &mut Vec
     }
 }
 
-fn whole_turns(angle: f64) -> f64 {
+/// The whole turns in an angle, rad.
+pub(crate) fn whole_turns(angle: f64) -> f64 {
     (angle / TAU).round() * TAU
 }

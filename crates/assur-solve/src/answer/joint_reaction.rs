@@ -3,21 +3,19 @@
 use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
 use crate::model::{LinkId, PairId, PairKind};
-use crate::position::{Model, State};
+use crate::position::State;
 
 /// Slots of reactions whose sum acts on a link in a pair, with their signs.
 #[derive(Clone, Debug)]
 pub struct JointReaction(Vec<(usize, f64)>);
 
 impl JointReaction {
-    /// Of a pair without friction that is no transmission, and not the contact or the hinge of a cam's roller; else `None`.
+    /// As any position of a mechanism shows it: of a pair without friction that is no transmission, and not the contact or the hinge of a cam's roller; else `None`.
     #[must_use]
-    pub fn of(model: &Model<'_>, pair: PairId, link: LinkId) -> Option<Self> {
-        let state = State::closed(model.plan);
-        let view = PoseAnswers::bare(model, &state);
-        let plain = !matches!(model.mechanism.pair(pair).kind, PairKind::Transmission(_))
+    pub fn of(view: &PoseAnswers<'_>, pair: PairId, link: LinkId) -> Option<Self> {
+        let plain = !matches!(view.mechanism.pair(pair).kind, PairKind::Transmission(_))
             && view.roller_of(pair).is_none()
-            && model.plan.friction_of.places(pair).is_empty();
+            && view.plan.friction_of.places(pair).is_empty();
         plain.then(|| Self(view.slots(pair, link).collect()))
     }
 

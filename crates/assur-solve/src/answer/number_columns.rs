@@ -2,7 +2,7 @@
 
 use super::joint_reaction::JointReaction;
 use super::pose_answers::PoseAnswers;
-use crate::model::{Display, FindKind, Value};
+use crate::model::{Display, Value};
 use crate::position::DriveValue;
 use assur_text::units::Conversion;
 
@@ -47,7 +47,7 @@ impl NumberColumns {
         for Column { shown, vector, unit } in &self.0 {
             let value = match shown {
                 Shown::Drive(i) => drives.get(*i).and_then(DriveValue::value),
-                Shown::Find(index) => found(view, *index),
+                Shown::Find(index) => view.found(*index),
                 Shown::Effort(slot) => view.state.forces.efforts.get(*slot).copied().map(Value::Scalar),
                 Shown::Force(joints) => Some(Value::Vector(joints.force(view.state))),
                 Shown::Couple(joints) => Some(Value::Scalar(joints.couple(view.state))),
@@ -62,12 +62,5 @@ impl NumberColumns {
             }
         }
         true
-    }
-}
-
-fn found(view: &PoseAnswers<'_>, index: usize) -> Option<Value> {
-    match &view.mechanism.finds.get(index)?.kind {
-        FindKind::Value { expr, .. } => Some(view.value(expr)).filter(Value::is_defined),
-        FindKind::Reactions | FindKind::Table(_) => None,
     }
 }

@@ -2,7 +2,9 @@
 
 use super::whole_cycle::WholeCycle;
 use crate::math::Vec2;
-use crate::model::{CamContact, LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value};
+use crate::model::{
+    CamContact, FindKind, LinkId, Mechanism, PairId, PairKind, PointRef, QuantityId, Query, Value,
+};
 use crate::plan::Plan;
 use crate::position::{Model, State};
 use crate::structure::{BodyId, EffortSource, GroupKind, JointKind, Structure};
@@ -50,7 +52,8 @@ impl<'a> PoseAnswers<'a> {
     }
 
     /// Of a position alone: without angles, and nothing known that needs no position.
-    pub(crate) fn bare(model: &Model<'a>, state: &'a State) -> Self {
+    #[must_use]
+    pub fn bare(model: &Model<'a>, state: &'a State) -> Self {
         static NOTHING: WholeCycle = WholeCycle::EMPTY;
         Self::new(model, state, &[], &NOTHING)
     }
@@ -79,6 +82,15 @@ impl PoseAnswers<'_> {
     #[must_use]
     pub fn quantity(&self, id: QuantityId) -> Value {
         self.quantities.get(id.index()).copied().unwrap_or(Value::Scalar(f64::NAN))
+    }
+
+    /// The value of an item of `find`; `None` where it has none, or is no value.
+    #[must_use]
+    pub fn found(&self, index: usize) -> Option<Value> {
+        match &self.mechanism.finds.get(index)?.kind {
+            FindKind::Value { expr, .. } => Some(self.value(expr)).filter(Value::is_defined),
+            FindKind::Reactions | FindKind::Table(_) => None,
+        }
     }
 
     /// The answer to a question. NaN where there is none.

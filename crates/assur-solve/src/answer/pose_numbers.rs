@@ -3,7 +3,7 @@
 use super::joint_reaction::JointReaction;
 use super::pose_answers::PoseAnswers;
 use crate::math::Vec2;
-use crate::model::{FindKind, Guide, LinkId, PairId, Value};
+use crate::model::{Guide, LinkId, PairId, Value};
 use crate::position::{DriveValue, Residuals};
 
 /// Where a number comes from, or the two of a vector.
@@ -99,10 +99,7 @@ fn read(source: &Source, view: &PoseAnswers<'_>, beside: &Beside<'_>, out: &mut 
             }
         }
         Source::Effort(slot) => out.push(*view.state.forces.efforts.get(*slot)?),
-        Source::Find(index) => match &view.mechanism.finds.get(*index)?.kind {
-            FindKind::Value { expr, .. } => value(view.value(expr), out)?,
-            FindKind::Reactions | FindKind::Table(_) => return None,
-        },
+        Source::Find(index) => value(view.found(*index)?, out)?,
         Source::Equilibrium => out.push(beside.residuals.equilibrium?),
         Source::Power => out.push(beside.residuals.power?),
         Source::Condition => out.push(beside.condition),

@@ -9,7 +9,7 @@
 use super::block::{Block, keeps_its_assembly};
 use super::inputs::Rates;
 use super::steps::{MOST_STEPS, between, length, steps, ways};
-use crate::answer::first_angles;
+use crate::answer::{first_angles, whole_turns};
 use crate::math::Vec2;
 use crate::plan::MotionStep;
 use crate::position::{DriveValue, Model, State, extent};
@@ -406,10 +406,6 @@ fn turn_on(turns: &mut [f64], state: &State, next: &State) -> bool {
         }
     }
     true
-}
-
-fn whole_turns(angle: f64) -> f64 {
-    (angle / std::f64::consts::TAU).round() * std::f64::consts::TAU
 }
 
 fn distance(state: &State, predicted: &[Pose], bodies: &[BodyId], extent: f64) -> f64 {

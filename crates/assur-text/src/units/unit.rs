@@ -30,7 +30,7 @@ impl Unit {
     /// An SI value, in this unit.
     #[must_use]
     pub fn from_si(&self, value: f64) -> f64 {
-        whole_reciprocal(self.factor).map_or(value / self.factor, |n| value * n)
+        Conversion::into_units_of(self.factor).of(value)
     }
 }
 
