@@ -8,6 +8,7 @@ mod factors;
 mod lanes;
 #[doc(hidden)]
 pub mod magnitudes;
+pub mod ode;
 pub mod periodic;
 pub mod ratio;
 mod rigid;

@@ -6,6 +6,7 @@ mod double;
 mod factors;
 mod lanes;
 mod magnitudes;
+mod ode;
 mod periodic;
 mod ratio;
 mod root;

@@ -1,0 +1,309 @@
+//! DOP853: the explicit Runge–Kutta method of order 8 by Dormand and Prince with error estimates of orders 5 and 3, twelve
+//! evaluations for a step, and a continuous output of order 7 for three more (Hairer, Nørsett, Wanner, volume I, sections
+//! II.5 and II.6).
+
+#[doc(hidden)]
+pub mod coefficients;
+
+use super::first_step::first_step;
+use super::progress::Trial;
+use super::{
+    Integrator, Progress, Real, Step, Stopped, System, Tolerance, Undefined, eighth_root, finite, nonzero,
+    wide,
+};
+use coefficients::{
+    DENSE_4, DENSE_5, DENSE_6, DENSE_7, END, FIFTH, Row, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6,
+    STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_12, STAGE_14, STAGE_15, STAGE_16, THIRD,
+};
+
+/// The rates at the end of the step among the stages.
+const LAST: usize = 12;
+/// Stages beside the first and the one at the end.
+const ROWS: usize = 14;
+/// h λ at the edge of the domain of stability, on the negative axis, squared.
+const STABLE: f64 = 6.1 * 6.1;
+/// So many steps at the edge make a problem stiff, and so many within in a row make it forget them.
+const STIFF: (u32, u32) = (15, 6);
+
+/// The method for n unknowns.
+#[derive(Clone, Debug)]
+pub struct Dop853<S> {
+    progress: Progress<S>,
+    tolerance: Tolerance<S>,
+    stages: Stages<S>,
+    /// Argument of the last stage that was evaluated.
+    trial: Vec<S>,
+    /// Mean rates over the step.
+    slope: Vec<S>,
+    /// Factors of the polynomial of the last step beyond the cubic.
+    dense: [Vec<S>; 4],
+    prepared: bool,
+    /// Steps at the edge of stability, and steps within since.
+    edge: (u32, u32),
+}
+
+/// Rates of the stages 2 to 12 and 14 to 16.
+#[derive(Clone, Debug)]
+struct Stages<S> {
+    n: usize,
+    rates: Vec<S>,
+}
+
+impl<S: Real> Stages<S> {
+    #[inline(always)]
+    fn place(&self, stage: usize) -> std::ops::Range<usize> {
+        let row = stage - if stage < LAST { 1 } else { 2 };
+        row * self.n..(row + 1) * self.n
+    }
+
+    /// The rates that a row of coefficients is for, and the coefficients.
+    #[inline(always)]
+    fn rows<'a, const M: usize>(&'a self, progress: &'a Progress<S>, row: &Row<M>) -> ([&'a [S]; M], [S; M]) {
+        let rates = row.from.map(|stage| match stage {
+            0 => &progress.f0[..self.n],
+            LAST => &progress.f1[..self.n],
+            _ => &self.rates[self.place(stage)],
+        });
+        (rates, row.of.map(wide))
+    }
+}
+
+#[inline(always)]
+fn sum<S: Real, const M: usize>((rates, weights): &([&[S]; M], [S; M]), i: usize) -> S {
+    let mut sum = weights[0] * rates[0][i];
+    for j in 1..M {
+        sum = sum + weights[j] * rates[j][i];
+    }
+    sum
+}
+
+impl<S: Real> Dop853<S> {
+    /// Room for as many unknowns as have a tolerance.
+    #[must_use]
+    pub fn new(tolerance: Tolerance<S>) -> Self {
+        let n = tolerance.order();
+        let zeros = || vec![S::zero(); n];
+        Self {
+            progress: Progress::new(n),
+            tolerance,
+            stages: Stages { n, rates: vec![S::zero(); ROWS * n] },
+            trial: zeros(),
+            slope: zeros(),
+            dense: std::array::from_fn(|_| zeros()),
+            prepared: false,
+            edge: (0, 0),
+        }
+    }
+
+    #[inline(always)]
+    fn stage<F: System<S> + ?Sized, const M: usize>(
+        &mut self,
+        system: &mut F,
+        h: S,
+        stage: usize,
+        row: &Row<M>,
+    ) -> Result<(), Undefined> {
+        let rows = self.stages.rows(&self.progress, row);
+        let y = &self.progress.y0[..self.stages.n];
+        for (i, trial) in self.trial[..self.stages.n].iter_mut().enumerate() {
+            *trial = y[i] + h * sum(&rows, i);
+        }
+        self.progress.counts.evaluations += 1;
+        let place = self.stages.place(stage);
+        let t = self.progress.t0 + wide::<S>(row.at) * h;
+        evaluate(system, t, &self.trial, &mut self.stages.rates[place])
+    }
+
+    /// All stages of a step and the state at its end, without the rates there.
+    fn stages<F: System<S> + ?Sized>(&mut self, system: &mut F, h: S) -> Result<(), Undefined> {
+        self.prepared = false;
+        self.stage(system, h, 1, &STAGE_2)?;
+        self.stage(system, h, 2, &STAGE_3)?;
+        self.stage(system, h, 3, &STAGE_4)?;
+        self.stage(system, h, 4, &STAGE_5)?;
+        self.stage(system, h, 5, &STAGE_6)?;
+        self.stage(system, h, 6, &STAGE_7)?;
+        self.stage(system, h, 7, &STAGE_8)?;
+        self.stage(system, h, 8, &STAGE_9)?;
+        self.stage(system, h, 9, &STAGE_10)?;
+        self.stage(system, h, 10, &STAGE_11)?;
+        self.stage(system, h, 11, &STAGE_12)?;
+        // the argument of stage 12 stays in `trial`
+        let rows = self.stages.rows(&self.progress, &END);
+        for (i, slope) in self.slope.iter_mut().enumerate() {
+            *slope = sum(&rows, i);
+        }
+        let Progress { y0, y1, .. } = &mut self.progress;
+        for (y1, (y0, slope)) in y1.iter_mut().zip(y0.iter().zip(&self.slope)) {
+            *y1 = *y0 + h * *slope;
+        }
+        Ok(())
+    }
+
+    /// The error of the step over what is allowed.
+    fn error(&self, h: S) -> S {
+        let (progress, n) = (&self.progress, self.stages.n);
+        let (fifth, third) = (self.stages.rows(progress, &FIFTH), self.stages.rows(progress, &THIRD));
+        let (mut of_fifth, mut of_third) = (S::zero(), S::zero());
+        for i in 0..n {
+            let allowed = self.tolerance.scale(i, progress.y0[i].abs().max(progress.y1[i].abs()));
+            let (a, b) = (sum(&fifth, i) / allowed, (self.slope[i] - sum(&third, i)) / allowed);
+            of_fifth = of_fifth + a * a;
+            of_third = of_third + b * b;
+        }
+        let both = of_fifth + S::of(0.01) * of_third;
+        if nonzero(both) { h.abs() * of_fifth / (count::<S>(n) * both).sqrt() } else { both }
+    }
+
+    /// The step is done but for the rates at its end.
+    fn rates_at_end<F: System<S> + ?Sized>(&mut self, system: &mut F, t: S) -> Result<(), Undefined> {
+        self.progress.counts.evaluations += 1;
+        evaluate(system, t, &self.progress.y1, &mut self.progress.f1)
+    }
+
+    /// The step has been at the edge of stability for a while (volume II, section IV.2: |Δf|/|Δy| of the two states at its
+    /// end estimates the greatest eigenvalue).
+    fn looks_stiff(&mut self, h: S) -> bool {
+        let progress = &self.progress;
+        let last = &self.stages.rates[self.stages.place(11)];
+        let (mut of_rates, mut of_states) = (S::zero(), S::zero());
+        for (i, last) in last.iter().enumerate() {
+            let (f, y) = (progress.f1[i] - *last, progress.y1[i] - self.trial[i]);
+            of_rates = of_rates + f * f;
+            of_states = of_states + y * y;
+        }
+        if (S::of(STABLE) * of_states).lt(h * h * of_rates) {
+            self.edge = (self.edge.0 + 1, 0);
+        } else {
+            self.edge.1 += 1;
+            if self.edge.1 >= STIFF.1 {
+                self.edge = (0, 0);
+            }
+        }
+        let stiff = self.edge.0 >= STIFF.0;
+        if stiff {
+            self.edge = (0, 0);
+        }
+        stiff
+    }
+
+    /// A trial and its error; the next length that the error asks for.
+    fn attempt<F: System<S> + ?Sized>(
+        &mut self,
+        system: &mut F,
+        trial: Trial<S>,
+    ) -> Result<(bool, S), Undefined> {
+        self.stages(system, trial.h)?;
+        let error = self.error(trial.h);
+        if !finite(error) {
+            return Err(Undefined);
+        }
+        let accepted = !S::one().lt(error);
+        // h_new = h · min(6, max(1/3, 0.9 / error^(1/8))); a rejected step does not grow
+        let wish = (eighth_root(error) / S::of(0.9)).max(S::of(1.0 / 6.0)).min(S::of(1.0 / 0.333));
+        if accepted {
+            self.rates_at_end(system, trial.t)?;
+        }
+        Ok((accepted, trial.h / wish))
+    }
+}
+
+impl<S: Real> Integrator<S> for Dop853<S> {
+    fn progress(&self) -> &Progress<S> {
+        &self.progress
+    }
+
+    fn progress_mut(&mut self) -> &mut Progress<S> {
+        &mut self.progress
+    }
+
+    fn start<F: System<S> + ?Sized>(
+        &mut self,
+        system: &mut F,
+        t: S,
+        y: &[S],
+        end: S,
+    ) -> Result<(), Undefined> {
+        self.progress.place(system, Some(t), y, end)?;
+        (self.prepared, self.edge) = (false, (0, 0));
+        if nonzero(end - t) {
+            let room = (&mut self.trial[..], &mut self.stages.rates[..y.len()]);
+            self.progress.next = first_step(system, &mut self.progress, &self.tolerance, room, eighth_root)?;
+        }
+        Ok(())
+    }
+
+    fn step<F: System<S> + ?Sized>(&mut self, system: &mut F) -> Result<Step, Stopped> {
+        if !self.progress.begin(system) {
+            return Ok(Step::Last);
+        }
+        loop {
+            let trial = self.progress.trial()?;
+            match self.attempt(system, trial) {
+                Ok((true, next)) => {
+                    let step = self.progress.accept(trial, next);
+                    return if self.looks_stiff(trial.h) { Err(Stopped::Stiff) } else { Ok(step) };
+                }
+                Ok((false, next)) => self.progress.reject(next),
+                Err(Undefined) => self.progress.reject_undefined(trial),
+            }
+        }
+    }
+
+    fn shorten<F: System<S> + ?Sized>(&mut self, system: &mut F, t: S) -> Result<(), Undefined> {
+        let h = t - self.progress.t0;
+        let done = if nonzero(h) {
+            self.stages(system, h).and_then(|()| self.rates_at_end(system, t))
+        } else {
+            self.progress.undo();
+            Ok(())
+        };
+        match done {
+            Ok(()) => self.progress.shortened(t),
+            Err(Undefined) => self.progress.undo(),
+        }
+        done
+    }
+
+    fn prepare_dense<F: System<S> + ?Sized>(&mut self, system: &mut F) -> Result<(), Undefined> {
+        let h = self.progress.length();
+        if self.prepared || !nonzero(h) {
+            return Ok(());
+        }
+        self.stage(system, h, 13, &STAGE_14)?;
+        self.stage(system, h, 14, &STAGE_15)?;
+        self.stage(system, h, 15, &STAGE_16)?;
+        for (factors, row) in self.dense.iter_mut().zip([&DENSE_4, &DENSE_5, &DENSE_6, &DENSE_7]) {
+            let rows = self.stages.rows(&self.progress, row);
+            for (i, factor) in factors.iter_mut().enumerate() {
+                *factor = h * sum(&rows, i);
+            }
+        }
+        self.prepared = true;
+        Ok(())
+    }
+
+    fn dense(&self, t: S, y: &mut [S]) {
+        let h = self.progress.length();
+        let s = if nonzero(h) { (t - self.progress.t0) / h } else { S::one() };
+        let r = S::one() - s;
+        let [d4, d5, d6, d7] = &self.dense;
+        for (i, y) in y.iter_mut().enumerate() {
+            let [a, b, c, d] = self.progress.cubic(i);
+            let rest =
+                if self.prepared { r * (d4[i] + s * (d5[i] + r * (d6[i] + s * d7[i]))) } else { S::zero() };
+            *y = a + s * (b + r * (c + s * (d + rest)));
+        }
+    }
+}
+
+/// The rates, written out once.
+#[inline(never)]
+fn evaluate<S, F: System<S> + ?Sized>(system: &mut F, t: S, y: &[S], dy: &mut [S]) -> Result<(), Undefined> {
+    system.rates(t, y, dy)
+}
+
+#[allow(clippy::cast_precision_loss)] // far below 2^52
+fn count<S: Real>(n: usize) -> S {
+    S::of(n as f64)
+}

@@ -1,0 +1,180 @@
+//! Initial value problems y' = f(t, y): the integrators, from the books of E. Hairer, S. P. Nørsett and G. Wanner,
+//! Solving Ordinary Differential Equations I (2nd edition, 1993) and, with G. Wanner, II (2nd edition, 1996).
+//!
+//! A method is made once for n unknowns and their tolerances and takes no memory afterwards. A step goes from where the last
+//! one ended; between both ends of the last step there is a polynomial, which costs evaluations only once it is asked for.
+//!
+//! ```text
+//! method.start(&mut system, t, &y, end)?;
+//! while method.step(&mut system)? == Step::Within {
+//!     method.prepare_dense(&mut system)?;      // where something is looked for within the step
+//!     method.dense(t, &mut y);
+//!     method.shorten(&mut system, t)?;         // ends the step there
+//! }
+//! ```
+
+mod first_step;
+mod progress;
+mod tolerance;
+
+pub mod dop853;
+
+pub use dop853::Dop853;
+pub use progress::{Counts, Progress};
+pub use tolerance::Tolerance;
+
+use super::Scalar;
+
+/// The rates have no value here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the rates have no value here")]
+pub struct Undefined;
+
+/// A real number that can be compared: `f64` or double-double.
+pub trait Real: Scalar<Mask = bool> {}
+
+impl<S: Scalar<Mask = bool>> Real for S {}
+
+/// What is to be integrated.
+pub trait System<S> {
+    /// y' at (t, y). Where a trial stage has no value the step is rejected and halved.
+    ///
+    /// # Errors
+    /// There is no value.
+    fn rates(&mut self, t: S, y: &[S], dy: &mut [S]) -> Result<(), Undefined>;
+
+    /// Called with every state from which a step begins, before its stages: what is kept beside the state belongs to it.
+    fn accepted(&mut self, _t: S, _y: &[S]) {}
+}
+
+/// Where a step led to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// Somewhere before the end.
+    Within,
+    /// To the end, or there is nothing left to do.
+    Last,
+}
+
+/// Why there is no step. The state is where the last accepted step ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Stopped {
+    /// [`Progress::most_steps`] are done.
+    #[error("too many steps")]
+    TooManySteps,
+    /// The tolerance is not reached with any step that moves t.
+    #[error("the step became too small")]
+    StepTooSmall,
+    /// The rates have no value however short the step.
+    #[error("the rates have no value beyond here")]
+    Undefined,
+    /// The step is done, but its length has been bounded by stability for a while: an implicit method is cheaper. Calling
+    /// again goes on.
+    #[error("the problem looks stiff")]
+    Stiff,
+}
+
+/// What all methods offer.
+pub trait Integrator<S: Real> {
+    /// Where it stands.
+    fn progress(&self) -> &Progress<S>;
+    /// Where it stands, to set its bounds.
+    fn progress_mut(&mut self) -> &mut Progress<S>;
+
+    /// Begins at (t, y) and chooses the first step. Counts go on.
+    ///
+    /// # Errors
+    /// The rates have no value at the beginning.
+    fn start<F: System<S> + ?Sized>(
+        &mut self,
+        system: &mut F,
+        t: S,
+        y: &[S],
+        end: S,
+    ) -> Result<(), Undefined>;
+
+    /// Goes on with the same step length from another state at the same t, as after an impact, or with other rates.
+    ///
+    /// # Errors
+    /// The rates have no value there.
+    fn restart<F: System<S> + ?Sized>(&mut self, system: &mut F, y: &[S], end: S) -> Result<(), Undefined> {
+        self.progress_mut().place(system, None, y, end)
+    }
+
+    /// One accepted step, with as many trials as it takes.
+    ///
+    /// # Errors
+    /// Why not.
+    fn step<F: System<S> + ?Sized>(&mut self, system: &mut F) -> Result<Step, Stopped>;
+
+    /// Ends the last step at t by a step of that length, which is not judged by its error.
+    ///
+    /// # Errors
+    /// A stage has no value; then the state is where the last step began.
+    fn shorten<F: System<S> + ?Sized>(&mut self, system: &mut F, t: S) -> Result<(), Undefined>;
+
+    /// Makes [`Integrator::dense`] as accurate as the method offers; once per step.
+    ///
+    /// # Errors
+    /// A stage has no value.
+    fn prepare_dense<F: System<S> + ?Sized>(&mut self, system: &mut F) -> Result<(), Undefined>;
+
+    /// y at t within the last step. Without [`Integrator::prepare_dense`] it is the cubic through values and rates at both
+    /// ends, of order 3.
+    fn dense(&self, t: S, y: &mut [S]);
+
+    /// Where the last step ended.
+    fn t(&self) -> S {
+        self.progress().t1
+    }
+    /// The state there.
+    fn y(&self) -> &[S] {
+        &self.progress().y1
+    }
+    /// The rates there.
+    fn rates(&self) -> &[S] {
+        &self.progress().f1
+    }
+    /// Where the last step began.
+    fn previous_t(&self) -> S {
+        self.progress().t0
+    }
+    /// The state there.
+    fn previous_y(&self) -> &[S] {
+        &self.progress().y0
+    }
+    /// The rates there.
+    fn previous_rates(&self) -> &[S] {
+        &self.progress().f0
+    }
+    /// What it cost so far.
+    fn counts(&self) -> Counts {
+        self.progress().counts
+    }
+}
+
+/// ε of the numbers.
+fn epsilon<S: Real>() -> S {
+    S::of(if S::WIDE { 4.930_380_657_631_324e-32 } else { S::ROUNDING })
+}
+
+/// A coefficient in two parts.
+#[inline(always)]
+fn wide<S: Real>([high, low]: [f64; 2]) -> S {
+    if S::WIDE { S::of(high) + S::of(low) } else { S::of(high) }
+}
+
+/// Neither infinite nor NaN.
+fn finite<S: Real>(x: S) -> bool {
+    (x - x).lt(S::one())
+}
+
+/// Neither zero nor NaN.
+fn nonzero<S: Real>(x: S) -> bool {
+    S::zero().lt(x.abs())
+}
+
+/// The eighth root: powers of the system's library differ from machine to machine, roots do not.
+fn eighth_root<S: Real>(x: S) -> S {
+    x.sqrt().sqrt().sqrt()
+}
