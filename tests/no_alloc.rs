@@ -4,6 +4,7 @@
 mod machines;
 
 use assur::internals::math::Vec2;
+use assur::internals::math::ode::{Dop853, Integrator, Step, System, Tolerance, Undefined};
 use assur::internals::model::{Friction, Mechanism, PairKind};
 use assur::internals::report::json::JsonLines;
 use assur::internals::report::lines::CsvLines;
@@ -200,4 +201,43 @@ fn a_row_of_variants_allocates_nothing() {
     let counted = allocation_counter::measure(|| (20..200).for_each(&mut solve));
     assert_eq!(counted.count_total, 0);
     assert!(out.len() > 20_000);
+}
+
+/// A turn whose rates have no value beyond a little more than its radius.
+struct Turn;
+
+impl System<f64> for Turn {
+    fn rates(&mut self, _: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Undefined> {
+        (dy[0], dy[1]) = (-y[1], y[0]);
+        if y[0] * y[0] + y[1] * y[1] < 1.0 + 1e-5 { Ok(()) } else { Err(Undefined) }
+    }
+}
+
+/// Steps with rejected trials, dense output and events allocate nothing.
+fn steps(method: &mut impl Integrator<f64>) {
+    let mut between = [0.0; 2];
+    let counted = allocation_counter::measure(|| {
+        method.start(&mut Turn, 0.0, &[1.0, 0.0], 50.0).expect("the start has rates");
+        loop {
+            let step = method.step(&mut Turn).expect("it goes on");
+            method.prepare_dense(&mut Turn).expect("it has rates");
+            method.dense(0.5 * (method.previous_t() + method.t()), &mut between);
+            if method.counts().steps == 20 {
+                let t = 0.25 * method.previous_t() + 0.75 * method.t();
+                method.shorten(&mut Turn, t).expect("it has rates");
+                let y = [method.y()[0], method.y()[1]];
+                method.restart(&mut Turn, &y, 50.0).expect("it has rates");
+            }
+            if step == Step::Last {
+                break;
+            }
+        }
+    });
+    assert!(method.counts().rejected > 0 && method.counts().shortened == 1 && between[0].is_finite());
+    assert_eq!(counted.count_total, 0);
+}
+
+#[test]
+fn the_loop_over_steps_allocates_nothing() {
+    steps(&mut Dop853::new(Tolerance::uniform(2, 1e-4, 1e-4)));
 }

@@ -59,7 +59,7 @@ pub enum Step {
 /// Why there is no step. The state is where the last accepted step ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Stopped {
-    /// [`Progress::most_steps`] are done.
+    /// [`Progress::most_steps`] were tried since the start.
     #[error("too many steps")]
     TooManySteps,
     /// The tolerance is not reached with any step that moves t.
@@ -166,7 +166,7 @@ fn wide<S: Real>([high, low]: [f64; 2]) -> S {
 
 /// Neither infinite nor NaN.
 fn finite<S: Real>(x: S) -> bool {
-    (x - x).lt(S::one())
+    (x * S::zero()).lt(S::one())
 }
 
 /// Neither zero nor NaN.

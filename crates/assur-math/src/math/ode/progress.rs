@@ -34,7 +34,9 @@ pub struct Progress<S> {
     /// The last rejected trial had a stage without a value.
     undefined: bool,
     pub(super) counts: Counts,
-    /// Accepted and rejected steps together that are allowed.
+    /// Steps that were done at the start.
+    before: usize,
+    /// Accepted and rejected steps together that are allowed from a start.
     pub most_steps: usize,
     /// No step is longer.
     pub longest: Option<S>,
@@ -66,6 +68,7 @@ impl<S: Real> Progress<S> {
             again: false,
             undefined: false,
             counts: Counts::default(),
+            before: 0,
             most_steps: 1_000_000,
             longest: None,
         }
@@ -79,7 +82,10 @@ impl<S: Real> Progress<S> {
         y: &[S],
         end: S,
     ) -> Result<(), Undefined> {
-        self.t1 = t.unwrap_or(self.t1);
+        if let Some(t) = t {
+            self.t1 = t;
+            self.before = self.tried();
+        }
         self.y1.copy_from_slice(y);
         self.end = end;
         self.counts.evaluations += 1;
@@ -87,6 +93,10 @@ impl<S: Real> Progress<S> {
         (self.told, self.again) = (false, false);
         self.leave();
         Ok(())
+    }
+
+    fn tried(&self) -> usize {
+        self.counts.steps + self.counts.rejected
     }
 
     /// A step of no length at the end of the last.
@@ -131,7 +141,7 @@ impl<S: Real> Progress<S> {
     pub(super) fn trial(&mut self) -> Result<Trial<S>, Stopped> {
         let left = self.end - self.t0;
         let h = signed(self.bounded(self.next), left);
-        let stopped = if self.counts.steps + self.counts.rejected >= self.most_steps {
+        let stopped = if self.tried() - self.before >= self.most_steps {
             Some(Stopped::TooManySteps)
         } else if !(S::of(10.0) * epsilon::<S>() * self.t0.abs().max(S::of(1e-10) * left.abs())).lt(h.abs()) {
             Some(if self.undefined { Stopped::Undefined } else { Stopped::StepTooSmall })

@@ -59,12 +59,17 @@ impl<S: Real> Stages<S> {
     /// The rates that a row of coefficients is for, and the coefficients.
     #[inline(always)]
     fn rows<'a, const M: usize>(&'a self, progress: &'a Progress<S>, row: &Row<M>) -> ([&'a [S]; M], [S; M]) {
-        let rates = row.from.map(|stage| match stage {
-            0 => &progress.f0[..self.n],
-            LAST => &progress.f1[..self.n],
-            _ => &self.rates[self.place(stage)],
-        });
-        (rates, row.of.map(wide))
+        // loops, not `map`, which is not always written out
+        let (mut rates, mut weights): ([&[S]; M], [S; M]) = ([&[]; M], [S::zero(); M]);
+        for j in 0..M {
+            rates[j] = match row.from[j] {
+                0 => &progress.f0[..self.n],
+                LAST => &progress.f1[..self.n],
+                stage => &self.rates[self.place(stage)][..self.n],
+            };
+            weights[j] = wide(row.of[j]);
+        }
+        (rates, weights)
     }
 }
 
@@ -103,10 +108,11 @@ impl<S: Real> Dop853<S> {
         stage: usize,
         row: &Row<M>,
     ) -> Result<(), Undefined> {
+        let n = self.stages.n;
         let rows = self.stages.rows(&self.progress, row);
-        let y = &self.progress.y0[..self.stages.n];
-        for (i, trial) in self.trial[..self.stages.n].iter_mut().enumerate() {
-            *trial = y[i] + h * sum(&rows, i);
+        let (y, trial) = (&self.progress.y0[..n], &mut self.trial[..n]);
+        for i in 0..n {
+            trial[i] = y[i] + h * sum(&rows, i);
         }
         self.progress.counts.evaluations += 1;
         let place = self.stages.place(stage);

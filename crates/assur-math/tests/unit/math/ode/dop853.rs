@@ -103,10 +103,10 @@ fn double_double_reaches_24_digits() {
     assert!(error < 1e-22, "{error:e}");
 }
 
-#[test]
-fn the_orbit_of_arenstorf_closes() {
+/// The restricted problem of three bodies: a probe beside earth and moon.
+fn arenstorf() -> impl System<f64> {
     let mu = 0.012_277_471;
-    let mut system = Rates(|_, y: &[f64], dy: &mut [f64]| {
+    Rates(move |_, y: &[f64], dy: &mut [f64]| {
         let (far, near) = (y[0] + mu, y[0] - (1.0 - mu));
         let (a, b) = (far * far + y[1] * y[1], near * near + y[1] * y[1]);
         let (a, b) = ((1.0 - mu) / (a * a.sqrt()), mu / (b * b.sqrt()));
@@ -114,16 +114,44 @@ fn the_orbit_of_arenstorf_closes() {
         dy[1] = y[3];
         dy[2] = y[0] + 2.0 * y[3] - a * far - b * near;
         dy[3] = y[1] - 2.0 * y[2] - (a + b) * y[1];
-    });
-    let start = [0.994, 0.0, 0.0, -2.001_585_106_379_082_5];
+    })
+}
+
+/// Where it begins and how long it takes to come back.
+const PROBE: ([f64; 4], f64) = ([0.994, 0.0, 0.0, -2.001_585_106_379_082_5], 17.065_216_560_157_964);
+
+#[test]
+fn the_orbit_of_arenstorf_closes() {
+    let (mut system, (start, period)) = (arenstorf(), PROBE);
     for (tolerance, allowed, evaluations) in [(1e-7, 0.2, 1400), (1e-13, 1e-7, 5500)] {
         let mut method = Dop853::new(Tolerance::uniform(4, tolerance, tolerance));
-        run(&mut method, &mut system, 0.0, &start, 17.065_216_560_157_964);
+        run(&mut method, &mut system, 0.0, &start, period);
         let error = distance(method.y(), &start);
         let counts = method.counts();
         assert!(error < allowed && counts.evaluations < evaluations, "{error:e} {counts:?}");
         assert!(counts.rejected > 0 && counts.evaluations <= 12 * (counts.steps + counts.rejected) + 2);
     }
+}
+
+#[test]
+fn steps_are_those_of_another_program() {
+    // instants of the package ode_solvers 0.6.2 at 1e-7, which goes by the same book: 83 steps, 1362 evaluations
+    let theirs = [
+        (20, 1.111_520_687_950_670_7),
+        (40, 6.962_150_327_003_743_5),
+        (60, 14.900_404_795_822_519),
+        (80, 17.060_197_912_724_817),
+    ];
+    let (mut method, mut system) = (Dop853::new(Tolerance::uniform(4, 1e-7, 1e-7)), arenstorf());
+    method.start(&mut system, 0.0, &PROBE.0, PROBE.1).expect("starts");
+    let mut instants = vec![0.0];
+    while method.step(&mut system).expect("goes on") == Step::Within {
+        instants.push(method.t());
+    }
+    for (step, t) in theirs {
+        assert!((instants[step] - t).abs() < 1e-8, "{step}: {} {t}", instants[step]);
+    }
+    assert_eq!((method.counts().steps, method.counts().evaluations), (83, 1361));
 }
 
 #[test]
