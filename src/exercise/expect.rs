@@ -7,6 +7,7 @@ use assur_model::model::{At, Comparison, Display, Expect, Expr, Relation, Tolera
 use assur_solve::message::failure;
 use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, PoseOrigin, Solution, State, compare};
 use assur_text::source::Span;
+use assur_text::units::Dimension;
 
 /// The outcome of one expectation at one pose.
 #[derive(Clone, Debug)]
@@ -106,7 +107,9 @@ impl<'a> Key<'a> {
                     None => return Err(ExpectError::unknown_pose(name, *span, poses)),
                 }
             }
-            Some(At::Drives(_)) => poses.iter().filter(|p| p.origin == PoseOrigin::Expected(index)).collect(),
+            Some(At::Drives(_) | At::Time(_)) => {
+                poses.iter().filter(|p| p.origin == PoseOrigin::Expected(index)).collect()
+            }
             None => sweep(),
         };
         // those of a long sweep are not kept
@@ -123,7 +126,11 @@ impl<'a> Key<'a> {
     fn name(&self, pose: &Pose) -> String {
         let PoseOrigin::Expected(index) = pose.origin else { return pose.name.clone() };
         let mechanism = self.model.mechanism;
-        let Some(At::Drives(list)) = &mechanism.expects[index].at else { return pose.name.clone() };
+        let list = match &mechanism.expects[index].at {
+            Some(At::Drives(list)) => list,
+            Some(At::Time(_)) => return self.instant(pose),
+            Some(At::Pose(..)) | None => return pose.name.clone(),
+        };
         let texts = list.iter().map(|(id, _)| {
             let drive = &mechanism.drives[id.index()];
             let display = mechanism.drive_display(drive.target);
@@ -138,9 +145,15 @@ impl<'a> Key<'a> {
     fn place(&self, pose: &Pose) -> String {
         match pose.origin {
             PoseOrigin::Expected(_) => format!(" at {}", self.name(pose)),
+            _ if self.model.mechanism.simulation.is_some() => format!(" at {}", self.instant(pose)),
             _ if self.solution.poses.len().max(self.solution.positions) == 1 => String::new(),
             _ => format!(" at pose {}", pose.name),
         }
+    }
+
+    /// `time = 0.5 s`
+    fn instant(&self, pose: &Pose) -> String {
+        format!("time = {} {}", pose.name, self.model.mechanism.display_of(Dimension::TIME).unit)
     }
 
     fn outcome(

@@ -1,8 +1,8 @@
 //! How well the answers satisfy equations that were not used to find them.
 
 use super::answers::{Answers, NONE, Precision};
-use super::cycle;
 use super::document::{Column, Report, Section, Table};
+use super::{cycle, simulation};
 use assur_solve::solve::{Pose, Residuals, Solved};
 use assur_text::units::significant;
 
@@ -29,15 +29,16 @@ pub(super) fn section(answers: &Answers<'_>, shown: AccuracyShown, report: &mut 
     if let Some(reached) = answers.reached {
         section.text(super::tradeoff::reached(reached));
     }
+    simulation::lines(answers).into_iter().for_each(|line| section.text(line));
     match shown {
         AccuracyShown::Worst => {
-            worst(&poses, precision).into_iter().for_each(|line| section.text(line));
+            worst(answers, &poses).into_iter().for_each(|line| section.text(line));
             let cycles = cycle::worst_error(answers);
             let line = cycles.map(|e| format!("relative error over the sweep: {}", order_of(e, precision)));
             line.into_iter().for_each(|line| section.text(line));
         }
         AccuracyShown::EveryPose => {
-            section.table(table(&poses, precision));
+            section.table(table(answers, &poses));
             section.table(cycle::accuracy(answers, |r| order_of(r, precision)));
         }
     }
@@ -51,7 +52,8 @@ fn named(residuals: Residuals) -> [(&'static str, Option<f64>); 3] {
 }
 
 /// One line: the greatest of each residual, and the least condition with its pose.
-fn worst(poses: &[(&Pose, &Solved)], precision: Precision) -> Option<String> {
+fn worst(answers: &Answers<'_>, poses: &[(&Pose, &Solved)]) -> Option<String> {
+    let precision = answers.precision;
     let ((mut pose, first), others) = poses.split_first().map(|(first, others)| (*first, others))?;
     let (mut greatest, mut condition) = (named(first.residuals), first.condition);
     for (other, solved) in others {
@@ -68,16 +70,16 @@ fn worst(poses: &[(&Pose, &Solved)], precision: Precision) -> Option<String> {
     let figures = figures.collect::<Vec<_>>().join(", ");
     Some(match others {
         [] => figures,
-        _ => format!("worst of {} poses: {figures} at pose {}", poses.len(), pose.name),
+        _ => format!("worst of {} poses: {figures} {}", poses.len(), answers.at_pose(&pose.name)),
     })
 }
 
 /// A row per pose.
-fn table(poses: &[(&Pose, &Solved)], precision: Precision) -> Table {
-    let with_pose = poses.len() > 1;
+fn table(answers: &Answers<'_>, poses: &[(&Pose, &Solved)]) -> Table {
+    let (with_pose, precision) = (poses.len() > 1, answers.precision);
     let mut columns = Vec::new();
     if with_pose {
-        columns.push(Column::words("pose"));
+        columns.push(Column::words(answers.pose_header()));
     }
     columns.extend(["closure", "equilibrium", "power", "condition"].map(Column::right));
     let mut table = Table::new(columns, usize::from(with_pose));
@@ -93,7 +95,7 @@ fn table(poses: &[(&Pose, &Solved)], precision: Precision) -> Table {
 }
 
 /// A residual in one figure, or the power of ten it stays below.
-fn order_of(residual: f64, precision: Precision) -> String {
+pub(super) fn order_of(residual: f64, precision: Precision) -> String {
     if !precision.coarse_residuals {
         return if residual == 0.0 { "0".to_owned() } else { format!("{residual:.0e}") };
     }

@@ -1,10 +1,10 @@
 //! The input of a report of answers.
 
 use crate::exercise::Outcome;
-use assur_model::model::{DriveTarget, FindKind};
+use assur_model::model::{Drive, DriveTarget, FindKind, Mechanism};
 use assur_solve::measure::accuracy::AchievedAccuracy;
 use assur_solve::solve::{DriveValue, Model, Pose, PoseOrigin, Solution};
-use assur_text::units::significant;
+use assur_text::units::{Dimension, significant};
 
 /// A solved file.
 #[derive(Clone, Copy, Debug)]
@@ -54,10 +54,31 @@ impl<'a> Answers<'a> {
         self.solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)))
     }
 
+    /// What heads the column with the names of poses: of a motion under loads these are its instants.
+    #[must_use]
+    pub fn pose_header(&self) -> String {
+        pose_header(self.model.mechanism)
+    }
+
+    /// A pose by its name, in a sentence.
+    pub(super) fn at_pose(&self, name: &str) -> String {
+        let mechanism = self.model.mechanism;
+        match mechanism.simulation {
+            Some(_) => format!("at {name} {}", mechanism.display_of(Dimension::TIME).unit),
+            None => format!("at pose {name}"),
+        }
+    }
+
     /// Whether the file asks for all reactions.
     #[must_use]
     pub fn wants_reactions(&self) -> bool {
         self.model.mechanism.finds.iter().any(|f| matches!(f.kind, FindKind::Reactions))
+    }
+
+    /// The drives whose values stand beside the answers: where a motion follows from the loads, the instants do.
+    pub(super) fn shown_drives(&self) -> impl Iterator<Item = (usize, &'a Drive)> + use<'a> {
+        let mechanism = self.model.mechanism;
+        mechanism.drives.iter().enumerate().filter(|_| mechanism.simulation.is_none())
     }
 
     /// The value of a drive at a pose in figures, in the author's unit.
@@ -65,6 +86,15 @@ impl<'a> Answers<'a> {
         let display = self.model.mechanism.drive_display(target);
         let value = value.and_then(DriveValue::value);
         value.map_or_else(|| NONE.to_owned(), |v| display.figures(v, self.precision.digits))
+    }
+}
+
+/// As [`Answers::pose_header`].
+#[must_use]
+pub fn pose_header(mechanism: &Mechanism) -> String {
+    match mechanism.simulation {
+        Some(_) => with_unit("time", &mechanism.display_of(Dimension::TIME).unit),
+        None => "pose".to_owned(),
     }
 }
 

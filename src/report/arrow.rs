@@ -1,7 +1,7 @@
 //! The answers of a file as a stream of Arrow: a column per number in the author's unit, which is in the field's metadata, null
 //! where a position has none; positions one after another, none is kept.
 
-use super::answers::Answers;
+use super::answers::{Answers, pose_header};
 use super::rows::AnswerColumns;
 use arrow_array::{ArrayRef, BooleanArray, Float64Array, RecordBatch, StringArray};
 use arrow_ipc::writer::StreamWriter;
@@ -41,7 +41,7 @@ impl ArrowRows {
             Field::new(name, kind, true).with_metadata(unit.into_iter().collect::<HashMap<_, _>>())
         };
         let numbers = columns.fields(model.mechanism).into_iter().map(field);
-        let pose = Field::new("pose", DataType::Utf8, false);
+        let pose = Field::new(pose_header(model.mechanism), DataType::Utf8, false);
         let schema = Arc::new(Schema::new(std::iter::once(pose).chain(numbers).collect::<Vec<_>>()));
         let writer = StreamWriter::try_new(Vec::new(), &schema)?;
         let cells = vec![Vec::new(); schema.fields().len() - 1];

@@ -128,8 +128,15 @@ impl<'a> Answers<'a> {
             EffortEntry { name, of_drive, display: mechanism.display_of(dimension), slot }
         };
         let all = self.model.structure.efforts.iter().enumerate();
+        let of_start = |effort: &assur_model::structure::Effort| match effort.source {
+            EffortSource::Drive(id) => mechanism.drives[id.index()].free,
+            EffortSource::Balance(_) => false,
+        };
         // an effort that depends on sizes left open has no value
-        all.filter(|(slot, _)| !self.solution.open.efforts.contains(slot)).map(entry).collect()
+        all.filter(|(_, effort)| !of_start(effort))
+            .filter(|(slot, _)| !self.solution.open.efforts.contains(slot))
+            .map(entry)
+            .collect()
     }
 }
 

@@ -108,7 +108,7 @@ fn balance(answers: &Answers<'_>, view: &PoseAnswers<'_>) -> String {
 /// Power lost: one row per pose, one column per pair.
 fn of_a_sweep(answers: &Answers<'_>, poses: &[(&Pose, &Solved)]) -> Table {
     let display = power_display(answers);
-    let mut table = Table::new(vec![Column::words("pose")], 1);
+    let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
     table.rows = poses.iter().map(|(p, _)| vec![p.name.clone()]).collect();
     let all: Vec<Vec<PairFriction>> =
         poses.iter().map(|(_, s)| answers.solution.view(&answers.model, s).pair_frictions()).collect();

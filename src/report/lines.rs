@@ -1,6 +1,6 @@
 //! The answers of a file as comma-separated values, one position after another: none is kept.
 
-use super::answers::Answers;
+use super::answers::{Answers, pose_header};
 use super::csv::{LINE_END, field};
 use super::rows::{AnswerColumns, FULL, write_text};
 use assur_model::model::Value;
@@ -18,6 +18,8 @@ pub struct CsvLines {
     /// The columns, where a state decides them.
     numbers: Option<NumberColumns>,
     begun: bool,
+    /// What heads the names of poses.
+    pose: String,
 }
 
 impl CsvLines {
@@ -31,13 +33,15 @@ impl CsvLines {
             whole: Vec::new(),
             numbers: None,
             begun: false,
+            pose: pose_header(model.mechanism),
         }
     }
 
     /// The first line.
     #[must_use]
     pub fn header(&self) -> String {
-        let mut line = if self.file.is_some() { "file,pose" } else { "pose" }.to_owned();
+        let mut line = if self.file.is_some() { "file," } else { "" }.to_owned();
+        write_text(&self.pose, &mut line);
         for header in self.columns.headers(false) {
             line.push(',');
             write_text(&header, &mut line);

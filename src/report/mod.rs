@@ -36,6 +36,7 @@ mod row_numbers;
 pub mod rows;
 mod scale;
 mod sections;
+mod simulation;
 #[doc(hidden)]
 pub mod symbols;
 pub mod text;

@@ -139,8 +139,8 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
 
 type Poses<'a> = [(&'a str, Vec<ReactionEntry>)];
 
-fn heads(poses: &Poses<'_>) -> Vec<Column> {
-    let pose = (poses.len() > 1).then(|| Column::words("pose"));
+fn heads(answers: &Answers<'_>, poses: &Poses<'_>) -> Vec<Column> {
+    let pose = (poses.len() > 1).then(|| Column::words(answers.pose_header()));
     pose.into_iter().chain([Column::words("pair"), Column::words("from → on")]).collect()
 }
 
@@ -194,7 +194,7 @@ impl<'a> Forces<'a> {
         let symbols = Symbols::of(mechanism);
         let symbol = |entry: &ReactionEntry| symbols.reaction(entry.from, entry.on);
         let with_symbols = poses.iter().flat_map(|p| &p.1).any(|entry| symbol(entry).is_some());
-        let mut columns = heads(poses);
+        let mut columns = heads(self.answers, poses);
         columns.extend(with_symbols.then(|| Column::words("symbol")));
         let keys = columns.len();
         columns.extend(self.columns());
@@ -217,8 +217,10 @@ impl<'a> Forces<'a> {
         // a locked pose has no reactions, all others have the same
         let pattern = poses.iter().map(|p| &p.1).find(|entries| !entries.is_empty());
         let of_pair = |(i, entry): (usize, &ReactionEntry)| {
-            let mut table =
-                Table::new(std::iter::once(Column::words("pose")).chain(self.columns()).collect(), 1);
+            let mut table = Table::new(
+                std::iter::once(Column::words(self.answers.pose_header())).chain(self.columns()).collect(),
+                1,
+            );
             for (pose, entries) in poses {
                 let cells = entries.get(i).map(|entry| self.cells(entry));
                 cells.into_iter().for_each(|c| table.row([vec![(*pose).to_owned()], c].concat()));
@@ -239,7 +241,7 @@ fn normals(answers: &Answers<'_>, poses: &Poses<'_>) -> Table {
     let (mechanism, precision) = (answers.model.mechanism, answers.precision);
     let force = mechanism.display_of(Dimension::FORCE);
     let length = mechanism.display_of(Dimension::LENGTH);
-    let mut columns = heads(poses);
+    let mut columns = heads(answers, poses);
     columns[usize::from(poses.len() > 1) + 1] = Column::words("contact point");
     let keys = columns.len();
     for (name, unit) in [("normal force", &force.unit), ("x", &length.unit), ("y", &length.unit)] {

@@ -90,9 +90,9 @@ pub(super) fn figures(
 
 /// One row per pose, one column per number.
 fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: &[Quantity]) -> Table {
-    let mut table = Table::new(vec![Column::words("pose")], 1);
+    let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
     table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
-    for (i, drive) in answers.model.mechanism.drives.iter().enumerate() {
+    for (i, drive) in answers.shown_drives() {
         let display = answers.model.mechanism.drive_display(drive.target);
         let cells = poses.iter().map(|p| answers.drive_figures(drive.target, p.drives.get(i)));
         table.column(with_unit(&drive.name, &display.unit), cells);
@@ -119,9 +119,9 @@ fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: 
 /// needs no pose stands in every row; a pose without solution has empty cells.
 pub(super) fn full_table(answers: &Answers<'_>) -> Table {
     let poses: Vec<&Pose> = answers.poses().collect();
-    let mut table = Table::new(vec![Column::words("pose")], 1);
+    let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
     table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
-    for (i, drive) in answers.model.mechanism.drives.iter().enumerate() {
+    for (i, drive) in answers.shown_drives() {
         let display = answers.model.mechanism.drive_display(drive.target);
         let values = poses.iter().map(|p| p.drives.get(i).and_then(|d| d.value())).collect();
         add_full(&mut table, &Quantity { name: drive.name.clone(), display, values, missing: NONE });

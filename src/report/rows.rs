@@ -63,7 +63,8 @@ impl AnswerColumns {
         let mechanism = model.mechanism;
         let vectors = &mechanism.vector_quantities();
         let mut answers = Vec::new();
-        for (i, drive) in mechanism.drives.iter().enumerate() {
+        let driven = mechanism.drives.iter().enumerate().filter(|_| mechanism.simulation.is_none());
+        for (i, drive) in driven {
             answers.push(Answer {
                 name: drive.name.clone(),
                 content: Content::Drive(i),

@@ -156,7 +156,7 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
         .collect();
     let mechanism = answers.model.mechanism;
     let (force, torque) = (mechanism.display_of(Dimension::FORCE), mechanism.display_of(Dimension::TORQUE));
-    let pose = (poses.len() > 1).then(|| Column::words("pose"));
+    let pose = (poses.len() > 1).then(|| Column::words(answers.pose_header()));
     let mut columns: Vec<Column> =
         pose.into_iter().chain(["transmission", "kind"].map(Column::words)).collect();
     let keys = columns.len();

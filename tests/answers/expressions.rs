@@ -2,7 +2,7 @@
 
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Style, render};
-use assur::internals::model::{At, Expr, FindKind, Mechanism, Query, Relation, Tolerance, Value};
+use assur::internals::model::{At, BinaryOp, Expr, FindKind, Mechanism, Query, Relation, Tolerance, Value};
 use assur::internals::source::Source;
 
 const CRANK_SLIDER: &str = "
@@ -213,13 +213,13 @@ fn directions_of_links_and_of_vectors() {
 }
 
 #[test]
-fn what_cannot_be_solved_yet_is_noted() {
-    let rest = "balance torque Mb on crank\nfind mean(Mb), W = integral(Mb), late = 2 * time, twice
-expect late = 5 s within 1 %
-let twice = 2 * late";
-    let mechanism = crank_slider("0 deg .. 360 deg in 4 steps", rest).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(mechanism.unsupported.len(), 1, "{:?}", mechanism.unsupported);
-    let names: Vec<_> = mechanism.finds.iter().map(|f| f.name.as_str()).collect();
-    assert_eq!(names, ["mean(Mb)", "W"]);
-    assert!(mechanism.expects.is_empty());
+fn time_is_the_instant_of_a_motion_alone() {
+    let late = "find late = 2 * time";
+    let said = crank_slider("45 deg at 10 rpm", late).expect_err("no motion under loads");
+    assert!(said.contains("name::unknown"), "{said}");
+    let head = include_str!("../language/19-andrews.mech");
+    let text =
+        head.replace("find angle(OF)", "find late = 2 * time, twice, angle(OF)") + "let twice = 2 * late\n";
+    let mechanism = read(&text, &[]).unwrap_or_else(|e| panic!("{e}"));
+    assert!(matches!(mechanism.quantities[0].expr, Expr::Binary(BinaryOp::Mul, _, _)));
 }

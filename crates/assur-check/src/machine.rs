@@ -24,6 +24,7 @@ pub(crate) fn machine(cx: &mut Context<'_>) {
     mass::masses(cx);
     definitions::results(cx);
     drive::drives(cx);
+    simulation::starts(cx);
     pose::poses(cx);
     balance::balances(cx);
     load::loads(cx);

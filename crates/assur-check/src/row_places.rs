@@ -151,6 +151,7 @@ impl<'d> Places<'d> {
             | Statement::Curve(_)
             | Statement::Start(_)
             | Statement::Simulate(_)
+            | Statement::Event(_)
             | Statement::Until(_)
             | Statement::Bad(_) => None,
         }

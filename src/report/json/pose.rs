@@ -16,6 +16,8 @@ use assur_solve::solve::{BodyState, DriveValue, Pose, Solved};
 #[derive(Serialize)]
 pub(super) struct PoseView<'a> {
     name: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time: Option<Number>,
     drives: Entries<Reading>,
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<ErrorView>,
@@ -101,6 +103,12 @@ struct ResidualsView {
     power: Option<Number>,
 }
 
+/// The instant of a motion under loads, s.
+fn time(answers: &Answers<'_>, pose: &Pose) -> Option<Number> {
+    let solved = pose.outcome.as_ref().ok().filter(|_| answers.model.mechanism.simulation.is_some())?;
+    Number::of(solved.state.motion.time)
+}
+
 impl<'a> PoseView<'a> {
     /// What was asked for at a pose; with `find reactions` all of it.
     pub fn of(answers: &Answers<'a>, pose: &'a Pose) -> Self {
@@ -108,6 +116,7 @@ impl<'a> PoseView<'a> {
         let value = |v: &DriveValue| v.value().and_then(Reading::of);
         let mut view = Self {
             name: &pose.name,
+            time: time(answers, pose),
             drives: Entries(drives.filter_map(|(d, v)| Some((d.name.clone(), value(v)?))).collect()),
             error: None,
             links: Entries(Vec::new()),

@@ -224,6 +224,7 @@ impl Draft {
             speed: Some(Expr::number(speed)),
             acceleration,
             sense: None,
+            free: false,
         });
     }
 

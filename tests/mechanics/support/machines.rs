@@ -74,6 +74,7 @@ pub fn drive(m: &mut Mechanism, link: LinkId, angles: Positions) {
         speed: Some(Expr::number(SPEED)),
         acceleration: None,
         sense: None,
+        free: false,
     });
 }
 

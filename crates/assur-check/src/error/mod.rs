@@ -8,6 +8,7 @@ mod gear;
 mod geometry;
 mod name;
 mod request;
+mod simulate;
 mod train;
 mod unit;
 
@@ -19,5 +20,6 @@ pub use gear::GearError;
 pub use geometry::{LinkError, LoadError, MotionError, PairError};
 pub use name::NameError;
 pub use request::RequestError;
+pub use simulate::SimulateError;
 pub use train::TrainError;
 pub use unit::UnitsError;

@@ -110,9 +110,8 @@ impl Context<'_> {
                 let free = Dimension { kind: Kind::Free, ..Dimension::NUMBER };
                 Some(Typed::constant(std::f64::consts::PI, free))
             }
-            "time" => {
-                self.builder.unsupported("`time`: motion under loads", name.span);
-                Some(Typed::pending(Type::number(Dimension::TIME)))
+            "time" if self.names.simulates => {
+                Some(Typed::new(model::Expr::Query(model::Query::Time), Type::number(Dimension::TIME)))
             }
             _ => {
                 (self.results.unknown)(self, name);

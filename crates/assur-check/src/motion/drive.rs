@@ -19,7 +19,7 @@ use assur_text::units::Dimension;
 use std::f64::consts::TAU;
 
 /// The most steps a drive may take.
-pub(super) const MOST_STEPS: usize = 1_000_000;
+pub(crate) const MOST_STEPS: usize = 1_000_000;
 /// What a range may miss a whole turn by, rad.
 const WHOLE_TURN: f64 = 1e-9;
 
@@ -89,7 +89,17 @@ fn drive(cx: &mut Context<'_>, drive: &Drive, span: Span) -> Option<model::Drive
     }
     let target = target?;
     let written = crate::motion::drive_kind::written_position(drive);
-    once.then_some(model::Drive { name, span, target, positions, written, speed, acceleration, sense })
+    once.then_some(model::Drive {
+        name,
+        span,
+        target,
+        positions,
+        written,
+        speed,
+        acceleration,
+        sense,
+        free: false,
+    })
 }
 
 /// Zero, as position (0) or speed (1).

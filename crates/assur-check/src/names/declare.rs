@@ -14,6 +14,7 @@ pub fn declare(cx: &mut Scope<'_, '_>) {
     cx.names.add_link(&mut cx.builder.mech, "ground".into(), None, Span::default());
     cx.names.inside.push(Inside::default());
     let (mut loads, mut balances, mut flywheels) = (0, 0, 0);
+    cx.names.simulates = cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Simulate(_)));
     for statement in &cx.doc.statements {
         match &statement.node {
             Statement::Given(d) => quantity(cx, &d.name, QuantityKind::Given(&d.value)),

@@ -132,6 +132,8 @@ pub struct Names<'a> {
     pub expected: IndexMap<&'a str, Vec<&'a Expect>>,
     /// Names that stand in statements that could not be read.
     pub bad: IndexSet<String>,
+    /// The file follows a motion under loads: `time` is its instant.
+    pub simulates: bool,
 }
 
 impl Names<'_> {

@@ -1,16 +1,19 @@
 //! `expect`: the answer key.
 
-use crate::error::ExpectError;
+use crate::error::{ExpectError, SimulateError};
 use crate::expr::context::Context;
 use crate::expr::read::comparison_of;
+use crate::expr::want::Want;
 use crate::names::suggestion::suggestion;
 use crate::requests::tolerance;
+use crate::statements::lines::text;
 use crate::statements::walk;
 use crate::statements::written::written;
+use crate::values::format_value::format_value;
 use crate::values::typed::{Dim, Type, Typed, phrase};
 use assur_model::model::{At, Display, Expect, Relation, Tolerance};
 use assur_syntax::document;
-use assur_syntax::document::{BinaryOp, ExpectAt, Expr, ExprKind, Name, Statement};
+use assur_syntax::document::{BinaryOp, ExpectAt, Expr, ExprKind, Name, Setting, Statement};
 use assur_text::source::Span;
 use assur_text::units::{Dimension, Kind};
 
@@ -190,15 +193,54 @@ fn component_or_magnitude(value: &Typed, (text, what): (&str, &Expr), expr: &Exp
 /// `at pose 4'`, `at crank = 90 deg`
 fn place(cx: &mut Context<'_>, expect: &document::Expect, at: &ExpectAt, span: Span) -> Option<At> {
     match at {
+        ExpectAt::Pose(name) if cx.names.simulates => {
+            let simulate = crate::motion::simulation::statement(cx)?.1;
+            let what = format!("the pose `{}`", name.node);
+            let help = "ask for an instant: `at time = 0.5 s`".to_owned();
+            cx.error(SimulateError::Positions { what, help, span: name.span, simulate });
+            None
+        }
         ExpectAt::Pose(name) => {
             pose(cx, name)?;
             Some(At::Pose(name.node.clone(), name.span))
         }
+        ExpectAt::Event(..) => {
+            cx.builder.unsupported("an event of a motion", span);
+            None
+        }
+        ExpectAt::Settings(settings) if cx.names.simulates => instant(cx, settings).map(At::Time),
         ExpectAt::Settings(settings) => {
             let what = format!("the pose for `{}`", expect.text);
             crate::motion::pose::settings(cx, settings, &what, span).map(At::Drives)
         }
     }
+}
+
+/// `at time = 0.5 s` of a motion under loads.
+fn instant(cx: &mut Context<'_>, settings: &[Setting]) -> Option<f64> {
+    let (simulate, run) = (crate::motion::simulation::statement(cx)?.1, cx.builder.mech.simulation.clone());
+    let time = settings.iter().find(|s| text(&s.target) == "time");
+    if let Some(other) = settings.iter().find(|s| text(&s.target) != "time") {
+        let what = format!("a position of `{}`", text(&other.target));
+        let help = "ask for an instant: `at time = 0.5 s`".to_owned();
+        cx.error(SimulateError::Positions { what, help, span: other.target.span(), simulate });
+        return None;
+    }
+    let time = &time?.value;
+    if let Some(sense) = &time.sense {
+        let (what, help) = ("a sense of rotation of an instant".to_owned(), "leave it out".to_owned());
+        cx.error(SimulateError::NoMeaning { what, help, span: sense.span });
+        return None;
+    }
+    let value = cx.scalar_constant(&time.value, &Want(Dimension::TIME), "the instant")?;
+    let run = run?;
+    if value < run.from || value > run.to {
+        let [time_text, from, to] = [value, run.from, run.to].map(|x| format_value(x, Dimension::TIME));
+        let span = time.value.span;
+        cx.error(SimulateError::Outside { time: time_text, from, to, span, simulate });
+        return None;
+    }
+    Some(value)
 }
 
 /// Reports a pose that does not exist.
@@ -264,6 +306,12 @@ fn pose_is_clear(cx: &mut Context<'_>, expect: &document::Expect, at: Option<&At
             return None;
         }
         return Some(());
+    }
+    if let Some(run) = cx.builder.mech.simulation.as_ref().filter(|run| run.instants() != values) {
+        let (text, count, simulate) = (expect.text.clone(), run.instants(), run.span);
+        let values = if values <= 1 { "one is".to_owned() } else { format!("{values} are") };
+        cx.error(SimulateError::WhichInstant { text, count, values, span, simulate });
+        return None;
     }
     let Some((count, drive, place)) = sweep(cx) else {
         if values > 1 && !may_sweep(cx) {

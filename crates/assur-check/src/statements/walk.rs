@@ -1,8 +1,8 @@
 //! Over all expressions of a document.
 
 use assur_syntax::document::{
-    AssembleClause, CamMember, Definition, DrivePosition, ExpectAt, Expr, ExprKind, LineDirection, Member,
-    Number, Place, Property, Sensed, Setting, Site, Statement, WheelSize,
+    AssembleClause, CamMember, Definition, DrivePosition, Event, ExpectAt, Expr, ExprKind, LineDirection,
+    Member, Number, Place, Property, Sensed, Setting, Site, Statement, TimeCourse, Until, WheelSize,
 };
 
 /// Calls `visit` on the direct parts of an expression, left to right.
@@ -117,9 +117,16 @@ pub fn expressions<'a>(statement: &'a Statement, visit: &mut dyn FnMut(&'a Expr)
                 settings(all, visit);
             }
         }
-        Statement::Start(s) => sensed(std::iter::once(&s.value).chain(&s.rate), visit),
-        Statement::Simulate(s) => [&s.from, &s.to].into_iter().chain(&s.within).for_each(visit),
-        Statement::Until(u) => [&u.what, &u.value].into_iter().for_each(visit),
+        Statement::Start(s) => sensed(s.value.iter().chain(&s.rate), visit),
+        Statement::Simulate(s) => {
+            if let TimeCourse::Between { from, to } = &s.course {
+                from.iter().chain([to]).for_each(&mut *visit);
+            }
+            s.steps.iter().chain(&s.within).for_each(visit);
+        }
+        Statement::Event(Event { passing, .. }) | Statement::Until(Until { passing }) => {
+            std::iter::once(&passing.what).chain(&passing.value).for_each(visit);
+        }
         Statement::Edition(_)
         | Statement::Title(_)
         | Statement::Group(_)

@@ -169,6 +169,8 @@ pub enum Query {
     Acceleration(PointRef),
     /// Angle of a link's x axis, continuous over a sweep.
     Angle(LinkId),
+    /// The instant of a motion under loads, s.
+    Time,
     /// Angular velocity of a link.
     Omega(LinkId),
     /// Angular velocity of a link against another; not a number where they do not turn against each other.

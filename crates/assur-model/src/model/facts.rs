@@ -121,6 +121,7 @@ impl Query {
                 let about = About::Link(link);
                 Facts { placed: Some((about, "an angle")), turned: Some(about), ..VECTOR }
             }
+            Self::Time => NUMBER,
             Self::Omega(link) | Self::Turning(link, _) => Facts { turned: Some(About::Link(link)), ..RATE },
             Self::Alpha(link) | Self::InertiaTorque(link) => {
                 Facts { turned: Some(About::Link(link)), ..SECOND_RATE }

@@ -54,6 +54,14 @@ impl Mechanism {
         })
     }
 
+    /// An instant, s, in the file's unit of time, without the unit: the name of its position.
+    #[must_use]
+    pub fn instant_text(&self, time: f64) -> String {
+        // digits that survive the way into another unit
+        const DIGITS: usize = 15;
+        significant(self.display_of(Dimension::TIME).of_si(time), DIGITS)
+    }
+
     /// How the value of a drive is printed.
     #[must_use]
     pub fn drive_display(&self, target: DriveTarget) -> Display {

@@ -18,6 +18,7 @@ mod numbers;
 mod pair;
 mod request;
 mod shape;
+mod simulation;
 mod train;
 
 pub use cam_part::{CAM_PARTS, CamPart};
@@ -36,6 +37,7 @@ pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
+pub use simulation::Simulation;
 pub use train::{Grip, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;
@@ -59,6 +61,8 @@ pub struct Mechanism {
     pub groups: Vec<GroupAssertion>,
     /// The drives.
     pub drives: Vec<Drive>,
+    /// Motion under given loads, from the positions and speeds of the drives that are starts.
+    pub simulation: Option<Simulation>,
     /// Poses in addition to those of the sweep.
     pub poses: Vec<NamedPose>,
     /// The clauses of `assemble`.

@@ -4,7 +4,7 @@ use super::{DriveId, Expr, LinkId, PairId};
 use crate::math::Vec2;
 use crate::source::Span;
 
-/// A drive: a motion that is known.
+/// A drive: a motion that is known, or a start: a free coordinate of which the first instant is known.
 #[derive(Clone, Debug)]
 pub struct Drive {
     /// As written: `crank`, `c1`, `arm.C`.
@@ -23,6 +23,8 @@ pub struct Drive {
     pub acceleration: Option<Expr>,
     /// `turning ccw`, `moving forward` +1; `cw`, `moving back` −1. A drive with a sense and no speed gives velocities as ratios.
     pub sense: Option<f64>,
+    /// It is a start: its motion follows from the loads, and its effort is nothing.
+    pub free: bool,
 }
 
 /// The target of a drive.

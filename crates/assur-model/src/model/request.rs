@@ -86,6 +86,8 @@ pub enum At {
     Pose(String, Span),
     /// Drive values: solved in addition to the sweep.
     Drives(Vec<(DriveId, Expr)>),
+    /// An instant of a motion under loads, s.
+    Time(f64),
 }
 
 /// A construct that parses and checks but cannot be solved yet.

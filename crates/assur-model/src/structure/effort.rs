@@ -111,7 +111,7 @@ pub(super) fn of_drives(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Effor
         .collect()
 }
 
-/// The balances or, where there is none, the drives' own efforts.
+/// The balances or, where there is none, the drives' own efforts; and those of starts, which come to nothing.
 pub(super) fn of_balances(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Effort> {
     if mechanism.balances.is_empty() {
         return of_drives(mechanism, replaced)
@@ -125,16 +125,16 @@ pub(super) fn of_balances(mechanism: &Mechanism, replaced: &Replaced) -> Vec<Eff
         BalanceKind::InPair(pair) => in_pair(mechanism, replaced, *pair),
         BalanceKind::Several(_) => None,
     };
-    mechanism
-        .balances
-        .iter()
-        .enumerate()
-        .filter_map(|(i, b)| {
-            let mut places = b.kind.places().iter().filter_map(kind);
-            let source = EffortSource::Balance(BalanceId::at(i));
-            Some(Effort { source, kind: places.next()?, also: places.collect() })
-        })
-        .collect()
+    let balances = mechanism.balances.iter().enumerate().filter_map(|(i, b)| {
+        let mut places = b.kind.places().iter().filter_map(kind);
+        let source = EffortSource::Balance(BalanceId::at(i));
+        Some(Effort { source, kind: places.next()?, also: places.collect() })
+    });
+    let starts = of_drives(mechanism, replaced).into_iter().filter(|e| match e.source {
+        EffortSource::Drive(id) => mechanism.drives[id.index()].free,
+        EffortSource::Balance(_) => false,
+    });
+    balances.chain(starts).collect()
 }
 
 /// An outer link is joined at its driven point only: its own rotation is not known.

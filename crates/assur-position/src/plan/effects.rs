@@ -11,6 +11,8 @@ pub struct Effects {
     pub moving: bool,
     /// A drive has a speed: accelerations are there to be asked for.
     pub timed: bool,
+    /// The motion follows from the loads: they are summed up at every position, whether forces are asked for or not.
+    pub simulated: bool,
     /// Reactions and efforts.
     pub forces: bool,
     /// Inertia forces.
@@ -53,17 +55,18 @@ impl Effects {
         let timed = mechanism.drives.iter().any(|d| d.speed.is_some() || d.acceleration.is_some());
         let moving = timed || mechanism.drives.iter().any(|d| d.sense.is_some());
         let has_mass = mechanism.links.iter().any(|l| l.mass.is_some());
-        let forces = wanted.forces;
-        let inertia = forces && timed && has_mass && !mechanism.ignore_inertia;
+        let simulated = mechanism.simulation.is_some();
+        let (forces, loaded) = (wanted.forces, wanted.forces || simulated);
+        let inertia = loaded && timed && has_mass && !mechanism.ignore_inertia;
         let rubs = mechanism.pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some()));
         let friction = forces && moving && rubs;
         let losses = forces && moving && loses(mechanism);
         let damped = mechanism.springs.iter().any(|s| s.damping > 0.0);
-        if forces {
+        if loaded {
             wanted.loads(mechanism);
         }
         let mut level = wanted.level;
-        if inertia {
+        if inertia || simulated {
             level = Level::Accelerations;
         } else if forces && moving && (damped || friction || losses) {
             level = level.max(Level::Velocities);
@@ -78,13 +81,20 @@ impl Effects {
             level,
             moving,
             timed,
+            simulated,
             forces,
             inertia,
-            gravity: forces && mechanism.gravity.is_some() && has_mass,
-            springs: forces && !mechanism.springs.is_empty(),
+            gravity: loaded && mechanism.gravity.is_some() && has_mass,
+            springs: loaded && !mechanism.springs.is_empty(),
             friction,
             losses,
         }
+    }
+
+    /// Whether the loads are summed up.
+    #[must_use]
+    pub const fn loaded(&self) -> bool {
+        self.forces || self.simulated
     }
 
     /// Whether forces differ from those of the same mechanism without losses.

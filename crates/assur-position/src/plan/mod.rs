@@ -82,8 +82,11 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
     }
     plan.laws = train::laws(mechanism, structure);
     motion::plan(mechanism, structure, &mut plan);
-    if plan.effects.forces && structure.force_defect.is_none() {
+    let determinate = structure.force_defect.is_none();
+    if plan.effects.simulated || (plan.effects.forces && determinate) {
         loads::plan(mechanism, &plan.effects, &mut plan.loads);
+    }
+    if plan.effects.forces && determinate {
         loads::lines(mechanism, structure, &mut plan.lines);
         forces::plan(structure, &mut plan);
         if plan.effects.friction {
@@ -92,6 +95,8 @@ pub fn plan_with(mechanism: &Mechanism, structure: &Structure, effects: Effects)
         let pair_of = |joint: &GroupJoint| structure.replaced.joint(joint.joint).pair;
         plan.reactions_of = ByPair::of(&plan.reactions.iter().map(pair_of).collect::<Vec<_>>());
         plan.friction_of = ByPair::of(&plan.friction.iter().map(|e| e.pair).collect::<Vec<_>>());
+    }
+    if plan.effects.loaded() {
         plan.massless = plan.find_massless();
     }
     plan.checks = checks::plan(mechanism, structure, &plan);

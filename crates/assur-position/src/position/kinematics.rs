@@ -46,6 +46,8 @@ pub struct Motion<S = f64> {
     pub certificates: Vec<f64>,
     /// Where designed cams touch their followers, by contact: place, m, and unit common normal into the follower.
     pub touches: Vec<(Vec2, Vec2)>,
+    /// The instant of a motion under loads, s.
+    pub time: f64,
     /// The first group that does not close.
     pub open: Option<usize>,
     /// What the dyads RRR and RRP leave for forces.
@@ -67,6 +69,7 @@ impl<S: Scalar + Default> Motion<S> {
             conditions: vec![S::one(); groups],
             certificates: vec![0.0; groups],
             touches: vec![(Vec2::zero(), Vec2::new(1.0, 0.0)); plan.cam_contacts],
+            time: 0.0,
             open: None,
             shared: vec![Shared::default(); groups],
         }
@@ -76,13 +79,13 @@ impl<S: Scalar + Default> Motion<S> {
 impl Motion {
     /// Takes over all of another one, in the memory that is there.
     pub(super) fn copy(&mut self, other: &Self) {
-        let Self { inputs, bodies, conditions, certificates, touches, open, shared } = other;
+        let Self { inputs, bodies, conditions, certificates, touches, time, open, shared } = other;
         self.inputs.clone_from(inputs);
         self.bodies.clone_from(bodies);
         self.conditions.clone_from(conditions);
         self.certificates.clone_from(certificates);
         self.touches.clone_from(touches);
-        self.open = *open;
+        (self.time, self.open) = (*time, *open);
         self.shared.clone_from(shared);
     }
 

@@ -101,6 +101,7 @@ impl PoseAnswers<'_> {
             Query::Velocity(p) => Value::Vector(self.velocity(p)),
             Query::Acceleration(p) => Value::Vector(self.acceleration(p)),
             Query::Angle(link) => Value::Scalar(self.angles.get(link.index()).copied().unwrap_or(f64::NAN)),
+            Query::Time => Value::Scalar(self.state.motion.time),
             Query::Omega(link) => Value::Scalar(self.body(*link).omega),
             Query::Turning(link, seen_from) => {
                 Value::Scalar(super::turning::turning(self, *link, *seen_from))

@@ -3,6 +3,7 @@
 use super::consistent_error::ConsistentError;
 use super::flywheel_error::FlywheelError;
 use super::friction_error::FrictionError;
+use super::simulate_error::SimulateError;
 use super::train_error::TrainError;
 use crate::source::Span;
 use miette::{Diagnostic, LabeledSpan};
@@ -398,6 +399,10 @@ pub enum SolveError {
         #[label("no value")]
         span: miette::SourceSpan,
     },
+    /// A motion under loads.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Simulate(#[from] SimulateError),
     /// A flywheel.
     #[error(transparent)]
     #[diagnostic(transparent)]

@@ -6,6 +6,7 @@ use super::format::place;
 use super::impossible::{cannot_hold, curve_left, dead, not_finite, too_far};
 use super::over_sweep::{no_extreme, no_flywheel, no_sweep};
 use super::refusal::refused;
+use super::simulate::halted;
 use super::slip::slip_backwards;
 use super::unassembled::{ambiguous, does_not_close, not_found, not_met};
 use crate::position::Model;
@@ -35,6 +36,7 @@ pub fn failure(model: &Model<'_>, failure: &Failure) -> SolveError {
             no_extreme(model, *pair, (*function, *which), *why)
         }
         Cause::NoSweep(why) => no_sweep(model, *why),
+        Cause::Halted { time, halt } => halted(model, *time, halt),
         Cause::NoFlywheel { flywheel, why } => no_flywheel(model, *flywheel, *why),
     }
 }

@@ -14,6 +14,9 @@ use crate::units::Dimension;
 pub fn place(model: &Model<'_>, pose: &Wanted) -> String {
     let drives = drive_text(model, &pose.drives);
     match pose.origin {
+        _ if model.mechanism.simulation.is_some() => {
+            format!(" at {} {}", pose.name, model.mechanism.display_of(Dimension::TIME).unit)
+        }
         _ if drives.is_empty() => String::new(),
         PoseOrigin::Expected(_) => format!(" at {drives}"),
         _ => format!(" at pose {} ({drives})", pose.name),

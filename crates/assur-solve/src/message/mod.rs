@@ -16,6 +16,8 @@ mod open_places;
 mod over_sweep;
 mod partial_sweep;
 mod refusal;
+mod simulate;
+mod simulate_error;
 mod slip;
 mod speeds;
 mod train_error;

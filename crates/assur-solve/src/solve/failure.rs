@@ -94,12 +94,49 @@ pub enum Cause {
     },
     /// There is no sweep to take a function over.
     NoSweep(NoSweep),
+    /// A motion under loads cannot go on.
+    Halted {
+        /// The instant, s.
+        time: f64,
+        /// Why not.
+        halt: Halt,
+    },
     /// A flywheel cannot be found.
     NoFlywheel {
         /// Index into [`crate::model::Mechanism::flywheels`].
         flywheel: usize,
         /// Why not.
         why: NoFlywheel,
+    },
+}
+
+/// Why a motion under loads cannot go on.
+#[derive(Clone, Debug)]
+pub enum Halt {
+    /// A group stands in a dead position of the free coordinates.
+    Dead {
+        /// Index into [`Structure::motion`].
+        group: usize,
+        /// Its condition figure.
+        condition: f64,
+    },
+    /// A group does not close however short the step.
+    Open {
+        /// Index into [`Structure::motion`].
+        group: usize,
+    },
+    /// A free coordinate moves no mass.
+    NoInertia,
+    /// A load is not a number.
+    NotANumber,
+    /// The most steps are done.
+    TooManySteps,
+    /// The accuracy is not reached with the digits there are.
+    Accuracy {
+        /// The wanted accuracy.
+        wanted: f64,
+        /// The estimated error.
+        reached: f64,
     },
 }
 

@@ -52,6 +52,9 @@ impl Run<'_, '_> {
         state.start_from(from);
         state.forces.clear();
         self.rates.at(&pose.drives, &mut state.motion.inputs);
+        if let Some(instant) = &self.instant {
+            instant.set(&mut state.motion);
+        }
         state.run_planned_motion(model.plan);
         let mut condition = self.motion_condition(&state, pose)?;
         if model.plan.effects.forces {

@@ -2,6 +2,7 @@
 
 use super::failure::{Cause, Failure};
 use super::note::Note;
+use super::simulate::SimulationReport;
 use crate::answer::{PoseAnswers, WholeCycle};
 use crate::model::Value;
 use crate::position::{DriveValue, Model, PoseOrigin, Residuals, State};
@@ -16,6 +17,8 @@ pub struct Solution {
     pub positions: usize,
     /// Dead positions and strokes of the pairs asked for.
     pub statics: WholeCycle,
+    /// What a motion under loads says of itself.
+    pub simulation: Option<SimulationReport>,
     /// What deserves a warning or a note.
     pub notes: Vec<Note>,
     /// How many more there are than are kept.

@@ -13,12 +13,13 @@ use super::note::{Closing, Note};
 use super::notes::Notes;
 use super::positions::{Sweep, beside};
 use super::refusals::{refusals, unit_speeds};
+use super::simulate::{Instant, Trajectory, trajectory};
 use super::solution::{Pose, Solution, Solved};
 use super::steps::steps;
 use super::track::{Switch, Tracker};
 use super::unassembled::does_not_close;
 use crate::answer::WholeCycle;
-use crate::model::{LoadId, Value};
+use crate::model::{LoadId, Simulation, Value};
 use crate::position::{DriveValue, Model, STARTS, Searched, State, Wanted, Wrench, extent};
 use std::collections::VecDeque;
 
@@ -55,9 +56,11 @@ pub fn solve_with(model: &Model<'_>, criticals: Vec<f64>) -> Result<Solution, Ve
 
 /// The positions of a file, solved one after another: none is kept.
 pub struct Following<'a, 's> {
-    run: Run<'a, 's>,
+    pub(super) run: Run<'a, 's>,
     sweep: Sweep,
-    next: usize,
+    pub(super) next: usize,
+    /// A motion under loads, instead of the sweep.
+    pub(super) trajectory: Option<Trajectory>,
     current: Option<Tracker>,
     /// Poses beside the sweep, each followed from the nearest position of the sweep that closed.
     near: VecDeque<Near>,
@@ -93,19 +96,28 @@ impl<'a, 's> Following<'a, 's> {
         let sweep = Sweep::of(model, &statics);
         let cycle_notes =
             super::cycle::cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
-        let near = beside(model, &statics, &sweep.at(0)).into_iter().map(Near::new).collect();
         let rates = Rates::of(model, &statics);
+        let first = sweep.at(0).drives;
+        let trajectory = match &model.mechanism.simulation {
+            Some(simulation) => {
+                let found = trajectory(model, &statics, &rates, &first, simulation);
+                Some(found.map_err(|failure| vec![failure])?)
+            }
+            None => None,
+        };
+        let near = beside(model, &statics, &sweep.at(0)).into_iter().map(Near::new).collect();
         let mut run = Run::new(model, rates, statics, loads_name_quantities(model.mechanism));
         run.centres = CentreNotes::of(model.mechanism);
         // positions farther apart are followed on a way between them
         let apart = || steps(model, extent(model), &sweep.values(0), &sweep.values(1));
-        let free = is_free(model) && run.centres.is_empty() && apart() <= 1.0;
+        let free = trajectory.is_none() && is_free(model) && run.centres.is_empty() && apart() <= 1.0;
         let (next, current, begin, first_failure) = (0, None, None, None);
         let (try_at, ahead) = (1, VecDeque::new());
         Ok(Some(Self {
             run,
             sweep,
             next,
+            trajectory,
             current,
             near,
             begin,
@@ -126,13 +138,17 @@ impl<'a, 's> Following<'a, 's> {
     /// How many positions there are, with the poses beside the sweep.
     #[must_use]
     pub fn positions(&self) -> usize {
-        self.sweep.len() + self.near.len()
+        match &self.trajectory {
+            Some(trajectory) => trajectory.outputs.len(),
+            None => self.sweep.len() + self.near.len(),
+        }
     }
 
     /// How many positions the sweep has.
     #[must_use]
-    pub const fn swept(&self) -> usize {
-        self.sweep.len()
+    pub fn swept(&self) -> usize {
+        let printed = self.run.model.mechanism.simulation.as_ref().map(Simulation::instants);
+        printed.unwrap_or(self.sweep.len())
     }
 
     /// Dead positions, strokes, functions over the sweep.
@@ -150,6 +166,9 @@ impl<'a, 's> Following<'a, 's> {
     /// The next position: those of the sweep in order, then those beside it. An error where no position has a meaning.
     #[allow(clippy::should_implement_trait)] // an error ends the file
     pub fn next(&mut self) -> Option<Result<Pose, Failure>> {
+        if self.trajectory.is_some() {
+            return self.next_instant();
+        }
         if let Some(pose) = self.ahead.pop_front() {
             return Some(Ok(pose));
         }
@@ -233,13 +252,14 @@ impl<'a, 's> Following<'a, 's> {
     /// What was found over all positions.
     #[must_use]
     pub fn end(self) -> Solution {
+        let positions = self.swept();
         let (mut notes, unlisted) = self.run.notes.into_notes(self.run.closing);
         notes.extend(self.cycle_notes);
         notes.extend(unit_speeds(self.run.model));
         notes.extend(self.run.friction.into_notes());
         notes.extend(self.run.centres.into_notes());
-        let (statics, positions) = (self.run.statics, self.sweep.len());
-        Solution { statics, notes, unlisted, positions, ..Solution::default() }
+        let simulation = self.trajectory.map(|trajectory| trajectory.report);
+        Solution { statics: self.run.statics, notes, unlisted, positions, simulation, ..Solution::default() }
     }
 
     /// Notes at the end of the sweep where the mechanism does not come back after whole turns.
@@ -358,13 +378,15 @@ pub(super) struct Run<'a, 's> {
     /// Searches for an assembly that found none, one after another.
     searched: usize,
     /// The sweep so far.
-    closing: Closing,
+    pub(super) closing: Closing,
     /// What the search for consistent forces has taken so far.
     pub consistent_searched: Searched,
     /// What deserves a note so far.
     pub notes: Notes,
     pub friction: FrictionNotes,
     pub centres: CentreNotes,
+    /// What the drives say at the instant of a motion under loads.
+    pub instant: Option<Instant>,
 }
 
 impl<'a, 's> Run<'a, 's> {
@@ -393,6 +415,7 @@ impl<'a, 's> Run<'a, 's> {
             notes: Notes::default(),
             friction: FrictionNotes::default(),
             centres: CentreNotes::default(),
+            instant: None,
         }
     }
 }
@@ -479,7 +502,7 @@ impl Run<'_, '_> {
         self.posed(pose, outcome)
     }
 
-    fn posed(&mut self, pose: Wanted, outcome: Result<Solved, Failure>) -> Pose {
+    pub(super) fn posed(&mut self, pose: Wanted, outcome: Result<Solved, Failure>) -> Pose {
         let Wanted { name, origin, drives } = pose;
         self.last = Some((name.clone(), drives.clone()));
         Pose { name, origin, drives, outcome }

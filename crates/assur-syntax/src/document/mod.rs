@@ -9,6 +9,7 @@ mod expr;
 mod machine;
 mod motion;
 mod question;
+mod simulation;
 
 pub use assur_text::language::{CamLaw, JointKind};
 pub use body::{About, At, PointFrom, WheelSize};
@@ -21,11 +22,11 @@ pub use machine::{Phase, PhaseKind, Property, Shaft, Slider, Spring, SpringSite}
 pub use motion::{
     Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Load, LoadKind, Steps,
 };
-pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Start, Turn, Way};
+pub use motion::{Order, Place, Pose, Sensed, Setting, Side, Site, Turn, Way};
 pub use question::{
-    Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Find, FindItem, Row, Simulate, Until,
-    Variants,
+    Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Find, FindItem, Row, Variants,
 };
+pub use simulation::{Event, Passage, Passing, Simulate, Start, TimeCourse, Until};
 
 use assur_text::source::{Span, Spanned};
 
@@ -126,6 +127,8 @@ pub enum Statement {
     Start(Start),
     /// `simulate 0 s .. 0.03 s within 1e-9`
     Simulate(Simulate),
+    /// `event top: omega(bar) = 0 rad/s falling`
+    Event(Event),
     /// `until angle(crank) = 360 deg`
     Until(Until),
     /// `ignore inertia`

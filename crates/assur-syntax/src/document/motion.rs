@@ -251,14 +251,3 @@ pub struct Load {
     /// The condition under which it acts.
     pub when: Option<Expr>,
 }
-
-/// `start OF = -0.0617 rad at 0 rad/s`
-#[derive(Clone, Debug, PartialEq)]
-pub struct Start {
-    /// A link or a pair's coordinate.
-    pub target: Path,
-    /// Its first value.
-    pub value: Sensed,
-    /// Its first rate.
-    pub rate: Option<Sensed>,
-}

@@ -47,7 +47,9 @@ pub struct Expect {
 pub enum ExpectAt {
     /// `at pose 4'`
     Pose(Name),
-    /// `at crank = 90 deg`
+    /// `at event top 2`, and which of them.
+    Event(Name, Option<Spanned<usize>>),
+    /// `at crank = 90 deg`, `at time = 1 s`
     Settings(Vec<Setting>),
 }
 
@@ -127,24 +129,4 @@ impl Cell {
             Self::Name(name) => name,
         }
     }
-}
-
-/// `simulate 0 s .. 0.03 s within 1e-9`
-#[derive(Clone, Debug, PartialEq)]
-pub struct Simulate {
-    /// The first instant.
-    pub from: Expr,
-    /// The last.
-    pub to: Expr,
-    /// The tolerance of the integration.
-    pub within: Option<Expr>,
-}
-
-/// `until angle(crank) = 360 deg`
-#[derive(Clone, Debug, PartialEq)]
-pub struct Until {
-    /// The watched quantity.
-    pub what: Expr,
-    /// The value at which the motion ends.
-    pub value: Expr,
 }

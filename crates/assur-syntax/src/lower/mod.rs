@@ -11,6 +11,7 @@ mod lenient;
 mod machine;
 mod motion;
 mod question;
+mod simulation;
 mod state;
 mod walk;
 
@@ -82,6 +83,7 @@ impl Lower<'_> {
             Rule::variants => Statement::Variants(self.rows(pair.into_inner())),
             Rule::curve => Statement::Curve(self.curve(pair)?),
             Rule::simulate => Statement::Simulate(self.simulate(pair)?),
+            Rule::event => Statement::Event(self.event(pair)?),
             Rule::until => Statement::Until(self.until(pair)?),
             Rule::ignore => {
                 let mut parts = Parts::of(pair);

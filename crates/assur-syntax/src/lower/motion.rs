@@ -6,7 +6,7 @@ use super::state::Lower;
 use super::walk::{P, Parts, span};
 use crate::document::{
     Assemble, AssembleClause, Balance, Course, Direction, Drive, DrivePosition, Expr, ExprKind, Load,
-    LoadKind, Number, Order, Place, Pose, Sensed, Setting, Site, Start, Steps, Way,
+    LoadKind, Number, Order, Place, Pose, Sensed, Setting, Site, Steps, Way,
 };
 use crate::grammar::Rule;
 use assur_text::source::Spanned;
@@ -30,7 +30,7 @@ impl Lower<'_> {
     }
 
     /// The value in `rate` or `acceleration`, if that part stands there.
-    fn sensed_behind(&mut self, parts: &mut Parts<'_>, rule: Rule) -> Option<Option<Sensed>> {
+    pub(super) fn sensed_behind(&mut self, parts: &mut Parts<'_>, rule: Rule) -> Option<Option<Sensed>> {
         let Some(pair) = parts.take(rule) else { return Some(None) };
         let mut inner = Parts::of(pair);
         inner.any()?;
@@ -178,14 +178,6 @@ impl Lower<'_> {
             None => Place::Ground(self.expr(place.any()?)?),
         };
         Some(Site::Link { link, at: Some(at) })
-    }
-
-    pub(super) fn start(&mut self, pair: P<'_>) -> Option<Start> {
-        let mut parts = Parts::of(pair);
-        parts.any()?;
-        let target = self.path(parts.any()?)?;
-        let value = self.sensed(parts.any()?)?;
-        Some(Start { target, value, rate: self.sensed_behind(&mut parts, Rule::rate)? })
     }
 }
 

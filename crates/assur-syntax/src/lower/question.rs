@@ -1,11 +1,10 @@
-//! Find, expect, variants, simulation.
+//! Find, expect, variants.
 
 use super::expr::pose_name;
 use super::state::Lower;
 use super::walk::{P, Parts, nfc, single_blanks, span, text};
 use crate::document::{
-    Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Expr, Find, FindItem, Row, Simulate,
-    Until, Variants,
+    Cell, Column, Curve, CurveBetween, CurveBeyond, Expect, ExpectAt, Expr, Find, FindItem, Row, Variants,
 };
 use crate::error::SyntaxError;
 use crate::grammar::Rule;
@@ -65,6 +64,14 @@ impl Lower<'_> {
                 inner.any()?;
                 Some(ExpectAt::Pose(pose_name(&inner.any()?)))
             }
+            Some(pair) if pair.as_rule() == Rule::expect_event => {
+                let mut inner = Parts::of(pair);
+                inner.any()?;
+                let name = inner.name()?;
+                // a number of more digits than a machine counts to names no event
+                let count = |p: &P<'_>| Spanned::new(p.as_str().parse().unwrap_or(usize::MAX), span(p));
+                Some(ExpectAt::Event(name, inner.any().as_ref().map(count)))
+            }
             Some(pair) => Some(ExpectAt::Settings(self.settings(&mut Parts::of(pair))?)),
         };
         Some(Expect { what, text, values, within, at })
@@ -81,25 +88,11 @@ impl Lower<'_> {
         true
     }
 
-    fn within(&mut self, parts: &mut Parts<'_>) -> Option<Option<Expr>> {
+    pub(super) fn within(&mut self, parts: &mut Parts<'_>) -> Option<Option<Expr>> {
         let Some(pair) = parts.take(Rule::within) else { return Some(None) };
         let mut inner = Parts::of(pair);
         inner.any()?;
         Some(Some(self.expr(inner.any()?)?))
-    }
-
-    pub(super) fn simulate(&mut self, pair: P<'_>) -> Option<Simulate> {
-        let mut parts = Parts::of(pair);
-        parts.any()?;
-        let from = self.expr(parts.any()?)?;
-        let to = self.expr(parts.any()?)?;
-        Some(Simulate { from, to, within: self.within(&mut parts)? })
-    }
-
-    pub(super) fn until(&mut self, pair: P<'_>) -> Option<Until> {
-        let mut parts = Parts::of(pair);
-        parts.any()?;
-        Some(Until { what: self.expr(parts.any()?)?, value: self.expr(parts.any()?)? })
     }
 
     pub(super) fn curve(&mut self, pair: P<'_>) -> Option<Curve> {

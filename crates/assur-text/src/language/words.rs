@@ -102,6 +102,7 @@ pub const STATEMENTS: &[Word] = &[
     ),
     row("start", "the state that motion under loads starts from", "start OF = 5 deg at 0 rad/s"),
     row("simulate", "the time of motion under loads", "simulate 0 s .. 0.03 s within 1e-9"),
+    row("event", "an instant at which something happens", "event top: omega(bar) = 0 rad/s"),
     row("until", "where motion under loads ends", "until angle(crank) = 360 deg"),
     row("ignore", "an effect that is left out", "ignore inertia"),
 ];
@@ -165,6 +166,8 @@ pub const CONTEXTUAL: &[Word] = &[
     small("diameter", "before the diameter of a wheel"),
     small("forward", "along the positive sense of a pair"),
     small("back", "against the positive sense of a pair"),
+    small("cycle", "after `steady`: from one event to the next"),
+    small("falling", "an event counts where its value falls"),
     small("held", "a curve keeps its end values beyond its table"),
     small("left", "to the left, seen along the direction; of a force, to the left of the page"),
     small("linear", "a curve of straight lines"),
@@ -177,7 +180,11 @@ pub const CONTEXTUAL: &[Word] = &[
     small("periodic", "a curve that begins again after its last point"),
     small("phase", "before the angle between two wheels"),
     small("radius", "before the radius of a circle or wheel"),
+    small("rising", "an event counts where its value rises"),
     small("smooth", "a curve with continuous second derivative"),
+    small("steady", "a motion that comes again"),
     small("teeth", "before the number of teeth"),
+    small("turn", "after `steady`: a turn of a link"),
+    small("turns", "after `steady` and their number"),
     small("under", "a rope under a movable pulley"),
 ];

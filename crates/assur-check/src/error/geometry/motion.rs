@@ -41,6 +41,19 @@ pub enum MotionError {
         #[label("already driven here")]
         first: Span,
     },
+    /// A start without a position where positions are asked for.
+    #[error("a start needs a position where the motion depends on it")]
+    #[diagnostic(
+        code("mech::geometry::no_drive_position"),
+        help("write `start {name}`, with your own values")
+    )]
+    StartWithoutPosition {
+        /// The start with example values.
+        name: String,
+        /// The statement.
+        #[label("no position")]
+        span: Span,
+    },
     /// A thing that has no coordinate to drive or to compare.
     #[error("`{name}` is {is} and has no coordinate")]
     #[diagnostic(code("mech::geometry::no_coordinate"), help("{help}"))]

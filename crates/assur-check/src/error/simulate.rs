@@ -1,0 +1,188 @@
+//! Errors of motion under given loads.
+
+use assur_text::source::Span;
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// Errors of `start`, `simulate`, `event` and `until`.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum SimulateError {
+    /// Two statements of which a file has one.
+    #[error("a file has one `{word}`, and this is the second")]
+    #[diagnostic(code("mech::simulate::twice"), help("{help}"))]
+    Twice {
+        /// The word of the statement.
+        word: &'static str,
+        /// What to do.
+        help: String,
+        /// The second.
+        #[label(primary, "again here")]
+        again: Span,
+        /// The first.
+        #[label("first here")]
+        first: Span,
+    },
+    /// A start of something that a drive or another start gives.
+    #[error("{what}")]
+    #[diagnostic(code("mech::simulate::twice"), help("{help}"))]
+    StartedTwice {
+        /// What is given twice.
+        what: String,
+        /// What to do.
+        help: String,
+        /// The start.
+        #[label(primary, "started here")]
+        again: Span,
+        /// The other statement.
+        #[label("given here")]
+        first: Span,
+    },
+    /// A statement of a motion that is not followed.
+    #[error("`{word}` belongs to a motion under loads, and the file has no `simulate`")]
+    #[diagnostic(code("mech::simulate::missing"), help("{help}"))]
+    Missing {
+        /// The word of the statement.
+        word: &'static str,
+        /// What to add.
+        help: String,
+        /// The statement.
+        #[label("no `simulate`")]
+        span: Span,
+    },
+    /// A motion that starts nowhere: every coordinate is driven.
+    #[error("the motion follows from the loads where a coordinate is free, and this file has no `start`")]
+    #[diagnostic(code("mech::simulate::no_start"), help("{help}"))]
+    NoStart {
+        /// What to write.
+        help: String,
+        /// The statement `simulate`.
+        #[label("nothing is free")]
+        span: Span,
+    },
+    /// A start of a point.
+    #[error("a start is the value of an angle or a coordinate, and `{name}` is a point")]
+    #[diagnostic(
+        code("mech::simulate::point"),
+        help("name its link, as in `start {link} = 45 deg`, or a pair")
+    )]
+    Point {
+        /// The point.
+        name: String,
+        /// Its link.
+        link: String,
+        /// Its place.
+        #[label("a point")]
+        span: Span,
+    },
+    /// The last instant does not come after the first.
+    #[error("the motion ends at {to}, and {from} is not before it")]
+    #[diagnostic(
+        code("mech::simulate::interval"),
+        help("write the earlier instant first: `simulate 0 s .. 2 s`")
+    )]
+    Interval {
+        /// The first instant.
+        from: String,
+        /// The last.
+        to: String,
+        /// Both.
+        #[label("no time between them")]
+        span: Span,
+    },
+    /// A wanted accuracy that is none.
+    #[error("{within} is no accuracy of a motion")]
+    #[diagnostic(
+        code("mech::simulate::within"),
+        help(
+            "write a number between 0 and 1: `within 1e-9` keeps all that is printed to 1e-9 of the greatest of its kind"
+        )
+    )]
+    Within {
+        /// The number.
+        within: String,
+        /// Its place.
+        #[label("not between 0 and 1")]
+        span: Span,
+    },
+    /// An instant outside the motion.
+    #[error("the motion is followed from {from} to {to}, and {time} is not in this time")]
+    #[diagnostic(
+        code("mech::simulate::outside"),
+        help("ask for an instant of the motion, or let `simulate` include it")
+    )]
+    Outside {
+        /// The instant.
+        time: String,
+        /// The first instant.
+        from: String,
+        /// The last.
+        to: String,
+        /// Its place.
+        #[label(primary, "outside")]
+        span: Span,
+        /// The statement `simulate`.
+        #[label("followed here")]
+        simulate: Span,
+    },
+    /// An expectation that does not say for which instant it is.
+    #[error("`{text}` has a value at each of {count} instants, and {values} given here")]
+    #[diagnostic(
+        code("mech::simulate::which_instant"),
+        help("say for which instant it is, as in `at time = 0.5 s`, or give {count} values")
+    )]
+    WhichInstant {
+        /// What is expected.
+        text: String,
+        /// How many instants are printed.
+        count: usize,
+        /// How many values there are, with the verb.
+        values: String,
+        /// The values.
+        #[label(primary, "for which instant?")]
+        span: Span,
+        /// The statement `simulate`.
+        #[label("the instants")]
+        simulate: Span,
+    },
+    /// What belongs to positions of a drive.
+    #[error("{what} belongs to positions that are given, and this file follows a motion")]
+    #[diagnostic(code("mech::simulate::positions"), help("{help}"))]
+    Positions {
+        /// What it is.
+        what: String,
+        /// What to write instead.
+        help: String,
+        /// Its place.
+        #[label(primary, "of given positions")]
+        span: Span,
+        /// The statement `simulate`.
+        #[label("the motion follows from the loads")]
+        simulate: Span,
+    },
+    /// An effect that a motion under loads has of itself.
+    #[error("{what} has no meaning where the motion follows from the loads")]
+    #[diagnostic(code("mech::simulate::no_meaning"), help("{help}"))]
+    NoMeaning {
+        /// What it is.
+        what: String,
+        /// What to write instead.
+        help: String,
+        /// Its place.
+        #[label("no meaning here")]
+        span: Span,
+    },
+    /// An unknown effort that would hold a free coordinate.
+    #[error("{count} for {driven}: nothing holds a free coordinate")]
+    #[diagnostic(code("mech::simulate::balance"), help("{help}"))]
+    Balance {
+        /// How many balances.
+        count: String,
+        /// How many coordinates are prescribed.
+        driven: String,
+        /// What to do.
+        help: String,
+        /// The balance.
+        #[label("not needed")]
+        span: Span,
+    },
+}

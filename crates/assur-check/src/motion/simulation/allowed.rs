@@ -1,0 +1,93 @@
+//! What a file that follows a motion cannot have: positions of drives, and what the motion under loads has of itself.
+
+use crate::error::SimulateError;
+use crate::expr::context::Context;
+use crate::motion::drive::{count, moves};
+use assur_model::model::{BalanceKind, Positions};
+use assur_syntax::document::Statement;
+use assur_text::source::Span;
+
+/// Reports what has no meaning beside `simulate`.
+pub(super) fn look(cx: &mut Context<'_>, simulate: Span) {
+    starts_or_drives(cx, simulate);
+    positions(cx, simulate);
+    no_meaning(cx);
+    balances(cx);
+}
+
+/// Reports a motion without any free coordinate.
+fn starts_or_drives(cx: &mut Context<'_>, span: Span) {
+    let bad = |s: &Statement| matches!(s, Statement::Start(_) | Statement::Bad(_));
+    let written = cx.doc.statements.iter().any(|s| bad(&s.node));
+    if written || cx.builder.mech.drives.iter().any(|d| d.free) {
+        return;
+    }
+    let drives = &cx.builder.mech.drives;
+    let help = match drives.first() {
+        Some(drive) => {
+            let value = drive.written.clone().unwrap_or_else(|| "45 deg".into());
+            format!("write `start {} = {value}` in place of its `drive`", drive.name)
+        }
+        None => "add `start LINK = 45 deg` with a link or a pair, one for each freedom".to_owned(),
+    };
+    cx.error(SimulateError::NoStart { help, span });
+}
+
+/// Reports sweeps, lists and poses.
+fn positions(cx: &mut Context<'_>, simulate: Span) {
+    let mut found = Vec::new();
+    for drive in &cx.builder.mech.drives {
+        let several = !matches!(drive.positions, Positions::None)
+            && count(&drive.positions, moves(cx, drive.target)) != Some(1);
+        if several {
+            let help =
+                format!("give `{}` one position and its speed: it goes on from there in time", drive.name);
+            found.push((format!("the sweep of `{}`", drive.name), help, drive.span));
+        }
+    }
+    for pose in &cx.builder.mech.poses {
+        let help = "ask for an instant: `expect … at time = 0.5 s`".to_owned();
+        found.push((format!("the pose `{}`", pose.name), help, pose.span));
+    }
+    for (what, help, span) in found {
+        cx.error(SimulateError::Positions { what, help, span, simulate });
+    }
+}
+
+/// Reports `ignore inertia` and flywheels that are to be found.
+fn no_meaning(cx: &mut Context<'_>) {
+    for statement in &cx.doc.statements {
+        let (what, help) = match &statement.node {
+            Statement::Ignore(_) => (
+                "`ignore inertia`".to_owned(),
+                "leave it out: without inertia nothing tells how the links speed up".to_owned(),
+            ),
+            Statement::Flywheel(f) => (
+                format!("the flywheel `{}`, which is to be found,", f.name.node),
+                "give its moment of inertia to a link or a shaft: `inertia 2 kg*m^2`".to_owned(),
+            ),
+            _ => continue,
+        };
+        cx.error(SimulateError::NoMeaning { what, help, span: statement.span });
+    }
+}
+
+/// Reports more balances than coordinates are prescribed.
+fn balances(cx: &mut Context<'_>) {
+    let driven = cx.builder.mech.drives.iter().filter(|d| !d.free).count();
+    let balances = &cx.builder.mech.balances;
+    let (Some(last), true) = (balances.last(), balances.len() > driven) else { return };
+    let is = if matches!(last.kind, BalanceKind::Torque(_)) { "torque" } else { "force" };
+    let help = format!(
+        "leave out `{}`, or give the {is} a value: `{is} {} … = …`; write `drive` in place of `start` for a motion that is given",
+        last.name, last.name
+    );
+    let of = |n: usize, one: &str| if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") };
+    let count = of(balances.len(), "balance");
+    let driven = match driven {
+        0 => "no coordinate that is driven".to_owned(),
+        n => of(n, "coordinate") + if n == 1 { " that is driven" } else { " that are driven" },
+    };
+    let span = last.span;
+    cx.error(SimulateError::Balance { count, driven, help, span });
+}

@@ -1,0 +1,132 @@
+//! Motion under given loads.
+
+mod allowed;
+mod start;
+
+pub(crate) use start::starts;
+
+use crate::error::SimulateError;
+use crate::expr::context::Context;
+use crate::expr::want::Want;
+use crate::motion::drive::MOST_STEPS;
+use crate::values::format_value::{digits, format_value};
+use assur_model::model::Simulation;
+use assur_syntax::document::{Expr, Passing, Simulate, Statement, TimeCourse};
+use assur_text::source::Span;
+use assur_text::units::Dimension;
+
+/// The statement that asks for a motion under loads, and its place.
+pub(crate) fn statement<'a>(cx: &Context<'a>) -> Option<(&'a Simulate, Span)> {
+    cx.doc.statements.iter().find_map(|s| match &s.node {
+        Statement::Simulate(simulate) => Some((simulate, s.span)),
+        _ => None,
+    })
+}
+
+/// Enters the time of the motion into the mechanism.
+pub(crate) fn simulation(cx: &mut Context<'_>) {
+    second_statement(cx);
+    let Some((simulate, span)) = statement(cx) else {
+        return without_simulate(cx);
+    };
+    events(cx);
+    cx.builder.mech.simulation = course(cx, simulate, span);
+    allowed::look(cx, span);
+}
+
+fn second_statement(cx: &mut Context<'_>) {
+    let statements = cx.doc.statements.iter().filter(|s| matches!(s.node, Statement::Simulate(_)));
+    let spans = statements.map(|s| s.span).collect::<Vec<_>>();
+    if let [first, again, ..] = spans[..] {
+        let help = "keep one of them: a file follows one motion".to_owned();
+        cx.error(SimulateError::Twice { word: "simulate", help, again, first });
+    }
+}
+
+/// What has no meaning without a motion that is followed.
+fn without_simulate(cx: &mut Context<'_>) {
+    let help = || "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
+    for statement in &cx.doc.statements {
+        let word = match &statement.node {
+            Statement::Event(_) => "event",
+            Statement::Until(_) => "until",
+            _ => continue,
+        };
+        cx.error(SimulateError::Missing { word, help: help(), span: statement.span });
+    }
+}
+
+fn course(cx: &mut Context<'_>, simulate: &Simulate, span: Span) -> Option<Simulation> {
+    let within = match &simulate.within {
+        Some(within) => Some(accuracy(cx, within)?),
+        None => None,
+    };
+    let steps = match &simulate.steps {
+        Some(steps) => Some(count(cx, steps)?),
+        None => None,
+    };
+    let TimeCourse::Between { from, to } = &simulate.course else {
+        cx.builder.unsupported("a motion that comes again after each turn", span);
+        return None;
+    };
+    let want = Want(Dimension::TIME);
+    let first = match from {
+        Some(from) => cx.scalar_constant(from, &want, "the first instant"),
+        None => Some(0.0),
+    };
+    let last = cx.scalar_constant(to, &want, "the last instant");
+    let (first, last) = (first?, last?);
+    if last <= first {
+        let instant = |x| format_value(x, Dimension::TIME);
+        let span = from.as_ref().map_or(to.span, |from| from.span.to(to.span));
+        cx.error(SimulateError::Interval { from: instant(first), to: instant(last), span });
+        return None;
+    }
+    Some(Simulation { span, from: first, to: last, steps, within })
+}
+
+fn accuracy(cx: &mut Context<'_>, within: &Expr) -> Option<f64> {
+    let value = cx.scalar_constant(within, &Want::NUMBER, "the accuracy of the motion")?;
+    if value > 0.0 && value < 1.0 {
+        return Some(value);
+    }
+    cx.error(SimulateError::Within { within: digits(value), span: within.span });
+    None
+}
+
+fn count(cx: &mut Context<'_>, steps: &Expr) -> Option<usize> {
+    let value = cx.scalar_constant(steps, &Want::NUMBER, "the number of steps")?;
+    #[allow(clippy::cast_precision_loss)] // a million is exact
+    if value.fract() != 0.0 || !(1.0..=MOST_STEPS as f64).contains(&value) {
+        let (value, most, span) = (digits(value), MOST_STEPS, steps.span);
+        cx.error(crate::error::MotionError::Steps { value, most, span });
+        return None;
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, from 1 to a million
+    Some(value as usize)
+}
+
+/// Events and ends are read; what is found by them comes with them.
+fn events(cx: &mut Context<'_>) {
+    for statement in &cx.doc.statements {
+        match &statement.node {
+            Statement::Event(event) => {
+                passing(cx, &event.passing);
+                cx.builder.unsupported("an event of a motion", statement.span);
+            }
+            Statement::Until(until) => {
+                passing(cx, &until.passing);
+                cx.builder.unsupported("an end of a motion by a condition", statement.span);
+            }
+            _ => {}
+        }
+    }
+}
+
+fn passing(cx: &mut Context<'_>, passing: &Passing) {
+    let what = cx.read(&passing.what);
+    let Some(value) = &passing.value else { return };
+    if let (Some(what), Some(read)) = (what, cx.read(value)) {
+        cx.fit(read, what.ty.dimension(), "the value that is passed", value);
+    }
+}

@@ -1,0 +1,81 @@
+//! Starts: where free coordinates are at the first instant, and how fast.
+
+use super::statement;
+use crate::error::{MotionError, SimulateError};
+use crate::expr::context::Context;
+use crate::motion::drive::{Moves, has_wheels, target, value, zero};
+use crate::statements::lines::text;
+use crate::statements::written::written;
+use assur_model::model::{Drive, DriveTarget, Expr, Positions};
+use assur_syntax::document::{Start, Statement};
+use assur_text::source::Span;
+
+/// Enters all starts into the mechanism. For the structure a start is a drive: one freedom whose position is known.
+pub(crate) fn starts(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::Start(s) = &statement.node
+            && let Some(drive) = start(cx, s, statement.span)
+        {
+            cx.builder.mech.drives.push(drive);
+        }
+    }
+}
+
+fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
+    let name = text(&start.target);
+    if start.target.tail.is_some() {
+        let link = start.target.head.node.clone();
+        cx.error(SimulateError::Point { name, link, span: start.target.span() });
+        return None;
+    }
+    let (target, moves) = target(cx, &start.target, "a start")?;
+    if statement(cx).is_none() {
+        let line = written_start(start, &name);
+        let help = format!("add `simulate 0 s .. 1 s`, or write `{}` for a motion that is given", line);
+        cx.error(SimulateError::Missing { word: "start", help, span });
+        return None;
+    }
+    let once = target.is_none_or(|target| once(cx, target, &name, span));
+    let position = start.value.as_ref().map(|v| value(cx, v, moves, 0, &name));
+    let speed = match &start.rate {
+        Some(rate) => value(cx, rate, moves, 1, &name),
+        None => Some(Expr::number(0.0)),
+    };
+    if position.is_none() && !has_wheels(cx) {
+        let example = if moves == Moves::Sliding { "100 mm" } else { "45 deg" };
+        let name = format!("{name} = {example} at {}", zero(moves, 1));
+        cx.error(MotionError::StartWithoutPosition { name, span });
+        return None;
+    }
+    let positions = match position {
+        None => Positions::None,
+        Some(position) => Positions::List(vec![position?]),
+    };
+    let (speed, target) = (Some(speed?), target?);
+    let written = start.value.as_ref().and_then(|v| written(&v.value));
+    let (acceleration, sense) = (None, None);
+    once.then_some(Drive { name, span, target, positions, written, speed, acceleration, sense, free: true })
+}
+
+/// The drive that stands for a start whose motion is given.
+fn written_start(start: &Start, name: &str) -> String {
+    let value = start.value.as_ref().and_then(|v| written(&v.value));
+    format!("drive {name} = {}", value.unwrap_or_else(|| "…".into()))
+}
+
+/// Whether nothing else gives the coordinate.
+fn once(cx: &mut Context<'_>, target: DriveTarget, name: &str, again: Span) -> bool {
+    let other = cx.builder.mech.drives.iter().find(|d| d.target == target);
+    let Some((first, free)) = other.map(|d| (d.span, d.free)) else { return true };
+    let (what, help) = if free {
+        (format!("`{name}` is started twice"), "keep one of them".to_owned())
+    } else {
+        let help = format!(
+            "keep `drive {name}` for a motion that is given, or `start {name}` for one that follows from the loads"
+        );
+        (format!("`{name}` has a `drive` and a `start`"), help)
+    };
+    cx.error(SimulateError::StartedTwice { what, help, again, first });
+    false
+}

@@ -1,0 +1,97 @@
+//! Energy and power at one position.
+
+use super::model::Model;
+use super::state::State;
+use crate::force::spring::spring;
+use crate::math::Vec2;
+use crate::model::{LoadId, LoadKind, Place, Value};
+use crate::plan::{LoadStep, Plan};
+use crate::structure::JointKind;
+
+impl State {
+    /// Kinetic energy of all bodies that have a mass, J.
+    #[must_use]
+    pub fn kinetic_energy(&self, plan: &Plan) -> f64 {
+        let of = |load: &LoadStep| {
+            let LoadStep::Mass { body, centre, mass, moment_of_inertia, .. } = load else { return 0.0 };
+            let body = &self.motion.bodies[*body];
+            let v = body.velocity(centre.unwrap_or_default());
+            0.5 * (mass * v.dot(v) + moment_of_inertia * body.omega * body.omega)
+        };
+        plan.loads.iter().map(of).sum()
+    }
+
+    /// Power of all weights, loads, springs and dampers, W, with the values of the loads that are evaluated at every position.
+    #[must_use]
+    pub fn power_of_loads(&self, model: &Model<'_>, evaluated: &[(LoadId, Value)]) -> f64 {
+        let known: f64 = model.plan.loads.iter().map(|load| self.known_power(load)).sum();
+        known + evaluated.iter().map(|(id, value)| self.evaluated_power(model, *id, *value)).sum::<f64>()
+    }
+
+    fn known_power(&self, load: &LoadStep) -> f64 {
+        match load {
+            LoadStep::Mass { body, centre, weight, .. } => {
+                weight.dot(self.motion.bodies[*body].velocity(centre.unwrap_or_default()))
+            }
+            LoadStep::Force { body, at, force, frame, .. } => {
+                let force = frame.map_or(*force, |f| force.turned(self.motion.bodies[f].u));
+                force.dot(self.motion.bodies[*body].velocity(*at))
+            }
+            LoadStep::Torque { body, torque, .. } => torque * self.motion.bodies[*body].omega,
+            LoadStep::Spring { ends: [one, two], stiffness, free_length, damping, .. } => {
+                let (b_1, b_2) = (&self.motion.bodies[one.body], &self.motion.bodies[two.body]);
+                let r = b_2.position(two.at) - b_1.position(one.at);
+                let v = b_2.velocity(two.at) - b_1.velocity(one.at);
+                let got = spring(r, v, *stiffness, *free_length, damping.unwrap_or(0.0));
+                -got.f_1.dot(v)
+            }
+            LoadStep::Evaluated(_) => 0.0,
+        }
+    }
+
+    fn evaluated_power(&self, model: &Model<'_>, id: LoadId, value: Value) -> f64 {
+        match (&model.mechanism.loads[id.index()].kind, value) {
+            (
+                LoadKind::Force { on, at, .. } | LoadKind::ForceAgainstMotion { on, at, .. },
+                Value::Vector(force),
+            ) => {
+                let body = &self.motion.bodies[on.index()];
+                let v = match at {
+                    Place::Local(at) => body.velocity(*at),
+                    // a place of the ground: `check` folds it to numbers
+                    Place::Ground(crate::model::Expr::Constant(Value::Vector(p))) => {
+                        body.v + (*p - body.p).perp() * body.omega
+                    }
+                    Place::Ground(_) => Vec2::new(f64::NAN, f64::NAN),
+                };
+                force.dot(v)
+            }
+            (LoadKind::Torque { on, .. }, Value::Scalar(torque)) => {
+                torque * self.motion.bodies[on.index()].omega
+            }
+            (LoadKind::InPair { pair, .. }, Value::Scalar(effort)) => effort * self.rate_in(model, *pair),
+            _ => 0.0,
+        }
+    }
+
+    /// Rate of the coordinate along which an effort inside a pair acts.
+    fn rate_in(&self, model: &Model<'_>, pair: crate::model::PairId) -> f64 {
+        let joints = model.structure.replaced.joints_of(pair);
+        let mut rates = joints.filter_map(|joint| match &model.structure.replaced.joint(joint).kind {
+            JointKind::Prismatic { slider, point, direction, guide, .. } => {
+                let (slider, guide) = (&self.motion.bodies[slider.0], &self.motion.bodies[guide.0]);
+                let p = slider.position(*point);
+                let v = slider.velocity(*point) - guide.v - (p - guide.p).perp() * guide.omega;
+                Some(v.dot(direction.turned(slider.u)))
+            }
+            JointKind::Revolute(members)
+                if matches!(model.mechanism.pair(pair).kind, crate::model::PairKind::Revolute(_)) =>
+            {
+                let [first, second] = members.as_slice() else { return None };
+                Some(self.motion.bodies[second.0.0].omega - self.motion.bodies[first.0.0].omega)
+            }
+            JointKind::Revolute(_) | JointKind::Law(_) => None,
+        });
+        rates.next().unwrap_or(0.0)
+    }
+}

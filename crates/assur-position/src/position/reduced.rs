@@ -1,0 +1,187 @@
+//! The equations of motion of the free coordinates, M q̈ = Q, without any reaction.
+//!
+//! With the velocities K of all bodies for a unit rate of each free coordinate, and their accelerations a₀ where no free
+//! coordinate accelerates, the principle of virtual power gives
+//!
+//! M = Σ Kᵀ m K,  Q = Σ Kᵀ (F − m a₀),
+//!
+//! the sums taken over all bodies, with forces F and masses m as six numbers each (Parviz Nikravesh, Planar multibody dynamics,
+//! chapter 14, with columns K in place of the matrix B).
+
+use super::kinematics::DriveInput;
+use super::state::State;
+use crate::math::{Lu, Vec2};
+use crate::plan::{LoadStep, Plan};
+
+/// Velocity of a body for a unit rate of a coordinate.
+#[derive(Clone, Copy, Debug)]
+struct Column {
+    /// Of the body's origin.
+    v: Vec2,
+    /// Of its rotation.
+    omega: f64,
+}
+
+/// The equations of the free coordinates at one instant. All memory is taken once.
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    /// Slots of the drives that are free.
+    free: Vec<usize>,
+    /// No other drive moves: everything goes with the one rate, or its square.
+    alone: bool,
+    /// Velocities of the bodies by free coordinate.
+    columns: Vec<Vec<Column>>,
+    /// What the drives say, while the unit rates are tried.
+    inputs: Vec<DriveInput>,
+    /// M, by rows.
+    mass: Vec<f64>,
+    /// Its factors.
+    factors: Lu,
+}
+
+impl Reduced {
+    /// For these free drives of a plan; `moved` where other drives move.
+    #[must_use]
+    pub fn new(plan: &Plan, free: Vec<usize>, moved: bool) -> Self {
+        let n = free.len();
+        let still = Column { v: Vec2::zero(), omega: 0.0 };
+        Self {
+            alone: n == 1 && !moved,
+            columns: vec![vec![still; plan.bodies]; n],
+            inputs: Vec::with_capacity(plan.drives),
+            mass: vec![0.0; n * n],
+            factors: Lu::new(n),
+            free,
+        }
+    }
+
+    /// Slots of the drives that are free.
+    #[must_use]
+    pub fn free(&self) -> &[usize] {
+        &self.free
+    }
+
+    /// Moves the bodies as the inputs of a state say, no free coordinate accelerating, and finds what they do for a unit rate
+    /// of each. A group that does not close is left in `open`. Allocates nothing.
+    pub fn run_motion(&mut self, plan: &Plan, state: &mut State) {
+        if self.alone {
+            self.one_coordinate(plan, state);
+        } else {
+            self.several(plan, state);
+        }
+    }
+
+    /// One pass at unit rate has both: velocities go with the rate, accelerations with its square.
+    fn one_coordinate(&mut self, plan: &Plan, state: &mut State) {
+        let drive = self.free[0];
+        let rate = std::mem::replace(&mut state.motion.inputs[drive].rate, 1.0);
+        state.motion.inputs[drive].acceleration = 0.0;
+        state.run_motion::<2>(plan);
+        state.motion.inputs[drive].rate = rate;
+        let square = rate * rate;
+        for (column, body) in self.columns[0].iter_mut().zip(&mut state.motion.bodies) {
+            *column = Column { v: body.v, omega: body.omega };
+            body.v = body.v * rate;
+            body.omega *= rate;
+            body.a = body.a * square;
+            body.alpha *= square;
+        }
+    }
+
+    fn several(&mut self, plan: &Plan, state: &mut State) {
+        self.inputs.clone_from(&state.motion.inputs);
+        for (column, &drive) in self.columns.iter_mut().zip(&self.free) {
+            for (input, actual) in state.motion.inputs.iter_mut().zip(&self.inputs) {
+                *input = DriveInput { place: actual.place, value: actual.value, ..DriveInput::default() };
+            }
+            state.motion.inputs[drive].rate = 1.0;
+            state.run_motion::<1>(plan);
+            if state.motion.open.is_some() {
+                return;
+            }
+            for (column, body) in column.iter_mut().zip(&state.motion.bodies) {
+                *column = Column { v: body.v, omega: body.omega };
+            }
+        }
+        state.motion.inputs.clone_from(&self.inputs);
+        self.free.iter().for_each(|&drive| state.motion.inputs[drive].acceleration = 0.0);
+        state.run_motion::<2>(plan);
+    }
+
+    /// The accelerations of the free coordinates under the loads in `wrenches`, inertia forces at a₀ among them. Returns the
+    /// condition of M, in (0, 1], and nothing where M has no inverse. Allocates nothing.
+    pub fn accelerations(&mut self, plan: &Plan, state: &State, out: &mut [f64]) -> Option<f64> {
+        self.sum_up(plan, state);
+        for (q, column) in out.iter_mut().zip(&self.columns) {
+            *q = power(column, state);
+        }
+        let n = self.free.len();
+        if n == 1 {
+            let m = self.mass[0];
+            out[0] /= m;
+            return (m > 0.0 && out[0].is_finite()).then_some(1.0);
+        }
+        for (i, x) in out.iter_mut().enumerate() {
+            for j in 0..n {
+                // rows and columns in units in which the diagonal is 1
+                *self.factors.at_mut(i, j) = self.mass[i * n + j] * self.scale(i) * self.scale(j);
+            }
+            *x *= self.scale(i);
+        }
+        if !self.factors.factor() {
+            return None;
+        }
+        let condition = self.factors.least_pivot();
+        self.factors.solve(out);
+        for (i, x) in out.iter_mut().enumerate() {
+            *x *= self.scale(i);
+        }
+        out.iter().all(|x| x.is_finite()).then_some(condition)
+    }
+
+    fn scale(&self, i: usize) -> f64 {
+        1.0 / self.mass[i * self.free.len() + i].sqrt()
+    }
+
+    /// M = Σ Kᵀ m K.
+    fn sum_up(&mut self, plan: &Plan, state: &State) {
+        let n = self.free.len();
+        self.mass.fill(0.0);
+        for load in &plan.loads {
+            let LoadStep::Mass { body, centre, mass, moment_of_inertia, .. } = load else { continue };
+            let arm = centre.map_or(Vec2::zero(), |at| at.turned(state.motion.bodies[*body].u).perp());
+            let at = |column: &[Column]| {
+                let Column { v, omega } = column[*body];
+                (v + arm * omega, omega)
+            };
+            for i in 0..n {
+                let (v_i, omega_i) = at(&self.columns[i]);
+                for j in 0..=i {
+                    let (v_j, omega_j) = at(&self.columns[j]);
+                    self.mass[i * n + j] += mass * v_i.dot(v_j) + moment_of_inertia * omega_i * omega_j;
+                }
+            }
+        }
+        for i in 0..n {
+            for j in 0..i {
+                self.mass[j * n + i] = self.mass[i * n + j];
+            }
+        }
+    }
+
+    /// Power of the loads in `wrenches` for a unit rate of each free coordinate.
+    pub fn powers<'a>(&'a self, state: &'a State) -> impl Iterator<Item = f64> + 'a {
+        self.columns.iter().map(|column| power(column, state))
+    }
+
+    /// M, by rows.
+    #[must_use]
+    pub fn mass(&self) -> &[f64] {
+        &self.mass
+    }
+}
+
+fn power(column: &[Column], state: &State) -> f64 {
+    let bodies = column.iter().zip(&state.forces.wrenches).skip(1);
+    bodies.map(|(k, w)| w.force.dot(k.v) + w.moment * k.omega).sum()
+}

@@ -1,0 +1,91 @@
+//! Sentences about a motion under loads that cannot go on.
+
+use super::error::SolveError;
+use super::format::{four, label, labels, links, with_unit};
+use super::simulate_error::SimulateError;
+use crate::model::{Drive, DriveTarget, LinkId};
+use crate::position::Model;
+use crate::solve::Halt;
+use crate::source::Span;
+use crate::units::Dimension;
+
+/// Steps of a run at most.
+const MOST_STEPS: usize = 1_000_000;
+
+pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
+    let instant = |t: f64| with_unit(model, t, Dimension::TIME);
+    let simulation = model.mechanism.simulation.as_ref();
+    let span = simulation.map_or_else(Span::default, |s| s.span);
+    let end = instant(simulation.map_or(time, |s| s.to));
+    let time = instant(time);
+    SolveError::Simulate(match halt {
+        Halt::Dead { group, condition } => dead(model, *group, Some(*condition), time),
+        Halt::Open { group } => dead(model, *group, None, time),
+        Halt::NoInertia => no_inertia(model, time),
+        Halt::NotANumber => {
+            let loads = model.mechanism.loads.iter().map(|load| label("a load", load.span));
+            SimulateError::NoValue { time, labels: loads.collect() }
+        }
+        Halt::TooManySteps => SimulateError::TooManySteps { most: MOST_STEPS, time, end, span },
+        Halt::Accuracy { wanted, reached } => SimulateError::Accuracy {
+            reached: power(*reached),
+            wanted: power(*wanted),
+            enough: power(enough(*reached)),
+            span,
+        },
+    })
+}
+
+/// An accuracy in words of a file.
+fn power(x: f64) -> String {
+    if x.is_finite() { format!("{x:.1e}").replace(".0e", "e") } else { "nothing".into() }
+}
+
+/// A power of ten above twice an error.
+fn enough(reached: f64) -> f64 {
+    let mut enough = 1e-14;
+    while enough < 2.0 * reached && enough < 0.1 {
+        enough *= 10.0;
+    }
+    enough
+}
+
+fn starts<'m>(model: &Model<'m>) -> impl Iterator<Item = &'m Drive> {
+    model.mechanism.drives.iter().filter(|d| d.free)
+}
+
+fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: String) -> SimulateError {
+    let group = &model.structure.motion[group];
+    let mut all = labels(model, group, "in a dead position");
+    all.extend(starts(model).map(|d| label("started here", d.span)));
+    let other = group.bodies.iter().find_map(|body| {
+        let link = LinkId::at(body.0);
+        let started = starts(model).any(|d| d.target == DriveTarget::Link(link));
+        (body.0 < model.mechanism.links.len() && !started).then(|| model.mechanism.link(link).name.clone())
+    });
+    let other = other.unwrap_or_else(|| "a link of this group".into());
+    SimulateError::Dead {
+        time,
+        group: links(model, group),
+        condition: condition.map_or_else(|| "0".into(), four),
+        help: format!(
+            "the coordinates that are started do not move it past this place: start `{other}` instead, or let `simulate` end before"
+        ),
+        labels: all,
+    }
+}
+
+fn no_inertia(model: &Model<'_>, time: String) -> SimulateError {
+    let mechanism = model.mechanism;
+    let names = starts(model).map(|d| format!("`{}`", d.name)).collect::<Vec<_>>();
+    let light = mechanism.links.iter().skip(1).filter(|l| l.mass.is_none());
+    let light = light.map(|l| format!("`{}`", l.name)).collect::<Vec<_>>();
+    let what = if names.len() == 1 { "it moves links" } else { "they move links" };
+    let help = if light.is_empty() {
+        "give a link that turns an inertia: `inertia 0.02 kg*m^2`".to_owned()
+    } else {
+        format!("give {} a mass, as in `mass 2 kg at S`, or an inertia", light.join(" or "))
+    };
+    let labels = starts(model).map(|d| label("moves no mass", d.span)).collect();
+    SimulateError::NoInertia { coordinates: names.join(", "), time, what, help, labels }
+}

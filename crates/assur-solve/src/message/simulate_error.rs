@@ -1,0 +1,97 @@
+//! Why a motion under loads cannot go on.
+
+use crate::source::Span;
+use miette::{Diagnostic, LabeledSpan};
+use thiserror::Error;
+
+/// A motion under loads that ends early.
+#[derive(Clone, Debug, Error, Diagnostic)]
+pub enum SimulateError {
+    /// A dead position of the free coordinates.
+    #[error("the motion cannot go on at {time}: {group} in a dead position, |σ| = {condition}")]
+    #[diagnostic(code(mech::simulate::dead_position))]
+    Dead {
+        /// The instant.
+        time: String,
+        /// The links of the group, with the verb.
+        group: String,
+        /// The condition figure.
+        condition: String,
+        /// What to do.
+        #[help]
+        help: String,
+        /// The starts, and the pairs of the group.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A free coordinate that moves no mass.
+    #[error("nothing resists the acceleration of {coordinates} at {time}: {what} without inertia")]
+    #[diagnostic(code(mech::simulate::no_inertia))]
+    NoInertia {
+        /// The free coordinates.
+        coordinates: String,
+        /// The instant.
+        time: String,
+        /// What moves without inertia.
+        what: &'static str,
+        /// Which links could have some.
+        #[help]
+        help: String,
+        /// The starts.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// A load without a value.
+    #[error("a load has no value at {time}")]
+    #[diagnostic(
+        code(mech::simulate::no_value),
+        help(
+            "look for a root of a negative number, a division by zero or a curve that is left: the loads are expressions of time, positions and velocities"
+        )
+    )]
+    NoValue {
+        /// The instant.
+        time: String,
+        /// The loads.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
+    /// More steps than a run may take.
+    #[error(
+        "the steps of the motion are too short: it has reached {time} of {end}, and at most {most} steps are done"
+    )]
+    #[diagnostic(
+        code(mech::simulate::too_many_steps),
+        help(
+            "let `simulate` end earlier, ask for less accuracy with `within`, or look for a spring or damper that is far stiffer than the motion"
+        )
+    )]
+    TooManySteps {
+        /// The most steps.
+        most: usize,
+        /// The instant that was reached.
+        time: String,
+        /// The last one wanted.
+        end: String,
+        /// The statement `simulate`.
+        #[label("only to {time}")]
+        span: Span,
+    },
+    /// The wanted accuracy is not reached.
+    #[error("the motion is known to {reached} of the greatest of its kind; wanted was {wanted}")]
+    #[diagnostic(
+        code(mech::simulate::tolerance),
+        help("write `within {enough}`: the numbers have no more digits")
+    )]
+    Accuracy {
+        /// The error that is estimated.
+        reached: String,
+        /// The wanted one.
+        wanted: String,
+        /// What can be kept.
+        enough: String,
+        /// The statement `simulate`.
+        #[label("not reached")]
+        span: Span,
+    },
+}

@@ -1,0 +1,72 @@
+//! Positions of a trajectory, instant by instant.
+
+use super::drives::{Instant, prescribed};
+use super::trajectory::Trajectory;
+use crate::model::Positions;
+use crate::position::{DriveValue, Model, PoseOrigin, Wanted};
+use crate::solve::failure::Failure;
+use crate::solve::solution::Pose;
+use crate::solve::sweep::Following;
+
+impl Following<'_, '_> {
+    /// The next instant of the trajectory that is wanted, then the instant at which it ends early.
+    pub(in crate::solve) fn next_instant(&mut self) -> Option<Result<Pose, Failure>> {
+        let index = self.next;
+        let mut trajectory = self.trajectory.take()?;
+        let (reached, end) = (trajectory.records.count, trajectory.report.end);
+        let pose = if index < reached {
+            Some(Ok(self.solved_instant(index, &mut trajectory)))
+        } else {
+            let ended = trajectory.ended.clone().filter(|_| index == reached);
+            ended.map(|ended| if index == 0 { Err(ended) } else { Ok(self.ended(index, end, ended)) })
+        };
+        self.trajectory = Some(trajectory);
+        self.next += 1;
+        self.run.closing.swept += usize::from(pose.is_some());
+        pose
+    }
+
+    /// The instant at which the motion ends early.
+    fn ended(&mut self, index: usize, end: f64, why: Failure) -> Pose {
+        let drives = vec![DriveValue::None; self.run.model.mechanism.drives.len()];
+        let name = self.run.model.mechanism.instant_text(end);
+        self.run.posed(Wanted { name, origin: PoseOrigin::Sweep(index), drives }, Err(why))
+    }
+
+    fn solved_instant(&mut self, index: usize, trajectory: &mut Trajectory) -> Pose {
+        let (wanted, instant) = trajectory.wanted(self.run.model, index);
+        self.run.instant = Some(instant);
+        if let Some(stand) = trajectory.records.stand(index) {
+            for (body, (p, u)) in trajectory.start.motion.bodies.iter_mut().zip(stand) {
+                (body.p, body.u) = (*p, *u);
+            }
+        }
+        let outcome = self.run.solved_from(&trajectory.start, trajectory.records.angles(index), &wanted);
+        self.run.posed(wanted, outcome)
+    }
+}
+
+impl Trajectory {
+    /// The position at an instant, and what the drives say there.
+    fn wanted(&self, model: &Model<'_>, index: usize) -> (Wanted, Instant) {
+        let (output, n) = (&self.outputs[index], self.records.order);
+        let elapsed = output.time - self.from;
+        let mut drives = Vec::with_capacity(self.first.len());
+        let mut rates = Vec::with_capacity(self.first.len());
+        let mut free = 0;
+        for (drive, first) in model.mechanism.drives.iter().zip(&self.first) {
+            let (value, rate, acceleration) = if drive.free {
+                let (state, accelerations) = (self.records.state(index), self.records.accelerations(index));
+                free += 1;
+                (state[free - 1], state[n + free - 1], accelerations[free - 1])
+            } else {
+                prescribed(first, elapsed)
+            };
+            let placed = !matches!(drive.positions, Positions::None);
+            drives.push(if placed { DriveValue::Scalar(value) } else { DriveValue::None });
+            rates.push((rate, acceleration));
+        }
+        let name = model.mechanism.instant_text(output.time);
+        (Wanted { name, origin: output.origin, drives }, Instant { time: output.time, rates })
+    }
+}

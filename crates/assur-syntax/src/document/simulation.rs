@@ -1,0 +1,76 @@
+//! Motion under given loads.
+
+use super::{Expr, Name, Path, Sensed};
+use assur_text::source::{Span, Spanned};
+
+/// `start OF = -0.0617 rad at 0 rad/s`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start {
+    /// A link or a pair's coordinate.
+    pub target: Path,
+    /// Its first value; absent of a shaft whose place nothing asks for.
+    pub value: Option<Sensed>,
+    /// Its first rate.
+    pub rate: Option<Sensed>,
+}
+
+/// `simulate 0 s .. 0.03 s in 30 steps within 1e-9`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Simulate {
+    /// How long.
+    pub course: TimeCourse,
+    /// The number of steps between printed instants.
+    pub steps: Option<Expr>,
+    /// The wanted accuracy.
+    pub within: Option<Expr>,
+}
+
+/// How long a motion is followed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TimeCourse {
+    /// `0 s .. 2 s`, or `2 s` alone.
+    Between {
+        /// The first instant, where it is written.
+        from: Option<Expr>,
+        /// The last.
+        to: Expr,
+    },
+    /// `steady turn of crank`, `steady cycle of down`
+    Steady(Span),
+}
+
+/// `event top: omega(bar) = 0 rad/s falling`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// Its name.
+    pub name: Name,
+    /// When it happens.
+    pub passing: Passing,
+}
+
+/// `until angle(crank) = 360 deg`
+#[derive(Clone, Debug, PartialEq)]
+pub struct Until {
+    /// When the motion ends.
+    pub passing: Passing,
+}
+
+/// A value that is passed, or a condition that becomes true.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Passing {
+    /// The watched quantity or condition.
+    pub what: Expr,
+    /// The value that it passes; absent for a condition.
+    pub value: Option<Expr>,
+    /// The way in which it passes, where only one counts.
+    pub way: Option<Spanned<Passage>>,
+}
+
+/// A way in which a value is passed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Passage {
+    /// `rising`
+    Rising,
+    /// `falling`
+    Falling,
+}

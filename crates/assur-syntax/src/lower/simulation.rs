@@ -1,0 +1,76 @@
+//! Motion under given loads.
+
+use super::state::Lower;
+use super::walk::{P, Parts, span};
+use crate::document::{Event, Passage, Passing, Simulate, Start, TimeCourse, Until};
+use crate::grammar::Rule;
+use assur_text::source::Spanned;
+
+impl Lower<'_> {
+    pub(super) fn start(&mut self, pair: P<'_>) -> Option<Start> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let target = self.path(parts.any()?)?;
+        let value = match parts.take(Rule::sensed) {
+            Some(value) => Some(self.sensed(value)?),
+            None => None,
+        };
+        Some(Start { target, value, rate: self.sensed_behind(&mut parts, Rule::rate)? })
+    }
+
+    pub(super) fn simulate(&mut self, pair: P<'_>) -> Option<Simulate> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        let course = self.time_course(&mut parts)?;
+        let steps = match parts.take(Rule::in_steps) {
+            Some(steps) => {
+                let mut inner = Parts::of(steps);
+                inner.any()?;
+                Some(self.expr(inner.any()?)?)
+            }
+            None => None,
+        };
+        Some(Simulate { course, steps, within: self.within(&mut parts)? })
+    }
+
+    fn time_course(&mut self, parts: &mut Parts<'_>) -> Option<TimeCourse> {
+        if let Some(steady) = parts.take(Rule::steady) {
+            return Some(TimeCourse::Steady(span(&steady)));
+        }
+        let first = self.expr(parts.any()?)?;
+        let Some(last) = parts.take(Rule::last) else {
+            return Some(TimeCourse::Between { from: None, to: first });
+        };
+        let to = self.expr(Parts::of(last).any()?)?;
+        Some(TimeCourse::Between { from: Some(first), to })
+    }
+
+    pub(super) fn event(&mut self, pair: P<'_>) -> Option<Event> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        Some(Event { name: parts.name()?, passing: self.passing(parts.any()?)? })
+    }
+
+    pub(super) fn until(&mut self, pair: P<'_>) -> Option<Until> {
+        let mut parts = Parts::of(pair);
+        parts.any()?;
+        Some(Until { passing: self.passing(parts.any()?)? })
+    }
+
+    fn passing(&mut self, pair: P<'_>) -> Option<Passing> {
+        let mut parts = Parts::of(pair);
+        let what = self.expr(parts.any()?)?;
+        let mut way = passage(&mut parts);
+        let value = match parts.any() {
+            Some(value) => Some(self.expr(value)?),
+            None => None,
+        };
+        way = way.or_else(|| passage(&mut parts));
+        Some(Passing { what, value, way })
+    }
+}
+
+fn passage(parts: &mut Parts<'_>) -> Option<Spanned<Passage>> {
+    let rising = parts.take(Rule::w_rising).map(|p| Spanned::new(Passage::Rising, span(&p)));
+    rising.or_else(|| parts.take(Rule::w_falling).map(|p| Spanned::new(Passage::Falling, span(&p))))
+}
