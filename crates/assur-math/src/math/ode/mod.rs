@@ -13,15 +13,18 @@
 //! }
 //! ```
 
+mod elimination;
 pub mod event;
 mod first_step;
 mod progress;
 mod tolerance;
 
 pub mod dop853;
+mod radau;
 
 pub use dop853::Dop853;
 pub use progress::{Counts, Progress};
+pub use radau::Radau;
 pub use tolerance::Tolerance;
 
 use super::real::{eighth_root, epsilon, finite, nonzero, wide};
@@ -40,6 +43,14 @@ pub trait System<S> {
     /// # Errors
     /// There is no value.
     fn rates(&mut self, t: S, y: &[S], dy: &mut [S]) -> Result<(), Undefined>;
+
+    /// ∂y'_i/∂y_j at (t, y) as element i·n + j, for implicit methods; false where it is not known.
+    ///
+    /// # Errors
+    /// There is no value.
+    fn jacobian(&mut self, _t: S, _y: &[S], _derivatives: &mut [S]) -> Result<bool, Undefined> {
+        Ok(false)
+    }
 
     /// Called with every state from which a step begins, before its stages: what is kept beside the state belongs to it.
     fn accepted(&mut self, _t: S, _y: &[S]) {}

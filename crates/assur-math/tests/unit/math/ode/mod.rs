@@ -2,6 +2,7 @@
 
 mod dop853;
 mod event;
+mod radau;
 mod trees;
 
 use assur_math::math::ode::{Integrator, Real, Step, System, Undefined};
