@@ -13,27 +13,28 @@
 //! }
 //! ```
 
+mod elimination;
+pub mod event;
 mod first_step;
 mod progress;
 mod tolerance;
 
 pub mod dop853;
+mod radau;
 
 pub use dop853::Dop853;
 pub use progress::{Counts, Progress};
+pub use radau::Radau;
 pub use tolerance::Tolerance;
 
-use super::Scalar;
+use super::real::{eighth_root, epsilon, finite, nonzero, wide};
+
+pub use super::Real;
 
 /// The rates have no value here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the rates have no value here")]
 pub struct Undefined;
-
-/// A real number that can be compared: `f64` or double-double.
-pub trait Real: Scalar<Mask = bool> {}
-
-impl<S: Scalar<Mask = bool>> Real for S {}
 
 /// What is to be integrated.
 pub trait System<S> {
@@ -42,6 +43,14 @@ pub trait System<S> {
     /// # Errors
     /// There is no value.
     fn rates(&mut self, t: S, y: &[S], dy: &mut [S]) -> Result<(), Undefined>;
+
+    /// ∂y'_i/∂y_j at (t, y) as element i·n + j, for implicit methods; false where it is not known.
+    ///
+    /// # Errors
+    /// There is no value.
+    fn jacobian(&mut self, _t: S, _y: &[S], _derivatives: &mut [S]) -> Result<bool, Undefined> {
+        Ok(false)
+    }
 
     /// Called with every state from which a step begins, before its stages: what is kept beside the state belongs to it.
     fn accepted(&mut self, _t: S, _y: &[S]) {}
@@ -151,30 +160,4 @@ pub trait Integrator<S: Real> {
     fn counts(&self) -> Counts {
         self.progress().counts
     }
-}
-
-/// ε of the numbers.
-fn epsilon<S: Real>() -> S {
-    S::of(if S::WIDE { 4.930_380_657_631_324e-32 } else { S::ROUNDING })
-}
-
-/// A coefficient in two parts.
-#[inline(always)]
-fn wide<S: Real>([high, low]: [f64; 2]) -> S {
-    if S::WIDE { S::of(high) + S::of(low) } else { S::of(high) }
-}
-
-/// Neither infinite nor NaN.
-fn finite<S: Real>(x: S) -> bool {
-    (x * S::zero()).lt(S::one())
-}
-
-/// Neither zero nor NaN.
-fn nonzero<S: Real>(x: S) -> bool {
-    S::zero().lt(x.abs())
-}
-
-/// The eighth root: powers of the system's library differ from machine to machine, roots do not.
-fn eighth_root<S: Real>(x: S) -> S {
-    x.sqrt().sqrt().sqrt()
 }

@@ -1,6 +1,6 @@
 //! What error of a step is allowed.
 
-use super::Real;
+use super::{Real, epsilon};
 
 /// The allowed error of each component: absolute + relative · |y|.
 #[derive(Clone, Debug)]
@@ -27,6 +27,23 @@ impl<S: Real> Tolerance<S> {
         Self::each(&vec![(relative, absolute); n])
     }
 
+    /// What an estimate of order 3 must allow so that a method of order 5 keeps to the tolerance: a tenth of its power 2/3
+    /// (volume II, section IV.8, and the authors' program); the greatest relative one among them. Where only an absolute
+    /// tolerance is given it stands for a relative one.
+    pub(super) fn of_third_order(&self) -> (Self, S) {
+        let pairs = self.relative.iter().zip(&self.absolute);
+        let new = pairs.map(|(&relative, &absolute)| {
+            let unit = if S::zero().lt(relative) { relative } else { absolute };
+            let root = cube_root(unit.min(S::one()));
+            let factor = S::of(0.1) * root * root / unit;
+            (relative * factor, (absolute * factor).max(S::tiny()), unit * factor)
+        });
+        let new: Vec<_> = new.collect();
+        let tolerance =
+            Self { relative: new.iter().map(|x| x.0).collect(), absolute: new.iter().map(|x| x.1).collect() };
+        (tolerance, new.iter().fold(epsilon(), |most: S, x| most.max(x.2)))
+    }
+
     /// How many components it is for.
     pub(super) fn order(&self) -> usize {
         self.absolute.len()
@@ -47,5 +64,17 @@ impl<S: Real> Tolerance<S> {
             sum = sum + ratio * ratio;
         }
         sum
+    }
+}
+
+/// The cube root of a number in (0, 1], by Newton's method from above.
+fn cube_root<S: Real>(x: S) -> S {
+    let mut root = S::one();
+    loop {
+        let next = root - (root - x / (root * root)) * S::of(1.0 / 3.0);
+        if !next.lt(root) {
+            return root;
+        }
+        root = next;
     }
 }

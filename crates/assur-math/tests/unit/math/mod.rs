@@ -8,6 +8,7 @@ mod lanes;
 mod magnitudes;
 mod ode;
 mod periodic;
+mod quadrature;
 mod ratio;
 mod root;
 mod sparse;

@@ -1,6 +1,8 @@
 //! Integrators, against closed forms.
 
 mod dop853;
+mod event;
+mod radau;
 mod trees;
 
 use assur_math::math::ode::{Integrator, Real, Step, System, Undefined};
