@@ -15,6 +15,7 @@
 
 mod elimination;
 pub mod event;
+mod extrapolation;
 mod first_step;
 mod progress;
 mod tolerance;
@@ -23,11 +24,12 @@ pub mod dop853;
 mod radau;
 
 pub use dop853::Dop853;
+pub use extrapolation::Extrapolation;
 pub use progress::{Counts, Progress};
 pub use radau::Radau;
 pub use tolerance::Tolerance;
 
-use super::real::{eighth_root, epsilon, finite, nonzero, wide};
+use super::real::{eighth_root, epsilon, finite, nonzero, rough_root, wide};
 
 pub use super::Real;
 
