@@ -1,12 +1,9 @@
 //! Extrapolation of the explicit midpoint rule after Gragg, Bulirsch and Stoer, with choice of order and step (Hairer,
 //! Nørsett, Wanner, volume I, section II.9): its numbers are ratios of integers, so that the order goes as far as the digits
-//! do. The reference method in double-double. Its steps are long: where the solution turns sharply within one the error is
-//! ten times what is allowed, more often than with DOP853, so that a reference asks for three digits more than it needs.
-//!
-//! The rule with n parts of a step, n = 2, 4, 6, …, has an error in even powers of 1/n; column k of the table of Aitken and
-//! Neville is of order 2k. Values are held as what they add to the beginning of the step.
+//! do. The reference method in double-double: over an orbit its error stays near the tolerance down to 1e-26.
 
 use super::first_step::first_step;
+use super::hermite::Hermite;
 use super::progress::Trial;
 use super::{
     Integrator, Progress, Real, Step, Stopped, System, Tolerance, Undefined, epsilon, finite, nonzero,
@@ -23,6 +20,8 @@ pub struct Extrapolation<S> {
     tolerance: Tolerance<S>,
     /// Row k: through the results of columns k to the last.
     table: Vec<Vec<S>>,
+    /// The best values of the column before.
+    previous: Vec<S>,
     /// The two last places of the midpoint rule, an argument and the rates there.
     places: [Vec<S>; 2],
     trial: Vec<S>,
@@ -33,18 +32,7 @@ pub struct Extrapolation<S> {
     wish: Vec<S>,
     /// No step was accepted yet.
     first: bool,
-    dense: Dense<S>,
-}
-
-/// The polynomial through values and rates at places of the step: Newton's divided differences, each place twice.
-#[derive(Clone, Debug)]
-struct Dense<S> {
-    /// Parts of the step.
-    places: Vec<S>,
-    /// Of component i those from i·2·places on.
-    differences: Vec<S>,
-    /// How many places are of use; none before the polynomial is made.
-    used: usize,
+    dense: Hermite<S>,
 }
 
 /// Parts that the midpoint rule takes in a column.
@@ -81,6 +69,7 @@ impl<S: Real> Extrapolation<S> {
         Self {
             progress: Progress::new(n),
             table: vec![zeros(); columns],
+            previous: zeros(),
             places: [zeros(), zeros()],
             trial: zeros(),
             rates: zeros(),
@@ -88,7 +77,7 @@ impl<S: Real> Extrapolation<S> {
             tolerance,
             wish: vec![S::zero(); columns],
             first: true,
-            dense: Dense::new(columns + 1, n),
+            dense: Hermite::new(columns + 1, n),
         }
     }
 
@@ -116,6 +105,7 @@ impl<S: Real> Extrapolation<S> {
             }
             std::mem::swap(before, last);
         }
+        self.previous.copy_from_slice(&self.table[0]);
         self.table[column].copy_from_slice(last);
         for k in (0..column).rev() {
             let ratio = number::<S>(n) / number(parts(k));
@@ -128,16 +118,18 @@ impl<S: Real> Extrapolation<S> {
         Ok(())
     }
 
-    /// The difference of the two best values over what is allowed.
+    /// What the best values differ from the second best and from the best of the column before, the greater, over what is
+    /// allowed. Either alone is small by chance where the solution turns sharply.
     fn error(&self) -> S {
         let (progress, best, next) = (&self.progress, &self.table[0], &self.table[1]);
-        let mut sum = S::zero();
-        for (i, (best, next)) in best.iter().zip(next).enumerate() {
+        let (mut second, mut before) = (S::zero(), S::zero());
+        for (i, best) in best.iter().enumerate() {
             let y = progress.y0[i];
-            let ratio = (*best - *next) / self.tolerance.scale(i, y.abs().max((y + *best).abs()));
-            sum = sum + ratio * ratio;
+            let allowed = self.tolerance.scale(i, y.abs().max((y + *best).abs()));
+            let (a, b) = ((*best - next[i]) / allowed, (*best - self.previous[i]) / allowed);
+            (second, before) = (second + a * a, before + b * b);
         }
-        (sum / number(best.len())).sqrt()
+        (second.max(before) / number(best.len())).sqrt()
     }
 
     /// Columns until the difference is a part of what is allowed, or there are no more; the last one.
@@ -252,58 +244,6 @@ impl<S: Real> Extrapolation<S> {
         let next = self.target.min(column);
         let next = if next > 2 && self.cheaper(next - 1, next, 0.8) { next - 1 } else { next };
         Outcome::Rejected(self.wish[next], next.max(2))
-    }
-}
-
-impl<S: Real> Dense<S> {
-    fn new(places: usize, n: usize) -> Self {
-        // the ends first, then halves, quarters … of a half turn: any number of them lies well, and in a stable sequence
-        let angle = |mut i: usize| {
-            let (mut part, mut unit) = (0.0, 0.5);
-            while i > 0 {
-                part += if i % 2 == 1 { unit } else { 0.0 };
-                (i, unit) = (i / 2, 0.5 * unit);
-            }
-            part
-        };
-        let inner = (1..places - 1).map(|i| 0.5 - 0.5 * libm::cos(std::f64::consts::PI * angle(i)));
-        let places: Vec<S> = [0.0, 1.0].into_iter().chain(inner).map(S::of).collect();
-        Self { differences: vec![S::zero(); 2 * places.len() * n], places, used: 0 }
-    }
-
-    fn rows(&self) -> usize {
-        2 * self.places.len()
-    }
-
-    /// The value at a place, and the rate times the length of the step.
-    fn set(&mut self, place: usize, component: usize, value: S, rate: S) {
-        let row = component * self.rows() + 2 * place;
-        (self.differences[row], self.differences[row + 1]) = (value, rate);
-    }
-
-    /// Divided differences, in place of values and rates.
-    fn divide(&mut self, used: usize) {
-        let (rows, places) = (self.rows(), &self.places);
-        for c in self.differences.chunks_exact_mut(rows) {
-            // the rates are those between a place and itself
-            for place in (1..used).rev() {
-                c[2 * place] = (c[2 * place] - c[2 * place - 2]) / (places[place] - places[place - 1]);
-            }
-            for order in 2..2 * used {
-                for i in (order..2 * used).rev() {
-                    c[i] = (c[i] - c[i - 1]) / (places[i / 2] - places[(i - order) / 2]);
-                }
-            }
-        }
-        self.used = used;
-    }
-
-    fn value(&self, component: usize, s: S) -> S {
-        let row = component * self.rows();
-        let last = 2 * self.used - 1;
-        (0..last).rev().fold(self.differences[row + last], |value, i| {
-            self.differences[row + i] + (s - self.places[i / 2]) * value
-        })
     }
 }
 

@@ -17,6 +17,7 @@ mod elimination;
 pub mod event;
 mod extrapolation;
 mod first_step;
+mod hermite;
 mod progress;
 mod tolerance;
 

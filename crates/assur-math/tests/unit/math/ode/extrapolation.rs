@@ -17,7 +17,7 @@ fn orbits_keep_to_the_tolerance_in_double_double() {
         let mut method = wide(4, tolerance);
         run(&mut method, &mut kepler(), Double::zero(), &perihelion(0.5), tau);
         let error = distance(method.y(), &perihelion(0.5)).rounded();
-        assert!(error < 1000.0 * tolerance, "{tolerance:e}: {error:e} {:?}", method.counts());
+        assert!(error < 10.0 * tolerance, "{tolerance:e}: {error:e} {:?}", method.counts());
         evaluations.push(method.counts().evaluations);
     }
     assert!(evaluations[2] < 3000 && evaluations[4] < 8000, "{evaluations:?}");
@@ -35,13 +35,10 @@ fn orbits_keep_to_the_tolerance_in_f64() {
         run(&mut method, &mut kepler(), 0.0, &perihelion(0.5), 20.0);
         let error = distance(method.y(), &orbit(0.5, 20.0));
         let counts = method.counts();
-        assert!(
-            error < 1000.0 * tolerance && counts.evaluations < 4000,
-            "{tolerance:e}: {error:e} {counts:?}"
-        );
+        assert!(error < 40.0 * tolerance && counts.evaluations < 4000, "{tolerance:e}: {error:e} {counts:?}");
         // and back, to where a small delay is a great distance
         run(&mut method, &mut kepler(), 20.0, &orbit(0.5, 20.0), 0.0);
-        assert!(distance(method.y(), &perihelion(0.5)) < 1e4 * tolerance);
+        assert!(distance(method.y(), &perihelion(0.5)) < 200.0 * tolerance);
     }
 }
 
