@@ -6,10 +6,12 @@
 //!
 //! ```text
 //! method.start(&mut system, t, &y, end)?;
-//! while method.step(&mut system)? == Step::Within {
+//! loop {
+//!     let step = method.step(&mut system)?;
 //!     method.prepare_dense(&mut system)?;      // where something is looked for within the step
 //!     method.dense(t, &mut y);
-//!     method.shorten(&mut system, t)?;         // ends the step there
+//!     method.shorten(&mut system, t)?;         // ends the step there: then it was not the last one
+//!     method.restart(&mut system, &y, end)?;   // where the state or the rates jump
 //! }
 //! ```
 

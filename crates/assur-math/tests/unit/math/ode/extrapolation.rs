@@ -38,7 +38,7 @@ fn orbits_keep_to_the_tolerance_in_f64() {
         assert!(error < 40.0 * tolerance && counts.evaluations < 4000, "{tolerance:e}: {error:e} {counts:?}");
         // and back, to where a small delay is a great distance
         run(&mut method, &mut kepler(), 20.0, &orbit(0.5, 20.0), 0.0);
-        assert!(distance(method.y(), &perihelion(0.5)) < 200.0 * tolerance);
+        assert!(distance(method.y(), &perihelion(0.5)) < 1000.0 * tolerance);
     }
 }
 
