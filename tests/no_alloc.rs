@@ -4,7 +4,9 @@
 mod machines;
 
 use assur::internals::math::Vec2;
-use assur::internals::math::ode::{Dop853, Integrator, Radau, Step, System, Tolerance, Undefined};
+use assur::internals::math::ode::{
+    Dop853, Extrapolation, Integrator, Radau, Step, System, Tolerance, Undefined,
+};
 use assur::internals::model::{Friction, Mechanism, PairKind};
 use assur::internals::report::json::JsonLines;
 use assur::internals::report::lines::CsvLines;
@@ -240,5 +242,6 @@ fn steps(method: &mut impl Integrator<f64>) {
 #[test]
 fn the_loop_over_steps_allocates_nothing() {
     steps(&mut Dop853::new(Tolerance::uniform(2, 1e-4, 1e-4)));
+    steps(&mut Extrapolation::new(Tolerance::uniform(2, 1e-4, 1e-4)));
     steps(&mut Radau::new(&Tolerance::uniform(2, 1e-4, 1e-4)));
 }

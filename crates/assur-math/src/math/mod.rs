@@ -1,4 +1,4 @@
-//! 2-vectors, the scalar trait, exact ratios and small linear solves with their condition.
+//! 2-vectors, the scalar trait, exact ratios, small linear solves with their condition, integrals and integrators.
 
 mod angular;
 pub mod chebyshev;

@@ -74,6 +74,7 @@ pub struct Integral<S> {
 #[derive(Clone, Debug)]
 pub struct Quadrature<S> {
     parts: Vec<Part<S>>,
+    most: usize,
 }
 
 /// A part of [0, 1].
@@ -118,7 +119,8 @@ impl<S: Real> Quadrature<S> {
     /// Room for so many parts.
     #[must_use]
     pub fn new(parts: usize) -> Self {
-        Self { parts: Vec::with_capacity(parts.max(1)) }
+        let most = parts.max(1);
+        Self { parts: Vec::with_capacity(most), most }
     }
 
     /// ∫ f from a to b to an absolute error or one relative to it, whichever is greater, or as far as there is room.
@@ -144,7 +146,7 @@ impl<S: Real> Quadrature<S> {
             let worst = self.parts.iter().enumerate().filter(|(_, part)| !part.exact);
             let worst = worst.reduce(|most, next| if most.1.error.lt(next.1.error) { next } else { most });
             let Some((i, &worst)) = worst else { return Ok(Integral { reached: number, ..integral }) };
-            if integral.reached || self.parts.len() == self.parts.capacity() {
+            if integral.reached || self.parts.len() == self.most {
                 return Ok(integral);
             }
             let half = half * worst.half;

@@ -32,3 +32,16 @@ pub(super) fn nonzero<S: Real>(x: S) -> bool {
 pub(super) fn eighth_root<S: Real>(x: S) -> S {
     x.sqrt().sqrt().sqrt()
 }
+
+/// x^(1/m) to a hundredth or so, for step lengths: the bits of 1/m by square roots.
+#[allow(clippy::cast_precision_loss)] // far below 2^52
+pub(super) fn rough_root<S: Real>(x: S, m: usize) -> S {
+    let (mut left, mut power, mut root) = (1.0 / m as f64, x, S::one());
+    for _ in 0..16 {
+        (left, power) = (2.0 * left, power.sqrt());
+        if left >= 1.0 {
+            (left, root) = (left - 1.0, root * power);
+        }
+    }
+    root
+}

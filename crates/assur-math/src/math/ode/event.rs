@@ -1,9 +1,9 @@
 //! Where a function of t passes zero within a step.
 //!
-//! The function is looked at in nine places, denser towards the ends as those of Chebyshev; the widest gap is a fifth of the
-//! step. Between two that differ in sign lies a root. Where three have one sign and the one between is nearest to zero the
-//! extreme is looked for: beyond zero, two roots lie beside it. So two roots are found however close they are, if the
-//! function turns only once between neighbouring places.
+//! The function is looked at in ten places, denser towards the ends, where nothing beyond is seen; the widest gap is a fifth
+//! of the step. Where the polynomial through them turns towards zero between two, there are three more. Between two that
+//! differ in sign lies a root. Where three have one sign and the one between is nearest to zero the extreme is looked for:
+//! beyond zero, two roots lie beside it. So two roots are found however close they are.
 
 use super::{Real, epsilon};
 use crate::math::root_within;
@@ -19,20 +19,38 @@ pub struct Crossing<S> {
 }
 
 /// Places.
-const PLACES: usize = 9;
+const PLACES: usize = 10;
 
-/// (1 − cos(π i/8))/2.
-const PARTS: [f64; PLACES] = [
-    0.0,
-    0.038_060_233_744_356_62,
-    0.146_446_609_406_726_24,
-    0.308_658_283_817_455_1,
-    0.5,
-    0.691_341_716_182_544_9,
-    0.853_553_390_593_273_8,
-    0.961_939_766_255_643_4,
-    1.0,
-];
+/// Parts of the step.
+const PARTS: [f64; PLACES] =
+    [0.0, 1.0 / 256.0, 0.0625, 0.21875, 0.40625, 0.59375, 0.78125, 0.9375, 255.0 / 256.0, 1.0];
+
+/// Where the polynomial is looked at between two places.
+const INSIDE: usize = 3;
+
+/// Places at most.
+const MORE: usize = PLACES + INSIDE * (PLACES - 1);
+
+/// The value of the polynomial there: the weight of each place (Lagrange).
+const WEIGHTS: [[[f64; PLACES]; INSIDE]; PLACES - 1] = weights();
+
+const fn inside(gap: usize, i: usize) -> f64 {
+    PARTS[gap] + (PARTS[gap + 1] - PARTS[gap]) * (i + 1) as f64 / (INSIDE + 1) as f64
+}
+
+const fn weights() -> [[[f64; PLACES]; INSIDE]; PLACES - 1] {
+    let mut weights = [[[1.0; PLACES]; INSIDE]; PLACES - 1];
+    let mut k = 0;
+    while k < (PLACES - 1) * INSIDE * PLACES * PLACES {
+        let (gap, i) = (k / (INSIDE * PLACES * PLACES), k / (PLACES * PLACES) % INSIDE);
+        let (place, other) = (k / PLACES % PLACES, k % PLACES);
+        if place != other {
+            weights[gap][i][place] *= (inside(gap, i) - PARTS[other]) / (PARTS[place] - PARTS[other]);
+        }
+        k += 1;
+    }
+    weights
+}
 
 /// Evaluations for an extreme: with those of the parabola eight are usual.
 const MOST: usize = 100;
@@ -51,21 +69,14 @@ pub fn crossings<S: Real, B>(
     mut g: impl FnMut(S) -> S,
     mut found: impl FnMut(Crossing<S>) -> ControlFlow<B>,
 ) -> ControlFlow<B> {
-    let mut points = PARTS.map(|part| {
-        let t = if part < 1.0 { from + S::of(part) * (to - from) } else { to };
-        let value = g(t);
-        if sign(value) != 0 || part == 0.0 || part == 1.0 {
-            return (t, value);
-        }
-        // at a root by chance: beside it there is more to see
-        let beside = t + S::of(1.0 / 1024.0) * (to - from);
-        (beside, g(beside))
-    });
+    let mut points = PARTS.map(|part| look((from, to), part, &mut g));
     if let Some(rising) = passed {
         points[0].1 = passed_value(points[0].1, rising);
     }
+    let (points, count) = with_more((from, to), points, &mut g);
+    let points = &points[..count];
     let mut last = points[0];
-    for i in 1..PLACES {
+    for i in 1..count {
         if opposite(last, points[i]) {
             found(crossing(last, points[i], &mut g))?;
         } else if let Some(&after) = points.get(i + 1)
@@ -84,11 +95,63 @@ pub fn crossings<S: Real, B>(
             last = points[i];
         }
     }
-    let end = points[PLACES - 1];
+    let end = points[count - 1];
     if sign(end.1) == 0 && sign(last.1) != 0 {
         found(Crossing { t: end.0, rising: sign(last.1) < 0 })?;
     }
     ControlFlow::Continue(())
+}
+
+/// The value at a part of the step; where that is a root by chance, beside it, as there is more to see.
+fn look<S: Real>((from, to): (S, S), part: f64, g: &mut impl FnMut(S) -> S) -> Point<S> {
+    let t = if part < 1.0 { from + S::of(part) * (to - from) } else { to };
+    let value = g(t);
+    if sign(value) != 0 || part == 0.0 || part == 1.0 {
+        return (t, value);
+    }
+    let beside = t + S::of(1.0 / 1024.0) * (to - from);
+    (beside, g(beside))
+}
+
+/// The places and, where the polynomial through all comes nearer to zero between two of one sign than at both, or turns
+/// between two of different sign, those between.
+fn with_more<S: Real>(
+    step: (S, S),
+    points: [Point<S>; PLACES],
+    g: &mut impl FnMut(S) -> S,
+) -> ([Point<S>; MORE], usize) {
+    let (mut all, mut count) = ([points[0]; MORE], 1);
+    for (gap, pair) in points.windows(2).enumerate() {
+        let values = WEIGHTS[gap].map(|weights| {
+            let terms = weights.iter().zip(&points);
+            terms.fold(S::zero(), |sum, (weight, point)| sum + S::of(*weight) * point.1)
+        });
+        if hides(pair[0].1, values, pair[1].1) {
+            for i in 0..INSIDE {
+                all[count] = look(step, inside(gap, i), g);
+                count += 1;
+            }
+        }
+        all[count] = pair[1];
+        count += 1;
+    }
+    (all, count)
+}
+
+/// More roots may lie between two values than their signs say, as those between them go.
+fn hides<S: Real>(a: S, between: [S; INSIDE], b: S) -> bool {
+    if sign(a) * sign(b) > 0 {
+        let side = if a.lt(S::zero()) { -S::one() } else { S::one() };
+        let least = (a * side).min(b * side);
+        return between.iter().any(|value| (*value * side).lt(least));
+    }
+    let way = b - a;
+    let (mut last, mut turns) = (a, false);
+    for value in between.into_iter().chain([b]) {
+        turns |= ((value - last) * way).lt(S::zero());
+        last = value;
+    }
+    turns
 }
 
 /// The first change of sign.

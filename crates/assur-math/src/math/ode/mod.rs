@@ -6,16 +6,20 @@
 //!
 //! ```text
 //! method.start(&mut system, t, &y, end)?;
-//! while method.step(&mut system)? == Step::Within {
+//! loop {
+//!     let step = method.step(&mut system)?;
 //!     method.prepare_dense(&mut system)?;      // where something is looked for within the step
 //!     method.dense(t, &mut y);
-//!     method.shorten(&mut system, t)?;         // ends the step there
+//!     method.shorten(&mut system, t)?;         // ends the step there: then it was not the last one
+//!     method.restart(&mut system, &y, end)?;   // where the state or the rates jump
 //! }
 //! ```
 
 mod elimination;
 pub mod event;
+mod extrapolation;
 mod first_step;
+mod hermite;
 mod progress;
 mod tolerance;
 
@@ -23,11 +27,12 @@ pub mod dop853;
 mod radau;
 
 pub use dop853::Dop853;
+pub use extrapolation::Extrapolation;
 pub use progress::{Counts, Progress};
 pub use radau::Radau;
 pub use tolerance::Tolerance;
 
-use super::real::{eighth_root, epsilon, finite, nonzero, wide};
+use super::real::{eighth_root, epsilon, finite, nonzero, rough_root, wide};
 
 pub use super::Real;
 

@@ -49,7 +49,7 @@ pub(super) struct Trial<S> {
     /// Where it ends.
     pub t: S,
     /// It ends at the end.
-    last: bool,
+    pub last: bool,
 }
 
 impl<S: Real> Progress<S> {

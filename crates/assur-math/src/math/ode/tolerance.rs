@@ -44,6 +44,19 @@ impl<S: Real> Tolerance<S> {
         (tolerance, new.iter().fold(epsilon(), |most: S, x| most.max(x.2)))
     }
 
+    /// Decimal digits of the finest.
+    pub(super) fn digits(&self) -> usize {
+        let pairs = self.relative.iter().zip(&self.absolute);
+        let units = pairs.map(|(r, a)| if S::zero().lt(*r) { *r } else { *a });
+        let mut finest = units.fold(S::one(), S::min);
+        let mut digits = 0;
+        while finest.lt(S::one()) && digits < 32 {
+            finest = finest * S::of(10.0);
+            digits += 1;
+        }
+        digits
+    }
+
     /// How many components it is for.
     pub(super) fn order(&self) -> usize {
         self.absolute.len()

@@ -205,18 +205,18 @@ impl<S: Real> Stages<S> {
         again: bool,
     ) -> S {
         let [estimate, sum, rates] = &mut self.rates;
-        for i in 0..self.n {
-            sum[i] = dot(ERROR, [self.z[0][i], self.z[1][i], self.z[2][i]]) / h;
-            estimate[i] = sum[i] + progress.f0[i];
+        let (estimates, [a, b, c]) = (estimate.iter_mut().zip(sum.iter_mut()), &self.z);
+        for (i, (estimate, sum)) in estimates.enumerate() {
+            *sum = dot(ERROR, [a[i], b[i], c[i]]) / h;
+            *estimate = *sum + progress.f0[i];
         }
         self.real.solve(estimate);
         let error = mean(estimate.iter().zip(allowed), self.n);
         if !again || error.lt(S::one()) {
             return error;
         }
-        for i in 0..self.n {
-            self.trial[i] = progress.y0[i] + estimate[i];
-        }
+        let values = progress.y0.iter().zip(estimate.iter());
+        self.trial.iter_mut().zip(values).for_each(|(trial, (y, e))| *trial = *y + *e);
         progress.counts.evaluations += 1;
         if system.rates(progress.t0, &self.trial, rates).is_err() {
             return error;

@@ -2,6 +2,7 @@
 
 mod dop853;
 mod event;
+mod extrapolation;
 mod radau;
 mod trees;
 
