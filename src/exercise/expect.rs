@@ -107,7 +107,7 @@ impl<'a> Key<'a> {
                     None => return Err(ExpectError::unknown_pose(name, *span, poses)),
                 }
             }
-            Some(At::Drives(_) | At::Time(_)) => {
+            Some(At::Drives(_) | At::Time(_) | At::Occasion(_)) => {
                 poses.iter().filter(|p| p.origin == PoseOrigin::Expected(index)).collect()
             }
             None => sweep(),
@@ -128,7 +128,7 @@ impl<'a> Key<'a> {
         let mechanism = self.model.mechanism;
         let list = match &mechanism.expects[index].at {
             Some(At::Drives(list)) => list,
-            Some(At::Time(_)) => return self.instant(pose),
+            Some(At::Time(_) | At::Occasion(_)) => return self.instant(pose),
             Some(At::Pose(..)) | None => return pose.name.clone(),
         };
         let texts = list.iter().map(|(id, _)| {

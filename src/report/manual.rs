@@ -8,7 +8,7 @@ use assur_text::units::significant;
 const DIGITS: usize = 10;
 
 /// The functions by subject.
-const SUBJECTS: [(FunctionGroup, &str); 11] = [
+const SUBJECTS: [(FunctionGroup, &str); 12] = [
     (FunctionGroup::Math, "Mathematics"),
     (FunctionGroup::Motion, "Motion"),
     (FunctionGroup::Force, "Forces"),
@@ -19,6 +19,7 @@ const SUBJECTS: [(FunctionGroup, &str); 11] = [
     (FunctionGroup::Gear, "Pairs of gears"),
     (FunctionGroup::Cam, "Cams"),
     (FunctionGroup::Flywheel, "Flywheels"),
+    (FunctionGroup::Simulation, "Motion under loads"),
     (FunctionGroup::Bearing, "Bearings"),
 ];
 

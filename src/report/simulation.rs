@@ -52,5 +52,6 @@ fn condition(report: &SimulationReport) -> Option<String> {
 pub(super) const fn method(method: Method) -> &'static str {
     match method {
         Method::Dop853 => "DOP853",
+        Method::Radau => "Radau IIA of order 5, from where DOP853 was held up",
     }
 }

@@ -144,6 +144,55 @@ pub enum SimulateError {
         #[label("the instants")]
         simulate: Span,
     },
+    /// An event that is not declared.
+    #[error("there is no event `{name}`")]
+    #[diagnostic(code("mech::simulate::unknown_event"), help("{help}"))]
+    UnknownEvent {
+        /// The name.
+        name: String,
+        /// The one that may be meant, or how to declare it.
+        help: String,
+        /// Its place.
+        #[label("not declared")]
+        span: Span,
+    },
+    /// A number where a condition or a value to be passed is wanted.
+    #[error("this is {is}: nothing says when it happens")]
+    #[diagnostic(
+        code("mech::simulate::no_condition"),
+        help(
+            "give the value that is passed, as in `omega(crank) = 0 rad/s`, or a condition, as in `omega(crank) < 0 rad/s`"
+        )
+    )]
+    NoCondition {
+        /// What it is.
+        is: String,
+        /// Its place.
+        #[label("when?")]
+        span: Span,
+    },
+    /// A condition that no number tells from its opposite.
+    #[error("the instant at which this condition becomes true cannot be found")]
+    #[diagnostic(
+        code("mech::simulate::no_margin"),
+        help("write it as a comparison of numbers, or as several with `and`, `or`, `not`")
+    )]
+    NoMargin {
+        /// Its place.
+        #[label("no comparison of numbers")]
+        span: Span,
+    },
+    /// `time` declared in a file where it is the instant.
+    #[error("`time` is the instant of the motion in a file with `simulate`")]
+    #[diagnostic(code("mech::simulate::time"), help("give the quantity another name"))]
+    Time {
+        /// The declaration.
+        #[label(primary, "declared here")]
+        span: Span,
+        /// The statement `simulate`.
+        #[label("the motion")]
+        simulate: Span,
+    },
     /// What belongs to positions of a drive.
     #[error("{what} belongs to positions that are given, and this file follows a motion")]
     #[diagnostic(code("mech::simulate::positions"), help("{help}"))]

@@ -55,6 +55,13 @@ pub fn declare(cx: &mut Scope<'_, '_>) {
                     cx.names.poses.insert(pose.name.node.clone(), pose.name.span);
                 }
             }
+            Statement::Event(event) => {
+                if let Some(&first) = cx.names.events.get(&event.name.node) {
+                    cx.taken(&event.name, first, None, None);
+                } else {
+                    cx.names.events.insert(event.name.node.clone(), event.name.span);
+                }
+            }
             // Declared below: a `given` of that name may follow.
             Statement::Variants(_) => {}
             Statement::Bad(bad) => cx.names.bad.extend(bad.names.iter().cloned()),

@@ -128,6 +128,8 @@ pub struct Names<'a> {
     pub bearers: IndexMap<String, Vec<LinkId>>,
     /// Poses.
     pub poses: IndexMap<String, Span>,
+    /// Events, in the order of the file.
+    pub events: IndexMap<String, Span>,
     /// The answer key by what it speaks of, as written.
     pub expected: IndexMap<&'a str, Vec<&'a Expect>>,
     /// Names that stand in statements that could not be read.

@@ -111,7 +111,7 @@ impl Scope<'_, '_> {
         true
     }
 
-    fn taken(&mut self, name: &Name, first: Span, help: Option<String>, missing: Option<String>) {
+    pub(crate) fn taken(&mut self, name: &Name, first: Span, help: Option<String>, missing: Option<String>) {
         // what is asked of the missing one is no second mistake
         self.names.bad.extend(missing);
         self.error(NameError::duplicate(name, first, help));

@@ -11,10 +11,10 @@ use crate::statements::walk;
 use crate::statements::written::written;
 use crate::values::format_value::format_value;
 use crate::values::typed::{Dim, Type, Typed, phrase};
-use assur_model::model::{At, Display, Expect, Relation, Tolerance};
+use assur_model::model::{At, Display, Expect, Occasion, Relation, Tolerance};
 use assur_syntax::document;
 use assur_syntax::document::{BinaryOp, ExpectAt, Expr, ExprKind, Name, Setting, Statement};
-use assur_text::source::Span;
+use assur_text::source::{Span, Spanned};
 use assur_text::units::{Dimension, Kind};
 
 /// Enters all expectations into the mechanism.
@@ -204,14 +204,28 @@ fn place(cx: &mut Context<'_>, expect: &document::Expect, at: &ExpectAt, span: S
             pose(cx, name)?;
             Some(At::Pose(name.node.clone(), name.span))
         }
-        ExpectAt::Event(..) => {
-            cx.builder.unsupported("an event of a motion", span);
-            None
-        }
+        ExpectAt::Event(name, which) => occasion(cx, name, which.as_ref()).map(At::Occasion),
         ExpectAt::Settings(settings) if cx.names.simulates => instant(cx, settings).map(At::Time),
         ExpectAt::Settings(settings) => {
             let what = format!("the pose for `{}`", expect.text);
             crate::motion::pose::settings(cx, settings, &what, span).map(At::Drives)
+        }
+    }
+}
+
+/// `at event top 2`, `at event end`
+fn occasion(cx: &mut Context<'_>, name: &Name, which: Option<&Spanned<usize>>) -> Option<Occasion> {
+    if !cx.names.simulates {
+        let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
+        cx.error(SimulateError::Missing { word: "event", help, span: name.span });
+        return None;
+    }
+    match (name.node.as_str(), which) {
+        ("begin", None) if !cx.names.events.contains_key("begin") => Some(Occasion::Begin),
+        ("end", None) if !cx.names.events.contains_key("end") => Some(Occasion::End),
+        _ => {
+            let event = cx.event(name)?;
+            Some(Occasion::Event(event, which.map_or(1, |which| which.node.max(1))))
         }
     }
 }

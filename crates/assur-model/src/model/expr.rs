@@ -171,6 +171,14 @@ pub enum Query {
     Angle(LinkId),
     /// The instant of a motion under loads, s.
     Time,
+    /// The instant of an event, s: index into [`super::Mechanism::events`], and which time, counted from 1.
+    EventTime(usize, usize),
+    /// How often an event happens.
+    EventCount(usize),
+    /// Kinetic energy of all links, J.
+    KineticEnergy,
+    /// Potential energy of all weights, from y = 0, and springs, from their free lengths, J.
+    PotentialEnergy,
     /// Angular velocity of a link.
     Omega(LinkId),
     /// Angular velocity of a link against another; not a number where they do not turn against each other.

@@ -122,6 +122,11 @@ impl Query {
                 Facts { placed: Some((about, "an angle")), turned: Some(about), ..VECTOR }
             }
             Self::Time => NUMBER,
+            Self::EventTime(..) | Self::EventCount(_) => {
+                Facts { poseless: true, of_solution: true, ..NUMBER }
+            }
+            Self::KineticEnergy => RATE,
+            Self::PotentialEnergy => NUMBER,
             Self::Omega(link) | Self::Turning(link, _) => Facts { turned: Some(About::Link(link)), ..RATE },
             Self::Alpha(link) | Self::InertiaTorque(link) => {
                 Facts { turned: Some(About::Link(link)), ..SECOND_RATE }

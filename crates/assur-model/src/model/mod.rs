@@ -37,7 +37,7 @@ pub use load::{Balance, BalanceKind, Gravity, Load, LoadKind, Place, Spring};
 pub use motion::{Drive, DriveTarget, Hint, HintKind, LinkPoint, NamedPose, Positions};
 pub use pair::{Bearing, Friction, Guide, Pair, PairKind, Pin, Profile, ProfileShape};
 pub use request::{At, Expect, Find, FindKind, Relation, Tolerance, Unsupported};
-pub use simulation::Simulation;
+pub use simulation::{Event, Occasion, Simulation};
 pub use train::{Grip, Law, Meeting, OpenSize, Rate, Transmission, TransmissionKind, Wheel};
 
 use crate::source::Span;
@@ -63,6 +63,8 @@ pub struct Mechanism {
     pub drives: Vec<Drive>,
     /// Motion under given loads, from the positions and speeds of the drives that are starts.
     pub simulation: Option<Simulation>,
+    /// Its events and ends.
+    pub events: Vec<Event>,
     /// Poses in addition to those of the sweep.
     pub poses: Vec<NamedPose>,
     /// The clauses of `assemble`.

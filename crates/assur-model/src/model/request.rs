@@ -88,6 +88,8 @@ pub enum At {
     Drives(Vec<(DriveId, Expr)>),
     /// An instant of a motion under loads, s.
     Time(f64),
+    /// Its first or last instant, or an event.
+    Occasion(super::Occasion),
 }
 
 /// A construct that parses and checks but cannot be solved yet.

@@ -1,5 +1,6 @@
 //! Motion under given loads.
 
+use super::Expr;
 use crate::source::Span;
 
 /// `simulate 0 s .. 2 s in 200 steps within 1e-8`
@@ -38,4 +39,30 @@ impl Simulation {
             self.from + (self.to - self.from) * (index as f64 / steps as f64)
         }
     }
+}
+
+/// `event top: omega(bar) = 0 rad/s falling`, `until angle(crank) = 360 deg`
+#[derive(Clone, Debug)]
+pub struct Event {
+    /// Its name; an end by `until` has none.
+    pub name: Option<String>,
+    /// Place of the statement.
+    pub span: Span,
+    /// A number that passes zero where it happens; of a condition one that is positive where it is true.
+    pub value: Expr,
+    /// It counts where the number rises, or falls, alone.
+    pub rising: Option<bool>,
+    /// The motion ends there.
+    pub ends: bool,
+}
+
+/// The instant of a motion that an expectation is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Occasion {
+    /// The first instant.
+    Begin,
+    /// The last.
+    End,
+    /// An event, by index into [`super::Mechanism::events`], and which time, counted from 1.
+    Event(usize, usize),
 }

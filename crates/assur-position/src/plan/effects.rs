@@ -180,6 +180,7 @@ impl Wanted {
                 Relation::Condition => {}
             }
         }
+        mechanism.events.iter().for_each(|e| self.expr(mechanism, &e.value));
         mechanism.cycles.iter().for_each(|c| self.expr(mechanism, &c.expr));
         if !mechanism.flywheels.is_empty() {
             self.forces = true;

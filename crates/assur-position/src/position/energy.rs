@@ -1,24 +1,41 @@
 //! Energy and power at one position.
 
+use super::body::BodyState;
 use super::model::Model;
 use super::state::State;
 use crate::force::spring::spring;
 use crate::math::Vec2;
-use crate::model::{LoadId, LoadKind, Place, Value};
-use crate::plan::{LoadStep, Plan};
+use crate::model::{Link, LoadId, LoadKind, Mechanism, Place, Spring, Value};
+use crate::plan::LoadStep;
 use crate::structure::JointKind;
 
 impl State {
     /// Kinetic energy of all bodies that have a mass, J.
     #[must_use]
-    pub fn kinetic_energy(&self, plan: &Plan) -> f64 {
-        let of = |load: &LoadStep| {
-            let LoadStep::Mass { body, centre, mass, moment_of_inertia, .. } = load else { return 0.0 };
-            let body = &self.motion.bodies[*body];
-            let v = body.velocity(centre.unwrap_or_default());
-            0.5 * (mass * v.dot(v) + moment_of_inertia * body.omega * body.omega)
+    pub fn kinetic_energy(&self, mechanism: &Mechanism) -> f64 {
+        let massive = mechanism.links.iter().zip(&self.motion.bodies).skip(1);
+        let of = |(link, body): (&Link, &BodyState)| {
+            let Some(m) = &link.mass else { return 0.0 };
+            let v = body.velocity(m.centre);
+            0.5 * (m.mass * v.dot(v) + m.inertia * body.omega * body.omega)
         };
-        plan.loads.iter().map(of).sum()
+        massive.map(of).sum()
+    }
+
+    /// Potential energy, J: of weights from y = 0, of springs from their free lengths.
+    #[must_use]
+    pub fn potential_energy(&self, mechanism: &Mechanism) -> f64 {
+        let g = mechanism.gravity.map_or(Vec2::zero(), |gravity| gravity.acceleration);
+        let massive = mechanism.links.iter().zip(&self.motion.bodies).skip(1);
+        let weight = |(link, body): (&Link, &BodyState)| {
+            link.mass.as_ref().map_or(0.0, |m| -m.mass * g.dot(body.position(m.centre)))
+        };
+        let spring = |s: &Spring| {
+            let ends = [s.from, s.to].map(|(link, at)| self.motion.bodies[link.index()].position(at));
+            let extension = (ends[1] - ends[0]).norm() - s.free_length;
+            0.5 * s.stiffness * extension * extension
+        };
+        massive.map(weight).sum::<f64>() + mechanism.springs.iter().map(spring).sum::<f64>()
     }
 
     /// Power of all weights, loads, springs and dampers, W, with the values of the loads that are evaluated at every position.

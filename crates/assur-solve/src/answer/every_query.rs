@@ -26,6 +26,7 @@ pub(crate) fn every_expr(mechanism: &Mechanism, ask: &mut impl FnMut(&Expr, Span
         pose.at.iter().for_each(|(_, e)| ask(e, pose.span));
     }
     mechanism.quantities.iter().for_each(|q| ask(&q.expr, q.span));
+    mechanism.events.iter().for_each(|e| ask(&e.value, e.span));
     mechanism.cycles.iter().for_each(|c| ask(&c.expr, c.span));
     for load in &mechanism.loads {
         load.expressions().for_each(|e| ask(e, load.span));

@@ -101,6 +101,10 @@ impl PoseAnswers<'_> {
             Query::Velocity(p) => Value::Vector(self.velocity(p)),
             Query::Acceleration(p) => Value::Vector(self.acceleration(p)),
             Query::Angle(link) => Value::Scalar(self.angles.get(link.index()).copied().unwrap_or(f64::NAN)),
+            Query::EventTime(event, which) => Value::Scalar(self.statics.event(*event, *which)),
+            Query::EventCount(event) => Value::Scalar(self.statics.count(*event)),
+            Query::KineticEnergy => Value::Scalar(self.state.kinetic_energy(self.mechanism)),
+            Query::PotentialEnergy => Value::Scalar(self.state.potential_energy(self.mechanism)),
             Query::Time => Value::Scalar(self.state.motion.time),
             Query::Omega(link) => Value::Scalar(self.body(*link).omega),
             Query::Turning(link, seen_from) => {

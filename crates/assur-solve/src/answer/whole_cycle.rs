@@ -12,6 +12,8 @@ pub struct WholeCycle {
     pub criticals: Vec<f64>,
     /// Functions over the sweep, by index into [`crate::model::Mechanism::cycles`].
     pub cycles: Vec<CycleAnswer>,
+    /// Instants of the events of a motion under loads, s, by index into [`crate::model::Mechanism::events`].
+    pub events: Vec<Vec<f64>>,
     /// Flywheels, by index into [`crate::model::Mechanism::flywheels`].
     pub flywheels: Vec<FlywheelAnswer>,
     /// The same without friction, where the file asks for any.
@@ -37,6 +39,7 @@ impl WholeCycle {
         extremes: Vec::new(),
         criticals: Vec::new(),
         cycles: Vec::new(),
+        events: Vec::new(),
         flywheels: Vec::new(),
         ideal_flywheels: Vec::new(),
     };
@@ -67,6 +70,20 @@ impl WholeCycle {
     #[must_use]
     pub fn critical(&self, which: usize) -> f64 {
         self.criticals.get(which).copied().unwrap_or(f64::NAN)
+    }
+
+    /// The instant, s, at which an event happens for the given time, counted from 1; NaN where it does not.
+    #[must_use]
+    pub fn event(&self, event: usize, which: usize) -> f64 {
+        let times = self.events.get(event).and_then(|times| times.get(which.wrapping_sub(1)));
+        times.copied().unwrap_or(f64::NAN)
+    }
+
+    /// How often an event happens.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)] // far below 2^52
+    pub fn count(&self, event: usize) -> f64 {
+        self.events.get(event).map_or(0.0, |times| times.len() as f64)
     }
 
     /// Value of a function over the sweep; NaN where it has none.

@@ -103,7 +103,7 @@ fn expects_lock(mechanism: &Mechanism, pose: &Wanted) -> bool {
         let here = match &expect.at {
             None => matches!(pose.origin, PoseOrigin::Sweep(_)),
             Some(At::Pose(name, _)) => pose.name == *name,
-            Some(At::Drives(_) | At::Time(_)) => false,
+            Some(At::Drives(_) | At::Time(_) | At::Occasion(_)) => false,
         };
         here && matches!(expect.relation, Relation::Condition) && asserts_lock(mechanism, &expect.expr)
     })

@@ -13,13 +13,13 @@ use super::note::{Closing, Note};
 use super::notes::Notes;
 use super::positions::{Sweep, beside};
 use super::refusals::{refusals, unit_speeds};
-use super::simulate::{Instant, Trajectory, trajectory};
+use super::simulate::{Instant, Trajectory};
 use super::solution::{Pose, Solution, Solved};
 use super::steps::steps;
 use super::track::{Switch, Tracker};
 use super::unassembled::does_not_close;
 use crate::answer::WholeCycle;
-use crate::model::{LoadId, Simulation, Value};
+use crate::model::{LoadId, Value};
 use crate::position::{DriveValue, Model, STARTS, Searched, State, Wanted, Wrench, extent};
 use std::collections::VecDeque;
 
@@ -94,17 +94,18 @@ impl<'a, 's> Following<'a, 's> {
         let mut statics = statics(model).map_err(|cause| vec![cause.into()])?;
         statics.criticals = criticals;
         let sweep = Sweep::of(model, &statics);
-        let cycle_notes =
-            super::cycle::cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
         let rates = Rates::of(model, &statics);
         let first = sweep.at(0).drives;
-        let trajectory = match &model.mechanism.simulation {
-            Some(simulation) => {
-                let found = trajectory(model, &statics, &rates, &first, simulation);
-                Some(found.map_err(|failure| vec![failure])?)
-            }
-            None => None,
-        };
+        let (mut trajectory, mut cycle_notes) = (None, Vec::new());
+        if let Some(simulation) = &model.mechanism.simulation {
+            let found = super::simulate::trajectory(model, &statics, &rates, &first, simulation);
+            let found = found.map_err(|failure| vec![failure])?;
+            found.tell(&mut statics);
+            trajectory = Some(found);
+        } else {
+            cycle_notes =
+                super::cycle::cycles(model, &mut statics, &sweep).map_err(|cause| vec![cause.into()])?;
+        }
         let near = beside(model, &statics, &sweep.at(0)).into_iter().map(Near::new).collect();
         let mut run = Run::new(model, rates, statics, loads_name_quantities(model.mechanism));
         run.centres = CentreNotes::of(model.mechanism);
@@ -139,7 +140,7 @@ impl<'a, 's> Following<'a, 's> {
     #[must_use]
     pub fn positions(&self) -> usize {
         match &self.trajectory {
-            Some(trajectory) => trajectory.outputs.len(),
+            Some(trajectory) => trajectory.records.count + usize::from(trajectory.ended.is_some()),
             None => self.sweep.len() + self.near.len(),
         }
     }
@@ -147,8 +148,10 @@ impl<'a, 's> Following<'a, 's> {
     /// How many positions the sweep has.
     #[must_use]
     pub fn swept(&self) -> usize {
-        let printed = self.run.model.mechanism.simulation.as_ref().map(Simulation::instants);
-        printed.unwrap_or(self.sweep.len())
+        match &self.trajectory {
+            Some(trajectory) => trajectory.printed(),
+            None => self.sweep.len(),
+        }
     }
 
     /// Dead positions, strokes, functions over the sweep.

@@ -205,6 +205,10 @@ pub const CODES: &[Code] = codes! {
     "simulate" / "positions",
     "simulate" / "no_meaning",
     "simulate" / "balance",
+    "simulate" / "unknown_event",
+    "simulate" / "no_condition",
+    "simulate" / "no_margin",
+    "simulate" / "time",
     // structure
     "determinacy" / "floating_link",
     "determinacy" / "not_grounded",

@@ -83,6 +83,10 @@ pub enum Takes {
     Cam,
     /// A flywheel.
     Flywheel,
+    /// An event.
+    Event,
+    /// A whole number, as written.
+    Count,
 }
 
 /// What comes out of a function.
@@ -125,6 +129,8 @@ pub enum FunctionGroup {
     Train,
     /// Flywheels.
     Flywheel,
+    /// Motion under loads.
+    Simulation,
 }
 
 impl FunctionRow {

@@ -60,6 +60,8 @@ const CAM: Argument = arg("cam", Takes::Cam);
 const PHI: Argument = optional(arg("phi", Takes::Angle));
 const MESH: Argument = arg("mesh", Takes::Mesh);
 const F: Argument = arg("F", Takes::Flywheel);
+const EVENT: Argument = arg("top", Takes::Event);
+const WHICH: Argument = optional(arg("2", Takes::Count));
 const LOAD: Argument = named("load", Takes::Value(Some(Dimension::FORCE)));
 const COEFFICIENT: Argument = named("friction", Takes::Value(Some(Dimension::NUMBER)));
 const FIT: Argument = optional(named("fit", Takes::Fit));
@@ -256,6 +258,19 @@ functions! {
     )],
     ContactRatio "contact_ratio" Gear "contact_ratio(z12)"
         [form(&[MESH], Number(Dimension::NUMBER), "contact ratio of a pair of gears")],
+    Time "time" Simulation "time(top, 2)" [form(
+        &[EVENT, WHICH],
+        Number(Dimension::TIME),
+        "instant of an event, of the first or of another one",
+    )],
+    Count "count" Simulation "count(top)"
+        [form(&[EVENT], Number(Dimension::NUMBER), "how often an event happens")],
+    KineticEnergy "kinetic_energy" Simulation "kinetic_energy()"
+        [form(&[], Number(Dimension::TORQUE), "of all links")],
+    PotentialEnergy "potential_energy" Simulation "potential_energy()"
+        [form(&[], Number(Dimension::TORQUE), "of weights, from y = 0, and of springs, from their free lengths")],
+    Energy "energy" Simulation "energy()"
+        [form(&[], Number(Dimension::TORQUE), "kinetic and potential energy together")],
     Fluctuation "fluctuation" Flywheel "fluctuation(J)"
         [form(&[F], Number(Dimension::TORQUE), "of a flywheel: greatest minus least work")],
     Rim "rim" Flywheel "rim(J).width" [form(

@@ -3,7 +3,7 @@
 use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::motion::drive::{count, moves};
-use assur_model::model::{BalanceKind, Positions};
+use assur_model::model::{BalanceKind, Pair, PairKind, Positions};
 use assur_syntax::document::Statement;
 use assur_text::source::Span;
 
@@ -12,6 +12,8 @@ pub(super) fn look(cx: &mut Context<'_>, simulate: Span) {
     starts_or_drives(cx, simulate);
     positions(cx, simulate);
     no_meaning(cx);
+    time_is_taken(cx, simulate);
+    not_solved_yet(cx);
     balances(cx);
 }
 
@@ -69,6 +71,28 @@ fn no_meaning(cx: &mut Context<'_>) {
             _ => continue,
         };
         cx.error(SimulateError::NoMeaning { what, help, span: statement.span });
+    }
+}
+
+/// Notes losses, which are not solved yet where the motion follows from the loads.
+fn not_solved_yet(cx: &mut Context<'_>) {
+    let rubs = |pair: &&Pair| pair.friction.is_some_and(|f| f.is_some());
+    let loses = |pair: &&Pair| match &pair.kind {
+        PairKind::Transmission(t) => t.slip > 0.0 || t.laws.iter().any(|law| law.efficiency.is_some()),
+        _ => false,
+    };
+    let pairs = || cx.builder.mech.pairs.iter();
+    let rubbing = pairs().filter(rubs).map(|pair| ("friction in a motion under loads", pair.span));
+    let losing = pairs().filter(loses).map(|pair| ("losses in a motion under loads", pair.span));
+    for (what, span) in rubbing.chain(losing).collect::<Vec<_>>() {
+        cx.builder.unsupported(what, span);
+    }
+}
+
+/// Reports a quantity that is called as the instant.
+fn time_is_taken(cx: &mut Context<'_>, simulate: Span) {
+    if let Some(span) = cx.names.quantities.get("time").map(|declared| declared.span) {
+        cx.error(SimulateError::Time { span, simulate });
     }
 }
 

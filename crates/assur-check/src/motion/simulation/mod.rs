@@ -1,6 +1,7 @@
 //! Motion under given loads.
 
 mod allowed;
+mod event;
 mod start;
 
 pub(crate) use start::starts;
@@ -11,7 +12,7 @@ use crate::expr::want::Want;
 use crate::motion::drive::MOST_STEPS;
 use crate::values::format_value::{digits, format_value};
 use assur_model::model::Simulation;
-use assur_syntax::document::{Expr, Passing, Simulate, Statement, TimeCourse};
+use assur_syntax::document::{Expr, Simulate, Statement, TimeCourse};
 use assur_text::source::Span;
 use assur_text::units::Dimension;
 
@@ -29,7 +30,7 @@ pub(crate) fn simulation(cx: &mut Context<'_>) {
     let Some((simulate, span)) = statement(cx) else {
         return without_simulate(cx);
     };
-    events(cx);
+    event::events(cx);
     cx.builder.mech.simulation = course(cx, simulate, span);
     allowed::look(cx, span);
 }
@@ -104,29 +105,4 @@ fn count(cx: &mut Context<'_>, steps: &Expr) -> Option<usize> {
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, from 1 to a million
     Some(value as usize)
-}
-
-/// Events and ends are read; what is found by them comes with them.
-fn events(cx: &mut Context<'_>) {
-    for statement in &cx.doc.statements {
-        match &statement.node {
-            Statement::Event(event) => {
-                passing(cx, &event.passing);
-                cx.builder.unsupported("an event of a motion", statement.span);
-            }
-            Statement::Until(until) => {
-                passing(cx, &until.passing);
-                cx.builder.unsupported("an end of a motion by a condition", statement.span);
-            }
-            _ => {}
-        }
-    }
-}
-
-fn passing(cx: &mut Context<'_>, passing: &Passing) {
-    let what = cx.read(&passing.what);
-    let Some(value) = &passing.value else { return };
-    if let (Some(what), Some(read)) = (what, cx.read(value)) {
-        cx.fit(read, what.ty.dimension(), "the value that is passed", value);
-    }
 }

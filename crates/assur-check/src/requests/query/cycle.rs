@@ -4,6 +4,7 @@ use crate::expr::context::Context;
 use crate::expr::results::Call;
 use crate::values::typed::{Dim, Type, Typed};
 use assur_model::model::{Cycle, CycleFunction, Expr, Query};
+use assur_text::units::Dimension;
 
 impl Context<'_> {
     /// `max`, `min`, `mean`, `integral`, `argmax` of one number.
@@ -18,8 +19,8 @@ impl Context<'_> {
         };
         let dim = match how {
             CycleFunction::Max | CycleFunction::Min | CycleFunction::Mean => dim,
-            CycleFunction::Integral => dim.times(Dim::Of(self.only_drive(call)?)),
-            CycleFunction::Argmax => Dim::Of(self.only_drive(call)?),
+            CycleFunction::Integral => dim.times(Dim::Of(self.over(call)?)),
+            CycleFunction::Argmax => Dim::Of(self.over(call)?),
         };
         let ty = Type::Number(dim);
         if t.pending {
@@ -27,6 +28,11 @@ impl Context<'_> {
         }
         let expr = self.cycle(how, t.expr, call);
         Some(Typed::new(expr, ty))
+    }
+
+    /// The dimension of what it is taken over: the drive, or the time of a motion under loads.
+    fn over(&mut self, call: Call<'_>) -> Option<Dimension> {
+        if self.names.simulates { Some(Dimension::TIME) } else { self.only_drive(call) }
     }
 
     /// A function over the sweep; the same one is kept once.

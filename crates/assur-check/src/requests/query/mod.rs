@@ -17,6 +17,7 @@ mod named;
 mod own_usage;
 mod pair_kinds;
 mod relative;
+mod simulation;
 mod substitution;
 
 use crate::expr::context::Context;
@@ -136,6 +137,11 @@ impl Context<'_> {
             F::Power => self.power(call),
             F::Efficiency => self.verdict(call, Query::Efficiency, Type::number(Dimension::NUMBER)),
             F::Locked => self.verdict(call, Query::Locked, Type::Bool),
+            F::Time => self.event_time(call),
+            F::Count => self.event_count(call),
+            F::KineticEnergy => self.energy(call, &[Query::KineticEnergy]),
+            F::PotentialEnergy => self.energy(call, &[Query::PotentialEnergy]),
+            F::Energy => self.energy(call, &[Query::KineticEnergy, Query::PotentialEnergy]),
             F::Critical => self.critical(call),
             F::Frictionless => self.frictionless(call),
             F::Speed => self.speed(call),

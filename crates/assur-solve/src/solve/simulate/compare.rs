@@ -1,7 +1,7 @@
 //! What two runs differ by, kind by kind: the error of the coarser one.
 
 use super::equations::Equations;
-use super::run::Records;
+use super::run::Run;
 use crate::position::{BodyState, extent};
 
 /// Kinds of results whose errors are judged apart.
@@ -26,7 +26,8 @@ pub(super) struct Compared {
 
 impl Compared {
     /// Compares two runs at the instants that both have reached.
-    pub fn of(equations: &mut Equations<'_, '_>, coarse: &Records, fine: &Records) -> Self {
+    pub fn of(equations: &mut Equations<'_, '_>, coarse_run: &Run, fine_run: &Run) -> Self {
+        let (coarse, fine) = (&coarse_run.records, &fine_run.records);
         let mut kinds = Kinds::default();
         let mut bodies: Vec<BodyState> = Vec::new();
         let mut forces: Vec<(f64, f64, f64)> = Vec::new();
@@ -51,8 +52,26 @@ impl Compared {
             kinds.forces(&forces, efforts(equations));
         }
         // what only one of them reached is not known
-        let missing = coarse.count != fine.count;
-        kinds.worst(extent(equations.model), missing)
+        let events = coarse_run.events.iter().zip(&fine_run.events);
+        let missing = coarse.count != fine.count || events.clone().any(|(a, b)| a.len() != b.len());
+        let mut worst = kinds.worst(extent(equations.model), missing);
+        let length = fine_run.end - equations.from;
+        for (a, b) in events.flat_map(|(a, b)| a.iter().zip(b)) {
+            worst.look((a - b).abs() / length, "instants of events");
+        }
+        for (a, b) in coarse_run.functions.iter().zip(&fine_run.functions) {
+            let difference = (a.0 - b.0).abs();
+            worst.look(if difference == 0.0 { 0.0 } else { difference / b.1 }, "functions over the run");
+        }
+        worst
+    }
+}
+
+impl Compared {
+    fn look(&mut self, error: f64, kind: &'static str) {
+        if error > self.error {
+            (self.error, self.worst) = (error, kind);
+        }
     }
 }
 

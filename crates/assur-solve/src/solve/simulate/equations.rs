@@ -5,7 +5,7 @@ use super::drives::prescribed;
 use crate::answer::{PoseAnswers, WholeCycle};
 use crate::math::Vec2;
 use crate::math::ode::{System, Undefined};
-use crate::model::{LoadId, Value};
+use crate::model::{Expr, LoadId, Value};
 use crate::plan::LoadStep;
 use crate::position::{DriveInput, DriveValue, Model, Reduced, State};
 use crate::solve::cycle::loads_name_quantities;
@@ -18,7 +18,7 @@ pub(super) struct Equations<'a, 's> {
     pub model: &'s Model<'a>,
     statics: &'s WholeCycle,
     /// The first instant, s.
-    from: f64,
+    pub from: f64,
     /// What every drive says at the first instant.
     pub first: Vec<DriveInput>,
     pub reduced: Reduced,
@@ -126,6 +126,33 @@ impl<'a, 's> Equations<'a, 's> {
             self.evaluate_loads(t);
             self.trial.run_loads_and_forces(self.model, &self.evaluated);
         }
+    }
+
+    /// Motion and, where it is `deep`, accelerations and forces; `false` where there are none.
+    pub fn observe(&mut self, t: f64, y: &[f64], deep: bool) -> bool {
+        let mut dy = std::mem::take(&mut self.quiet);
+        let known = self.rates(t, y, &mut dy).is_ok();
+        if known && deep {
+            let n = self.order();
+            self.place(t, y, &dy[n..2 * n], None);
+        }
+        if known {
+            self.follow_angles(t);
+        }
+        self.quiet = dy;
+        // what was evaluated last is no state that a step ended with
+        self.at.0 = f64::NAN;
+        known
+    }
+
+    /// The value of an expression in the state that is observed.
+    pub fn value(&mut self, expr: &Expr) -> f64 {
+        let view = PoseAnswers::new(self.model, &self.trial, &self.angles, self.statics);
+        if self.model.mechanism.quantities.is_empty() {
+            return view.scalar(expr);
+        }
+        let quantities = view.all_quantities();
+        PoseAnswers { quantities: &quantities, ..view }.scalar(expr)
     }
 
     fn evaluate_loads(&mut self, t: f64) {
@@ -254,7 +281,7 @@ fn driven_bodies<'m>(model: &'m Model<'_>, drives: &'m [usize]) -> impl Iterator
 fn loads_need_angles(model: &Model<'_>) -> bool {
     let mechanism = model.mechanism;
     let mut needed = false;
-    let mut look = |expr: &crate::model::Expr| {
+    let mut look = |expr: &Expr| {
         expr.queries(&mut |query| needed |= query.facts().continuous.is_some());
     };
     mechanism.loads.iter().flat_map(crate::model::Load::expressions).for_each(&mut look);

@@ -8,10 +8,12 @@ mod compare;
 mod drives;
 mod equations;
 mod poses;
+mod records;
 mod report;
 mod run;
 mod setup;
 mod trajectory;
+mod watch;
 
 pub use report::{Energy, Method, SimulationReport};
 

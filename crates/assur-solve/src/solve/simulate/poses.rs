@@ -1,6 +1,7 @@
 //! Positions of a trajectory, instant by instant.
 
 use super::drives::{Instant, prescribed};
+use super::records::Origin;
 use super::trajectory::Trajectory;
 use crate::model::Positions;
 use crate::position::{DriveValue, Model, PoseOrigin, Wanted};
@@ -47,10 +48,15 @@ impl Following<'_, '_> {
 }
 
 impl Trajectory {
+    /// How many instants are printed.
+    pub fn printed(&self) -> usize {
+        self.records.origins.iter().filter(|origin| **origin == Origin::Printed).count()
+    }
+
     /// The position at an instant, and what the drives say there.
-    fn wanted(&self, model: &Model<'_>, index: usize) -> (Wanted, Instant) {
-        let (output, n) = (&self.outputs[index], self.records.order);
-        let elapsed = output.time - self.from;
+    fn wanted(&mut self, model: &Model<'_>, index: usize) -> (Wanted, Instant) {
+        let (time, n) = (self.records.times[index], self.records.order);
+        let elapsed = time - self.from;
         let mut drives = Vec::with_capacity(self.first.len());
         let mut rates = Vec::with_capacity(self.first.len());
         let mut free = 0;
@@ -66,7 +72,14 @@ impl Trajectory {
             drives.push(if placed { DriveValue::Scalar(value) } else { DriveValue::None });
             rates.push((rate, acceleration));
         }
-        let name = model.mechanism.instant_text(output.time);
-        (Wanted { name, origin: output.origin, drives }, Instant { time: output.time, rates })
+        let name = model.mechanism.instant_text(time);
+        let origin = match self.records.origins[index] {
+            Origin::Printed => {
+                self.handed_out += 1;
+                PoseOrigin::Sweep(self.handed_out - 1)
+            }
+            Origin::Expected(expect) => PoseOrigin::Expected(expect),
+        };
+        (Wanted { name, origin, drives }, Instant { time, rates })
     }
 }

@@ -6,6 +6,8 @@ pub enum Method {
     /// The pair of order 8(5,3) of Dormand and Prince, as Hairer, Nørsett and Wanner give it.
     #[default]
     Dop853,
+    /// Radau IIA of order 5, of Hairer and Wanner, from where the explicit method is held up by stability.
+    Radau,
 }
 
 /// What a run says of itself.
@@ -31,6 +33,10 @@ pub struct SimulationReport {
     pub worst_condition: (f64, f64),
     /// Free coordinates, by drive.
     pub coordinates: Vec<usize>,
+    /// Instants of every event of the mechanism, s.
+    pub events: Vec<Vec<f64>>,
+    /// The event that ended the run.
+    pub ended_by: Option<usize>,
     /// The last instant that was reached, s.
     pub end: f64,
 }

@@ -1,58 +1,17 @@
-//! One run of the integrator at one tolerance, with what it leaves at the instants wanted.
+//! One run of the integrator at one tolerance.
 
 use super::equations::Equations;
-use super::report::Energy;
-use crate::math::Vec2;
-use crate::math::ode::{Counts, Dop853, Integrator, Step, Stopped, System, Tolerance};
+use super::records::{Origin, Recorder, Records};
+use super::report::{Energy, Method};
+use super::setup::Outputs;
+use super::watch::Watch;
+use crate::math::ode::{Counts, Dop853, Integrator, Radau, Step, Stopped, System, Tolerance, Undefined};
 use crate::model::DriveTarget;
 use crate::position::{extent, turns};
 use crate::solve::failure::Halt;
 
 /// Below this |σ| of a group the run ends before its dead position is in the way of the digits.
 const DEAD: f64 = 1e-6;
-
-/// The free coordinates at each instant, one after another.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Records {
-    /// Free coordinates.
-    pub order: usize,
-    /// How many instants were reached.
-    pub count: usize,
-    /// The instants, s.
-    pub times: Vec<f64>,
-    /// Coordinates, rates and accelerations: three times `order` numbers each.
-    pub numbers: Vec<f64>,
-    /// Angles of the bodies, rad, continuous over the run.
-    pub angles: Vec<f64>,
-    /// Where the bodies stand, for steps of motion that start from there.
-    pub stands: Vec<(Vec2, Vec2)>,
-    /// Bodies.
-    pub bodies: usize,
-}
-
-impl Records {
-    /// Coordinates and rates at an instant.
-    pub fn state(&self, index: usize) -> &[f64] {
-        &self.numbers[3 * self.order * index..][..2 * self.order]
-    }
-
-    /// Accelerations at an instant.
-    pub fn accelerations(&self, index: usize) -> &[f64] {
-        &self.numbers[3 * self.order * index + 2 * self.order..][..self.order]
-    }
-
-    /// Angles of the bodies at an instant.
-    pub fn angles(&self, index: usize) -> &[f64] {
-        let each = self.angles.len() / self.count.max(1);
-        &self.angles[each * index..][..each]
-    }
-
-    /// Where the bodies stand, if that is kept.
-    pub fn stand(&self, index: usize) -> Option<&[(Vec2, Vec2)]> {
-        self.stands.get(self.bodies * index..)?.get(..self.bodies).filter(|s| !s.is_empty())
-    }
-}
-
 /// After so many steps it is looked at how many there will be.
 const LOOKED_AT: usize = 20_000;
 /// So many are never done.
@@ -60,10 +19,17 @@ const ENDLESS: f64 = 2e7;
 
 /// A run.
 pub(super) struct Run {
+    pub method: Method,
     pub records: Records,
     pub counts: Counts,
     pub energy: Energy,
     pub worst_condition: (f64, f64),
+    /// Instants of every event, s.
+    pub events: Vec<Vec<f64>>,
+    /// Functions over the run, each with the greatest magnitude in play.
+    pub functions: Vec<(f64, f64)>,
+    /// The event that ended it.
+    pub ended_by: Option<usize>,
     /// Why it ended early, and when, s.
     pub stopped: Option<(f64, Halt)>,
     /// The last instant that was reached, s.
@@ -71,76 +37,183 @@ pub(super) struct Run {
 }
 
 /// Integrates from the first of the instants, s, to the last.
-pub(super) fn run(equations: &mut Equations<'_, '_>, tolerance: f64, times: &[f64]) -> Run {
-    let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
+pub(super) fn run(
+    equations: &mut Equations<'_, '_>,
+    tolerance: f64,
+    outputs: &Outputs,
+    (first, last): (f64, f64),
+) -> Run {
     let y = equations.start();
-    let mut method = Dop853::new(allowed(equations, tolerance, last - first));
-    let mut recorder = Recorder::new(equations);
-    let mut run = Run {
-        records: Records::default(),
-        counts: Counts::default(),
-        energy: Energy::default(),
+    let allowed = allowed(equations, tolerance, last - first);
+    let mechanism = equations.model.mechanism;
+    let mut going = Going {
+        recorder: Recorder::new(equations),
+        watch: Watch::new(mechanism, y.len(), (first, last)),
+        outputs,
+        next: 0,
+        last,
+        begin: first,
         worst_condition: (1.0, first),
-        stopped: None,
-        end: first,
+        ended_by: None,
     };
-    if method.start(equations, first, &y, last).is_err() {
-        equations.accepted(first, &y);
-        run.stopped = Some((first, equations.halt()));
-        return run;
+    let mut method = Dop853::new(allowed.clone());
+    let mut ended = match method.start(equations, first, &y, last) {
+        Ok(()) => going.integrate(equations, &mut method, false),
+        Err(Undefined) => {
+            equations.accepted(first, &y);
+            Ended::Halted(equations.halt())
+        }
+    };
+    let (mut counts, mut end, mut name) = (method.counts(), method.t(), Method::Dop853);
+    if matches!(ended, Ended::Stiff) {
+        let mut implicit = Radau::new(&allowed);
+        ended = match implicit.start(equations, method.t(), method.y(), last) {
+            Ok(()) => going.integrate(equations, &mut implicit, true),
+            Err(Undefined) => Ended::Halted(equations.halt()),
+        };
+        counts = sum(counts, implicit.counts());
+        (end, name) = (implicit.t(), Method::Radau);
     }
-    let mut next = 0;
-    let mut last_step = false;
-    while !last_step {
-        match method.step(equations) {
-            Ok(step) => last_step = step == Step::Last,
-            Err(Stopped::Stiff) => {}
-            Err(stopped) => {
-                run.stopped = Some((method.t(), why(equations, stopped)));
-                break;
+    let stopped = match ended {
+        Ended::Halted(halt) => Some((end, halt)),
+        Ended::Done | Ended::Stiff => None,
+    };
+    let functions = going.watch.functions(end);
+    let events = going.watch.times;
+    let (records, energy) = going.recorder.end();
+    let (worst_condition, ended_by) = (going.worst_condition, going.ended_by);
+    Run { method: name, records, counts, energy, worst_condition, events, functions, ended_by, stopped, end }
+}
+
+const fn sum(a: Counts, b: Counts) -> Counts {
+    Counts {
+        evaluations: a.evaluations + b.evaluations,
+        steps: a.steps + b.steps,
+        rejected: a.rejected + b.rejected,
+        shortened: a.shortened + b.shortened,
+    }
+}
+
+/// How a method ended.
+enum Ended {
+    /// At the last instant, or at an event that ends the run.
+    Done,
+    /// An implicit method is cheaper.
+    Stiff,
+    Halted(Halt),
+}
+
+/// A run on its way.
+struct Going<'m, 'o> {
+    recorder: Recorder,
+    watch: Watch<'m>,
+    outputs: &'o Outputs,
+    /// The next of the instants that are known beforehand.
+    next: usize,
+    /// The first instant and the last, s.
+    begin: f64,
+    last: f64,
+    worst_condition: (f64, f64),
+    ended_by: Option<usize>,
+}
+
+impl Going<'_, '_> {
+    /// Integrates up to the end; `exactly` where steps end at every instant wanted, for a method whose output between steps is
+    /// less accurate than its steps.
+    fn integrate<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        exactly: bool,
+    ) -> Ended {
+        let last = self.last;
+        loop {
+            match method.step(equations) {
+                Ok(Step::Within | Step::Last) => {}
+                Err(Stopped::Stiff) if !exactly => return Ended::Stiff,
+                Err(Stopped::Stiff) => {}
+                Err(Stopped::TooManySteps) => return Ended::Halted(Halt::TooManySteps),
+                Err(Stopped::StepTooSmall | Stopped::Undefined) => return Ended::Halted(equations.halt()),
+            }
+            if is_endless(method, self.begin, last) {
+                return Ended::Halted(Halt::TooManySteps);
+            }
+            let condition = equations.condition();
+            if condition < self.worst_condition.0 {
+                self.worst_condition = (condition, method.previous_t());
+            }
+            let happened = self.watch.first(equations, method);
+            let wanted = self.outputs.known.get(self.next).map_or(last, |output| output.0);
+            let cut = happened.as_ref().map(|h| h.time).filter(|t| *t < method.t());
+            let exact = (exactly && method.previous_t() < wanted && wanted < method.t()).then_some(wanted);
+            let early = match (cut, exact) {
+                (Some(event), Some(wanted)) => Some(event.min(wanted)),
+                (event, wanted) => event.or(wanted),
+            };
+            if let Some(t) = early
+                && method.shorten(equations, t).is_err()
+            {
+                return Ended::Halted(equations.halt());
+            }
+            let happened = happened.filter(|h| h.time <= method.t());
+            let begun = self.watch.counts();
+            self.ended_by = self.watch.look(equations, method, happened);
+            let done = self.ended_by.is_some() || method.t() >= last;
+            if !self.keep(equations, method, (&begun, done)) {
+                return Ended::Halted(equations.halt());
+            }
+            if done {
+                return Ended::Done;
+            }
+            if condition < DEAD {
+                return Ended::Halted(equations.halt());
             }
         }
-        if is_endless(&method, first, last) {
-            run.stopped = Some((method.t(), Halt::TooManySteps));
-            break;
-        }
-        let condition = equations.condition();
-        if condition < run.worst_condition.0 {
-            run.worst_condition = (condition, method.previous_t());
-        }
-        while next < times.len() && times[next] <= method.t() {
-            if !recorder.at(equations, &mut method, times[next]) {
-                run.stopped = Some((method.previous_t(), equations.halt()));
-                break;
-            }
-            next += 1;
-        }
-        if run.stopped.is_some() {
-            break;
-        }
-        if condition < DEAD {
-            run.stopped = Some((method.previous_t(), equations.halt()));
-            break;
-        }
     }
-    run.counts = method.counts();
-    run.end = method.t();
-    (run.records, run.energy) = recorder.end();
-    run
+}
+
+impl Going<'_, '_> {
+    /// Keeps all that is wanted of the last step; `begun` counts the events before it.
+    fn keep<M: Integrator<f64>>(
+        &mut self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+        (begun, done): (&[usize], bool),
+    ) -> bool {
+        let mut printed = f64::NAN;
+        let mut kept = true;
+        while let Some(output) = self.outputs.known.get(self.next).filter(|output| output.0 <= method.t()) {
+            kept &= self.recorder.keep(equations, method, *output);
+            if output.1 == Origin::Printed {
+                printed = output.0;
+            }
+            self.next += 1;
+        }
+        let here = method.t();
+        let counts = self.watch.counts();
+        let happened = |event: usize| counts[event] > begun[event];
+        let any = (0..counts.len()).any(happened);
+        // the end of the run is printed, wherever it is
+        if printed != here && (done || (any && self.outputs.prints_events)) {
+            kept &= self.recorder.keep(equations, method, (here, Origin::Printed));
+        }
+        for &(event, which, expect) in &self.outputs.events {
+            if happened(event) && counts[event] == which {
+                kept &= self.recorder.keep(equations, method, (here, Origin::Expected(expect)));
+            }
+        }
+        for &expect in self.outputs.end.iter().filter(|_| done) {
+            kept &= self.recorder.keep(equations, method, (here, Origin::Expected(expect)));
+        }
+        kept
+    }
 }
 
 /// Whether the steps are so short that the run would never come to its end.
 #[allow(clippy::cast_precision_loss)] // far below 2^52
-fn is_endless(method: &Dop853<f64>, first: f64, last: f64) -> bool {
+fn is_endless<M: Integrator<f64>>(method: &M, first: f64, last: f64) -> bool {
     let steps = method.counts().steps;
     steps >= LOOKED_AT && steps as f64 * (last - first) > ENDLESS * (method.t() - first)
-}
-
-fn why(equations: &mut Equations<'_, '_>, stopped: Stopped) -> Halt {
-    match stopped {
-        Stopped::TooManySteps => Halt::TooManySteps,
-        Stopped::StepTooSmall | Stopped::Undefined | Stopped::Stiff => equations.halt(),
-    }
 }
 
 /// The errors allowed: of coordinates absolute, since angles and places are read off them whatever their turns; of rates
@@ -157,78 +230,4 @@ fn allowed(equations: &Equations<'_, '_>, tolerance: f64, length: f64) -> Tolera
     let rates = scales.iter().map(|scale| (tolerance, tolerance * scale / length));
     let each: Vec<(f64, f64)> = coordinates.chain(rates).chain([(0.0, f64::MAX)]).collect();
     Tolerance::each(&each)
-}
-
-/// Keeps what is wanted at an instant.
-struct Recorder {
-    records: Records,
-    y: Vec<f64>,
-    dy: Vec<f64>,
-    goes_on: bool,
-    begin: Option<f64>,
-    end: f64,
-    work: f64,
-    missing: f64,
-    exchanged: f64,
-}
-
-impl Recorder {
-    fn new(equations: &Equations<'_, '_>) -> Self {
-        let order = equations.order();
-        Self {
-            records: Records { order, bodies: equations.model.plan.bodies, ..Records::default() },
-            y: vec![0.0; 2 * order + 1],
-            dy: vec![0.0; 2 * order + 1],
-            goes_on: equations.model.plan.goes_on(),
-            begin: None,
-            end: 0.0,
-            work: 0.0,
-            missing: 0.0,
-            exchanged: 0.0,
-        }
-    }
-
-    /// Within the last step, or at one of its ends.
-    fn at(&mut self, equations: &mut Equations<'_, '_>, method: &mut Dop853<f64>, time: f64) -> bool {
-        if time == method.t() {
-            self.y.copy_from_slice(method.y());
-        } else if time == method.previous_t() {
-            self.y.copy_from_slice(method.previous_y());
-        } else {
-            if method.prepare_dense(equations).is_err() {
-                return false;
-            }
-            method.dense(time, &mut self.y);
-        }
-        if equations.rates(time, &self.y, &mut self.dy).is_err() {
-            return false;
-        }
-        equations.follow_angles(time);
-        let (n, records) = (self.records.order, &mut self.records);
-        records.count += 1;
-        records.times.push(time);
-        records.numbers.extend_from_slice(&self.y[..2 * n]);
-        records.numbers.extend_from_slice(&self.dy[n..2 * n]);
-        records.angles.extend_from_slice(&equations.angles);
-        if self.goes_on {
-            records.stands.extend(equations.trial.motion.bodies.iter().map(|b| (b.p, b.u)));
-        }
-        self.energy(equations);
-        true
-    }
-
-    fn energy(&mut self, equations: &Equations<'_, '_>) {
-        let kinetic = equations.trial.kinetic_energy(equations.model.plan);
-        let begin = *self.begin.get_or_insert(kinetic);
-        self.work = self.y[2 * self.records.order];
-        self.end = kinetic;
-        self.missing = self.missing.max((kinetic - begin - self.work).abs());
-        self.exchanged = self.exchanged.max(kinetic).max(self.work.abs());
-    }
-
-    fn end(self) -> (Records, Energy) {
-        let balance = if self.exchanged > 0.0 { self.missing / self.exchanged } else { 0.0 };
-        let energy = Energy { begin: self.begin.unwrap_or(0.0), end: self.end, work: self.work, balance };
-        (self.records, energy)
-    }
 }

@@ -1,31 +1,43 @@
 //! What a run starts from: the instants wanted and the first position.
 
+use super::records::Origin;
 use crate::answer::first_angles;
-use crate::model::{At, Mechanism, Simulation};
-use crate::position::{DriveValue, Model, PoseOrigin, State};
+use crate::model::{At, Mechanism, Occasion, Simulation};
+use crate::position::{DriveValue, Model, State};
 use crate::solve::assemble::assemble;
 use crate::solve::failure::Failure;
 use crate::solve::inputs::Rates;
 
-/// An instant that is wanted.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Output {
-    /// The instant, s.
-    pub time: f64,
-    /// What wants it.
-    pub origin: PoseOrigin,
+/// The instants that are wanted.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Outputs {
+    /// Those that are known beforehand, in order of time, with what wants them.
+    pub known: Vec<(f64, Origin)>,
+    /// Events that expectations name: the event, which time, counted from 1, and the expectation.
+    pub events: Vec<(usize, usize, usize)>,
+    /// Expectations of the last instant, wherever it is.
+    pub end: Vec<usize>,
+    /// Events are printed.
+    pub prints_events: bool,
 }
 
-/// The instants that are printed and those of expectations, in order of time.
-pub(super) fn outputs(mechanism: &Mechanism, simulation: &Simulation) -> Vec<Output> {
-    let printed = (0..simulation.instants())
-        .map(|i| Output { time: simulation.instant(i), origin: PoseOrigin::Sweep(i) });
-    let expected = mechanism.expects.iter().enumerate().filter_map(|(i, expect)| match expect.at {
-        Some(At::Time(time)) => Some(Output { time, origin: PoseOrigin::Expected(i) }),
-        _ => None,
-    });
-    let mut outputs: Vec<Output> = printed.chain(expected).collect();
-    outputs.sort_by(|a, b| a.time.total_cmp(&b.time));
+/// The instants that are printed and those of expectations.
+pub(super) fn outputs(mechanism: &Mechanism, simulation: &Simulation) -> Outputs {
+    let printed = (0..simulation.instants()).map(|i| (simulation.instant(i), Origin::Printed));
+    let mut outputs =
+        Outputs { known: printed.collect(), prints_events: simulation.steps.is_none(), ..Outputs::default() };
+    for (index, expect) in mechanism.expects.iter().enumerate() {
+        match expect.at {
+            Some(At::Time(time)) => outputs.known.push((time, Origin::Expected(index))),
+            Some(At::Occasion(Occasion::Begin)) => {
+                outputs.known.push((simulation.from, Origin::Expected(index)));
+            }
+            Some(At::Occasion(Occasion::End)) => outputs.end.push(index),
+            Some(At::Occasion(Occasion::Event(event, which))) => outputs.events.push((event, which, index)),
+            _ => {}
+        }
+    }
+    outputs.known.sort_by(|a, b| a.0.total_cmp(&b.0));
     outputs
 }
 

@@ -2,10 +2,11 @@
 
 use super::compare::Compared;
 use super::equations::Equations;
-use super::report::{Method, SimulationReport};
-use super::run::{Records, Run, run};
-use super::setup::{Output, assembled, outputs};
-use crate::answer::WholeCycle;
+use super::records::Records;
+use super::report::SimulationReport;
+use super::run::{Run, run};
+use super::setup::{assembled, outputs};
+use crate::answer::{CycleAnswer, WholeCycle};
 use crate::model::{Mechanism, Simulation};
 use crate::position::{DriveInput, DriveValue, Model, State};
 use crate::solve::failure::{Cause, Failure, Halt};
@@ -21,10 +22,12 @@ const FAR: f64 = 30.0;
 /// The free coordinates at every instant that is wanted.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Trajectory {
-    /// The instants, in order of time.
-    pub outputs: Vec<Output>,
-    /// Drive values, rates and accelerations at each, and where the bodies stand.
+    /// The free coordinates at every instant, in order of time.
     pub records: Records,
+    /// How many printed instants were handed out.
+    pub handed_out: usize,
+    /// Functions over the run, each with the greatest magnitude in play.
+    pub functions: Vec<(f64, f64)>,
     /// What the run says of itself.
     pub report: SimulationReport,
     /// What every drive says at the first instant.
@@ -35,6 +38,21 @@ pub(crate) struct Trajectory {
     pub start: State,
     /// Why it ends before the last instant.
     pub ended: Option<Failure>,
+}
+
+impl Trajectory {
+    /// Puts what the run has found beside its instants to what needs no position.
+    pub fn tell(&self, statics: &mut WholeCycle) {
+        statics.events.clone_from(&self.report.events);
+        let answer = |&(value, scale): &(f64, f64)| CycleAnswer {
+            value,
+            scale,
+            error: self.report.error * scale,
+            samples: self.report.evaluations,
+            ..CycleAnswer::default()
+        };
+        statics.cycles = self.functions.iter().map(answer).collect();
+    }
 }
 
 /// Finds the trajectory of a file that follows a motion.
@@ -49,35 +67,44 @@ pub(crate) fn trajectory(
     simulation: &Simulation,
 ) -> Result<Trajectory, Failure> {
     let outputs = outputs(model.mechanism, simulation);
-    let times: Vec<f64> = outputs.iter().map(|output| output.time).collect();
+    let span = (simulation.from, simulation.to);
     let (state, angles) = assembled(model, rates, first)?;
     let equations =
         |state: &State| Equations::new(model, statics, rates, first, simulation.from, (state, &angles));
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
     let mut tolerance = within;
     let mut spent = 0;
-    let mut coarse = run(&mut equations(&state), tolerance, &times);
+    let mut coarse = run(&mut equations(&state), tolerance, &outputs, span);
     loop {
-        let mut fine = run(&mut equations(&state), tolerance * FINER, &times);
+        let mut fine = run(&mut equations(&state), tolerance * FINER, &outputs, span);
         spent += coarse.counts.evaluations;
-        let compared = Compared::of(&mut equations(&state), &coarse.records, &fine.records);
+        let compared = Compared::of(&mut equations(&state), &coarse, &fine);
         let out_of_reach = tolerance * FINER <= FINEST;
         if compared.error <= within || out_of_reach {
             let ended = fine.stopped.take().or_else(|| {
                 let halt = Halt::Accuracy { wanted: within, reached: compared.error };
-                (compared.error > within).then(|| (times.last().copied().unwrap_or_default(), halt))
+                (compared.error > within).then(|| (fine.end, halt))
             });
             let report = report(model.mechanism, within, spent, &compared, &fine);
             let ended = ended.map(|(time, halt)| Cause::Halted { time, halt }.into());
             let first = equations(&state).first;
             let (records, from) = (fine.records, simulation.from);
-            return Ok(Trajectory { outputs, records, report, first, from, start: state, ended });
+            return Ok(Trajectory {
+                records,
+                handed_out: 0,
+                functions: fine.functions,
+                report,
+                first,
+                from,
+                start: state,
+                ended,
+            });
         }
         let missed = compared.error / within;
         if missed > FAR {
             tolerance = (tolerance / missed).max(FINEST / FINER);
             spent += fine.counts.evaluations;
-            coarse = run(&mut equations(&state), tolerance, &times);
+            coarse = run(&mut equations(&state), tolerance, &outputs, span);
         } else {
             tolerance *= FINER;
             coarse = fine;
@@ -95,7 +122,7 @@ fn report(
     let still = |d: &crate::model::Drive| d.free || (d.speed.is_none() && d.acceleration.is_none());
     let free = mechanism.drives.iter().enumerate().filter(|(_, d)| d.free);
     SimulationReport {
-        method: Method::Dop853,
+        method: fine.method,
         steps: fine.counts.steps,
         rejected: fine.counts.rejected,
         evaluations: spent + fine.counts.evaluations,
@@ -105,6 +132,8 @@ fn report(
         energy: mechanism.drives.iter().all(still).then_some(fine.energy),
         worst_condition: fine.worst_condition,
         coordinates: free.map(|(i, _)| i).collect(),
+        events: fine.events.clone(),
+        ended_by: fine.ended_by,
         end: fine.end,
     }
 }

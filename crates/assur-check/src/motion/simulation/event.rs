@@ -1,0 +1,114 @@
+//! Events, and conditions at which the motion ends.
+
+use crate::error::SimulateError;
+use crate::expr::context::Context;
+use crate::values::fold;
+use crate::values::typed::{Dim, Type};
+use assur_model::model::{BinaryOp, Comparison, Event, Expr, Function};
+use assur_syntax::document::{Passage, Passing, Statement};
+use assur_text::source::Span;
+
+/// Enters all events, in the order of the file, then the ends by `until`.
+pub(super) fn events(cx: &mut Context<'_>) {
+    let doc = cx.doc;
+    for statement in &doc.statements {
+        if let Statement::Event(event) = &statement.node {
+            enter(cx, &event.passing, (Some(event.name.node.clone()), statement.span));
+        }
+    }
+    for statement in &doc.statements {
+        if let Statement::Until(until) = &statement.node {
+            enter(cx, &until.passing, (None, statement.span));
+        }
+    }
+}
+
+fn enter(cx: &mut Context<'_>, passing: &Passing, (name, span): (Option<String>, Span)) {
+    let ends = name.is_none();
+    let found = match &passing.value {
+        Some(value) => passed(cx, passing, value),
+        None => condition(cx, passing),
+    };
+    let found = found.filter(|(value, _)| is_of_instant(cx, value, span));
+    // an event without a value keeps its place: what names it counts them
+    let (value, rising) = found.unwrap_or((Expr::number(1.0), None));
+    cx.builder.mech.events.push(Event { name, span, value, rising, ends });
+}
+
+/// Reports what is known only once the whole motion is.
+fn is_of_instant(cx: &mut Context<'_>, value: &Expr, span: Span) -> bool {
+    let mut of_run = false;
+    value.queries(&mut |query| of_run |= query.facts().of_solution);
+    if of_run {
+        let what = "a function over the whole motion in an event".to_owned();
+        let help =
+            "let it depend on the instant, on positions, velocities, accelerations and forces".to_owned();
+        cx.error(SimulateError::NoMeaning { what, help, span });
+    }
+    !of_run
+}
+
+/// A value that is passed.
+fn passed(
+    cx: &mut Context<'_>,
+    passing: &Passing,
+    value: &assur_syntax::document::Expr,
+) -> Option<(Expr, Option<bool>)> {
+    let what = cx.read(&passing.what)?;
+    let Type::Number(dim) = what.ty else {
+        let help = matches!(what.ty, Type::Vector(_)).then(|| "write `mag(…)`, `.x` or `.y`".to_owned());
+        cx.shape("the value that is passed", "a number", what.ty, passing.what.span, help);
+        return None;
+    };
+    let wanted = match dim {
+        Dim::Any => cx.read(value)?.ty.dimension(),
+        Dim::Of(_) => what.ty.dimension(),
+    };
+    let read = cx.read(value)?;
+    let bound = cx.fit(read, wanted, "the value that is passed", value)?;
+    let rising = passing.way.as_ref().map(|way| way.node == Passage::Rising);
+    Some((fold::binary(BinaryOp::Sub, what.expr, bound.expr), rising))
+}
+
+/// A condition that becomes true.
+fn condition(cx: &mut Context<'_>, passing: &Passing) -> Option<(Expr, Option<bool>)> {
+    let what = cx.read(&passing.what)?;
+    if what.ty != Type::Bool {
+        let (is, span) = (what.ty.phrase().to_owned(), passing.what.span);
+        cx.error(SimulateError::NoCondition { is, span });
+        return None;
+    }
+    if let Some(way) = &passing.way {
+        let (what, help) = (
+            "`rising` or `falling` of a condition".to_owned(),
+            "leave it out: it happens where the condition becomes true".to_owned(),
+        );
+        cx.error(SimulateError::NoMeaning { what, help, span: way.span });
+    }
+    let Some(margin) = margin(&what.expr) else {
+        cx.error(SimulateError::NoMargin { span: passing.what.span });
+        return None;
+    };
+    Some((margin, Some(true)))
+}
+
+/// A number that is positive where a condition is true: it passes zero where that changes.
+fn margin(condition: &Expr) -> Option<Expr> {
+    Some(match condition {
+        Expr::Compare(Comparison::Less | Comparison::LessEqual, a, b) => {
+            fold::binary(BinaryOp::Sub, (**b).clone(), (**a).clone())
+        }
+        Expr::Compare(Comparison::Greater | Comparison::GreaterEqual, a, b) => {
+            fold::binary(BinaryOp::Sub, (**a).clone(), (**b).clone())
+        }
+        Expr::And(a, b) => scaled(Function::Min, a, b)?,
+        Expr::Or(a, b) => scaled(Function::Max, a, b)?,
+        Expr::Not(a) => Expr::Negate(Box::new(margin(a)?)),
+        _ => return None,
+    })
+}
+
+/// The least or the greatest of two margins: their units may differ, and their signs alone count.
+fn scaled(function: Function, a: &Expr, b: &Expr) -> Option<Expr> {
+    Some(Expr::Call(function, vec![margin(a)?, margin(b)?]))
+}

@@ -1,0 +1,85 @@
+//! Functions of a motion under loads: `time(top, 2)`, `count(top)`, `energy()`.
+
+use crate::error::SimulateError;
+use crate::expr::context::Context;
+use crate::expr::results::Call;
+use crate::names::suggestion::suggestion;
+use crate::values::fold;
+use crate::values::typed::{Type, Typed};
+use assur_model::model::{BinaryOp, Expr, Query};
+use assur_syntax::document::{ExprKind, Name};
+use assur_text::source::{Span, Spanned};
+use assur_text::units::Dimension;
+
+impl Context<'_> {
+    /// `time(top)`, `time(top, 2)`
+    pub(crate) fn event_time(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 2)?;
+        let event = self.event_argument(call, args[0])?;
+        let which = match args.get(1) {
+            None => 1,
+            Some(which) => self.count_argument(call, which)?,
+        };
+        let query = Expr::Query(Query::EventTime(event, which));
+        Some(Typed::new(query, Type::number(Dimension::TIME)))
+    }
+
+    /// `count(top)`
+    pub(crate) fn event_count(&mut self, call: Call<'_>) -> Option<Typed> {
+        let args = self.arguments(call, 1, 1)?;
+        let event = self.event_argument(call, args[0])?;
+        Some(Typed::new(Expr::Query(Query::EventCount(event)), Type::number(Dimension::NUMBER)))
+    }
+
+    /// `kinetic_energy()`, `potential_energy()`, and their sum.
+    pub(crate) fn energy(&mut self, call: Call<'_>, parts: &[Query]) -> Option<Typed> {
+        self.arguments(call, 0, 0)?;
+        let mut parts = parts.iter().map(|query| Expr::Query(*query));
+        let first = parts.next()?;
+        let sum = parts.fold(first, |sum, part| fold::binary(BinaryOp::Add, sum, part));
+        Some(Typed::new(sum, Type::number(Dimension::TORQUE)))
+    }
+
+    /// An event by its name. Reports what is none.
+    pub(crate) fn event(&mut self, name: &Name) -> Option<usize> {
+        if let Some(index) = self.names.events.get_index_of(&name.node) {
+            return Some(index);
+        }
+        if self.names.bad.contains(&name.node) {
+            return None;
+        }
+        let events = self.names.events.keys().map(String::as_str).collect::<Vec<_>>();
+        let help = suggestion(&name.node, &events, "events")
+            .unwrap_or_else(|| format!("declare it, as in `event {}: omega(crank) = 0 rad/s`", name.node));
+        self.error(SimulateError::UnknownEvent { name: name.node.clone(), help, span: name.span });
+        None
+    }
+
+    fn event_argument(&mut self, call: Call<'_>, arg: &assur_syntax::document::Expr) -> Option<usize> {
+        match &arg.kind {
+            ExprKind::Name(name) => self.event(&Spanned::new(name.clone(), arg.span)),
+            _ => {
+                self.no_event(call, arg.span);
+                None
+            }
+        }
+    }
+
+    fn no_event(&mut self, call: Call<'_>, span: Span) {
+        self.wrong_argument(call, "the name of an `event`, which says when it happens,", span);
+    }
+
+    /// A whole number from 1, as written.
+    fn count_argument(&mut self, call: Call<'_>, arg: &assur_syntax::document::Expr) -> Option<usize> {
+        if let ExprKind::Number(n) = &arg.kind
+            && n.unit.is_none()
+            && n.value.fract() == 0.0
+            && (1.0..1e9).contains(&n.value)
+        {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole, below 1e9
+            return Some(n.value as usize);
+        }
+        self.wrong_argument(call, "a whole number from 1: which time it happens,", arg.span);
+        None
+    }
+}
