@@ -8,12 +8,24 @@ use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{BinaryOp, Expr, Query};
 use assur_syntax::document::{ExprKind, Name};
+use assur_text::language::Function;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::Dimension;
 
 impl Context<'_> {
+    /// The functions of a motion under loads.
+    pub(crate) fn of_motion(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
+        match function {
+            Function::Time => self.event_time(call),
+            Function::Count => self.event_count(call),
+            Function::KineticEnergy => self.energy(call, &[Query::KineticEnergy]),
+            Function::PotentialEnergy => self.energy(call, &[Query::PotentialEnergy]),
+            _ => self.energy(call, &[Query::KineticEnergy, Query::PotentialEnergy]),
+        }
+    }
+
     /// `time(top)`, `time(top, 2)`
-    pub(crate) fn event_time(&mut self, call: Call<'_>) -> Option<Typed> {
+    fn event_time(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 2)?;
         let event = self.event_argument(call, args[0])?;
         let which = match args.get(1) {
@@ -25,14 +37,14 @@ impl Context<'_> {
     }
 
     /// `count(top)`
-    pub(crate) fn event_count(&mut self, call: Call<'_>) -> Option<Typed> {
+    fn event_count(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let event = self.event_argument(call, args[0])?;
         Some(Typed::new(Expr::Query(Query::EventCount(event)), Type::number(Dimension::NUMBER)))
     }
 
     /// `kinetic_energy()`, `potential_energy()`, and their sum.
-    pub(crate) fn energy(&mut self, call: Call<'_>, parts: &[Query]) -> Option<Typed> {
+    fn energy(&mut self, call: Call<'_>, parts: &[Query]) -> Option<Typed> {
         self.arguments(call, 0, 0)?;
         let mut parts = parts.iter().map(|query| Expr::Query(*query));
         let first = parts.next()?;

@@ -83,7 +83,7 @@ pub(crate) fn trajectory(
         if compared.error <= within || out_of_reach {
             let ended = fine.stopped.take().or_else(|| {
                 let halt = Halt::Accuracy { wanted: within, reached: compared.error };
-                (compared.error > within).then(|| (fine.end, halt))
+                (compared.error > within).then_some((fine.end, halt))
             });
             let report = report(model.mechanism, within, spent, &compared, &fine);
             let ended = ended.map(|(time, halt)| Cause::Halted { time, halt }.into());

@@ -158,20 +158,17 @@ impl<'m> Watch<'m> {
         let (from, to) = (method.previous_t(), method.t());
         let mut values = vec![[0.0; NODES]; self.functions.len()];
         let mut ends = vec![[0.0; 2]; self.functions.len()];
-        for node in 0..NODES + 2 {
-            let t = match node {
-                NODES => from,
-                n if n > NODES => to,
-                n => self.nodes.at(from, to, n),
-            };
+        let places = (0..NODES).map(|node| (self.nodes.at(from, to, node), Some(node), 0));
+        let places: Vec<_> = places.chain([(from, None, 0), (to, None, 1)]).collect();
+        for (t, node, end) in places {
             if !within_step(equations, method, t, &mut self.y) || !equations.observe(t, &self.y, self.deep) {
                 continue;
             }
-            for (i, function) in self.functions.iter().enumerate() {
+            for ((function, values), ends) in self.functions.iter().zip(&mut values).zip(&mut ends) {
                 let value = equations.value(&function.cycle.expr);
-                match node.checked_sub(NODES) {
-                    Some(end) => ends[i][end] = value,
-                    None => values[i][node] = value,
+                match node {
+                    Some(node) => values[node] = value,
+                    None => ends[end] = value,
                 }
             }
         }
