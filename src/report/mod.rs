@@ -85,6 +85,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>, accuracy: AccuracyShown) ->
     }
     element::cams(&answers.model, &mut report);
     results::sections(answers, &mut report);
+    simulation::section(answers, &mut report);
     element::tables(answers, &mut report);
     reactions::sections(answers, &mut report);
     train::section(answers, &mut report);

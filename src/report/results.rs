@@ -5,6 +5,7 @@ use super::columns::{Cell, Quantity};
 use super::document::{Align, Column, Report, Section, Table};
 use super::reactions::{ReactionEntry, reactions};
 use super::scale::Scale;
+use super::simulation;
 use super::symbols::Symbols;
 use assur_model::model::{Display, Value};
 use assur_solve::message::failure;
@@ -27,8 +28,10 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
         section.table(of_one_pose(answers, scale, header, &quantities));
     } else {
         section.table(of_a_sweep(answers, scale, &poses, &quantities));
+        let moves = answers.model.mechanism.simulation.is_some();
+        let header = if moves { "over the whole motion" } else { "for the whole cycle" };
         let whole = answers.quantities_without_pose();
-        section.table(of_one_pose(answers, scale, "for the whole cycle".to_owned(), &whole));
+        section.table(of_one_pose(answers, scale, header.to_owned(), &whole));
     }
     let own: Vec<String> = answers.efforts().into_iter().filter(|e| e.of_drive).map(|e| e.name).collect();
     if !own.is_empty() {
@@ -92,6 +95,11 @@ pub(super) fn figures(
 fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: &[Quantity]) -> Table {
     let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
     table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
+    if simulation::names_events(answers.model.mechanism) {
+        table.columns.push(Column::words("event"));
+        let events = poses.iter().map(|p| simulation::events_at(answers, p).unwrap_or_default());
+        table.rows.iter_mut().zip(events).for_each(|(row, events)| row.push(events));
+    }
     for (i, drive) in answers.shown_drives() {
         let display = answers.model.mechanism.drive_display(drive.target);
         let cells = poses.iter().map(|p| answers.drive_figures(drive.target, p.drives.get(i)));
@@ -121,6 +129,11 @@ pub(super) fn full_table(answers: &Answers<'_>) -> Table {
     let poses: Vec<&Pose> = answers.poses().collect();
     let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
     table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
+    if simulation::names_events(answers.model.mechanism) {
+        table.columns.push(Column::words("event"));
+        let events = poses.iter().map(|p| simulation::events_at(answers, p).unwrap_or_default());
+        table.rows.iter_mut().zip(events).for_each(|(row, events)| row.push(events));
+    }
     for (i, drive) in answers.shown_drives() {
         let display = answers.model.mechanism.drive_display(drive.target);
         let values = poses.iter().map(|p| p.drives.get(i).and_then(|d| d.value())).collect();

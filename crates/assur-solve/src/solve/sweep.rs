@@ -13,7 +13,7 @@ use super::note::{Closing, Note};
 use super::notes::Notes;
 use super::positions::{Sweep, beside};
 use super::refusals::{refusals, unit_speeds};
-use super::simulate::{Instant, Trajectory};
+use super::simulate::{Instant, SimulationReport, Trajectory};
 use super::solution::{Pose, Solution, Solved};
 use super::steps::steps;
 use super::track::{Switch, Tracker};
@@ -158,6 +158,12 @@ impl<'a, 's> Following<'a, 's> {
     #[must_use]
     pub const fn statics(&self) -> &WholeCycle {
         &self.run.statics
+    }
+
+    /// What a motion under loads says of itself.
+    #[must_use]
+    pub fn simulation(&self) -> Option<&SimulationReport> {
+        self.trajectory.as_ref().map(|trajectory| &trajectory.report)
     }
 
     /// Whether a position that was looked at has a meaning.
