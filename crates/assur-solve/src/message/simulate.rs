@@ -36,6 +36,12 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
     })
 }
 
+/// An end that does not come.
+pub(super) fn never_ended(model: &Model<'_>, event: usize, time: f64) -> SolveError {
+    let span = model.mechanism.events[event].span;
+    SolveError::Simulate(SimulateError::NeverEnded { time: with_unit(model, time, Dimension::TIME), span })
+}
+
 /// An accuracy in words of a file.
 fn power(x: f64) -> String {
     if x.is_finite() { format!("{x:.1e}").replace(".0e", "e") } else { "nothing".into() }

@@ -267,6 +267,9 @@ impl<'a, 's> Following<'a, 's> {
         notes.extend(unit_speeds(self.run.model));
         notes.extend(self.run.friction.into_notes());
         notes.extend(self.run.centres.into_notes());
+        if let Some(trajectory) = &self.trajectory {
+            notes.extend(trajectory.never_ended(self.run.model.mechanism));
+        }
         let simulation = self.trajectory.map(|trajectory| trajectory.report);
         Solution { statics: self.run.statics, notes, unlisted, positions, simulation, ..Solution::default() }
     }

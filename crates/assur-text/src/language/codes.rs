@@ -256,6 +256,7 @@ pub const CODES: &[Code] = codes! {
     "simulate" / "no_value",
     "simulate" / "too_many_steps",
     "simulate" / "tolerance",
+    "simulate" / "never_ended",
     "accuracy" / "out_of_reach",
     "request" / "not_supported_yet",
     "request" / "needs_speed",

@@ -71,6 +71,7 @@ impl Context<'_> {
 
     fn answer(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
         use Function as F;
+        self.is_of_a_motion(call, function)?;
         match function {
             F::Sqrt => self.root(call),
             F::Abs => self.absolute(call),

@@ -13,6 +13,26 @@ use assur_text::source::{Span, Spanned};
 use assur_text::units::Dimension;
 
 impl Context<'_> {
+    /// Reports functions of a motion under loads in another file, and those of a turn of the drive in such a file.
+    pub(crate) fn is_of_a_motion(&mut self, call: Call<'_>, function: Function) -> Option<()> {
+        use Function as F;
+        let of_events = matches!(function, F::Time | F::Count);
+        let of_drive = matches!(function, F::Travel | F::Stroke | F::TimeRatio | F::Dead | F::Critical);
+        if of_events && !self.names.simulates {
+            let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
+            self.error(SimulateError::Missing { word: "event", help, span: call.span });
+            return None;
+        }
+        if of_drive && self.names.simulates {
+            let what = format!("`{}`, which is found over the positions of a drive,", call.name.node);
+            let help = "take `max` or `min` of a coordinate over the motion, as in `max(displacement(G))`"
+                .to_owned();
+            self.error(SimulateError::NoMeaning { what, help, span: call.span });
+            return None;
+        }
+        Some(())
+    }
+
     /// The functions of a motion under loads.
     pub(crate) fn of_motion(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
         match function {

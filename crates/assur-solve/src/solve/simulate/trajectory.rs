@@ -11,6 +11,7 @@ use crate::model::{Mechanism, Simulation};
 use crate::position::{DriveInput, DriveValue, Model, State};
 use crate::solve::failure::{Cause, Failure, Halt};
 use crate::solve::inputs::Rates;
+use crate::solve::note::Note;
 
 /// The tolerance of the finer run over that of the coarser one.
 const FINER: f64 = 0.1;
@@ -41,6 +42,13 @@ pub(crate) struct Trajectory {
 }
 
 impl Trajectory {
+    /// The ends that the run did not come to, where it came to none.
+    pub fn never_ended(&self, mechanism: &Mechanism) -> Vec<Note> {
+        let open = self.ended.is_none() && self.report.ended_by.is_none();
+        let ends = mechanism.events.iter().enumerate().filter(|(_, event)| open && event.ends);
+        ends.map(|(event, _)| Note::NeverEnded { event, time: self.report.end }).collect()
+    }
+
     /// Puts what the run has found beside its instants to what needs no position.
     pub fn tell(&self, statics: &mut WholeCycle) {
         statics.events.clone_from(&self.report.events);
