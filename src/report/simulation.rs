@@ -7,6 +7,8 @@ use assur_model::model::{Mechanism, Value};
 use assur_solve::solve::{Method, Pose, SimulationReport};
 use assur_text::units::{Dimension, significant};
 
+/// A rest that is shorter than this part of the run is no more than a turn.
+const TOUCH: f64 = 1e-9;
 /// So many instants of an event are shown.
 const MOST: usize = 8;
 /// Digits of energies and conditions.
@@ -51,6 +53,15 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
     let mut section = Section::new("Events");
     if !mechanism.events.is_empty() {
         section.table(table);
+    }
+    let instant =
+        |t: f64| format!("{} {}", time.figures(Value::Scalar(t), answers.precision.digits), time.unit);
+    let lasting = |rest: &&(f64, Option<f64>)| rest.1.is_none_or(|end| end - rest.0 > TOUCH * run.end);
+    for (begin, end) in run.rests.iter().filter(lasting).take(MOST) {
+        section.text(match end {
+            Some(end) => format!("held at rest by friction from {} to {}", instant(*begin), instant(*end)),
+            None => format!("held at rest by friction from {} on", instant(*begin)),
+        });
     }
     report.section(section);
 }

@@ -108,4 +108,17 @@ pub enum SimulateError {
         #[label("does not happen")]
         span: Span,
     },
+    /// Friction that jams.
+    #[error("friction jams the motion at {time}: no acceleration satisfies its laws, or several do")]
+    #[diagnostic(
+        code(mech::simulate::jam),
+        help("with less friction, or a guide that is longer beside what pushes on it, the motion goes on")
+    )]
+    Jam {
+        /// The instant.
+        time: String,
+        /// The pairs that rub.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
 }

@@ -257,6 +257,7 @@ pub const CODES: &[Code] = codes! {
     "simulate" / "too_many_steps",
     "simulate" / "tolerance",
     "simulate" / "never_ended",
+    "simulate" / "jam",
     "accuracy" / "out_of_reach",
     "request" / "not_supported_yet",
     "request" / "needs_speed",

@@ -82,9 +82,9 @@ pub(crate) fn trajectory(
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
     let mut tolerance = within;
     let mut spent = 0;
-    let mut coarse = run(&mut equations(&state), tolerance, &outputs, span);
+    let mut coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
     loop {
-        let mut fine = run(&mut equations(&state), tolerance * FINER, &outputs, span);
+        let mut fine = run(&mut equations(&state), tolerance * FINER, &outputs, span, false);
         spent += coarse.counts.evaluations;
         let compared = Compared::of(&mut equations(&state), &coarse, &fine);
         let out_of_reach = tolerance * FINER <= FINEST;
@@ -112,10 +112,11 @@ pub(crate) fn trajectory(
         if missed > FAR {
             tolerance = (tolerance / missed).max(FINEST / FINER);
             spent += fine.counts.evaluations;
-            coarse = run(&mut equations(&state), tolerance, &outputs, span);
+            coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
         } else {
             tolerance *= FINER;
-            coarse = fine;
+            let kinds = coarse.kinds;
+            coarse = Run { kinds, ..fine };
         }
     }
 }
@@ -141,6 +142,7 @@ fn report(
         worst_condition: fine.worst_condition,
         coordinates: free.map(|(i, _)| i).collect(),
         events: fine.events.clone(),
+        rests: fine.rests.clone(),
         ended_by: fine.ended_by,
         end: fine.end,
     }

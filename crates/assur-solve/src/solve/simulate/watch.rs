@@ -2,13 +2,14 @@
 
 use super::equations::Equations;
 use super::records::within_step;
+use super::rubbing::Mode;
 use crate::math::chebyshev::{NODES, Nodes};
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
 use crate::model::{Cycle, CycleFunction, Event, Expr, Level, Mechanism};
 
 /// Events nearer to each other than this part of the run happen at once.
-const AT_ONCE: f64 = 1e-13;
+pub(super) const AT_ONCE: f64 = 1e-12;
 
 /// What is looked at within every step.
 pub(super) struct Watch<'m> {
@@ -142,7 +143,8 @@ impl<'m> Watch<'m> {
         self.passed.fill(None);
         let mut ends = None;
         for (index, rising) in happened.into_iter().flat_map(|h| h.events) {
-            self.passed[index] = Some(rising);
+            // at rest a value stays where it is
+            self.passed[index] = Some(rising).filter(|_| equations.mode != Some(Mode::Resting));
             self.times[index].push(method.t());
             if self.events[index].ends {
                 ends = ends.or(Some(index));
