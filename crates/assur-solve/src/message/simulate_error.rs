@@ -112,7 +112,7 @@ pub enum SimulateError {
     #[error("friction jams the motion at {time}: no acceleration satisfies its laws, or several do")]
     #[diagnostic(
         code(mech::simulate::jam),
-        help("with less friction, or a guide that is longer beside what pushes on it, the motion goes on")
+        help("with less friction, or a longer guide, the motion goes on")
     )]
     Jam {
         /// The instant.
