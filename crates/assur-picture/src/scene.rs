@@ -3,7 +3,7 @@
 use crate::error::Missing;
 use assur_drawing::Text;
 use assur_math::math::Vec2;
-use assur_model::model::{Bearing, LinkId, Load, Mechanism, PairId, PairKind};
+use assur_model::model::{Bearing, GenevaPair, LinkId, Load, Mechanism, PairId, PairKind};
 use assur_solve::answer::PoseAnswers;
 use assur_solve::solve::{BodyState, Model, Pose, Solution, Solved, State};
 
@@ -100,6 +100,19 @@ impl<'a> Scene<'a> {
             let s = self.coordinate(pair, state);
             (least.min(s), greatest.max(s))
         })
+    }
+
+    /// Whether something slides in a pair: the pin of a Geneva wheel does not while it is between two slots.
+    #[must_use]
+    pub fn slides(&self, pair: PairId) -> bool {
+        let mut wheels = self.model.plan.genevas.iter();
+        wheels.find(|step| step.pair.pair == pair).is_none_or(|step| self.solved.state.is_in_slot(step))
+    }
+
+    /// The Geneva wheel of a pair.
+    #[must_use]
+    pub fn geneva(&self, pair: PairId) -> Option<&'a GenevaPair> {
+        self.mechanism().genevas.iter().find(|g| g.pair == pair)
     }
 
     fn coordinate(&self, pair: PairId, state: &State) -> f64 {

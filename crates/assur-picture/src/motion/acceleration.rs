@@ -2,7 +2,7 @@
 
 use super::nodes::{Node, Nodes, acceleration, rank};
 use super::velocity::images;
-use super::{PlanOf, significant, title};
+use super::{PlanOf, natural, significant, title};
 use crate::error::Missing;
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Role, Style, Text};
@@ -33,7 +33,7 @@ pub fn accelerations(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> 
     let id = crate::words::id(scene, "accelerations");
     let drawing = Drawing::new(&id, title(scene, "acceleration plan"), description);
     ends.extend(Nodes::extent(scene, acceleration));
-    let mut plan = PlanOf::new(drawing, &ends, &all, "m/s²", size);
+    let mut plan = PlanOf::new(drawing, &ends, &all, ("m/s²", natural(scene).1), size);
     plan.pole(Text::italic("p").and("′", false, assur_drawing::Level::Base));
     for (node, a) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
         plan.absolute(Style::Acceleration, *a, Text::italic("a").lowered(&node.index()));

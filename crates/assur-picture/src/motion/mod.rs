@@ -26,6 +26,9 @@ const SHORT: f64 = 0.3;
 /// Vectors less than this part of the largest are rounding.
 const ROUNDING: f64 = 1e-9;
 
+/// Where no vector is more than this part of the natural size, all are rounding.
+const NOISE: f64 = 1e-13;
+
 /// A plan that is being drawn.
 struct PlanOf<'s> {
     drawing: Drawing,
@@ -44,11 +47,19 @@ struct PlanOf<'s> {
 }
 
 impl<'s> PlanOf<'s> {
-    /// A plan of vectors that fits into its size.
-    fn new(drawing: Drawing, room: &[Vec2], vectors: &[Vec2], unit: &'s str, size: Vec2) -> Self {
+    /// A plan of vectors that fits into its size; vectors that are rounding beside a natural size are points.
+    fn new(
+        drawing: Drawing,
+        room: &[Vec2],
+        vectors: &[Vec2],
+        (unit, natural): (&'s str, f64),
+        size: Vec2,
+    ) -> Self {
         let mut bounds = Rect::NOTHING;
         bounds.add(Vec2::zero());
-        room.iter().for_each(|v| bounds.add(*v));
+        if room.iter().any(|v| v.norm() > NOISE * natural) {
+            room.iter().for_each(|v| bounds.add(*v));
+        }
         let frame = Frame::new(Frame::fitting(&bounds, size - AROUND).scale, Vec2::zero());
         let ends = vectors.iter().map(|v| frame.point(*v)).collect();
         let largest = room.iter().map(|v| v.norm()).fold(0.0, f64::max);
@@ -180,6 +191,15 @@ impl<'s> PlanOf<'s> {
 
 /// What names of points and vectors take, mm.
 const AROUND: Vec2 = Vec2::new(24.0, 20.0);
+
+/// The velocity and the acceleration that the fastest turn gives over the whole mechanism.
+fn natural(scene: &Scene<'_>) -> (f64, f64) {
+    let extent = assur_solve::solve::extent(&scene.model);
+    let bodies = &scene.solved.state.motion.bodies;
+    let omega = bodies.iter().map(|b| b.omega.abs()).fold(0.0, f64::max);
+    let alpha = bodies.iter().map(|b| b.alpha.abs()).fold(0.0, f64::max);
+    (omega * extent, (omega * omega + alpha) * extent)
+}
 
 /// `a₂ = a₃`
 fn joined(names: Vec<Text>) -> Text {

@@ -1,7 +1,7 @@
 //! The plan of velocities.
 
 use super::nodes::{Node, Nodes, velocity};
-use super::{PlanOf, significant, title};
+use super::{PlanOf, natural, significant, title};
 use crate::error::Missing;
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Role, Style, Text};
@@ -31,7 +31,7 @@ pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     let drawing = Drawing::new(&id, title(scene, "velocity plan"), description);
     let mut room = Nodes::extent(scene, velocity);
     room.extend(&all);
-    let mut plan = PlanOf::new(drawing, &room, &all, "m/s", size);
+    let mut plan = PlanOf::new(drawing, &room, &all, ("m/s", natural(scene).0), size);
     plan.pole(Text::italic("p"));
     let is_of = |n: &Node| !n.fixed;
     for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| is_of(n)) {

@@ -1,6 +1,7 @@
 //! The kinematic scheme: the mechanism at one position, to scale.
 
 mod effort;
+mod geneva;
 mod label;
 mod link;
 mod mesh;
@@ -205,12 +206,14 @@ impl<'a, 's> Sketch<'a, 's> {
         self.wheels(drawing);
         self.meshes(drawing);
         self.profiles(drawing);
+        self.genevas(drawing);
         self.plates(drawing);
         self.draw_blocks(drawing);
         self.bars(drawing);
         self.slots(drawing);
         self.cylinders(drawing);
         self.springs(drawing);
+        self.pins_of_wheels(drawing);
         self.hinges(drawing);
         self.rollers(drawing);
         self.points(drawing);

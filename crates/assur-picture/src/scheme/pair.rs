@@ -19,6 +19,7 @@ const END: f64 = 1.0;
 
 /// The places of pins in slots of the ground, and ways on its rails, m.
 pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
+    super::geneva::extent(scene, bounds);
     for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
         if let PairKind::Prismatic(g) | PairKind::Slot(g) = &pair.kind
             && g.guide == LinkId::GROUND
@@ -159,6 +160,9 @@ impl<'a> Sketch<'a, '_> {
     pub(super) fn slots(&self, drawing: &mut Drawing) {
         for (i, pair) in self.scene.mechanism().pairs.iter().enumerate() {
             let PairKind::Slot(g) = &pair.kind else { continue };
+            if self.scene.geneva(PairId::at(i)).is_some() {
+                continue;
+            }
             drawing.begin("pair", &pair.name);
             let (least, greatest) = self.scene.way(PairId::at(i));
             let at = self.on_paper(g.guide, g.through);
