@@ -5,7 +5,8 @@
 use crate::geometry::{Rect, Segment};
 use crate::grid::{Grid, bounds, pieces, touches};
 use crate::label::{Anchor, Label};
-use crate::mark::{Mark, Obstacle};
+use crate::mark::{Mark, Obstacle, Shape};
+use crate::style::Style;
 use assur_math::math::Vec2;
 use std::f64::consts::TAU;
 
@@ -73,12 +74,17 @@ pub fn place(marks: &[Mark], labels: &[Label]) -> Vec<Option<Rect>> {
 struct Ground {
     solid: Grid<Obstacle>,
     thin: Grid<Segment>,
+    /// Circles that only labels of what is in them may enter.
+    insets: Vec<Obstacle>,
 }
 
 impl Ground {
     fn of(marks: &[Mark], around: &Rect) -> Self {
-        let mut ground = Self { solid: Grid::over(around), thin: Grid::over(around) };
+        let mut ground = Self { solid: Grid::over(around), thin: Grid::over(around), insets: Vec::new() };
         for mark in marks {
+            if let (Style::Inset, Shape::Circle { centre, radius }) = (mark.style, &mark.shape) {
+                ground.insets.push(Obstacle::Disc(*centre, *radius));
+            }
             if mark.style.is_solid() {
                 for obstacle in mark.shape.obstacles(mark.style.half_width()) {
                     match obstacle {
@@ -136,6 +142,9 @@ impl Ground {
         }
         let round = label.ring.is_some_and(|r| half.x <= r);
         all.retain(|c| !self.solid.any(&c.bounds, |o| touches(&c.bounds, round, o, APART)));
+        for inset in self.insets.iter().filter(|inset| !holds(inset, label)) {
+            all.retain(|c| !touches(&c.bounds, round, inset, APART));
+        }
         for candidate in &mut all {
             let mut inside = 0.0;
             self.thin.any(&candidate.bounds, |s| {
@@ -147,6 +156,15 @@ impl Ground {
         all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         all
     }
+}
+
+/// Whether what a label is about lies in a disc.
+fn holds(inset: &Obstacle, label: &Label) -> bool {
+    let (Obstacle::Disc(centre, radius), Anchor::Point(at, _) | Anchor::Line(at, _)) = (inset, label.anchor)
+    else {
+        return false;
+    };
+    (at - *centre).norm() < *radius
 }
 
 /// The box that lies beyond a point in a direction: its side or its corner has the distance.

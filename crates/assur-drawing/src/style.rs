@@ -29,6 +29,8 @@ pub enum Style {
     Solid,
     /// A block, filled with paper.
     Block,
+    /// A circle with a place magnified in it.
+    Inset,
     /// A link with three joints and more, a cam: outline and tint.
     Plate,
     /// An absolute velocity.
@@ -84,7 +86,7 @@ pub const CURVES: [Style; 6] =
     [Style::Curve1, Style::Curve2, Style::Curve3, Style::Curve4, Style::Curve5, Style::Curve6];
 
 /// All of them, in the order of their rules.
-pub const STYLES: [Style; 36] = [
+pub const STYLES: [Style; 37] = [
     Style::Link,
     Style::Medium,
     Style::Thin,
@@ -97,6 +99,7 @@ pub const STYLES: [Style; 36] = [
     Style::Centre,
     Style::Solid,
     Style::Block,
+    Style::Inset,
     Style::Plate,
     Style::Velocity,
     Style::VelocityPart,
@@ -171,6 +174,7 @@ impl Style {
             Self::Centre => filled("c", Role::Ink, 0.3, Role::Paper),
             Self::Solid => area("k", Role::Ink),
             Self::Block => filled("b", Role::Ink, 0.5, Role::Paper),
+            Self::Inset => filled("in", Role::Ink, 0.35, Role::Paper),
             Self::Plate => filled("tern", Role::Ink, 0.6, Role::Tint),
             Self::Velocity => stroke("v", Role::Blue, 0.5),
             Self::VelocityPart => stroke("v2", Role::Blue, 0.3),

@@ -8,6 +8,7 @@ mod error;
 mod forces;
 mod frame;
 mod hodograph;
+mod inset;
 mod kind;
 mod motion;
 mod no_diagram;

@@ -50,7 +50,7 @@ pub struct Acting {
 
 /// Forces less than this part of the largest are rounding.
 const NOTHING: f64 = 1e-9;
-/// And those less than this part of what loads the mechanism.
+/// Where the largest is less than this part of what loads the mechanism, all of them.
 const ROUNDING: f64 = 1e-13;
 
 impl Acting {
@@ -69,8 +69,8 @@ impl Acting {
             return None;
         }
         let largest = acting.forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
-        let least = (NOTHING * largest).max(ROUNDING * greatest(scene));
-        acting.forces.retain(|f| f.force.norm() > least);
+        let only_rounding = largest <= ROUNDING * greatest(scene);
+        acting.forces.retain(|f| !only_rounding && f.force.norm() > NOTHING * largest);
         acting.couples.retain(|c| c.3.is_finite() && c.3 != 0.0);
         Some(acting)
     }

@@ -5,6 +5,7 @@ use super::{determined, figure};
 use crate::angles::{flipped, freest, wrapped};
 use crate::error::Missing;
 use crate::frame::Frame;
+use crate::inset::Inset;
 use crate::scene::Scene;
 use crate::scheme::length_scale;
 use crate::shape::{Outline, shapes};
@@ -20,12 +21,9 @@ const ARROW: f64 = 19.0;
 const LINE: f64 = 14.0;
 /// Radius of a hinge within its friction circle.
 const SMALL: f64 = 0.7;
-/// Friction circles smaller than this on paper are shown magnified; their radius there, and that of the inset.
-const HIDDEN: f64 = 1.2;
-const MAGNIFIED: f64 = 5.0;
-const INSET: f64 = 12.0;
-/// From the drawing to the inset.
-const BESIDE: f64 = 20.0;
+/// Friction circles smaller than this on paper are shown magnified, and their least radius there.
+const HIDDEN: f64 = 1.5;
+const MAGNIFIED: f64 = 3.0;
 /// Radius and angle of the arrow of a relative turn.
 const TURN: (f64, f64) = (6.0, 1.0);
 /// What arrows and names take, mm.
@@ -266,40 +264,37 @@ impl Picture<'_, '_> {
         }
     }
 
-    /// The largest friction circle that the scale hides, magnified beside the drawing.
+    /// The largest friction circle that the scale hides, magnified.
     fn inset(&mut self, frictions: &[PairFriction]) {
         let hidden = frictions.iter().filter(|f| f.turns && self.frame.length(f.factor) < HIDDEN);
         let right = |f: &PairFriction| self.action(f).map_or(f64::MIN, |(_, _, at)| at.x);
         let largest = hidden.max_by(|a, b| a.factor.total_cmp(&b.factor).then(right(a).total_cmp(&right(b))));
         let Some(f) = largest else { return };
         let Some((force, left, place)) = self.action(f) else { return };
-        let all = self.drawing.extent();
-        let at = self.frame.point(place);
-        let centre = Vec2::new(all.max.x + BESIDE, all.centre().y);
-        self.drawing.begin("inset", &self.scene.mechanism().pair(f.pair).name.clone());
-        self.drawing.mark(Style::Thin, Shape::Circle { centre: at, radius: 2.7 });
-        let towards = (centre - at).unit().unwrap_or(Vec2::new(1.0, 0.0));
-        self.drawing.line(Style::Thin, at + towards * 2.7, centre - towards * INSET);
-        self.drawing.mark(Style::Medium, Shape::Circle { centre, radius: INSET });
-        self.drawing.mark(Style::FrictionCircle, Shape::Circle { centre, radius: MAGNIFIED });
-        for line in self.lines_at(at) {
-            let along = line / line.norm();
-            self.drawing.line(Style::Link, centre + along * 1.2, centre + along * INSET);
-        }
-        self.drawing.mark(Style::Hinge, Shape::Circle { centre, radius: 1.2 });
+        let (at, radius) = (self.frame.point(place), self.frame.length(f.factor));
         let along = flipped(force) / force.norm();
-        let side = flipped(force.perp()) / force.norm() * (MAGNIFIED * left / f.factor);
-        let half = (INSET * INSET - side.dot(side)).max(0.0).sqrt();
-        let touch = centre + side;
-        self.drawing.line(Style::Thin, centre, touch);
-        self.drawing.line(Style::Dashed, touch - along * half, touch);
-        self.drawing.mark(Style::Unknown, Shape::Arrow(touch, touch + along * half));
-        mass::point(&mut self.drawing, touch);
-        let words = format!(" = {} mm, magnified", figure(f.factor * 1000.0));
-        let text = Text::italic("ρ").and(&words, false, Level::Base);
-        let below = Vec2::new(centre.x, centre.y + INSET);
-        let label = Label::at(text, 3.6, below, 0.3).towards(Vec2::new(0.0, 1.0));
-        self.drawing.label(label.coloured(Role::Vermilion).ranked(0));
-        self.drawing.end();
+        let touch = at + flipped(force.perp()) / force.norm() * self.frame.length(left);
+        let lines = self.lines_at(at);
+        let drawing = &mut self.drawing;
+        drawing.begin("inset", &self.scene.mechanism().pair(f.pair).name);
+        let Some(inset) = Inset::of(drawing, at, (radius, MAGNIFIED)) else { return drawing.end() };
+        let centre = inset.point(at);
+        drawing.mark(Style::FrictionCircle, Shape::Circle { centre, radius: inset.length(radius) });
+        for line in lines {
+            if let Some((from, to)) = inset.within(at, at + line) {
+                let clear = (to - from) / (to - from).norm() * 1.2;
+                drawing.line(Style::Link, from + clear, to);
+            }
+        }
+        drawing.mark(Style::Hinge, Shape::Circle { centre, radius: 1.2 });
+        drawing.line(Style::Thin, centre, inset.point(touch));
+        inset.line(drawing, Style::Dashed, touch - along * LINE, touch);
+        if let Some((from, to)) = inset.within(touch, touch + along * ARROW) {
+            drawing.mark(Style::Unknown, Shape::Arrow(from, to));
+        }
+        mass::point(drawing, inset.point(touch));
+        let words = format!(" = {} mm", figure(f.factor * 1000.0));
+        inset.caption(drawing, Text::italic("ρ").and(&words, false, Level::Base), Role::Vermilion);
+        drawing.end();
     }
 }

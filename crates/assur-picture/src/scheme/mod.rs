@@ -2,6 +2,7 @@
 
 mod effort;
 mod geneva;
+mod hidden;
 mod label;
 mod link;
 mod mesh;
@@ -76,7 +77,9 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
         (Some(scale), Some(_)) => Frame::new(Some(scale), fitting.origin),
         _ => fitting,
     };
-    Ok(drawn(scene, wanted, &shapes, &frame, &traced))
+    let mut drawing = drawn(scene, wanted, &shapes, &frame, &traced);
+    Sketch::new(scene, &shapes, &frame).hidden(&mut drawing);
+    Ok(drawing)
 }
 
 /// The size and place on paper that hold a mechanism at several positions.
