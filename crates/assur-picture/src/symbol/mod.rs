@@ -2,6 +2,7 @@
 
 pub mod arrow;
 pub mod cylinder;
+pub mod gear;
 pub mod guide;
 pub mod hinge;
 pub mod mass;

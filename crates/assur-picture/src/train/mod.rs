@@ -1,5 +1,6 @@
 //! Shafts without places: the half section of the schoolbook, laid out in order of the meshes. Sizes are relative.
 
+mod front;
 mod layout;
 mod wheels;
 
@@ -50,13 +51,20 @@ pub fn train(scene: &Scene<'_>) -> Result<Drawing, Missing> {
     wheels::draw(scene, &layout, &mut drawing);
     wheels::transmissions(scene, &layout, &mut drawing);
     sliders(scene, &layout, &mut drawing);
+    front::draw(scene, &layout, &mut drawing);
     efforts(scene, &layout, &mut drawing);
-    let note = if mechanism.open_sizes.is_empty() {
-        "Section, not to scale: axial places and small wheels are chosen for the drawing."
-    } else {
-        "Section, not to scale: sizes that the file leaves open are assumed."
-    };
-    drawing.caption(Text::upright(note));
+    match layout.scale(mechanism) {
+        Some(scale) => {
+            drawing.captions.push(crate::scheme::length_scale(&scale));
+            drawing
+                .caption(Text::upright("Pitch circles to scale; axial places are chosen for the drawing."));
+        }
+        None if mechanism.open_sizes.is_empty() => drawing.caption(Text::upright(
+            "Section, not to scale: axial places and small wheels are chosen for the drawing.",
+        )),
+        None => drawing
+            .caption(Text::upright("Section, not to scale: sizes that the file leaves open are assumed.")),
+    }
     Ok(drawing)
 }
 
