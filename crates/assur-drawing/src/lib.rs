@@ -21,6 +21,7 @@ pub use grid::touches;
 pub use label::{Anchor, Label};
 pub use mark::{Mark, Obstacle, Shape, on_circle};
 pub use palette::{Palette, Role, Theme};
+pub use placement::Later;
 pub use scale::{SERIES, Scale, plain, round_length};
 pub use style::{CURVES, Paint, STYLES, Style};
 pub use svg::{escaped, mark_svg, number};

@@ -35,10 +35,24 @@ struct Candidate {
     cost: f64,
 }
 
+/// What there is later, where the marks move and labels with them.
+#[derive(Clone, Debug, Default)]
+pub struct Later {
+    /// The marks.
+    pub marks: Vec<Mark>,
+    /// How far each label has moved.
+    pub shifts: Vec<Vec2>,
+}
+
+/// Price of a place that marks lie on in all later frames, in millimetres of distance.
+const LATER: f64 = 40.0;
+/// The part of the later frames in which two labels may overlap.
+const PASSING: f64 = 0.1;
+
 /// The boxes of all labels, in their order; none for those that found no place.
-pub fn place(marks: &[Mark], labels: &[Label]) -> Vec<Option<Rect>> {
+pub fn place(marks: &[Mark], labels: &[Label], later: &[Later]) -> Vec<Option<Rect>> {
     let mut all = Rect::NOTHING;
-    marks.iter().for_each(|mark| all.join(&mark.shape.bounds()));
+    marks.iter().chain(later.iter().flat_map(|l| &l.marks)).for_each(|mark| all.join(&mark.shape.bounds()));
     labels.iter().for_each(|label| match label.anchor {
         Anchor::Point(p, _) => all.add(p),
         Anchor::Line(a, b) => {
@@ -51,10 +65,27 @@ pub fn place(marks: &[Mark], labels: &[Label]) -> Vec<Option<Rect>> {
     }
     let around = all.grown(MARGIN);
     let ground = Ground::of(marks, &around);
-    let candidates: Vec<Vec<Candidate>> = labels.iter().map(|label| ground.candidates(label)).collect();
+    let grounds: Vec<Ground> = later.iter().map(|l| Ground::of(&l.marks, &around)).collect();
+    let candidates = labels.iter().enumerate().map(|(i, label)| {
+        let mut own = ground.candidates(label);
+        if !later.is_empty() {
+            let round = label.ring.is_some_and(|r| label.half().x <= r);
+            for candidate in &mut own {
+                let on = |(ground, later): &(&Ground, &Later)| {
+                    let there = candidate.bounds.shifted(later.shifts[i]);
+                    ground.solid.any(&there, |o| touches(&there, round, o, 0.0))
+                };
+                let hits = grounds.iter().zip(later).filter(on).count();
+                candidate.cost += LATER * hits as f64 / later.len() as f64;
+            }
+            own.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        }
+        own
+    });
+    let candidates: Vec<Vec<Candidate>> = candidates.collect();
     let mut order: Vec<usize> = (0..labels.len()).collect();
     order.sort_by_key(|i| (labels[*i].rank, candidates[*i].len(), *i));
-    let mut board = Board::new(labels, &candidates, &around);
+    let mut board = Board::new(labels, &candidates, later, &around);
     for &label in &order {
         board.take_cheapest(label);
     }
@@ -178,6 +209,7 @@ fn beyond(from: Vec2, direction: Vec2, distance: f64, half: Vec2) -> Rect {
 /// Who sits where.
 struct Board<'a> {
     candidates: &'a [Vec<Candidate>],
+    later: &'a [Later],
     chosen: Vec<Option<usize>>,
     /// Labels by the cells of the places that they have.
     taken: Grid<usize>,
@@ -188,10 +220,10 @@ struct Board<'a> {
 const OUTSIDE: f64 = 60.0;
 
 impl<'a> Board<'a> {
-    fn new(labels: &[Label], candidates: &'a [Vec<Candidate>], around: &Rect) -> Self {
+    fn new(labels: &[Label], candidates: &'a [Vec<Candidate>], later: &'a [Later], around: &Rect) -> Self {
         let taken = Grid::knowing((0..labels.len()).collect(), around);
         let ranks = labels.iter().map(|l| l.rank).collect();
-        Self { candidates, chosen: vec![None; candidates.len()], taken, ranks }
+        Self { candidates, later, chosen: vec![None; candidates.len()], taken, ranks }
     }
 
     fn cost(&self, label: usize) -> f64 {
@@ -224,6 +256,20 @@ impl<'a> Board<'a> {
             }
             found.len() > 1
         });
+        if !self.later.is_empty() && found.len() < 2 {
+            let others = (0..self.chosen.len()).filter(|o| *o != label && !found.contains(o));
+            let meets = |other: &usize| {
+                self.chosen[*other].is_some_and(|number| {
+                    let place = self.candidates[*other][number].bounds;
+                    let on = |l: &&Later| {
+                        place.shifted(l.shifts[*other]).overlaps(&bounds.shifted(l.shifts[label]))
+                    };
+                    self.later.iter().filter(on).count() as f64 > PASSING * self.later.len() as f64
+                })
+            };
+            let more: Vec<usize> = others.filter(meets).take(2 - found.len()).collect();
+            found.extend(more);
+        }
         found
     }
 

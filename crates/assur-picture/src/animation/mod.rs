@@ -10,7 +10,7 @@ use crate::plot::{self, plot};
 use crate::scene::Scene;
 use crate::scheme::{Loads, Scheme, frame_of_all, scheme_in};
 use crate::words;
-use assur_drawing::{Drawing, Rect, Sheet, Theme, escaped, number};
+use assur_drawing::{Drawing, Later, Rect, Sheet, Theme, escaped, number};
 use assur_math::math::Vec2;
 use assur_solve::answer::NoSweep;
 use assur_solve::solve::{Cause, DriveValue, Pose};
@@ -21,6 +21,8 @@ use std::fmt::Write;
 const MOST: usize = 400;
 /// Room for labels around what moves, mm.
 const LABELS: f64 = 6.0;
+/// The most frames that labels are placed for.
+const LOOKED_AT: usize = 24;
 /// Steps of a millimetre and of a radian.
 const STEPS: (f64, f64) = (100.0, 18_000.0 / std::f64::consts::PI);
 
@@ -70,12 +72,14 @@ pub fn animation(scene: &Scene<'_>, size: Vec2, theme: Theme) -> Result<String, 
     let title = format!("{}: animation", words::title(scene));
     let mut room = Rect::NOTHING;
     schemes.iter().for_each(|scheme| room.join(&scheme.extent()));
+    let others = schemes.iter().step_by(schemes.len().div_ceil(LOOKED_AT));
+    let others: Vec<Later> = others.map(|frame| moved::later(&schemes[0], frame)).collect();
     let mut first = schemes.into_iter().next().unwrap_or_default();
     first.id = words::id(scene, "animation");
     // labels are beside what moves
     first.room = Some(room.grown(LABELS));
     first.title.clone_from(&title);
-    let mut sheet = first.placed();
+    let mut sheet = first.placed_through(&others);
     let count = sheet.drawing.labels.len().max(sheet.placed.len());
     sheet.moved = moved.classes.clone();
     sheet.moved[1].resize(count, None);

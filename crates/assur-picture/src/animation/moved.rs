@@ -2,7 +2,7 @@
 //! drawn anew.
 
 use crate::angles::wrapped;
-use assur_drawing::{Anchor, Drawing, Label, Mark, Shape, mark_svg, on_circle};
+use assur_drawing::{Anchor, Drawing, Label, Later, Mark, Shape, mark_svg, on_circle};
 use assur_math::math::Vec2;
 
 /// What two places may differ by and are still one, mm.
@@ -125,6 +125,17 @@ const fn anchor(label: &Label) -> Vec2 {
         Anchor::Point(at, _) => at,
         Anchor::Line(a, b) => Vec2::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y)),
     }
+}
+
+/// What labels of the first frame meet in another one.
+pub fn later(first: &Drawing, frame: &Drawing) -> Later {
+    let shifts = first.labels.iter().zip(anchors(first, frame)).map(|(label, there)| {
+        let stays = shows_turn(first, label.group);
+        there.filter(|_| !stays).map_or(Vec2::zero(), |there| there - anchor(label))
+    });
+    let moved = frame.marks.iter().filter(|m| !shows_turn(frame, m.group));
+    let stay = first.marks.iter().filter(|m| shows_turn(first, m.group));
+    Later { marks: moved.chain(stay).cloned().collect(), shifts: shifts.collect() }
 }
 
 /// Whether a group is the arc arrow of a drive.
