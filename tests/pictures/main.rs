@@ -12,4 +12,5 @@ mod every_example;
 mod extreme;
 mod over_sweeps;
 mod random;
+mod scenes;
 mod xml;

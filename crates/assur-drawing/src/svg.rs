@@ -125,8 +125,8 @@ impl Sheet {
                 if !paint.dashes.is_empty() {
                     parts.push(format!("stroke-dasharray:{}", paint.dashes));
                 }
-                if paint.faint {
-                    parts.push("opacity:.55".to_owned());
+                if paint.opacity < 1.0 {
+                    parts.push(format!("opacity:{}", number(paint.opacity)));
                 }
                 if matches!(style, Style::Link | Style::Plate | Style::Block | Style::Medium) {
                     parts.push("stroke-linejoin:round".to_owned());
