@@ -7,7 +7,7 @@ use crate::error::Missing;
 use crate::frame::Frame;
 use crate::inset::Inset;
 use crate::scene::Scene;
-use crate::scheme::length_scale;
+use crate::scheme::{efforts, length_scale};
 use crate::shape::{Outline, shapes};
 use crate::symbol::{arrow, guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text, on_circle};
@@ -62,7 +62,8 @@ pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
         }
     }
     let frame = Frame::fitting(&bounds, size - AROUND);
-    let mut picture = Picture { scene, frame, drawing: empty(scene, &frictions), outlines: Vec::new() };
+    let mut picture =
+        Picture { scene, frame, drawing: empty(scene, &frictions), outlines: Vec::new(), taken: Vec::new() };
     for (i, shape) in all.iter().enumerate().skip(1) {
         let link = LinkId::at(i);
         if scene.is_placed(link) && !scene.is_in_cylinder(link) {
@@ -74,6 +75,8 @@ pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     for friction in &frictions {
         if friction.turns { picture.journal(friction) } else { picture.guide(friction) }
     }
+    let taken = std::mem::take(&mut picture.taken);
+    efforts(scene, &picture.frame, taken, &mut picture.drawing);
     picture.inset(&frictions);
     if let Some(scale) = picture.frame.scale {
         picture.drawing.captions.push(length_scale(&scale));
@@ -93,7 +96,7 @@ fn empty(scene: &Scene<'_>, frictions: &[PairFriction]) -> Drawing {
             scene.link_label(f.on)
         )
     });
-    let description = format!("Friction in the pairs. {}.", said.collect::<Vec<_>>().join("; "));
+    let description = format!("Friction in the pairs. {}. ", said.collect::<Vec<_>>().join("; "));
     Drawing::new(&crate::words::id(scene, "friction"), title, description)
 }
 
@@ -103,6 +106,8 @@ struct Picture<'a, 's> {
     frame: Frame,
     drawing: Drawing,
     outlines: Vec<(LinkId, Outline)>,
+    /// Where arrows begin, and arcs with their radii.
+    taken: Vec<(Vec2, Vec2)>,
 }
 
 impl Picture<'_, '_> {
@@ -182,6 +187,7 @@ impl Picture<'_, '_> {
         let touch = at + flipped(force.perp()) / force.norm() * self.frame.length(left);
         self.drawing.line(Style::Dashed, touch - along * LINE, touch + along * LINE);
         self.drawing.mark(Style::Unknown, Shape::Arrow(touch, touch + along * ARROW));
+        self.taken.push((touch, along));
         let label =
             Label::along(self.reaction_name(f), LETTERS, touch + along * 9.0, touch + along * (ARROW + 2.0));
         self.drawing.label(label.coloured(Role::Green).ranked(2));
@@ -190,6 +196,7 @@ impl Picture<'_, '_> {
             let fixed = f.from == LinkId::GROUND || f.on == LinkId::GROUND;
             let middle = -self.free_angle(at, along, fixed);
             arrow::turn(&mut self.drawing, Style::Drive, at, TURN.0, (middle, TURN.1), f.speed > 0.0);
+            self.taken.push((at, Vec2::direction(-middle) * TURN.0));
             let tip = arrow::middle(at, TURN.0, middle);
             let on = self.scene.link_label(f.on);
             let from = if f.from == LinkId::GROUND { "" } else { self.scene.link_label(f.from) };

@@ -95,6 +95,16 @@ pub fn scheme_in(scene: &Scene<'_>, wanted: &Scheme, frame: &Frame) -> Drawing {
     drawn(scene, wanted, &shapes(scene), frame, &[])
 }
 
+/// Loads and unknown efforts alone, beside what begins at places in directions already.
+pub fn efforts(scene: &Scene<'_>, frame: &Frame, taken: Vec<(Vec2, Vec2)>, drawing: &mut Drawing) {
+    let shapes = shapes(scene);
+    let mut sketch = Sketch::new(scene, &shapes, frame);
+    sketch.taken = taken;
+    sketch.loads(drawing);
+    sketch.balances(drawing);
+    drawing.description += &sketch.said;
+}
+
 fn drawn(
     scene: &Scene<'_>,
     wanted: &Scheme,
