@@ -79,12 +79,12 @@ fn lines(judged: &Judged<'_>) -> Lines {
     let mechanism = judged.shown.model.mechanism;
     let bodies = &judged.state.motion.bodies;
     let mut lines = Lines::default();
-    for link in 1..mechanism.links.len() {
+    for (link, body) in bodies.iter().enumerate().take(mechanism.links.len()).skip(1) {
         let pins = mechanism.pairs.iter().filter_map(|pair| {
             let PairKind::Revolute(pins) = &pair.kind else { return None };
             let pin = pins.iter().find(|p| p.link == LinkId::at(link))?;
             let fixed = pins.iter().any(|p| p.link == LinkId::GROUND);
-            Some((index(&pair.name), bodies[link].position(pin.at), fixed))
+            Some((index(&pair.name), body.position(pin.at), fixed))
         });
         let pins: Vec<(String, Vec2, bool)> = pins.collect();
         for (base, from, fixed) in &pins {

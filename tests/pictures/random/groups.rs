@@ -15,7 +15,7 @@ use assur::internals::structure::structure;
 /// Draws the mechanism of a number; whether it is solved.
 pub fn judge(seed: u64, tally: &mut Tally) -> bool {
     let draft = generate::with_dead(seed, 0.05, 0.5);
-    let mechanism = if seed % 3 == 0 { rubbing(&draft, seed) } else { draft.mechanism };
+    let mechanism = if seed.is_multiple_of(3) { rubbing(&draft, seed) } else { draft.mechanism };
     let Ok((structure, _)) = structure(&mechanism) else { return false };
     let effects = Effects::at_least(&mechanism, Level::Accelerations, structure.force_defect.is_none());
     let plan = plan_with(&mechanism, &structure, effects);
