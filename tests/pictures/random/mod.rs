@@ -20,7 +20,7 @@ fn chains_of_groups_are_drawn_as_they_are_solved() {
     let drawn = seeds().filter(|seed| groups::judge(*seed, &mut tally)).count();
     println!("{drawn} mechanisms, {tally}");
     tally.finish();
-    assert!(2 * drawn > seeds().count(), "{drawn}");
+    assert!(10 * drawn > 9 * seeds().count(), "{drawn}");
 }
 
 #[test]
@@ -29,5 +29,5 @@ fn machines_of_wild_proportions_are_drawn_as_they_are_solved() {
     let drawn = seeds().filter(|seed| texts::judge(*seed, &mut tally)).count();
     println!("{drawn} mechanisms, {tally}");
     tally.finish();
-    assert!(2 * drawn > seeds().count(), "{drawn}");
+    assert!(10 * drawn > 9 * seeds().count(), "{drawn}");
 }

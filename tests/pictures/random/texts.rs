@@ -127,7 +127,9 @@ impl Maker {
         self.line(&format!("torque M on rocker = {torque:?} N*m"));
         if self.random.chance(0.4) {
             let stiffness = self.random.within(1.0, 500.0);
-            self.line(&format!("spring k: ground.A - rocker.C {{ stiffness {stiffness:?} N/m }}"));
+            let free = f * self.random.within(0.2, 2.0);
+            let what = format!("stiffness {stiffness:?} N/m; free_length {free:?} m");
+            self.line(&format!("spring k: ground.A - rocker.C {{ {what} }}"));
         }
         self.line("find omega(rocker), Mr = moment(A, crank), reactions");
     }
@@ -183,6 +185,7 @@ impl Maker {
                 "slot K: crank.B - wheel.slot {{ slots {slots} }}\ntorque L on wheel = 0.3 N*m"
             ));
             self.drive("crank", near, true);
+            self.line("find normal(K, wheel)");
         } else {
             self.line("ground { A (0, 0); line way through A along 0 deg }");
             self.line("link 2 yoke { P (0, 0); line slot through P along 90 deg; mass 2 kg at P }");
@@ -190,8 +193,8 @@ impl Maker {
                 "revolute A: ground - crank\nprismatic H: yoke.P - ground.way\nslot K: crank.B - yoke.slot",
             );
             self.drive("crank", angle, true);
+            self.line("find normal(K, yoke)");
         }
-        self.line("find normal(K)");
     }
 
     fn geared(&mut self) {
