@@ -45,7 +45,7 @@ pub struct Later {
 }
 
 /// Price of a place that marks lie on in all later frames, in millimetres of distance.
-const LATER: f64 = 40.0;
+const LATER: f64 = 20.0;
 /// The part of the later frames in which two labels may overlap.
 const PASSING: f64 = 0.1;
 
@@ -96,6 +96,13 @@ pub fn place(marks: &[Mark], labels: &[Label], later: &[Later]) -> Vec<Option<Re
         }
         if !changed {
             break;
+        }
+    }
+    // better in the way later than outside
+    board.later = &[];
+    for &label in &order {
+        if board.chosen[label].is_none() {
+            board.take_cheapest(label);
         }
     }
     board.chosen.iter().zip(&candidates).map(|(chosen, all)| chosen.map(|c| all[c].bounds)).collect()
