@@ -66,6 +66,18 @@ pub enum CliError {
         /// The place.
         name: String,
     },
+    /// The other poses of a list.
+    #[error("pose {first} is drawn, the first of {count}")]
+    #[diagnostic(
+        severity(Advice),
+        help("`-o pictures/` writes one picture per pose; `--pose NAME` draws another")
+    )]
+    FirstPose {
+        /// The one that is drawn.
+        first: String,
+        /// How many there are.
+        count: usize,
+    },
     /// No cam, or several and no choice.
     #[error("{message}")]
     NoCam {

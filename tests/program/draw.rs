@@ -4,9 +4,14 @@ use crate::cli::GOOD;
 use crate::run::{Folder, assur, assur_in};
 use std::path::Path;
 
+/// [`GOOD`] at one position.
+fn one() -> String {
+    GOOD.replace("0 deg, 90 deg", "0 deg")
+}
+
 #[test]
 fn one_picture_goes_to_standard_output_or_to_a_file() {
-    let folder = Folder::new("draw-one").with("a.mech", GOOD);
+    let folder = Folder::new("draw-one").with("a.mech", &one());
     let out = assur(&folder, &["draw", "a.mech"]);
     assert_eq!((out.status, out.stderr.as_str()), (0, ""));
     assert!(out.stdout.starts_with("<svg ") && out.stdout.ends_with("</svg>\n"), "{}", out.stdout);
@@ -19,7 +24,7 @@ fn one_picture_goes_to_standard_output_or_to_a_file() {
 
 #[test]
 fn several_pictures_go_to_a_folder() {
-    let folder = Folder::new("draw-several").with("a.mech", GOOD);
+    let folder = Folder::new("draw-several").with("a.mech", &one());
     let out = assur(&folder, &["draw", "a.mech", "scheme", "velocities"]);
     assert_eq!((out.status, out.stdout.as_str()), (2, ""));
     assert!(out.stderr.contains("one picture only") && out.stderr.contains("-o pictures/"), "{}", out.stderr);
@@ -32,6 +37,34 @@ fn several_pictures_go_to_a_folder() {
     assert_eq!(names, ["a-scheme.svg", "a-velocities.svg"]);
     let all = assur(&folder, &["draw", "a.mech", "--all", "-o", "all"]);
     assert_eq!((all.status, all.stderr.as_str()), (0, ""));
+}
+
+#[test]
+fn every_pose_of_a_list_is_drawn_into_a_folder() {
+    let folder = Folder::new("draw-list").with("a.mech", GOOD);
+    let out = assur(&folder, &["draw", "a.mech", "scheme", "velocities", "-o", "."]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    assert_eq!(
+        folder.names(),
+        ["a-scheme-1.svg", "a-scheme-2.svg", "a-velocities-1.svg", "a-velocities-2.svg", "a.mech"]
+    );
+    let out = assur(&folder, &["draw", "a.mech"]);
+    assert_eq!((out.status, out.stdout), (0, folder.read("a-scheme-1.svg")));
+    assert!(out.stderr.contains("pose 1 is drawn, the first of 2"), "{}", out.stderr);
+    let out = assur(&folder, &["draw", "a.mech", "--pose", "2", "--pose", "2"]);
+    assert_eq!((out.status, out.stdout, out.stderr), (0, folder.read("a-scheme-2.svg"), String::new()));
+    let out = assur(&folder, &["draw", "a.mech", "--pose", "1", "--pose", "2"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+}
+
+#[test]
+fn of_a_sweep_the_first_pose_is_drawn() {
+    let sweep = GOOD.replace("0 deg, 90 deg", "0 deg .. 360 deg in 12 steps");
+    let folder = Folder::new("draw-sweep").with("a.mech", &sweep);
+    let out = assur(&folder, &["draw", "a.mech", "-o", "out"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let names = Path::new(&folder.path("out")).read_dir().expect("the folder").flatten();
+    assert_eq!(names.map(|f| f.file_name()).collect::<Vec<_>>(), ["a-scheme.svg"]);
 }
 
 #[test]

@@ -17,7 +17,7 @@ pub struct Draw {
     /// complete) [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<String>,
-    /// Draw the pose of this name; may be repeated [default: the first]
+    /// Draw the pose of this name; may be repeated [default: all of a list, the first of a sweep]
     #[arg(long, value_name = "NAME")]
     pub pose: Vec<String>,
     /// Draw this number of other poses pale behind the scheme

@@ -2,6 +2,7 @@
 
 mod output;
 mod plotted;
+mod poses;
 
 use super::args::{Draw, Picture};
 use super::error::CliError;
@@ -115,7 +116,7 @@ impl Drawing<'_> {
         let scenes: Vec<Scene<'_>> = scenes.into_iter().map(|scene| Scene { turn: &turn, ..scene }).collect();
         let stem = self.stem(source);
         let several = scenes.len() > 1;
-        let mut pages = Vec::new();
+        let (mut pages, mut lacking) = (Vec::new(), Vec::new());
         for picture in &self.pictures {
             let plotted = plotted::items(source, mechanism, &picture.of);
             let options = Options { plotted, of: picture.of.clone(), ..self.options() };
@@ -131,10 +132,14 @@ impl Drawing<'_> {
                 match self.drawn(picture.kind, scene, &options, output::file_name(&name)) {
                     Ok(drawn) => pages.extend(drawn),
                     // of all kinds those are left out that the file has no effects for
-                    Err(_) if self.args.all => break,
+                    Err(_) if self.args.all => {}
                     Err(missing) => {
-                        problems.push(missing);
-                        break;
+                        // what lacks at every pose is said once
+                        let words = missing.to_string();
+                        if !lacking.contains(&words) {
+                            lacking.push(words);
+                            problems.push(missing);
+                        }
                     }
                 }
             }
@@ -190,15 +195,29 @@ impl Drawing<'_> {
         pages.collect()
     }
 
-    /// The positions that are shown: those named, else the first.
+    /// The positions that are shown: those named, else all of a list, the first of a sweep.
     fn scenes<'s>(&self, source: &'s Source, solved: &'s Solved, problems: &mut Problems) -> Vec<Scene<'s>> {
         let model = solved.compiled.model();
         let file = (source.name.as_str(), source.text.as_str());
         let of = |name: Option<&str>| Scene::of(model, &solved.solution, file, name);
-        let named = self.args.pose.iter().map(|name| of(Some(name)));
-        let first = self.args.pose.is_empty().then(|| of(None));
+        let listed = if self.args.pose.is_empty() { poses::listed(solved) } else { Vec::new() };
+        let drawn = if self.output.is_single() { listed.len().min(1) } else { listed.len() };
+        if drawn < listed.len() && !self.pictures.iter().all(|picture| picture.kind.is_of_sweep()) {
+            let (first, count) = (listed[0].to_owned(), listed.len());
+            problems.push(CliError::FirstPose { first, count });
+        }
+        let named = self.args.pose.iter().map(String::as_str).chain(listed[..drawn].iter().copied());
+        let mut names: Vec<Option<&str>> = Vec::new();
+        for name in named.map(Some) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        if names.is_empty() {
+            names.push(None);
+        }
         let mut scenes = Vec::new();
-        for scene in named.chain(first) {
+        for scene in names.into_iter().map(of) {
             match scene {
                 Ok(scene) => scenes.push(scene),
                 Err(missing) => problems.push(missing),

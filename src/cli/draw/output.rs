@@ -45,6 +45,11 @@ impl Output {
         matches!(self, Self::Page(..))
     }
 
+    /// Whether it holds one picture.
+    pub const fn is_single(&self) -> bool {
+        matches!(self, Self::Stdout | Self::File(..))
+    }
+
     /// Writes pictures; what goes to standard output is given back.
     pub fn write(&self, pages: &[Page], inputs: &[String]) -> Result<String, CliError> {
         match self {
