@@ -78,6 +78,31 @@ pub enum CliError {
         /// How many there are.
         count: usize,
     },
+    /// No table of variants.
+    #[error("`{name}` has no table of variants")]
+    #[diagnostic(help("name one: `--variants TABLE.csv`, or write `variants {{ … }}` into the file"))]
+    NoTable {
+        /// The file.
+        name: String,
+    },
+    /// No such row.
+    #[error("no row of variants is named `{name}`")]
+    NoRow {
+        /// As given.
+        name: String,
+        /// What there is.
+        #[help]
+        help: String,
+    },
+    /// An option that changes no picture that is asked for.
+    #[error("`{option}` changes no picture that is asked for")]
+    NoEffect {
+        /// The option.
+        option: String,
+        /// Pictures that it changes.
+        #[help]
+        help: String,
+    },
     /// No cam, or several and no choice.
     #[error("{message}")]
     NoCam {

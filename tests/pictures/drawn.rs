@@ -33,7 +33,7 @@ pub fn animated(source: &Source, solved: &Solved) -> Option<String> {
     let file = (source.name.as_str(), source.text.as_str());
     let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
     let scene = Scene { turn: &turn, ..scene };
-    animation(&scene, Options::default().scheme.size, Theme::Auto).ok()
+    animation(&scene, &Options::default(), Theme::Auto).ok()
 }
 
 /// All pictures of a kind, of the first position or of all.

@@ -97,6 +97,118 @@ fn what_cannot_be_drawn_is_said() {
     assert_eq!((out.status, out.stdout.as_str()), (2, ""));
 }
 
+#[test]
+fn a_scale_is_as_wanted_or_refused() {
+    let folder = Folder::new("draw-scale").with("a.mech", &one());
+    let scaled = |scale: &str, picture: &str| assur(&folder, &["draw", "a.mech", picture, "--scale", scale]);
+    let out = scaled("length=0.01,velocity=0.5", "scheme");
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    assert!(out.stderr.contains("`--scale velocity` changes no picture"), "{}", out.stderr);
+    assert!(out.stderr.contains("`velocities`, `lever`, `hodograph`"), "{}", out.stderr);
+    let out = scaled("length=0.01", "scheme");
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(out.stdout.contains("Length scale 0.01 m per mm"), "{}", out.stdout);
+    let out = scaled("velocity=0.5", "velocities");
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(out.stdout.contains("Scale 0.5 m/s per mm"), "{}", out.stdout);
+    let out = scaled("length=0.0001", "scheme");
+    assert_eq!((out.status, out.stdout.as_str()), (1, ""));
+    assert!(out.stderr.contains("mech::picture::no_scale"), "{}", out.stderr);
+    for (wrong, said) in [
+        ("mass=1", "`mass` has no scale: write length, velocity, acceleration, force"),
+        ("length=0.003", "write length=0.004"),
+        ("length", "write KIND=FACTOR"),
+        ("length=-1", "write KIND=FACTOR"),
+    ] {
+        let out = scaled(wrong, "scheme");
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{wrong}");
+        assert!(out.stderr.contains(said), "{wrong}: {}", out.stderr);
+    }
+}
+
+#[test]
+fn an_option_of_another_picture_is_refused() {
+    let folder = Folder::new("draw-option").with("a.mech", &one());
+    for option in [["--ghosts", "4"], ["--path", "rod.B"], ["--loads", "none"], ["--frames", "12"]] {
+        let out = assur(&folder, &["draw", "a.mech", "velocities", option[0], option[1]]);
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{option:?}");
+        assert!(out.stderr.contains("changes no picture"), "{}", out.stderr);
+    }
+}
+
+/// The numbers in the first list of a script that begins with a name.
+fn frames(page: &str) -> Option<usize> {
+    page.split_once("const N=")?.1.split(',').next()?.parse().ok()
+}
+
+#[test]
+fn an_animation_has_the_frames_that_are_wanted() {
+    let folder = Folder::new("draw-frames").with("a.mech", &one());
+    for count in ["2", "24", "500"] {
+        let out = assur(&folder, &["draw", "a.mech", "animation", "--frames", count]);
+        assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+        assert_eq!(frames(&out.stdout), count.parse().ok());
+    }
+    for count in ["1", "20000", "x"] {
+        let out = assur(&folder, &["draw", "a.mech", "animation", "--frames", count]);
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+        assert!(out.stderr.contains("from 2 to 10000"), "{}", out.stderr);
+    }
+}
+
+#[test]
+fn rows_of_variants_are_drawn() {
+    let own = format!("{}\nvariants {{\n  variant, r [mm]\n  small, 60\n  large, 120\n}}\n", one());
+    let own = own.replace("expect x_C = 450 mm within 1e-9 at pose 1\n", "");
+    let folder = Folder::new("draw-rows").with("a.mech", &own).with("T.csv", "r [mm]\n60\n120\n80\n");
+    let drawn = |args: &[&str]| assur(&folder, &[&["draw", "a.mech"], args].concat());
+    let as_written = drawn(&["--set", "r=120mm"]);
+    let large = drawn(&["--row", "large"]);
+    assert_eq!((large.status, large.stderr.as_str()), (0, ""));
+    assert_eq!(drawn(&["--row", "2"]).stdout, large.stdout);
+    let marks = |svg: &str| svg.split_once("</style>").map(|(_, marks)| marks.to_owned());
+    assert_eq!(marks(&large.stdout), marks(&as_written.stdout));
+    assert!(large.stdout.contains("row 2, variant large (r = 120 mm)"), "{}", large.stdout);
+    let out = drawn(&["--row", "larg"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    assert!(out.stderr.contains("did you mean `large`?"), "{}", out.stderr);
+    let out = drawn(&["--variants", "T.csv", "--row", "9"]);
+    assert!(out.stderr.contains("the rows are 1 to 3"), "{}", out.stderr);
+    assert_eq!(drawn(&["--variants", "T.csv"]).status, 2, "three pictures in one place");
+    let out = drawn(&["--variants", "T.csv", "-o", "out"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let row = folder.read("out/a-row-2-scheme.svg");
+    assert_eq!(marks(&row), marks(&as_written.stdout));
+    let page = drawn(&["--variants", "T.csv", "-o", "all.html"]);
+    assert_eq!(page.status, 0);
+    let page = folder.read("all.html");
+    let ids: Vec<&str> = page.split(" id=\"").skip(1).filter_map(|part| part.split('"').next()).collect();
+    assert!(ids.len() == 6 && (1..6).all(|i| !ids[..i].contains(&ids[i])), "{ids:?}");
+}
+
+#[test]
+fn rows_that_cannot_be_drawn_are_said() {
+    let folder = Folder::new("draw-no-rows").with("a.mech", &one());
+    folder.write_bytes("T.csv", b"rr [mm]\n60\n");
+    folder.write_bytes("E.csv", b"r [mm]\n");
+    folder.write_bytes("N.csv", b"r [mm]\nx\n");
+    folder.write_bytes("far.csv", b"r [mm]\n60\n900\n");
+    let drawn = |args: &[&str]| assur(&folder, &[&["draw", "a.mech"], args].concat());
+    let out = drawn(&["--row", "1"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    assert!(out.stderr.contains("has no table of variants"), "{}", out.stderr);
+    let out = drawn(&["--variants", "none.csv"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    for (table, code) in [("T.csv", "name::unknown"), ("E.csv", "table::empty"), ("N.csv", "table::number")] {
+        let out = drawn(&["--variants", table]);
+        assert_eq!((out.status, out.stdout.as_str()), (1, ""), "{table}");
+        assert!(out.stderr.contains(&format!("mech::{code}")), "{table}: {}", out.stderr);
+    }
+    let out = drawn(&["--variants", "far.csv", "velocities", "--pose", "1", "-o", "out"]);
+    assert_eq!(out.status, 0, "{}", out.stderr);
+    assert!(drawn(&["--set", "r=x"]).stderr.contains("mech::request::set_value"));
+}
+
 /// `docs/pictures.sh` writes what is there.
 #[test]
 fn the_pictures_of_the_documents_are_of_now() {

@@ -81,6 +81,18 @@ pub enum Missing {
         help("draw the `scheme`, or declare shafts: `shaft I {{ wheel a teeth 20 }}`")
     )]
     NoTrain,
+    /// A scale that does not fit.
+    #[error("the scale {wanted} does not fit: {why}")]
+    #[diagnostic(code("mech::picture::no_scale"))]
+    NoScale {
+        /// `length = 0.001 m/mm`.
+        wanted: String,
+        /// What would come of it.
+        why: &'static str,
+        /// What fits.
+        #[help]
+        help: String,
+    },
     /// No link has a place.
     #[error("no link has a position: {needs}")]
     #[diagnostic(

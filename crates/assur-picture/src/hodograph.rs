@@ -4,6 +4,7 @@ use crate::diagram::thinned;
 use crate::error::Missing;
 use crate::frame::Frame;
 use crate::no_diagram::NoDiagram;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::words;
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};
@@ -44,7 +45,7 @@ struct Swept {
 ///
 /// # Errors
 /// No speed, no sweep, no such point.
-pub fn hodographs(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+pub fn hodographs(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     if !scene.model.plan.effects.moving {
         return Err(Missing::no_speed(scene, "velocities"));
     }
@@ -68,14 +69,14 @@ pub fn hodographs(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawi
         };
         all.push(velocity(scene.mechanism(), point, name));
     }
-    drawn(scene, Of::Velocity, &all, size)
+    drawn(scene, Of::Velocity, &all, paper)
 }
 
 /// Polar diagrams of reactions: of a pair of a name, or of all whose reaction the file asks for.
 ///
 /// # Errors
 /// No forces, no sweep, no such pair.
-pub fn polars(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     crate::forces::loaded(scene)?;
     let mechanism = scene.mechanism();
     let mut all = Vec::new();
@@ -100,7 +101,7 @@ pub fn polars(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawing>,
         };
         all.push(reaction(mechanism, id, on(mechanism, id)));
     }
-    drawn(scene, Of::Reaction, &all, size)
+    drawn(scene, Of::Reaction, &all, paper)
 }
 
 /// The questions in the items of `find`, each once, with the name of the item.
@@ -173,7 +174,7 @@ fn on(mechanism: &Mechanism, pair: PairId) -> LinkId {
     links.into_iter().rfind(|l| *l != LinkId::GROUND).unwrap_or(LinkId::GROUND)
 }
 
-fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], size: Vec2) -> Result<Vec<Drawing>, Missing> {
+fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     let sets: Vec<Vec<Expr>> = all.iter().map(|swept| components(&swept.query)).collect();
     let what = if of == Of::Velocity { "hodograph" } else { "polar diagram" };
     let found = courses(&scene.model, &scene.solution.statics, &sets)
@@ -188,7 +189,7 @@ fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], size: Vec2) -> Result<Vec<Dra
             _ => over_poses(scene, &swept.query),
         };
         if lines.iter().any(|line| line.len() > 1) {
-            drawings.push(picture(scene, of, swept, &lines, size));
+            drawings.push(picture(scene, of, swept, &lines, paper)?);
         }
     }
     if drawings.is_empty() {
@@ -229,7 +230,13 @@ fn over_poses(scene: &Scene<'_>, query: &Query) -> Vec<Vec<Vec2>> {
     lines
 }
 
-fn picture(scene: &Scene<'_>, of: Of, swept: &Swept, lines: &[Vec<Vec2>], size: Vec2) -> Drawing {
+fn picture(
+    scene: &Scene<'_>,
+    of: Of,
+    swept: &Swept,
+    lines: &[Vec<Vec2>],
+    paper: &Paper,
+) -> Result<Drawing, Missing> {
     let (what, kind, unit) = match of {
         Of::Velocity => ("hodograph of the velocity of", "hodograph", "m/s"),
         Of::Reaction => ("polar diagram of the reaction in", "polar", "N"),
@@ -250,8 +257,8 @@ fn picture(scene: &Scene<'_>, of: Of, swept: &Swept, lines: &[Vec<Vec2>], size: 
     let mut bounds = Rect::NOTHING;
     bounds.add(Vec2::zero());
     lines.iter().flatten().for_each(|v| bounds.add(*v));
-    let fitting = Frame::fitting(&bounds, size * 0.8);
-    let frame = Frame::new(fitting.scale, Vec2::zero());
+    let scaled = if of == Of::Velocity { Scaled::Velocity } else { Scaled::Force };
+    let frame = paper.plan(scaled, &bounds, paper.size * 0.2)?;
     axes(&mut drawing, &frame, &bounds);
     let (thin, thick, role) = match of {
         Of::Velocity => (Style::VelocityPart, Style::Velocity, Role::Blue),
@@ -277,7 +284,7 @@ fn picture(scene: &Scene<'_>, of: Of, swept: &Swept, lines: &[Vec<Vec2>], size: 
     } else {
         drawing.caption(Text::upright("The vector is zero over the whole sweep."));
     }
-    drawing
+    Ok(drawing)
 }
 
 /// The axes of the ground through the pole.

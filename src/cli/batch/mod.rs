@@ -18,6 +18,7 @@ use super::files;
 use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
 use assur_text::source::shown_in_line;
+pub use job::open_table;
 use job::{Job, Run};
 use layout::Layout;
 pub use sink::Sink;

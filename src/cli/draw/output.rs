@@ -1,6 +1,7 @@
 //! Where pictures go: standard output, one file, one page with all, or files in a folder.
 
-use super::{Page, one_only};
+use super::one_only;
+use super::pages::Page;
 use crate::cli::batch::Sink;
 use crate::cli::error::CliError;
 use assur_drawing::escaped;

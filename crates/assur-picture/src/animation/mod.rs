@@ -5,13 +5,13 @@ mod moved;
 
 use crate::diagram::value_text;
 use crate::error::Missing;
+use crate::kind::Options;
 use crate::no_diagram::NoDiagram;
 use crate::plot::{self, plot};
 use crate::scene::Scene;
 use crate::scheme::{Loads, Scheme, frame_of_all, scheme_in};
 use crate::words;
 use assur_drawing::{Drawing, Rect, Sheet, Theme, escaped, number};
-use assur_math::math::Vec2;
 use assur_solve::answer::NoSweep;
 use assur_solve::solve::{Cause, DriveValue, Pose};
 use moved::{Body, Moved, Redrawn};
@@ -25,11 +25,12 @@ const LABELS: f64 = 6.0;
 const STEPS: (f64, f64) = (100.0, 18_000.0 / std::f64::consts::PI);
 
 /// The frames of a mechanism: positions over the way of its drive.
-fn frames<'a>(scene: &Scene<'a>) -> Result<Vec<Scene<'a>>, Missing> {
+fn frames<'a>(scene: &Scene<'a>, options: &Options) -> Result<Vec<Scene<'a>>, Missing> {
     let all: &'a [Pose] = if scene.turn.is_empty() { &scene.solution.poses } else { scene.turn };
     let at = |pose: &'a Pose| Some(Scene { pose, solved: pose.outcome.as_ref().ok()?, ..*scene });
     let solved: Vec<Scene<'a>> = all.iter().filter_map(at).collect();
-    let step = solved.len().div_ceil(MOST).max(1);
+    let most = options.frames.map_or(MOST, |_| usize::MAX);
+    let step = solved.len().div_ceil(most).max(1);
     let frames: Vec<Scene<'a>> = solved.into_iter().step_by(step).collect();
     if frames.len() < 2 {
         let cause = Cause::NoSweep(NoSweep::OnePosition);
@@ -39,10 +40,10 @@ fn frames<'a>(scene: &Scene<'a>) -> Result<Vec<Scene<'a>>, Missing> {
 }
 
 /// The schemes of all frames, in one place.
-fn schemes(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
-    let frames = frames(scene)?;
-    let wanted = Scheme { loads: Loads::None, size, ..Scheme::default() };
-    let frame = frame_of_all(&frames, size);
+fn schemes(scene: &Scene<'_>, options: &Options) -> Result<Vec<Drawing>, Missing> {
+    let frames = frames(scene, options)?;
+    let wanted = Scheme { loads: Loads::None, ..Scheme::default() };
+    let frame = frame_of_all(&frames, &options.scheme.paper())?;
     if frame.scale.is_none() {
         return Err(Missing::nothing_placed("an animation shows links that move"));
     }
@@ -53,8 +54,8 @@ fn schemes(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
 ///
 /// # Errors
 /// There is no way to go.
-pub fn still(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
-    let mut first = schemes(scene, size)?.into_iter().next().unwrap_or_default();
+pub fn still(scene: &Scene<'_>, options: &Options) -> Result<Drawing, Missing> {
+    let mut first = schemes(scene, options)?.into_iter().next().unwrap_or_default();
     first.id = words::id(scene, "animation");
     Ok(first)
 }
@@ -63,10 +64,10 @@ pub fn still(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
 ///
 /// # Errors
 /// There is no way to go.
-pub fn animation(scene: &Scene<'_>, size: Vec2, theme: Theme) -> Result<String, Missing> {
-    let schemes = schemes(scene, size)?;
+pub fn animation(scene: &Scene<'_>, options: &Options, theme: Theme) -> Result<String, Missing> {
+    let schemes = schemes(scene, options)?;
     let moved = Moved::of(&schemes);
-    let frames = frames(scene)?;
+    let frames = frames(scene, options)?;
     let title = format!("{}: animation", words::title(scene));
     let mut room = Rect::NOTHING;
     schemes.iter().for_each(|scheme| room.join(&scheme.extent()));

@@ -4,7 +4,9 @@ use super::acting::{Acting, Acts, Force};
 use super::polygon::split;
 use super::{Part, figure, names};
 use crate::angles::{flipped, freest};
+use crate::error::Missing;
 use crate::frame::Frame;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::scheme::length_scale;
 use crate::shape::{Outline, shapes};
@@ -27,14 +29,17 @@ const ARM: f64 = 3.0;
 const ARMS: usize = 4;
 
 /// The free body.
-pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, size: Vec2) -> Drawing {
+///
+/// # Errors
+/// A scale is wanted that does not fit.
+pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, paper: &Paper) -> Result<Drawing, Missing> {
     let all = shapes(scene);
     let mut bounds = Rect::NOTHING;
     for link in &part.links {
         all[link.index()].extent(scene, *link, &mut bounds);
     }
     acting.forces.iter().for_each(|f| bounds.add(f.at));
-    let frame = Frame::fitting(&bounds, size - AROUND);
+    let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
     let links = names(scene, part);
     let said: Vec<String> =
         acting.forces.iter().map(|f| format!("{} {} N", f.name.plain(), figure(f.force.norm()))).collect();
@@ -60,7 +65,7 @@ pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, size: Vec2) -> Draw
     if let Some(scale) = frame.scale {
         drawing.captions.push(length_scale(&scale));
     }
-    drawing
+    Ok(drawing)
 }
 
 fn bodies(

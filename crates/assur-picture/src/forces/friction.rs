@@ -5,6 +5,7 @@ use super::{determined, figure};
 use crate::angles::{flipped, freest, wrapped};
 use crate::error::Missing;
 use crate::frame::Frame;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::scheme::length_scale;
 use crate::shape::{Outline, shapes};
@@ -38,7 +39,7 @@ const POINT: f64 = 4.4;
 ///
 /// # Errors
 /// No pair has friction; the forces are not known.
-pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if !scene.mechanism().pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some())) {
         return Err(Missing::NoFriction);
     }
@@ -63,7 +64,7 @@ pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
             shape.extent(scene, link, &mut bounds);
         }
     }
-    let frame = Frame::fitting(&bounds, size - AROUND);
+    let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
     let mut picture = Picture { scene, frame, drawing: empty(scene, &frictions), outlines: Vec::new() };
     for (i, shape) in all.iter().enumerate().skip(1) {
         let link = LinkId::at(i);

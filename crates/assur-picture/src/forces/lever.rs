@@ -7,6 +7,7 @@ use crate::angles::{flipped, freest};
 use crate::error::Missing;
 use crate::frame::Frame;
 use crate::motion::{Node, Nodes, velocity_at};
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::{hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Shape, Style, Text};
@@ -29,7 +30,7 @@ const DEAD: f64 = 1e-12;
 ///
 /// # Errors
 /// There are no velocities, no forces, or no link has a place.
-pub fn lever(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if !scene.model.plan.effects.moving {
         return Err(Missing::no_speed(scene, "velocities"));
     }
@@ -50,7 +51,7 @@ pub fn lever(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     bounds.add(Vec2::zero());
     nodes.nodes.iter().for_each(|n| bounds.add(turned(scene, n.velocity(scene))));
     forces.iter().for_each(|f| bounds.add(image(scene, f.on, f.at)));
-    let frame = Frame::new(Frame::fitting(&bounds, size - AROUND).scale, Vec2::zero());
+    let frame = paper.plan(Scaled::Velocity, &bounds, AROUND)?;
     let terms = terms(scene);
     let largest = terms.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
     let sum: f64 = terms.iter().map(|t| t.1).sum();

@@ -10,10 +10,10 @@ pub use friction::friction;
 pub use lever::lever;
 
 use crate::error::Missing;
+use crate::paper::Paper;
 use crate::scene::Scene;
 use acting::{Acting, Acts};
 use assur_drawing::Drawing;
-use assur_math::math::Vec2;
 use assur_model::model::{LinkId, PairId};
 use assur_solve::solve::Model;
 use assur_text::units::significant;
@@ -30,7 +30,7 @@ pub struct Part {
 ///
 /// # Errors
 /// There are no forces: nothing loads the mechanism, they are not determined, or friction locks it.
-pub fn forces(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+pub fn forces(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     loaded(scene)?;
     let mut drawings = Vec::new();
     for part in parts(scene) {
@@ -38,8 +38,8 @@ pub fn forces(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
         if acting.forces.is_empty() {
             continue;
         }
-        drawings.push(free_body::draw(scene, &part, &acting, size));
-        drawings.extend(polygon::draw(scene, &part, &acting, size));
+        drawings.push(free_body::draw(scene, &part, &acting, paper)?);
+        drawings.extend(polygon::draw(scene, &part, &acting, paper)?);
     }
     if drawings.is_empty() {
         return Err(Missing::nothing_placed("forces act at points"));

@@ -4,6 +4,7 @@ use super::nodes::{Node, Nodes, acceleration, rank};
 use super::velocity::images;
 use super::{PlanOf, significant, title};
 use crate::error::Missing;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Role, Style, Text};
 use assur_math::math::Vec2;
@@ -13,7 +14,7 @@ use assur_model::model::LinkId;
 ///
 /// # Errors
 /// No drive has a speed; no link has a place.
-pub fn accelerations(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if !scene.model.plan.effects.timed {
         return Err(Missing::no_speed(scene, "accelerations"));
     }
@@ -33,7 +34,7 @@ pub fn accelerations(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> 
     let id = crate::words::id(scene, "accelerations");
     let drawing = Drawing::new(&id, title(scene, "acceleration plan"), description);
     ends.extend(Nodes::extent(scene, acceleration));
-    let mut plan = PlanOf::new(drawing, &ends, &all, "m/s²", size);
+    let mut plan = PlanOf::new(drawing, Scaled::Acceleration, &ends, &all, paper)?;
     plan.pole(Text::italic("p").and("′", false, assur_drawing::Level::Base));
     for (node, a) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
         plan.absolute(Style::Acceleration, *a, Text::italic("a").lowered(&node.index()));

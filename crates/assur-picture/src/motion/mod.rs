@@ -8,7 +8,9 @@ pub use acceleration::accelerations;
 pub use nodes::{Node, Nodes, velocity as velocity_at};
 pub use velocity::velocities;
 
+use crate::error::Missing;
 use crate::frame::Frame;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::mass;
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Style, Text};
@@ -27,7 +29,7 @@ const SHORT: f64 = 0.3;
 const ROUNDING: f64 = 1e-9;
 
 /// A plan that is being drawn.
-struct PlanOf<'s> {
+struct PlanOf {
     drawing: Drawing,
     frame: Frame,
     /// Points that have a dot, with their names.
@@ -40,19 +42,25 @@ struct PlanOf<'s> {
     largest: f64,
     /// Vectors too short to be drawn, with their values.
     short: Vec<Text>,
-    unit: &'s str,
+    unit: &'static str,
 }
 
-impl<'s> PlanOf<'s> {
+impl PlanOf {
     /// A plan of vectors that fits into its size.
-    fn new(drawing: Drawing, room: &[Vec2], vectors: &[Vec2], unit: &'s str, size: Vec2) -> Self {
+    fn new(
+        drawing: Drawing,
+        of: Scaled,
+        room: &[Vec2],
+        vectors: &[Vec2],
+        paper: &Paper,
+    ) -> Result<Self, Missing> {
         let mut bounds = Rect::NOTHING;
         bounds.add(Vec2::zero());
         room.iter().for_each(|v| bounds.add(*v));
-        let frame = Frame::new(Frame::fitting(&bounds, size - AROUND).scale, Vec2::zero());
+        let frame = paper.plan(of, &bounds, AROUND)?;
         let ends = vectors.iter().map(|v| frame.point(*v)).collect();
         let largest = room.iter().map(|v| v.norm()).fold(0.0, f64::max);
-        Self {
+        Ok(Self {
             drawing,
             frame,
             dots: Vec::new(),
@@ -60,8 +68,8 @@ impl<'s> PlanOf<'s> {
             absolute: Vec::new(),
             largest,
             short: Vec::new(),
-            unit,
-        }
+            unit: of.unit(),
+        })
     }
 
     /// The end of a vector from the pole.

@@ -3,6 +3,7 @@
 use super::nodes::{Node, Nodes, velocity};
 use super::{PlanOf, significant, title};
 use crate::error::Missing;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Role, Style, Text};
 use assur_math::math::Vec2;
@@ -12,7 +13,7 @@ use assur_model::model::LinkId;
 ///
 /// # Errors
 /// No drive has a speed; no link has a place.
-pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if !scene.model.plan.effects.moving {
         return Err(Missing::no_speed(scene, "velocities"));
     }
@@ -31,7 +32,7 @@ pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     let drawing = Drawing::new(&id, title(scene, "velocity plan"), description);
     let mut room = Nodes::extent(scene, velocity);
     room.extend(&all);
-    let mut plan = PlanOf::new(drawing, &room, &all, "m/s", size);
+    let mut plan = PlanOf::new(drawing, Scaled::Velocity, &room, &all, paper)?;
     plan.pole(Text::italic("p"));
     let is_of = |n: &Node| !n.fixed;
     for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| is_of(n)) {
@@ -49,7 +50,7 @@ pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
 }
 
 /// Velocities of points of one link against each other, and of sliding.
-fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf<'_>) {
+fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf) {
     for link in 1..scene.mechanism().links.len() {
         let on = nodes.on(LinkId::at(link));
         let Some((base, others)) = on.split_first() else { continue };
@@ -85,7 +86,7 @@ fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf<'_>) {
 pub fn images(
     scene: &Scene<'_>,
     nodes: &Nodes,
-    plan: &mut PlanOf<'_>,
+    plan: &mut PlanOf,
     of: fn(&assur_solve::solve::BodyState, Vec2) -> Vec2,
 ) {
     let near = 1e-7 * assur_solve::solve::extent(&scene.model);

@@ -10,6 +10,7 @@ mod ways;
 
 use crate::error::Missing;
 use crate::frame::Frame;
+use crate::paper::{Paper, Scaled, Scales};
 use crate::scene::Scene;
 use crate::shape::{LinkShape, Outline, shapes};
 use crate::words;
@@ -36,8 +37,8 @@ pub struct Scheme {
     pub loads: Loads,
     /// The most that the mechanism takes, mm.
     pub size: Vec2,
-    /// Its scale, where it is wanted.
-    pub scale: Option<Scale>,
+    /// Scale factors, where they are wanted.
+    pub scales: Scales,
     /// How many other poses are shown.
     pub ghosts: usize,
     /// Points whose paths are shown: `coupler.S2`.
@@ -47,7 +48,16 @@ pub struct Scheme {
 impl Default for Scheme {
     fn default() -> Self {
         let (ghosts, paths) = (0, Vec::new());
-        Self { loads: Loads::All, size: Vec2::new(180.0, 120.0), scale: None, ghosts, paths }
+        let (size, scales) = (Vec2::new(180.0, 120.0), Scales::default());
+        Self { loads: Loads::All, size, scales, ghosts, paths }
+    }
+}
+
+impl Scheme {
+    /// The space that pictures have.
+    #[must_use]
+    pub const fn paper(&self) -> Paper {
+        Paper { size: self.size, scales: self.scales }
     }
 }
 
@@ -70,20 +80,20 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
     let mut bounds = extent(scene, &shapes);
     ways::extent(scene, wanted, &traced, &mut bounds);
     let size = wanted.size * crowding(scene);
-    let fitting = Frame::fitting(&bounds, paper(&bounds, size) - AROUND);
-    let frame = match (wanted.scale, fitting.scale) {
-        (Some(scale), Some(_)) => Frame::new(Some(scale), fitting.origin),
-        _ => fitting,
-    };
+    let sheet = Paper { size: paper(&bounds, size), ..wanted.paper() };
+    let frame = sheet.frame(Scaled::Length, &bounds, AROUND)?;
     Ok(drawn(scene, wanted, &shapes, &frame, &traced))
 }
 
 /// The size and place on paper that hold a mechanism at several positions.
-pub fn frame_of_all(scenes: &[Scene<'_>], size: Vec2) -> Frame {
+///
+/// # Errors
+/// A scale is wanted that does not fit.
+pub fn frame_of_all(scenes: &[Scene<'_>], space: &Paper) -> Result<Frame, Missing> {
     let mut bounds = Rect::NOTHING;
     scenes.iter().for_each(|scene| bounds.join(&extent(scene, &shapes(scene))));
-    let size = scenes.first().map_or(size, |scene| size * crowding(scene));
-    Frame::fitting(&bounds, paper(&bounds, size) - AROUND)
+    let size = scenes.first().map_or(space.size, |scene| space.size * crowding(scene));
+    Paper { size: paper(&bounds, size), ..*space }.frame(Scaled::Length, &bounds, AROUND)
 }
 
 /// The scheme of a position where others have their places too.
