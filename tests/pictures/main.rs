@@ -6,5 +6,6 @@ mod folder;
 mod drawn;
 mod every_example;
 mod extreme;
+mod numbers;
 mod over_sweeps;
 mod xml;

@@ -2,6 +2,7 @@
 
 use crate::diagram::thinned;
 use crate::error::Missing;
+use crate::figures::{FORCE, VELOCITY, cleared};
 use crate::frame::Frame;
 use crate::no_diagram::NoDiagram;
 use crate::paper::{Paper, Scaled};
@@ -237,9 +238,9 @@ fn picture(
     lines: &[Vec<Vec2>],
     paper: &Paper,
 ) -> Result<Drawing, Missing> {
-    let (what, kind, unit) = match of {
-        Of::Velocity => ("hodograph of the velocity of", "hodograph", "m/s"),
-        Of::Reaction => ("polar diagram of the reaction in", "polar", "N"),
+    let (what, kind, unit, dimension) = match of {
+        Of::Velocity => ("hodograph of the velocity of", "hodograph", "m/s", VELOCITY),
+        Of::Reaction => ("polar diagram of the reaction in", "polar", "N", FORCE),
     };
     let title = format!("{}: {what} {}", words::title(scene), swept.plain);
     let most = lines.iter().flatten().map(|v| v.norm()).fold(0.0, f64::max);
@@ -250,13 +251,15 @@ fn picture(
     };
     let said = format!(
         "Ends of the vectors over the sweep{unit_said}; the greatest is {} {unit}.",
-        crate::motion::significant(most)
+        scene.figure(most, dimension)
     );
     let id = format!("{}-{}", words::id(scene, kind), swept.plain);
     let mut drawing = Drawing::new(&id, title, said);
     let mut bounds = Rect::NOTHING;
     bounds.add(Vec2::zero());
-    lines.iter().flatten().for_each(|v| bounds.add(*v));
+    if cleared(most, scene.greatest.in_si(dimension)) > 0.0 {
+        lines.iter().flatten().for_each(|v| bounds.add(*v));
+    }
     let scaled = if of == Of::Velocity { Scaled::Velocity } else { Scaled::Force };
     let frame = paper.plan(scaled, &bounds, paper.size * 0.2)?;
     axes(&mut drawing, &frame, &bounds);

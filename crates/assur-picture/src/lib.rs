@@ -5,6 +5,7 @@ mod animation;
 mod cam;
 mod diagram;
 mod error;
+mod figures;
 mod forces;
 mod frame;
 mod hodograph;

@@ -5,7 +5,7 @@ use assur_drawing::Text;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, LinkId, Load, Mechanism, PairId, PairKind};
 use assur_solve::answer::PoseAnswers;
-use assur_solve::solve::{BodyState, Model, Pose, Solution, Solved, State};
+use assur_solve::solve::{BodyState, Greatest, Model, Pose, Solution, Solved, State};
 
 /// One position of a solved problem.
 #[derive(Clone, Copy)]
@@ -22,6 +22,8 @@ pub struct Scene<'a> {
     pub file: &'a str,
     /// Its text.
     pub text: &'a str,
+    /// What the quantities of all positions are large against.
+    pub greatest: Greatest,
     /// Positions in small steps over the way of the drive, where paths or other poses are wanted.
     pub turn: &'a [Pose],
 }
@@ -40,7 +42,9 @@ impl<'a> Scene<'a> {
         let wanted = |pose: &&Pose| name.is_none_or(|name| pose.name == name);
         let found = solution.poses.iter().filter(wanted).find_map(|pose| {
             let solved = pose.outcome.as_ref().ok()?;
-            Some(Self { model, solution, pose, solved, file, text, turn: &[] })
+            let all = solution.poses.iter().filter_map(|pose| pose.outcome.as_ref().ok());
+            let greatest = Greatest::of(&model, all);
+            Some(Self { model, solution, pose, solved, file, text, greatest, turn: &[] })
         });
         found.ok_or_else(|| Missing::no_position(solution, name))
     }

@@ -3,7 +3,6 @@
 
 mod moved;
 
-use crate::diagram::value_text;
 use crate::error::Missing;
 use crate::kind::Options;
 use crate::no_diagram::NoDiagram;
@@ -118,7 +117,9 @@ fn page(
         let mut said = vec![words::drives(frame)];
         if let Some((_, curves)) = &diagram {
             said.extend(
-                curves.at(*drive).map(|(name, display, y)| format!("{name} = {}", value_text(display, y))),
+                curves
+                    .at(*drive)
+                    .map(|(name, display, y)| format!("{name} = {}", frame.value_text(display, y))),
             );
         }
         quoted(&said.join("   "))

@@ -2,9 +2,10 @@
 
 use super::acting::{Acting, Acts, Force};
 use super::polygon::split;
-use super::{Part, figure, names};
+use super::{Part, names};
 use crate::angles::{flipped, freest};
 use crate::error::Missing;
+use crate::figures::{FORCE, MOMENT};
 use crate::frame::Frame;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
@@ -41,10 +42,13 @@ pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, paper: &Paper) -> R
     acting.forces.iter().for_each(|f| bounds.add(f.at));
     let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
     let links = names(scene, part);
-    let said: Vec<String> =
-        acting.forces.iter().map(|f| format!("{} {} N", f.name.plain(), figure(f.force.norm()))).collect();
+    let said: Vec<String> = acting
+        .forces
+        .iter()
+        .map(|f| format!("{} {} N", f.name.plain(), scene.figure(f.force.norm(), FORCE)))
+        .collect();
     let couples: Vec<String> =
-        acting.couples.iter().map(|c| format!("{} {} N·m", c.0.plain(), figure(c.3))).collect();
+        acting.couples.iter().map(|c| format!("{} {} N·m", c.0.plain(), scene.figure(c.3, MOMENT))).collect();
     let couples =
         if couples.is_empty() { String::new() } else { format!(" Couples: {}.", couples.join(", ")) };
     let title =

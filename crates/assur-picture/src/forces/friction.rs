@@ -1,9 +1,10 @@
 //! Friction: circles at the scale of lengths with the action lines that touch them, the angle between a reaction and the
 //! normal at guides and contacts, and the frictionless line beside each.
 
-use super::{determined, figure};
+use super::determined;
 use crate::angles::{flipped, freest, wrapped};
 use crate::error::Missing;
+use crate::figures::{FORCE, MOMENT, plain};
 use crate::frame::Frame;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
@@ -89,10 +90,10 @@ fn empty(scene: &Scene<'_>, frictions: &[PairFriction]) -> Drawing {
     let said = frictions.iter().map(|f| {
         let name = &scene.mechanism().pair(f.pair).name;
         let (what, unit) = if f.turns { ("torque", "N·m") } else { ("force", "N") };
-        let pressed = figure(f.normal);
+        let pressed = scene.figure(f.normal, FORCE);
         format!(
             "{name}: {what} {} {unit} on {}, pressed by {pressed} N",
-            figure(f.effort),
+            scene.figure(f.effort, if f.turns { MOMENT } else { FORCE }),
             scene.link_label(f.on)
         )
     });
@@ -249,7 +250,7 @@ impl Picture<'_, '_> {
             let radius = ARROW * 0.8;
             self.drawing.mark(Style::Thin, Shape::Arc { centre: at, radius, from, sweep });
             let angle = libm::atan(f.factor) * 360.0 / TAU;
-            let name = Text::italic("φ").and(&format!(" = {}°", figure(angle)), false, Level::Base);
+            let name = Text::italic("φ").and(&format!(" = {}°", plain(angle)), false, Level::Base);
             let middle = on_circle(at, radius, from + sweep / 2.0);
             self.drawing.label(Label::at(name, 3.6, middle, 0.4).towards(middle - at).ranked(4));
         }
@@ -296,7 +297,7 @@ impl Picture<'_, '_> {
         self.drawing.line(Style::Dashed, touch - along * half, touch);
         self.drawing.mark(Style::Unknown, Shape::Arrow(touch, touch + along * half));
         mass::point(&mut self.drawing, touch);
-        let words = format!(" = {} mm, magnified", figure(f.factor * 1000.0));
+        let words = format!(" = {} mm, magnified", plain(f.factor * 1000.0));
         let text = Text::italic("ρ").and(&words, false, Level::Base);
         let below = Vec2::new(centre.x, centre.y + INSET);
         let label = Label::at(text, 3.6, below, 0.3).towards(Vec2::new(0.0, 1.0));

@@ -2,9 +2,10 @@
 //! all forces about the pole add up to nothing, which is the balance of powers.
 
 use super::acting::{Acting, Acts, Force};
-use super::{Part, figure, is_loaded};
+use super::{Part, is_loaded};
 use crate::angles::{flipped, freest};
 use crate::error::Missing;
+use crate::figures::{cleared, plain};
 use crate::frame::Frame;
 use crate::motion::{Node, Nodes, velocity_at};
 use crate::paper::{Paper, Scaled};
@@ -58,8 +59,8 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     // where nothing does work, at a dead position, all terms are rounding
     let scale = if largest > DEAD * greatest(scene) { largest } else { greatest(scene) };
     let share = if scale > 0.0 { sum.abs() / scale } else { 0.0 };
-    let said: Vec<String> =
-        terms.iter().map(|(name, p)| format!("{} {}", name.plain(), figure(*p))).collect();
+    let terms: Vec<(Text, f64)> = terms.into_iter().map(|(name, p)| (name, cleared(p, scale))).collect();
+    let said: Vec<String> = terms.iter().map(|(name, p)| format!("{} {}", name.plain(), plain(*p))).collect();
     let title =
         format!("{}: Zhukovsky’s lever{}", crate::words::title(scene), crate::words::at_position(scene));
     let description = format!(
@@ -286,7 +287,7 @@ fn captions(drawing: &mut Drawing, frame: &Frame, terms: &[(Text, f64)]) {
             let lead = if i > 0 { ",  " } else { "" };
             text = text.and(lead, false, Level::Base);
             text.runs.extend(name.runs.iter().cloned());
-            text = text.and(&format!(": {}", figure(*power)), false, Level::Base);
+            text = text.and(&format!(": {}", plain(*power)), false, Level::Base);
         }
         drawing.caption(text);
     }

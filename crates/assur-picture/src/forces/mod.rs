@@ -16,7 +16,6 @@ use acting::{Acting, Acts};
 use assur_drawing::Drawing;
 use assur_model::model::{LinkId, PairId};
 use assur_solve::solve::Model;
-use assur_text::units::significant;
 
 /// What is freed at once: a group, or one link of a group that is solved as a whole.
 pub struct Part {
@@ -107,11 +106,6 @@ fn parts(scene: &Scene<'_>) -> Vec<Part> {
 /// `2, 3`
 fn names(scene: &Scene<'_>, part: &Part) -> String {
     part.links.iter().map(|l| scene.link_label(*l)).collect::<Vec<_>>().join(", ")
-}
-
-/// Five digits with a true minus.
-fn figure(x: f64) -> String {
-    significant(x, 5).replace('-', "−")
 }
 
 /// What a force is, in the order of the polygon.

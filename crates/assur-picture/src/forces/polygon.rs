@@ -1,9 +1,10 @@
 //! The polygon of forces in the textbook's order.
 
 use super::acting::{Acting, Acts, Force};
-use super::{Part, figure, is_unknown, names};
+use super::{Part, is_unknown, names};
 use crate::angles::flipped;
 use crate::error::Missing;
+use crate::figures::FORCE;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::mass;
@@ -59,8 +60,10 @@ pub fn draw(
     let Some(scale) = paper.frame(Scaled::Force, &bounds, AROUND)?.scale else { return Ok(None) };
     let on_paper = |v: Vec2| flipped(v) / scale.factor();
     let links = names(scene, part);
-    let said: Vec<String> =
-        sides.iter().map(|s| format!("{} {} N", s.name.plain(), figure(s.force.norm()))).collect();
+    let said: Vec<String> = sides
+        .iter()
+        .map(|s| format!("{} {} N", s.name.plain(), scene.figure(s.force.norm(), FORCE)))
+        .collect();
     let title = format!(
         "{}: polygon of forces of links {links}{}",
         crate::words::title(scene),
@@ -80,7 +83,7 @@ pub fn draw(
     let last = corners.len() - 1;
     // the last corner is the first
     vertices(&mut drawing, &corners[..last].iter().map(|c| on_paper(*c)).collect::<Vec<_>>());
-    captions(&mut drawing, &sides, &scale);
+    captions(scene, &mut drawing, &sides, &scale);
     Ok(Some(drawing))
 }
 
@@ -128,7 +131,7 @@ fn letter(i: usize) -> String {
     if i < 26 { first.to_string() } else { format!("{first}{}", i / 26) }
 }
 
-fn captions(drawing: &mut Drawing, sides: &[Side], scale: &Scale) {
+fn captions(scene: &Scene<'_>, drawing: &mut Drawing, sides: &[Side], scale: &Scale) {
     let text = Text::italic("μ").lowered("F").and(&format!(" = {} N/mm", scale.text()), false, Level::Base);
     drawing.caption(text);
     for (row, line) in sides.chunks(4).enumerate() {
@@ -144,7 +147,7 @@ fn captions(drawing: &mut Drawing, sides: &[Side], scale: &Scale) {
             );
             text = text.and(" = ", false, Level::Base);
             text.runs.extend(side.name.runs.iter().cloned());
-            text = text.and(&format!(" = {} N", figure(side.force.norm())), false, Level::Base);
+            text = text.and(&format!(" = {} N", scene.figure(side.force.norm(), FORCE)), false, Level::Base);
         }
         drawing.caption(text);
     }

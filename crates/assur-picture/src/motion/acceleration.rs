@@ -2,8 +2,9 @@
 
 use super::nodes::{Node, Nodes, acceleration, rank};
 use super::velocity::images;
-use super::{PlanOf, significant, title};
+use super::{PlanOf, title};
 use crate::error::Missing;
+use crate::figures::ACCELERATION;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Role, Style, Text};
@@ -28,7 +29,7 @@ pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missin
     ends.extend(parts.iter().flat_map(|p| [p.from, p.to]));
     let mut said: Vec<String> = Vec::new();
     for (node, a) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
-        said.push(format!("a_{} = {} m/s²", node.index(), significant(a.norm())));
+        said.push(format!("a_{} = {} m/s²", node.index(), scene.figure(a.norm(), ACCELERATION)));
     }
     let description = format!("Accelerations from the pole p′: {}.", said.join(", "));
     let id = crate::words::id(scene, "accelerations");

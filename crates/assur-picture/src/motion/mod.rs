@@ -9,6 +9,7 @@ pub use nodes::{Node, Nodes, velocity as velocity_at};
 pub use velocity::velocities;
 
 use crate::error::Missing;
+use crate::figures::plain;
 use crate::frame::Frame;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
@@ -97,7 +98,7 @@ impl PlanOf {
         if (b - a).norm() < SHORT {
             // what rounding leaves is nothing
             if value > ROUNDING * self.largest && self.frame.scale.is_some() {
-                let text = format!(" = {} {}", significant(value), self.unit);
+                let text = format!(" = {} {}", plain(value), self.unit);
                 self.short.push(name.and(&text, false, Level::Base));
             }
             return;
@@ -200,11 +201,6 @@ fn joined(names: Vec<Text>) -> Text {
         all.full = all.full.or(name.full);
     }
     all
-}
-
-/// Five digits.
-pub fn significant(x: f64) -> String {
-    assur_text::units::significant(x, 5).replace('-', "−")
 }
 
 /// The name of a point in small letters.

@@ -1,8 +1,9 @@
 //! The plan of velocities.
 
 use super::nodes::{Node, Nodes, velocity};
-use super::{PlanOf, significant, title};
+use super::{PlanOf, title};
 use crate::error::Missing;
+use crate::figures::VELOCITY;
 use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Role, Style, Text};
@@ -24,7 +25,7 @@ pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> 
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.velocity(scene)).collect();
     let mut said: Vec<String> = Vec::new();
     for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
-        said.push(format!("v_{} = {} m/s", node.index(), significant(v.norm())));
+        said.push(format!("v_{} = {} m/s", node.index(), scene.figure(v.norm(), VELOCITY)));
     }
     let ratios = if scene.model.plan.effects.timed { "" } else { " for a unit speed of the drive" };
     let description = format!("Velocities from the pole p{ratios}: {}.", said.join(", "));
