@@ -2,6 +2,7 @@
 
 mod compile;
 mod critical;
+mod dimensions;
 mod drawn;
 mod file_variants;
 mod followed;
@@ -14,6 +15,7 @@ mod turn;
 mod variant_solver;
 
 pub use compile::{Compiled, Origin, check_source, compile, compile_document};
+pub use dimensions::dimensions;
 pub use drawn::{solve_document_drawn, solve_drawn};
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
 pub use followed::{Followed, Sink, SizeError, is_long, most_positions};

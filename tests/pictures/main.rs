@@ -3,6 +3,7 @@
 #[path = "../folder/mod.rs"]
 mod folder;
 
+mod dimensioned;
 mod drawn;
 mod every_example;
 mod extreme;

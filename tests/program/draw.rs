@@ -129,11 +129,40 @@ fn a_scale_is_as_wanted_or_refused() {
 #[test]
 fn an_option_of_another_picture_is_refused() {
     let folder = Folder::new("draw-option").with("a.mech", &one());
-    for option in [["--ghosts", "4"], ["--path", "rod.B"], ["--loads", "none"], ["--frames", "12"]] {
-        let out = assur(&folder, &["draw", "a.mech", "velocities", option[0], option[1]]);
+    for option in [
+        &["--ghosts", "4"][..],
+        &["--path", "rod.B"],
+        &["--loads", "none"],
+        &["--frames", "12"],
+        &["--dimensions"],
+        &["--numbers"],
+    ] {
+        let out = assur(&folder, &[&["draw", "a.mech", "velocities"], option].concat());
         assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{option:?}");
         assert!(out.stderr.contains("changes no picture"), "{}", out.stderr);
     }
+    let out = assur(&folder, &["draw", "a.mech", "--numbers", "--loads", "none"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+}
+
+#[test]
+fn dimensions_and_numbers_are_drawn() {
+    let text = one() + "force P on piston at C = 400 N @ 180 deg\nbalance torque Mb on crank\n";
+    let folder = Folder::new("draw-dimensions").with("a.mech", &text);
+    let out = assur(&folder, &["draw", "a.mech", "--dimensions", "--numbers", "--scale", "force=20"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    for said in [
+        "Dimensions: r = 100 mm",
+        "class=\"dimension\" data-name=\"r\"",
+        "Loads: P = 400 N",
+        "Unknown effort Mb = 0 N·m",
+        "Force scale 20 N per mm",
+    ] {
+        assert!(out.stdout.contains(said), "{said}: {}", out.stdout);
+    }
+    let out = assur(&folder, &["draw", "a.mech", "--numbers", "--scale", "force=10"]);
+    assert_eq!((out.status, out.stdout.as_str()), (1, ""));
+    assert!(out.stderr.contains("`--scale force=20`"), "{}", out.stderr);
 }
 
 /// The numbers in the first list of a script that begins with a name.

@@ -29,4 +29,4 @@ pub use frame::Frame;
 pub use kind::{KINDS, Kind, Options, draw};
 pub use paper::{Paper, SCALED, Scaled, Scales};
 pub use scene::Scene;
-pub use scheme::{Loads, Scheme, scheme};
+pub use scheme::{Dimension, Loads, Measured, Scheme, scheme};

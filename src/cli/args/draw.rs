@@ -27,6 +27,12 @@ pub struct Draw {
     /// Draw the path of this point over the way of the drive; may be repeated
     #[arg(long, value_name = "LINK.POINT")]
     pub path: Vec<String>,
+    /// Show the lengths and offsets that the file gives by name, as dimension lines of the scheme
+    #[arg(long)]
+    pub dimensions: bool,
+    /// Show the numbers of loads and efforts beside them, and arrows of forces in proportion
+    #[arg(long)]
+    pub numbers: bool,
     /// Number of frames of an animation [default: up to 400]
     #[arg(long, value_name = "N", value_parser = frames)]
     pub frames: Option<usize>,
@@ -97,19 +103,28 @@ impl Draw {
             let kinds = kinds.collect::<Vec<_>>().join(", ");
             Some(CliError::NoEffect { option: option.to_owned(), help: format!("it is for {kinds}") })
         };
-        let scheme = |is_given: bool, option: &str| {
-            if is_given { of(option, &|kind| kind == Kind::Scheme) } else { None }
+        let scheme_options = [
+            (self.ghosts > 0, "--ghosts"),
+            (!self.path.is_empty(), "--path"),
+            (self.loads != LoadsArg::All, "--loads"),
+            (self.dimensions, "--dimensions"),
+            (self.numbers, "--numbers"),
+        ];
+        let given = scheme_options.into_iter().filter(|(is_given, _)| *is_given);
+        let of_scheme = || given.clone().find_map(|(_, option)| of(option, &|kind| kind == Kind::Scheme));
+        let of_frames = || self.frames.and_then(|_| of("--frames", &|kind| kind == Kind::Animation));
+        let shows = |kind: Kind, what| {
+            kind.has_scale(what) || what == Scaled::Force && kind == Kind::Scheme && self.numbers
         };
-        scheme(self.ghosts > 0, "--ghosts")
-            .or_else(|| scheme(!self.path.is_empty(), "--path"))
-            .or_else(|| scheme(self.loads != LoadsArg::All, "--loads"))
-            .or_else(|| self.frames.and_then(|_| of("--frames", &|kind| kind == Kind::Animation)))
-            .or_else(|| {
-                let scales = self.scale.iter();
-                scales
-                    .map(|(what, _)| *what)
-                    .find_map(|what| of(&format!("--scale {}", what.name()), &|kind| kind.has_scale(what)))
-            })
+        let mut scales = self.scale.iter().map(|(what, _)| *what);
+        let mut of_scales =
+            || scales.find_map(|what| of(&format!("--scale {}", what.name()), &|kind| shows(kind, what)));
+        let of_numbers = || {
+            let help = "`--loads none` leaves out all that has a number".to_owned();
+            let is_none = self.numbers && self.loads == LoadsArg::None;
+            is_none.then(|| CliError::NoEffect { option: "--numbers".to_owned(), help })
+        };
+        of_scheme().or_else(of_frames).or_else(&mut of_scales).or_else(of_numbers)
     }
 
     /// The values from outside.

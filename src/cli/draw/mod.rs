@@ -98,12 +98,16 @@ impl Drawing<'_> {
 
     /// The pictures of a file with a row of variants, and what was found.
     fn of_row(&self, source: &Source, document: &Arc<Document>, mut row: DrawnRow) -> (Vec<Page>, Problems) {
-        let kinds: Vec<Kind> = self.pictures.iter().map(|picture| picture.kind).collect();
+        let mut kinds: Vec<Kind> = self.pictures.iter().map(|picture| picture.kind).collect();
+        if self.args.numbers {
+            // with the numbers of unknown efforts
+            kinds.push(Kind::Forces);
+        }
         let found = std::mem::take(&mut row.problems);
         let (solved, mut problems) =
             pipeline::solve_document_drawn(source, document, found, &row.overrides, &kinds);
         let pages = solved.map_or_else(Vec::new, |solved| {
-            Pages { drawing: self, source, solved: &solved, row: &row }.all(&mut problems)
+            Pages { drawing: self, source, document, solved: &solved, row: &row }.all(&mut problems)
         });
         (pages, row.told(problems))
     }

@@ -10,6 +10,7 @@ use assur_math::math::Vec2;
 use assur_model::model::Mechanism;
 use assur_picture::{Kind, Missing, Options, Scales, Scene, Scheme};
 use assur_solve::solve::Pose;
+use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
 
@@ -31,6 +32,8 @@ pub struct Pages<'d, 'a> {
     pub drawing: &'d Drawing<'a>,
     /// The text of the file.
     pub source: &'d Source,
+    /// The same as statements.
+    pub document: &'d Document,
     /// The solution.
     pub solved: &'d Solved,
     /// The row of variants.
@@ -101,8 +104,12 @@ impl Pages<'_, '_> {
             ghosts: args.ghosts,
             paths: args.path.clone(),
             scales,
+            numbers: args.numbers,
             ..Scheme::default()
         };
+        if args.dimensions {
+            scheme.dimensions = pipeline::dimensions(self.document, &self.solved.compiled.mechanism);
+        }
         if let Some((width, height)) = args.size {
             scheme.size = Vec2::new(width, height);
         }

@@ -1,12 +1,16 @@
 //! The kinematic scheme: the mechanism at one position, to scale.
 
+mod dimension;
 mod effort;
 mod label;
 mod link;
 mod mesh;
+mod numbers;
 mod pair;
 mod profile;
 mod ways;
+
+pub use dimension::{Dimension, Measured};
 
 use crate::error::Missing;
 use crate::frame::Frame;
@@ -43,13 +47,17 @@ pub struct Scheme {
     pub ghosts: usize,
     /// Points whose paths are shown: `coupler.S2`.
     pub paths: Vec<String>,
+    /// Whether loads and efforts have their numbers, and arrows of forces lengths in proportion.
+    pub numbers: bool,
+    /// Lengths that are shown with their names.
+    pub dimensions: Vec<Dimension>,
 }
 
 impl Default for Scheme {
     fn default() -> Self {
-        let (ghosts, paths) = (0, Vec::new());
+        let (ghosts, paths, numbers, dimensions) = (0, Vec::new(), false, Vec::new());
         let (size, scales) = (Vec2::new(180.0, 120.0), Scales::default());
-        Self { loads: Loads::All, size, scales, ghosts, paths }
+        Self { loads: Loads::All, size, scales, ghosts, paths, numbers, dimensions }
     }
 }
 
@@ -82,7 +90,8 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
     let size = wanted.size * crowding(scene);
     let sheet = Paper { size: paper(&bounds, size), ..wanted.paper() };
     let frame = sheet.frame(Scaled::Length, &bounds, AROUND)?;
-    Ok(drawn(scene, wanted, &shapes, &frame, &traced))
+    let forces = if wanted.numbers { numbers::scale(scene, wanted)? } else { None };
+    Ok(drawn(scene, wanted, &shapes, &frame, &traced, forces))
 }
 
 /// The size and place on paper that hold a mechanism at several positions.
@@ -98,7 +107,7 @@ pub fn frame_of_all(scenes: &[Scene<'_>], space: &Paper) -> Result<Frame, Missin
 
 /// The scheme of a position where others have their places too.
 pub fn scheme_in(scene: &Scene<'_>, wanted: &Scheme, frame: &Frame) -> Drawing {
-    drawn(scene, wanted, &shapes(scene), frame, &[])
+    drawn(scene, wanted, &shapes(scene), frame, &[], None)
 }
 
 fn drawn(
@@ -107,17 +116,23 @@ fn drawn(
     shapes: &[LinkShape],
     frame: &Frame,
     traced: &[ways::Traced],
+    forces: Option<Scale>,
 ) -> Drawing {
     let title = format!("{}: kinematic scheme{}", words::title(scene), words::at_position(scene));
     let mut drawing = Drawing::new(&words::id(scene, "scheme"), title, String::new());
     let mut sketch = Sketch::new(scene, shapes, frame);
+    (sketch.numbers, sketch.forces) = (wanted.numbers, forces);
     sketch.ghosts(&mut drawing, wanted.ghosts);
     sketch.paths(&mut drawing, traced);
     sketch.draw(&mut drawing, wanted);
     drawing.description = words::mechanism(scene) + &sketch.said;
     if let Some(scale) = frame.scale {
-        drawing.captions.push(length_scale(&scale));
+        drawing.captions.insert(0, length_scale(&scale));
         drawing.description += &format!("Length scale {} m per mm.", scale.text());
+    }
+    if let Some(scale) = forces {
+        drawing.captions.push(numbers::caption(&scale));
+        drawing.description += &format!(" Force scale {} N per mm.", scale.text());
     }
     drawing
 }
@@ -191,6 +206,10 @@ struct Sketch<'a, 's> {
     supports: Vec<Vec2>,
     /// Rods of followers.
     rods: Vec<(LinkId, Vec2, Vec2)>,
+    /// Whether loads and efforts have their numbers.
+    numbers: bool,
+    /// The scale of their arrows, where they have.
+    forces: Option<Scale>,
 }
 
 impl<'a, 's> Sketch<'a, 's> {
@@ -206,7 +225,21 @@ impl<'a, 's> Sketch<'a, 's> {
         let outlines = shapes.iter().enumerate().map(outline).collect();
         let (said, taken, blocks) = (String::new(), Vec::new(), Vec::new());
         let (labelled, supports, rods) = (Vec::new(), Vec::new(), Vec::new());
-        Self { scene, shapes, frame, outlines, said, taken, blocks, labelled, supports, rods }
+        let (numbers, forces) = (false, None);
+        Self {
+            scene,
+            shapes,
+            frame,
+            outlines,
+            said,
+            taken,
+            blocks,
+            labelled,
+            supports,
+            rods,
+            numbers,
+            forces,
+        }
     }
 
     /// From the back to the front.
@@ -232,6 +265,7 @@ impl<'a, 's> Sketch<'a, 's> {
         if wanted.loads == Loads::All {
             self.balances(drawing);
         }
+        self.dimensions(drawing, &wanted.dimensions);
     }
 
     /// A point of a link on paper.
