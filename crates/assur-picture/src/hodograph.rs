@@ -60,13 +60,13 @@ pub fn hodographs(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Dr
         if all.is_empty() {
             let known = points(scene.mechanism());
             let why = "the file asks for no velocity of a point".to_owned();
-            return Err(NoDiagram::no_velocity(why, &known).into());
+            return Err(NoDiagram::no_velocity(why, NoDiagram::first_item(scene), &known).into());
         }
     } else {
         let Some(point) = point(scene.mechanism(), name) else {
             let known = points(scene.mechanism());
             let why = format!("no point of a link is named `{name}`");
-            return Err(NoDiagram::no_velocity(why, &known).into());
+            return Err(NoDiagram::no_velocity(why, NoDiagram::link_of(scene, name), &known).into());
         };
         all.push(velocity(scene.mechanism(), point, name));
     }
@@ -93,12 +93,12 @@ pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawin
         }
         if all.is_empty() {
             let why = "the file asks for no reaction".to_owned();
-            return Err(NoDiagram::no_reaction(why, &known).into());
+            return Err(NoDiagram::no_reaction(why, NoDiagram::first_item(scene), &known).into());
         }
     } else {
         let Some(id) = reacting(mechanism).find(|id| mechanism.pair(*id).name == name) else {
             let why = format!("no pair is named `{name}`");
-            return Err(NoDiagram::no_reaction(why, &known).into());
+            return Err(NoDiagram::no_reaction(why, (None, ""), &known).into());
         };
         all.push(reaction(mechanism, id, on(mechanism, id)));
     }

@@ -46,7 +46,7 @@ impl<'a> Scene<'a> {
             let greatest = Greatest::of(&model, all);
             Some(Self { model, solution, pose, solved, file, text, greatest, turn: &[] })
         });
-        found.ok_or_else(|| Missing::no_position(solution, name))
+        found.ok_or_else(|| Missing::no_position(model.mechanism, solution, name))
     }
 
     /// The mechanism.

@@ -44,7 +44,7 @@ fn schemes(scene: &Scene<'_>, options: &Options) -> Result<Vec<Drawing>, Missing
     let wanted = Scheme { loads: Loads::None, ..Scheme::default() };
     let frame = frame_of_all(&frames, &options.scheme.paper())?;
     if frame.scale.is_none() {
-        return Err(Missing::nothing_placed("an animation shows links that move"));
+        return Err(Missing::nothing_placed(scene, "an animation shows links that move"));
     }
     Ok(frames.iter().map(|scene| scheme_in(scene, &wanted, &frame)).collect())
 }

@@ -55,7 +55,7 @@ pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
         .filter(|f| scene.is_placed(f.on) && scene.is_placed(f.from))
         .collect();
     if frictions.is_empty() {
-        return Err(Missing::nothing_placed("friction is drawn at its pairs"));
+        return Err(Missing::nothing_placed(scene, "friction is drawn at its pairs"));
     }
     let all = shapes(scene);
     let mut bounds = Rect::NOTHING;

@@ -41,11 +41,16 @@ pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     }
     if scene.mechanism().drives.iter().any(|d| matches!(d.target, DriveTarget::Point(..))) {
         let help = "the lever needs the whole machine; `forces` draws the group";
-        return Err(Missing::no_forces("a driven point replaces the rest of the machine", help));
+        return Err(Missing::no_forces_by_drive(
+            scene,
+            "a driven point replaces the rest of the machine",
+            "a driven point",
+            help,
+        ));
     }
     let nodes = Nodes::of(scene, false);
     if nodes.nodes.is_empty() {
-        return Err(Missing::nothing_placed("the lever is a plan of velocities"));
+        return Err(Missing::nothing_placed(scene, "the lever is a plan of velocities"));
     }
     let forces = forces(scene);
     let mut bounds = Rect::NOTHING;

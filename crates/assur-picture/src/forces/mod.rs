@@ -16,6 +16,8 @@ use acting::{Acting, Acts};
 use assur_drawing::Drawing;
 use assur_model::model::{LinkId, PairId};
 use assur_solve::solve::Model;
+use assur_text::source::Span;
+use miette::Diagnostic;
 
 /// What is freed at once: a group, or one link of a group that is solved as a whole.
 pub struct Part {
@@ -41,7 +43,7 @@ pub fn forces(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing>
         drawings.extend(polygon::draw(scene, &part, &acting, paper)?);
     }
     if drawings.is_empty() {
-        return Err(Missing::nothing_placed("forces act at points"));
+        return Err(Missing::nothing_placed(scene, "forces act at points"));
     }
     Ok(drawings)
 }
@@ -55,14 +57,19 @@ pub fn loaded(scene: &Scene<'_>) -> Result<(), Missing> {
 /// Refuses where the forces are not known.
 fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
     if let Some(defect) = &scene.model.structure.force_defect {
-        return Err(Missing::no_forces(
-            &defect.to_string(),
-            "declare what holds it: `balance torque Mb on crank`",
-        ));
+        let help = "declare what holds it: `balance torque Mb on crank`";
+        let label = defect.labels().and_then(|mut labels| labels.next());
+        let at = label.map(|label| Span::new(label.offset(), label.offset() + label.len()));
+        return Err(Missing::NoForces {
+            why: defect.to_string(),
+            at,
+            what: "not determined",
+            help: help.to_owned(),
+        });
     }
     if scene.solved.state.forces.locked {
         let help = "draw another pose, or lower the friction";
-        return Err(Missing::no_forces("friction locks the mechanism", help));
+        return Err(Missing::no_forces_by_drive(scene, "friction locks the mechanism", "locked", help));
     }
     if scene.model.plan.effects.forces { Ok(()) } else { Err(nothing_loads()) }
 }

@@ -21,7 +21,7 @@ pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missin
     }
     let nodes = Nodes::of(scene, false);
     if nodes.nodes.is_empty() {
-        return Err(Missing::nothing_placed("a plan shows accelerations of points"));
+        return Err(Missing::nothing_placed(scene, "a plan shows accelerations of points"));
     }
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.acceleration(scene)).collect();
     let parts = parts(scene, &nodes);

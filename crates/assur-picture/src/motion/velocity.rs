@@ -20,7 +20,7 @@ pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> 
     }
     let nodes = Nodes::of(scene, true);
     if nodes.nodes.is_empty() {
-        return Err(Missing::nothing_placed("a plan shows velocities of points"));
+        return Err(Missing::nothing_placed(scene, "a plan shows velocities of points"));
     }
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.velocity(scene)).collect();
     let mut said: Vec<String> = Vec::new();
