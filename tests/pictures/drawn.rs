@@ -36,6 +36,15 @@ pub fn animated(source: &Source, solved: &Solved) -> Option<String> {
     animation(&scene, &Options::default(), Theme::Auto).ok()
 }
 
+/// The same as one picture without a script.
+pub fn moving_picture(source: &Source, solved: &Solved) -> Option<String> {
+    let turn = assur::internals::pipeline::turn(&solved.compiled, &solved.solution);
+    let file = (source.name.as_str(), source.text.as_str());
+    let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
+    let scene = Scene { turn: &turn, ..scene };
+    assur::internals::picture::moving(&scene, &Options::default(), Theme::Auto).ok()
+}
+
 /// All pictures of a kind, of the first position or of all.
 pub fn sheets(source: &Source, solved: &Solved, kind: Kind, every_pose: bool) -> Vec<Sheet> {
     let model = solved.compiled.model();

@@ -9,4 +9,5 @@ mod every_example;
 mod extreme;
 mod numbers;
 mod over_sweeps;
+mod without_script;
 mod xml;

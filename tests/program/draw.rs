@@ -186,6 +186,22 @@ fn an_animation_has_the_frames_that_are_wanted() {
 }
 
 #[test]
+fn an_animation_is_a_page_or_a_picture() {
+    let folder = Folder::new("draw-animation").with("a.mech", &one());
+    let out = assur(&folder, &["draw", "a.mech", "animation", "-o", "a.svg"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let picture = folder.read("a.svg");
+    assert!(picture.contains("<animateTransform") && !picture.contains("<script"));
+    assert!(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
+    let out = assur(&folder, &["draw", "a.mech", "animation", "-o", "a.html"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let page = folder.read("a.html");
+    assert!(page.contains("<script>") && page.contains("<output id=\"o\" for=\"s\">crank = 0.0°</output>"));
+    let out = assur(&folder, &["draw", "a.mech", "animation", "--frames", "10000"]);
+    assert!(out.status == 0 && out.stdout.len() < 1_200_000, "{} bytes", out.stdout.len());
+}
+
+#[test]
 fn rows_of_variants_are_drawn() {
     let own = format!("{}\nvariants {{\n  variant, r [mm]\n  small, 60\n  large, 120\n}}\n", one());
     let own = own.replace("expect x_C = 450 mm within 1e-9 at pose 1\n", "");

@@ -22,7 +22,7 @@ mod train;
 mod words;
 mod work;
 
-pub use animation::animation;
+pub use animation::{animation, moving};
 pub use cam::cams_alone;
 pub use error::Missing;
 pub use frame::Frame;

@@ -57,11 +57,17 @@ impl Curves {
         self.x.share(printed(&self.along, drive)) * WIDTH
     }
 
-    /// The numbers at a value of the drive: between the points of the curves.
-    pub fn at(&self, drive: f64) -> impl Iterator<Item = (&str, &Display, f64)> {
-        self.all
-            .iter()
-            .filter_map(move |(name, display, curve)| Some((name.as_str(), display, curve.at(drive)?)))
+    /// How many there are.
+    #[must_use]
+    pub const fn count(&self) -> usize {
+        self.all.len()
+    }
+
+    /// The name of one, and its number at a value of the drive: between the points of its curve.
+    #[must_use]
+    pub fn of(&self, index: usize, drive: f64) -> (&str, &Display, Option<f64>) {
+        let (name, display, curve) = &self.all[index];
+        (name, display, curve.at(drive))
     }
 }
 

@@ -28,10 +28,6 @@ impl Output {
             None | Some("-") if one => Ok(Self::Stdout),
             None | Some("-") => Err(one_only("standard output")),
             Some(name) if name.ends_with(".html") && one && animation => Ok(Self::File(PathBuf::from(name))),
-            Some(name) if name.ends_with(".svg") && animation => Err(CliError::NotCreated {
-                name: name.to_owned(),
-                why: "an animation is a page: write it to a file that ends in `.html`".to_owned(),
-            }),
             Some(name) if name.ends_with(".html") => {
                 Ok(Self::Page(PathBuf::from(name), RefCell::new(String::new())))
             }
@@ -44,6 +40,11 @@ impl Output {
     /// Whether all pictures come into one page, in which nothing moves.
     pub const fn is_page(&self) -> bool {
         matches!(self, Self::Page(..))
+    }
+
+    /// Whether it is one picture, in which an animation needs no script.
+    pub fn is_picture(&self) -> bool {
+        matches!(self, Self::File(path) if path.extension().is_some_and(|ending| ending == "svg"))
     }
 
     /// Whether it holds one picture.

@@ -138,8 +138,12 @@ impl Pages<'_, '_> {
     ) -> Result<Vec<Page>, Missing> {
         if kind == Kind::Animation && !self.drawing.output.is_page() {
             let theme = self.drawing.args.theme.into();
-            let text = assur_picture::animation(scene, options, theme)?;
-            return Ok(vec![Page { name: name.to_owned(), title: String::new(), text, ending: "html" }]);
+            let (text, ending) = if self.drawing.output.is_picture() {
+                (assur_picture::moving(scene, options, theme)?, "svg")
+            } else {
+                (assur_picture::animation(scene, options, theme)?, "html")
+            };
+            return Ok(vec![Page { name: name.to_owned(), title: String::new(), text, ending }]);
         }
         Ok(self.numbered(name, assur_picture::draw(kind, scene, options)?))
     }

@@ -64,6 +64,9 @@ struct Room {
 impl Sketch<'_, '_> {
     /// Dimension lines, each where it hides least.
     pub(super) fn dimensions(&mut self, drawing: &mut Drawing, wanted: &[Dimension]) {
+        if wanted.is_empty() {
+            return;
+        }
         let mut room = Room::of(drawing);
         let (mut said, mut short) = (Vec::new(), Vec::new());
         for dimension in wanted.iter().filter(|d| self.scene.is_placed(d.link)) {

@@ -91,7 +91,7 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
     let sheet = Paper { size: paper(&bounds, size), ..wanted.paper() };
     let frame = sheet.frame(Scaled::Length, &bounds, AROUND)?;
     let forces = if wanted.numbers { numbers::scale(scene, wanted)? } else { None };
-    Ok(drawn(scene, wanted, &shapes, &frame, &traced, forces))
+    Ok(described(scene, drawn(scene, wanted, &shapes, &frame, &traced, forces)))
 }
 
 /// The size and place on paper that hold a mechanism at several positions.
@@ -105,9 +105,16 @@ pub fn frame_of_all(scenes: &[Scene<'_>], space: &Paper) -> Result<Frame, Missin
     Paper { size: paper(&bounds, size), ..*space }.frame(Scaled::Length, &bounds, AROUND)
 }
 
-/// The scheme of a position where others have their places too.
+/// The scheme of a position where others have their places too, without words.
 pub fn scheme_in(scene: &Scene<'_>, wanted: &Scheme, frame: &Frame) -> Drawing {
     drawn(scene, wanted, &shapes(scene), frame, &[], None)
+}
+
+/// With its title and what it shows.
+pub fn described(scene: &Scene<'_>, mut drawing: Drawing) -> Drawing {
+    drawing.title = format!("{}: kinematic scheme{}", words::title(scene), words::at_position(scene));
+    drawing.description = words::mechanism(scene) + &drawing.description;
+    drawing
 }
 
 fn drawn(
@@ -118,14 +125,13 @@ fn drawn(
     traced: &[ways::Traced],
     forces: Option<Scale>,
 ) -> Drawing {
-    let title = format!("{}: kinematic scheme{}", words::title(scene), words::at_position(scene));
-    let mut drawing = Drawing::new(&words::id(scene, "scheme"), title, String::new());
+    let mut drawing = Drawing::new(&words::id(scene, "scheme"), String::new(), String::new());
     let mut sketch = Sketch::new(scene, shapes, frame);
     (sketch.numbers, sketch.forces) = (wanted.numbers, forces);
     sketch.ghosts(&mut drawing, wanted.ghosts);
     sketch.paths(&mut drawing, traced);
     sketch.draw(&mut drawing, wanted);
-    drawing.description = words::mechanism(scene) + &sketch.said;
+    drawing.description = sketch.said;
     if let Some(scale) = frame.scale {
         drawing.captions.insert(0, length_scale(&scale));
         drawing.description += &format!("Length scale {} m per mm.", scale.text());
