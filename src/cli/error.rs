@@ -85,6 +85,26 @@ pub enum CliError {
         /// The file.
         name: String,
     },
+    /// A build without pixels.
+    #[cfg(not(feature = "png"))]
+    #[error("`{name}` cannot be written: this build of assur draws no PNG")]
+    #[diagnostic(help(
+        "write `.svg` or `.html`, or install assur with PNG: `cargo install assur --features png`"
+    ))]
+    NoPng {
+        /// As given.
+        name: String,
+    },
+    /// No font.
+    #[cfg(feature = "png")]
+    #[error("`{name}` cannot be written: no font for its letters is installed")]
+    #[diagnostic(help("install one of {families}, e.g. `apt install fonts-liberation`, or write `.svg`"))]
+    NoFont {
+        /// As given.
+        name: String,
+        /// What is looked for.
+        families: String,
+    },
     /// No such row.
     #[error("no row of variants is named `{name}`")]
     NoRow {

@@ -23,5 +23,5 @@ pub use mark::{Mark, Obstacle, Shape, on_circle};
 pub use palette::{Palette, Role, Theme};
 pub use scale::{SERIES, Scale, plain, round_length};
 pub use style::{CURVES, Paint, STYLES, Style};
-pub use svg::{escaped, mark_svg, number};
+pub use svg::{FAMILIES, escaped, mark_svg, number};
 pub use text::{Level, Run, Set, Text};

@@ -14,7 +14,7 @@ pub struct Draw {
     /// `train`, `plot "omega(rocker), Mb"`, `work`, `cam`, `hodograph rod.S`, `polar B`, `animation` [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
-    /// Write one picture to this file (.svg), all to this page (.html), or to files in this folder (created only when
+    /// Write one picture to this file (.svg, .png), all to this page (.html), or to files in this folder (created only when
     /// complete) [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<String>,

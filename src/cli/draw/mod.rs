@@ -3,6 +3,8 @@
 mod output;
 mod pages;
 mod plotted;
+#[cfg(feature = "png")]
+mod png;
 mod poses;
 mod rows;
 

@@ -22,7 +22,7 @@ pub enum Output {
 }
 
 impl Output {
-    /// What `-o` names; a name that ends in `.svg` or `.html` is a file, any other a folder.
+    /// What `-o` names; a name that ends in `.svg`, `.png` or `.html` is a file, any other a folder.
     pub fn of(name: Option<&str>, one: bool, animation: bool) -> Result<Self, CliError> {
         match name {
             None | Some("-") if one => Ok(Self::Stdout),
@@ -31,20 +31,24 @@ impl Output {
             Some(name) if name.ends_with(".html") => {
                 Ok(Self::Page(PathBuf::from(name), RefCell::new(String::new())))
             }
-            Some(name) if name.ends_with(".svg") && one => Ok(Self::File(PathBuf::from(name))),
-            Some(name) if name.ends_with(".svg") => Err(one_only(name)),
+            #[cfg(not(feature = "png"))]
+            Some(name) if name.ends_with(".png") => Err(CliError::NoPng { name: name.to_owned() }),
+            Some(name) if (name.ends_with(".svg") || name.ends_with(".png")) && one => {
+                Ok(Self::File(PathBuf::from(name)))
+            }
+            Some(name) if name.ends_with(".svg") || name.ends_with(".png") => Err(one_only(name)),
             Some(name) => Ok(Self::Folder(PathBuf::from(name))),
         }
     }
 
-    /// Whether all pictures come into one page, in which nothing moves.
-    pub const fn is_page(&self) -> bool {
-        matches!(self, Self::Page(..))
-    }
-
     /// Whether it is one picture, in which an animation needs no script.
     pub fn is_picture(&self) -> bool {
-        matches!(self, Self::File(path) if path.extension().is_some_and(|ending| ending == "svg"))
+        matches!(self, Self::File(path) if ending(path) == "svg")
+    }
+
+    /// Whether nothing moves in it: a page of all pictures, or pixels.
+    pub fn is_still(&self) -> bool {
+        matches!(self, Self::Page(..)) || matches!(self, Self::File(path) if ending(path) == "png")
     }
 
     /// Whether it holds one picture.
@@ -61,7 +65,12 @@ impl Output {
                 _ => Err(one_only("standard output")),
             },
             Self::File(path) => match pages {
-                [page] => written(path, &page.text, inputs).map(|()| String::new()),
+                #[cfg(feature = "png")]
+                [page] if ending(path) == "png" => {
+                    let pixels = super::png::png(&page.text, &path.display().to_string())?;
+                    written(path, &pixels, inputs).map(|()| String::new())
+                }
+                [page] => written(path, page.text.as_bytes(), inputs).map(|()| String::new()),
                 _ => Err(one_only(&path.display().to_string())),
             },
             Self::Page(_, body) => {
@@ -79,7 +88,11 @@ impl Output {
                     why: error.to_string(),
                 })?;
                 for page in pages {
-                    written(&folder.join(format!("{}.{}", page.name, page.ending)), &page.text, inputs)?;
+                    written(
+                        &folder.join(format!("{}.{}", page.name, page.ending)),
+                        page.text.as_bytes(),
+                        inputs,
+                    )?;
                 }
                 Ok(String::new())
             }
@@ -92,7 +105,7 @@ impl Output {
     pub fn finish(&self, inputs: &[String]) -> Result<(), CliError> {
         let Self::Page(path, body) = self else { return Ok(()) };
         let body = body.borrow();
-        if body.is_empty() { Ok(()) } else { written(path, &format!("{HEAD}{body}{FOOT}"), inputs) }
+        if body.is_empty() { Ok(()) } else { written(path, format!("{HEAD}{body}{FOOT}").as_bytes(), inputs) }
     }
 }
 
@@ -115,8 +128,13 @@ figure svg{max-width:100%;height:auto}
 ";
 const FOOT: &str = "</body>\n</html>\n";
 
+/// The ending of the name of a file.
+fn ending(path: &Path) -> &str {
+    path.extension().and_then(|ending| ending.to_str()).unwrap_or_default()
+}
+
 /// Writes a file, which appears only when complete.
-fn written(path: &Path, text: &str, inputs: &[String]) -> Result<(), CliError> {
+fn written(path: &Path, text: &[u8], inputs: &[String]) -> Result<(), CliError> {
     if inputs.iter().any(|input| Path::new(input) == path) {
         return Err(CliError::Overwrites { name: path.display().to_string() });
     }

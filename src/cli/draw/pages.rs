@@ -136,7 +136,7 @@ impl Pages<'_, '_> {
         options: &Options,
         name: &str,
     ) -> Result<Vec<Page>, Missing> {
-        if kind == Kind::Animation && !self.drawing.output.is_page() {
+        if kind == Kind::Animation && !self.drawing.output.is_still() {
             let theme = self.drawing.args.theme.into();
             let (text, ending) = if self.drawing.output.is_picture() {
                 (assur_picture::moving(scene, options, theme)?, "svg")
