@@ -2,6 +2,7 @@
 
 use crate::drawn::{moving_picture, solved};
 use crate::every_example::examples;
+use assur::internals::math::Vec2;
 
 #[test]
 fn pictures_that_move_are_well_formed() {
@@ -44,8 +45,9 @@ fn places(picture: &str, pair: &str) -> Vec<(f64, f64)> {
     let shifts = numbers(between(between(group, "type=\"translate\"", "/>"), "values=\"", "\""));
     let turns = numbers(between(between(group, "type=\"rotate\"", "/>"), "values=\"", "\""));
     let place = |(i, shift): (usize, &[f64])| {
-        let (sin, cos) = turns.get(i).copied().unwrap_or(0.0).to_radians().sin_cos();
-        (shift[0] + cos * x - sin * y, shift[1] + sin * x + cos * y)
+        let turned =
+            Vec2::new(x, y).turned(Vec2::direction(turns.get(i).copied().unwrap_or(0.0).to_radians()));
+        (shift[0] + turned.x, shift[1] + turned.y)
     };
     shifts.chunks(2).enumerate().map(place).collect()
 }

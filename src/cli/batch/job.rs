@@ -314,7 +314,7 @@ impl<'r> Run<'r> {
                 }
             }
             if self.format.is_read() {
-                out.write(&self.layout.table(&shown, name, self.format.page(self.screen.look())))?;
+                out.write(self.layout.table(&shown, name, self.format.page(self.screen.look())))?;
             }
             progress.rows(tally.rows());
             Ok(whole && !out.closed() && !stop::wanted())

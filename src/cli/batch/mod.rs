@@ -74,10 +74,10 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
         None => None,
     };
     if format == Format::Csv {
-        out.write(&layout.header())?;
+        out.write(layout.header())?;
     }
     if let Some(sink) = &mut key_out {
-        sink.write(&key.header())?;
+        sink.write(key.header())?;
     }
     let mut total = Tally::default();
     for job in &jobs {
