@@ -30,7 +30,7 @@ pub struct Draw {
     /// Show the lengths and offsets that the file gives by name, as dimension lines of the scheme
     #[arg(long)]
     pub dimensions: bool,
-    /// Show the numbers of loads and efforts beside them, and arrows of forces in proportion
+    /// Show the numbers of loads and efforts next to them, and arrows of forces in proportion
     #[arg(long)]
     pub numbers: bool,
     /// Number of frames of an animation [default: up to 400]

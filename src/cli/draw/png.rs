@@ -10,7 +10,7 @@ const INCH: [f32; 2] = [96.0, 300.0];
 /// The piece of a file that says so: 11,811 pixels per metre, with its length and its check sum.
 const DENSITY: [u8; 21] =
     [0, 0, 0, 9, b'p', b'H', b'Y', b's', 0, 0, 0x2e, 0x23, 0, 0, 0x2e, 0x23, 1, 0x78, 0xa5, 0x3f, 0x76];
-/// Where it stands: behind the signature and the head.
+/// Its place: behind the signature and the head.
 const HEAD: usize = 33;
 
 /// A picture in pixels.

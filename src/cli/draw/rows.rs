@@ -1,4 +1,4 @@
-//! Rows of variants that are drawn: of a table beside the file, or of its own.
+//! Rows of variants that are drawn: of a table in a file of its own, or of the table in the problem.
 
 use crate::cli::args::Draw;
 use crate::cli::batch::open_table;
@@ -64,7 +64,7 @@ impl From<Fault> for Refused {
     }
 }
 
-/// What is drawn of a document: the rows that are named, else all of a table beside it, else it as written.
+/// What is drawn of a document: the rows that are named, else all of a table in a file of its own, else it as written.
 pub fn drawn(args: &Draw, source: &Source, document: &Document) -> Result<Vec<DrawnRow>, Refused> {
     let overrides = args.overrides();
     let rows = match &args.variants {
@@ -97,7 +97,7 @@ fn own(document: &Document, overrides: &Overrides, source: &Source) -> Result<Ve
     Ok(rows)
 }
 
-/// The rows of a table beside the file.
+/// The rows of a table in a file of its own.
 fn of_table(
     name: &str,
     document: &Document,
