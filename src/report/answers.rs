@@ -3,7 +3,7 @@
 use crate::exercise::Outcome;
 use assur_model::model::{DriveTarget, FindKind};
 use assur_solve::measure::accuracy::AchievedAccuracy;
-use assur_solve::solve::{DriveValue, Model, Pose, PoseOrigin, Solution};
+use assur_solve::solve::{DriveValue, Greatest, Model, Pose, PoseOrigin, Solution};
 use assur_text::units::significant;
 
 /// A solved file.
@@ -52,6 +52,12 @@ impl<'a> Answers<'a> {
     /// The poses that are reported: all but those that an `expect` adds.
     pub fn poses(&self) -> impl Iterator<Item = &'a Pose> + use<'a> {
         self.solution.poses.iter().filter(|p| !matches!(p.origin, PoseOrigin::Expected(_)))
+    }
+
+    /// What the quantities of these poses are large against.
+    #[must_use]
+    pub fn greatest(&self) -> Greatest {
+        Greatest::of(&self.model, self.poses().filter_map(|pose| pose.outcome.as_ref().ok()))
     }
 
     /// Whether the file asks for all reactions.

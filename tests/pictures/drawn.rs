@@ -35,7 +35,16 @@ pub fn animated(source: &Source, solved: &Solved) -> Option<String> {
     let file = (source.name.as_str(), source.text.as_str());
     let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
     let scene = Scene { turn: &turn, ..scene };
-    animation(&scene, Options::default().scheme.size, Theme::Auto).ok()
+    animation(&scene, &Options::default(), Theme::Auto).ok()
+}
+
+/// The same as one picture without a script.
+pub fn moving_picture(source: &Source, solved: &Solved) -> Option<String> {
+    let turn = assur::internals::pipeline::turn(&solved.compiled, &solved.solution);
+    let file = (source.name.as_str(), source.text.as_str());
+    let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
+    let scene = Scene { turn: &turn, ..scene };
+    assur::internals::picture::moving(&scene, &Options::default(), Theme::Auto).ok()
 }
 
 /// A solution that is drawn.

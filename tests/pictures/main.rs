@@ -7,10 +7,13 @@ mod folder;
 mod support;
 
 mod bars;
+mod dimensioned;
 mod drawn;
 mod every_example;
 mod extreme;
+mod numbers;
 mod over_sweeps;
 mod random;
 mod scenes;
+mod without_script;
 mod xml;

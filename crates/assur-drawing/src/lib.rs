@@ -24,5 +24,5 @@ pub use palette::{Palette, Role, Theme};
 pub use placement::Later;
 pub use scale::{SERIES, Scale, plain, round_length};
 pub use style::{CURVES, Paint, STYLES, Style};
-pub use svg::{escaped, mark_svg, number};
+pub use svg::{FAMILIES, escaped, mark_svg, number};
 pub use text::{Level, Run, Set, Text};

@@ -1,11 +1,13 @@
 //! Friction: circles at the scale of lengths with the action lines that touch them, the angle between a reaction and the
 //! normal at guides and contacts, and the frictionless line beside each.
 
-use super::{determined, figure};
+use super::determined;
 use crate::angles::{flipped, freest, wrapped};
 use crate::error::Missing;
+use crate::figures::{FORCE, MOMENT, plain};
 use crate::frame::Frame;
 use crate::inset::Inset;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::scheme::{efforts, length_scale};
 use crate::shape::{Outline, shapes};
@@ -36,7 +38,7 @@ const POINT: f64 = 4.4;
 ///
 /// # Errors
 /// No pair has friction; the forces are not known.
-pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if !scene.mechanism().pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some())) {
         return Err(Missing::NoFriction);
     }
@@ -51,7 +53,7 @@ pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
         .filter(|f| scene.is_placed(f.on) && scene.is_placed(f.from))
         .collect();
     if frictions.is_empty() {
-        return Err(Missing::nothing_placed("friction is drawn at its pairs"));
+        return Err(Missing::nothing_placed(scene, "friction is drawn at its pairs"));
     }
     let all = shapes(scene);
     let mut bounds = Rect::NOTHING;
@@ -61,7 +63,7 @@ pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
             shape.extent(scene, link, &mut bounds);
         }
     }
-    let frame = Frame::fitting(&bounds, size - AROUND);
+    let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
     let mut picture =
         Picture { scene, frame, drawing: empty(scene, &frictions), outlines: Vec::new(), taken: Vec::new() };
     for (i, shape) in all.iter().enumerate().skip(1) {
@@ -89,10 +91,10 @@ fn empty(scene: &Scene<'_>, frictions: &[PairFriction]) -> Drawing {
     let said = frictions.iter().map(|f| {
         let name = &scene.mechanism().pair(f.pair).name;
         let (what, unit) = if f.turns { ("torque", "N·m") } else { ("force", "N") };
-        let pressed = figure(f.normal);
+        let pressed = scene.figure(f.normal, FORCE);
         format!(
             "{name}: {what} {} {unit} on {}, pressed by {pressed} N",
-            figure(f.effort),
+            scene.figure(f.effort, if f.turns { MOMENT } else { FORCE }),
             scene.link_label(f.on)
         )
     });
@@ -253,7 +255,7 @@ impl Picture<'_, '_> {
             let radius = ARROW * 0.8;
             self.drawing.mark(Style::Thin, Shape::Arc { centre: at, radius, from, sweep });
             let angle = libm::atan(f.factor) * 360.0 / TAU;
-            let name = Text::italic("φ").and(&format!(" = {}°", figure(angle)), false, Level::Base);
+            let name = Text::italic("φ").and(&format!(" = {}°", plain(angle)), false, Level::Base);
             let middle = on_circle(at, radius, from + sweep / 2.0);
             self.drawing.label(Label::at(name, 3.6, middle, 0.4).towards(middle - at).ranked(4));
         }
@@ -300,7 +302,7 @@ impl Picture<'_, '_> {
             drawing.mark(Style::Unknown, Shape::Arrow(from, to));
         }
         mass::point(drawing, inset.point(touch));
-        let words = format!(" = {} mm", figure(f.factor * 1000.0));
+        let words = format!(" = {} mm", plain(f.factor * 1000.0));
         inset.caption(drawing, Text::italic("ρ").and(&words, false, Level::Base), Role::Vermilion);
         drawing.end();
     }

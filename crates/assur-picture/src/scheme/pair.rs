@@ -176,15 +176,11 @@ impl<'a> Sketch<'a, '_> {
     }
 
     pub(super) fn cylinders(&self, drawing: &mut Drawing) {
-        for pair in &self.scene.mechanism().pairs {
+        for (i, pair) in self.scene.mechanism().pairs.iter().enumerate() {
             let PairKind::Cylinder { from, to, .. } = &pair.kind else { continue };
             drawing.begin("pair", &pair.name);
             let ends = [from, to].map(|pin| self.on_paper(pin.link, pin.at));
-            let least = self.scene.states().map(|state| {
-                let [a, b] = [from, to].map(|pin| state.motion.bodies[pin.link.index()].position(pin.at));
-                self.frame.length((b - a).norm())
-            });
-            let least = least.fold((ends[1] - ends[0]).norm(), f64::min);
+            let least = self.frame.length(self.scene.way(PairId::at(i)).0);
             cylinder::cylinder(drawing, ends[0], ends[1], least);
             for (pin, at) in [from, to].into_iter().zip(ends) {
                 if pin.link == LinkId::GROUND {

@@ -5,6 +5,7 @@ mod layout;
 mod wheels;
 
 use crate::error::Missing;
+use crate::figures::TURNING;
 use crate::scene::Scene;
 use crate::symbol::{arrow, hinge};
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
@@ -82,9 +83,7 @@ fn said(scene: &Scene<'_>) -> String {
     let speeds = (1..mechanism.links.len()).filter_map(|i| {
         let omega = scene.body(LinkId::at(i)).omega;
         let turns = omega != 0.0 && omega.is_finite();
-        turns.then(|| {
-            format!("ω of {} {} rad/s", mechanism.links[i].name, assur_text::units::significant(omega, 5))
-        })
+        turns.then(|| format!("ω of {} {} rad/s", mechanism.links[i].name, scene.figure(omega, TURNING)))
     });
     let speeds: Vec<String> = speeds.collect();
     if !speeds.is_empty() {
