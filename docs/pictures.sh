@@ -11,5 +11,5 @@ draw examples/kinetostatics/six-bar.mech lever -o docs/pictures/six-bar-lever.sv
 draw examples/friction/four-bar.mech friction -o docs/pictures/four-bar-friction.svg
 draw examples/shaper/shaper-a.mech work -o docs/pictures/shaper-work.svg
 draw examples/flywheel/engine.mech hodograph rod.S -o docs/pictures/engine-hodograph.svg
-draw examples/contacts/geneva-turns.mech -o docs/pictures/geneva.svg
+draw examples/contacts/geneva-turns.mech --pose 1 -o docs/pictures/geneva.svg
 draw examples/trains/planetary-gearbox.mech train -o docs/pictures/planetary-gearbox.svg
