@@ -75,6 +75,15 @@ function colours() {
   return rect ? getComputedStyle(rect).fill : '';
 }
 
+// Goes to the frame that says some words at its begin.
+function shows(words) {
+  for (let i = 0; i < N; i++) {
+    show(i);
+    if ((document.getElementById('o').textContent + ' ').startsWith(words + ' ')) return true;
+  }
+  return false;
+}
+
 // Places of the first circle of each pair, in the units of the picture.
 function hinges(selector) {
   const svg = document.querySelector(selector), back = svg.getScreenCTM().inverse(), found = {};
