@@ -75,11 +75,14 @@ function colours() {
   return rect ? getComputedStyle(rect).fill : '';
 }
 
-// Goes to the frame that says some words at its begin.
+// Goes to the frame whose first number is that of some words: `crank = 8.2 deg`, `crank = 8.20°`.
 function shows(words) {
+  const first = said => /^(.*?) = ([−-]?[0-9.]+)/.exec(said), value = m => parseFloat(m[2].replace('−', '-'));
+  const wanted = first(words);
   for (let i = 0; i < N; i++) {
     show(i);
-    if ((document.getElementById('o').textContent + ' ').startsWith(words + ' ')) return true;
+    const found = first(document.getElementById('o').textContent);
+    if (found[1] === wanted[1] && Math.abs(value(found) - value(wanted)) < 0.06) return true;
   }
   return false;
 }
