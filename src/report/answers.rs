@@ -3,7 +3,7 @@
 use crate::exercise::Outcome;
 use assur_model::model::{Drive, DriveTarget, FindKind, Mechanism};
 use assur_solve::measure::accuracy::AchievedAccuracy;
-use assur_solve::solve::{DriveValue, Model, Pose, PoseOrigin, Solution};
+use assur_solve::solve::{DriveValue, Greatest, Model, Pose, PoseOrigin, Solution};
 use assur_text::units::{Dimension, significant};
 
 /// A solved file.
@@ -67,6 +67,12 @@ impl<'a> Answers<'a> {
             Some(_) => format!("at {name} {}", mechanism.display_of(Dimension::TIME).unit),
             None => format!("at pose {name}"),
         }
+    }
+
+    /// What the quantities of these poses are large against.
+    #[must_use]
+    pub fn greatest(&self) -> Greatest {
+        Greatest::of(&self.model, self.poses().filter_map(|pose| pose.outcome.as_ref().ok()))
     }
 
     /// Whether the file asks for all reactions.

@@ -34,7 +34,6 @@ mod replacement;
 mod results;
 mod row_numbers;
 pub mod rows;
-mod scale;
 mod sections;
 mod simulation;
 #[doc(hidden)]

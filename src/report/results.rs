@@ -4,12 +4,11 @@ use super::answers::{Answers, NONE, with_unit};
 use super::columns::{Cell, Quantity};
 use super::document::{Align, Column, Report, Section, Table};
 use super::reactions::{ReactionEntry, reactions};
-use super::scale::Scale;
 use super::simulation;
 use super::symbols::Symbols;
 use assur_model::model::{Display, Value};
 use assur_solve::message::failure;
-use assur_solve::solve::Pose;
+use assur_solve::solve::{Greatest, Pose};
 use assur_text::units::{Dimension, significant};
 
 /// Digits that remain after the conversion from SI into the author's unit: 30 deg remain 30 deg.
@@ -18,7 +17,7 @@ const FULL: usize = 15;
 /// Answers, and the poses that have none.
 pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     let mut section = Section::new("Answers");
-    let scale = Scale::of(answers);
+    let scale = answers.greatest();
     let poses: Vec<&Pose> = answers.poses().collect();
     let mut quantities = answers.quantities(&poses);
     if let [pose] = poses.as_slice() {
@@ -47,7 +46,7 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
 }
 
 /// One row per quantity.
-fn of_one_pose(answers: &Answers<'_>, scale: Scale, header: String, quantities: &[Quantity]) -> Table {
+fn of_one_pose(answers: &Answers<'_>, scale: Greatest, header: String, quantities: &[Quantity]) -> Table {
     let with_vectors = quantities.iter().any(|q| matches!(q.values[..], [Some(Value::Vector(_))]));
     let mut columns = vec![Column::words(header), Column::numbers("value"), Column::words("unit")];
     if with_vectors {
@@ -77,7 +76,7 @@ fn of_one_pose(answers: &Answers<'_>, scale: Scale, header: String, quantities: 
 /// A value in figures, rounding errors as 0.
 pub(super) fn figures(
     answers: &Answers<'_>,
-    scale: Scale,
+    scale: Greatest,
     display: &Display,
     value: Option<Value>,
 ) -> String {
@@ -92,7 +91,7 @@ pub(super) fn figures(
 }
 
 /// One row per pose, one column per number.
-fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: &[Quantity]) -> Table {
+fn of_a_sweep(answers: &Answers<'_>, scale: Greatest, poses: &[&Pose], quantities: &[Quantity]) -> Table {
     let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
     table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
     if simulation::names_events(answers.model.mechanism) {

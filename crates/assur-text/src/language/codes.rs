@@ -290,6 +290,7 @@ pub const CODES: &[Code] = codes! {
     "picture" / "unknown",
     "picture" / "no_point",
     "picture" / "no_way",
+    "picture" / "no_scale",
     // tables beside a file
     "table" / "header",
     "table" / "empty",
