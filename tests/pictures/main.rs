@@ -7,6 +7,7 @@ mod dimensioned;
 mod drawn;
 mod every_example;
 mod extreme;
+mod mutated;
 mod numbers;
 mod over_sweeps;
 mod without_script;
