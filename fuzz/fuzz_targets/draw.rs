@@ -8,7 +8,7 @@ use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Problems, Style, render};
 use assur::internals::drawing::Theme;
 use assur::internals::picture::{KINDS, Kind, Options, Scene, animation, draw, moving};
-use assur::internals::pipeline::{dimensions, solve_document_drawn, turn};
+use assur::internals::pipeline::{dimensions, solve_document_drawn, turn, turn_in};
 use assur::internals::source::Source;
 use libfuzzer_sys::fuzz_target;
 use std::sync::Arc;
@@ -31,8 +31,7 @@ fuzz_target!(|text: &str| {
     let mut problems = Problems::new();
     match Scene::of(solved.compiled.model(), &solved.solution, file, None) {
         Ok(scene) => {
-            let every = turn.len().div_ceil(FRAMES).max(1);
-            let frames: Vec<_> = turn.iter().step_by(every).cloned().collect();
+            let frames = turn_in(&solved.compiled, &solved.solution, FRAMES);
             let mut options = Options::default();
             for kind in KINDS {
                 // of an animation the first frame is drawn here

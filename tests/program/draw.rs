@@ -141,6 +141,11 @@ fn an_option_of_another_picture_is_refused() {
         assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{option:?}");
         assert!(out.stderr.contains("changes no picture"), "{}", out.stderr);
     }
+    for option in [["--pose", "1"], ["--size", "100x100"]] {
+        let out = assur(&folder, &["draw", "a.mech", "plot", option[0], option[1]]);
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{option:?}");
+        assert!(out.stderr.contains("changes no picture"), "{}", out.stderr);
+    }
     let out = assur(&folder, &["draw", "a.mech", "--numbers", "--loads", "none"]);
     assert_eq!((out.status, out.stdout.as_str()), (2, ""));
 }

@@ -127,6 +127,12 @@ impl Kind {
         }
     }
 
+    /// Whether the space that it takes is chosen: diagrams and sections have their own.
+    #[must_use]
+    pub const fn has_size(self) -> bool {
+        !matches!(self, Self::Train | Self::Plot | Self::Work)
+    }
+
     /// Whether it shows forces.
     #[must_use]
     pub const fn forces(self) -> bool {

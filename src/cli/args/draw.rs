@@ -124,7 +124,14 @@ impl Draw {
             let is_none = self.numbers && self.loads == LoadsArg::None;
             is_none.then(|| CliError::NoEffect { option: "--numbers".to_owned(), help })
         };
-        of_scheme().or_else(of_frames).or_else(&mut of_scales).or_else(of_numbers)
+        let of_pose = || of("--pose", &|kind| !kind.is_of_sweep()).filter(|_| !self.pose.is_empty());
+        let of_size = || of("--size", &Kind::has_size).filter(|_| self.size.is_some());
+        of_scheme()
+            .or_else(of_pose)
+            .or_else(of_size)
+            .or_else(of_frames)
+            .or_else(&mut of_scales)
+            .or_else(of_numbers)
     }
 
     /// The values from outside.
