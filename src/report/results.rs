@@ -93,7 +93,7 @@ pub(super) fn figures(
 /// One row per pose, one column per number.
 fn of_a_sweep(answers: &Answers<'_>, scale: Greatest, poses: &[&Pose], quantities: &[Quantity]) -> Table {
     let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
-    table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
+    table.rows = poses.iter().map(|p| vec![answers.pose_cell(p)]).collect();
     if simulation::names_events(answers.model.mechanism) {
         table.columns.push(Column::words("event"));
         let events = poses.iter().map(|p| simulation::events_at(answers, p).unwrap_or_default());
@@ -105,13 +105,13 @@ fn of_a_sweep(answers: &Answers<'_>, scale: Greatest, poses: &[&Pose], quantitie
         table.column(with_unit(&drive.name, &display.unit), cells);
     }
     table.keys = table.columns.len();
-    let symbols = Symbols::of(answers.model.mechanism);
+    let (symbols, precision) = (Symbols::of(answers.model.mechanism), answers.precision_of_motion());
     for quantity in quantities {
         let unit = scale.in_unit(&quantity.display);
         for part in quantity.parts() {
             let greatest = unit.max(part.greatest());
             let cells = part.cells.iter().map(|cell| match cell {
-                Cell::Number(x) => answers.precision.figures(*x, greatest),
+                Cell::Number(x) => precision.figures(*x, greatest),
                 Cell::Bool(truth) => truth.to_string(),
                 Cell::None => quantity.missing.to_owned(),
             });

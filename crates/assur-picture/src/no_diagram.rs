@@ -97,6 +97,15 @@ impl NoDiagram {
     /// There is no sweep; the help writes one.
     pub(crate) fn no_sweep(scene: &Scene<'_>, what: &'static str, cause: &Cause) -> Self {
         let mechanism = scene.mechanism();
+        if let Some(simulation) = &mechanism.simulation {
+            return Self::NoSweep {
+                what,
+                why: "the motion follows from the loads, and nothing is drawn over time yet",
+                at: Some(simulation.span),
+                label: "followed in time",
+                help: "print the answers instant by instant, with `assur solve FILE --format csv`".to_owned(),
+            };
+        }
         let why = match cause {
             Cause::NoSweep(NoSweep::OnePosition) if mechanism.drives.is_empty() => "the file has no drive",
             Cause::NoSweep(NoSweep::OnePosition) => "the file has one position and no sweep",
