@@ -11,7 +11,7 @@ use assur::internals::math::ode::{Extrapolation, Integrator, Step, System, Toler
 use assur::internals::model::{LinkId, LoadKind, PointRef, Query};
 
 /// A random mechanism of few links whose loads are smooth.
-fn smooth(seed: u64, links: usize) -> Option<Draft> {
+pub(super) fn smooth(seed: u64, links: usize) -> Option<Draft> {
     let mut draft = freed(seed);
     draft.mechanism.loads.retain(|load| {
         let against = matches!(
@@ -62,12 +62,12 @@ impl AllBodies {
         let half = y.len() / 2;
         for _ in 0..2 {
             let (frames, rates) = unpacked(y);
-            let solver = Solver::of_any_rank(self.bodies.jacobian(&frames));
+            let solver = Solver::of_any_rank(self.bodies.jacobian(&frames, t));
             let step = solver.solve(&self.bodies.missing(&frames, &rates, t).0)?;
             y[..half].iter_mut().zip(&step).for_each(|(y, s)| *y -= s);
         }
         let (frames, rates) = unpacked(y);
-        let solver = Solver::of_any_rank(self.bodies.jacobian(&frames));
+        let solver = Solver::of_any_rank(self.bodies.jacobian(&frames, t));
         let step = solver.solve(&self.bodies.missing(&frames, &rates, t).1)?;
         y[half..].iter_mut().zip(&step).for_each(|(y, s)| *y -= s);
         Some(())
@@ -93,16 +93,17 @@ impl AllBodies {
 }
 
 /// The greatest difference of a run from the integration of all bodies; `None` where one of them stops on the way.
-fn differs(draft: &Draft) -> Option<f64> {
+pub(super) fn differs(draft: &Draft) -> Option<f64> {
+    let to: f64 = std::env::var("TO").unwrap_or("1".into()).parse().unwrap();
     let reference = Reference::new(&draft.mechanism, &draft.frames)?;
     let mut mechanism = draft.mechanism.clone();
-    followed(&mut mechanism, 1.0, None, 1e-10);
+    followed(&mut mechanism, to, None, 1e-10);
     let run = Run::new(&mechanism).ok()?;
     let end = last(&run)?;
     let q = draft.frames[1..].iter().flat_map(|f| [f.p.x, f.p.y, f.u.angle()]);
     let v = reference.rates[1..].iter().flat_map(|r| [r.v.x, r.v.y, r.omega]);
-    let mut all = AllBodies { bodies: Bodies::new(&draft.mechanism) };
-    let (frames, rates) = unpacked(&all.integrate(q.chain(v).collect(), 1.0)?);
+    let mut all = AllBodies { bodies: Bodies::new(&draft.mechanism)? };
+    let (frames, rates) = unpacked(&all.integrate(q.chain(v).collect(), to)?);
     let view = run.view(end).ok()?;
     let speed = rates.iter().map(|r| r.v.norm().max(r.omega.abs())).fold(1.0, f64::max);
     let mut most = 0.0_f64;
@@ -116,6 +117,13 @@ fn differs(draft: &Draft) -> Option<f64> {
         let turn = (vector(&view, &Query::LinkDirection(link)) - frame.u).norm();
         let v = (vector(&view, &Query::Velocity(point)) - rates.v).norm();
         let omega = (scalar(&view, &Query::Omega(link)) - rates.omega).abs();
+        if std::env::var("DBG").is_ok() {
+            println!(
+                "{i} {place:e} {turn:e} {v:e} {omega:e} {:?} {:?}",
+                vector(&view, &Query::LinkDirection(link)),
+                frame.u
+            );
+        }
         let worst = place.max(turn).max(v.max(omega) / speed);
         most = if worst.is_nan() { f64::INFINITY } else { most.max(worst) };
     }

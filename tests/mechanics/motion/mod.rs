@@ -1,5 +1,6 @@
 //! Motion under loads against the equations of all bodies at once.
 
+mod dbg;
 mod follow;
 mod newton_euler;
 mod trains;
@@ -69,7 +70,7 @@ fn missed(draft: &Draft) -> Result<Option<f64>, String> {
         return Ok(None);
     };
     let Some(mass) = condition(draft) else { return Ok(None) };
-    let mut bodies = Bodies::new(&draft.mechanism);
+    let Some(mut bodies) = Bodies::new(&draft.mechanism) else { return Ok(None) };
     let Some((want, doubtful)) = bodies.accelerations(&draft.frames, &reference.rates, 0.0) else {
         return Ok(None);
     };
@@ -80,7 +81,7 @@ fn missed(draft: &Draft) -> Result<Option<f64>, String> {
     followed(&mut mechanism, 1e-4, None, 1e-3);
     let run = Run::new(&mechanism)?;
     let (solved, view) = (run.solved(0)?, run.view(0)?);
-    let greatest = |of: &dyn Fn(&Rates) -> f64| want.iter().map(of).fold(0.0, f64::max);
+    let greatest = |of: &dyn Fn(&Rates) -> f64| want.iter().map(of).fold(1.0, f64::max);
     let scale = greatest(&|r| r.a.norm().max(r.alpha.abs()).max(r.omega * r.omega).max(r.v.dot(r.v)));
     let mut most = 0.0_f64;
     for (i, rates) in want.iter().enumerate().skip(1) {
@@ -106,6 +107,9 @@ fn accelerations_are_those_of_all_bodies_at_once() {
             break;
         }
         let draft = freed(seed);
+        if draft.mechanism.drives.len() == 1 && seed % 3 > 0 {
+            continue;
+        }
         match missed(&draft) {
             Ok(None) => {}
             Ok(Some(error)) => {
@@ -123,5 +127,5 @@ fn accelerations_are_those_of_all_bodies_at_once() {
     }
     println!("{compared} compared, {several} with several free coordinates, worst {worst:?}");
     assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
-    assert!(several * 8 > compared, "{several} of {compared}");
+    assert!(several * 3 > compared, "{several} of {compared}");
 }

@@ -3,7 +3,7 @@
 
 use crate::support::draft::Frame;
 use crate::support::equilibrium::Outside;
-use crate::support::reference::{Body, Rates, Solver, constraints};
+use crate::support::reference::{Body, Rates, Solver, constraints, rollers};
 use crate::support::run::Run;
 use assur::internals::math::Vec2;
 use assur::internals::model::{Mechanism, Simulation};
@@ -18,11 +18,13 @@ pub struct Bodies {
 }
 
 impl Bodies {
-    pub fn new(mechanism: &Mechanism) -> Self {
+    /// `None` where a link that is started would count as a roller, whose turning is left out, without its drive.
+    pub fn new(mechanism: &Mechanism) -> Option<Self> {
+        let with_drives = rollers(mechanism);
         let mut mechanism = mechanism.clone();
         mechanism.drives.retain(|drive| !drive.free);
         let n = 3 * (mechanism.links.len() - 1);
-        Self { mass: DMatrix::zeros(n, n), mechanism }
+        (rollers(&mechanism) == with_drives).then(|| Self { mass: DMatrix::zeros(n, n), mechanism })
     }
 
     fn moving(frames: &[Frame], rates: &[Rates]) -> Vec<Body> {
@@ -30,7 +32,8 @@ impl Bodies {
     }
 
     /// Derivatives of the constraints by the velocities of the bodies, row by row.
-    pub fn jacobian(&self, frames: &[Frame]) -> DMatrix<f64> {
+    pub fn jacobian(&self, frames: &[Frame], elapsed: f64) -> DMatrix<f64> {
+        let mechanism = self.at(elapsed);
         let mut rates = vec![Rates::default(); frames.len()];
         let columns = 3 * (frames.len() - 1);
         let mut jacobian = DMatrix::zeros(0, columns);
@@ -41,7 +44,7 @@ impl Bodies {
                 1 => unit.v.y = 1.0,
                 _ => unit.omega = 1.0,
             }
-            let rows = constraints(&self.mechanism, &Self::moving(frames, &rates), false);
+            let rows = constraints(&mechanism, &Self::moving(frames, &rates), false);
             if column == 0 {
                 jacobian = DMatrix::zeros(rows.len(), columns);
             }
@@ -77,7 +80,7 @@ impl Bodies {
         rates: &[Rates],
         elapsed: f64,
     ) -> Option<(Vec<Rates>, bool)> {
-        let jacobian = self.jacobian(frames);
+        let jacobian = self.jacobian(frames, elapsed);
         let mut rates: Vec<Rates> = rates.to_vec();
         for rate in &mut rates {
             (rate.a, rate.alpha) = (Vec2::zero(), 0.0);
