@@ -12,6 +12,7 @@ mod hard;
 #[cfg(feature = "lanes")]
 mod lanes_avx2;
 mod legs;
+mod motion;
 mod no_silent_errors;
 mod planets;
 mod power_residual;

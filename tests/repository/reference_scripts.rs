@@ -7,8 +7,9 @@ use std::process::Command;
 use std::sync::Mutex;
 
 /// Modules that other scripts import, and those that need the program (`answers.py`) or a folder.
-const NO_SCRIPTS: [&str; 11] = [
+const NO_SCRIPTS: [&str; 12] = [
     "answers.py",
+    "dynamics.py",
     "exercise_set.py",
     "expressions.py",
     "friction.py",

@@ -225,6 +225,19 @@ impl<'a, 's> Equations<'a, 's> {
         }
     }
 
+    /// Why M q̈ = Q has no solution: a load, or velocities of a dead position, or no mass.
+    pub fn without_acceleration(&self) -> Halt {
+        if self.evaluated.iter().any(|(_, value)| !value.is_defined()) {
+            return Halt::NotANumber;
+        }
+        if self.trial.forces.wrenches.iter().all(|w| w.moment.is_finite()) {
+            return Halt::NoInertia;
+        }
+        let conditions = self.trial.motion.conditions.iter().enumerate();
+        let least = conditions.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        least.map_or(Halt::NotANumber, |(group, _)| Halt::Open { group })
+    }
+
     /// The least condition figure of the state from which the present step begins.
     pub fn condition(&self) -> f64 {
         self.accepted.1.motion.conditions.iter().fold(1.0, |least, c| least.min(c.abs()))
@@ -257,8 +270,7 @@ impl System<f64> for Equations<'_, '_> {
         rates.copy_from_slice(&y[n..2 * n]);
         work[0] = self.trial.power_of_loads(self.model, &self.evaluated);
         if self.reduced.accelerations(self.model.plan, &self.trial, accelerations).is_none() {
-            let known = self.trial.forces.wrenches.iter().all(|w| w.moment.is_finite());
-            self.why = Some(if known { Halt::NoInertia } else { Halt::NotANumber });
+            self.why = Some(self.without_acceleration());
             return Err(Undefined);
         }
         self.at.0 = t;

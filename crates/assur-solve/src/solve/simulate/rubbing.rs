@@ -141,7 +141,7 @@ impl Equations<'_, '_> {
         self.trial.run_loads(self.model, &self.evaluated);
         let mut start = [0.0];
         if self.reduced.accelerations(self.model.plan, &self.trial, &mut start).is_none() {
-            return Err(Halt::NoInertia);
+            return Err(self.without_acceleration());
         }
         if !self.model.plan.effects.loses() {
             self.accelerate(start[0]);
