@@ -21,6 +21,14 @@ pub(super) struct Outputs {
     pub prints_events: bool,
 }
 
+impl Outputs {
+    /// How far the nearest two of the instants that are known beforehand are apart, s.
+    pub fn closest(&self) -> Option<f64> {
+        let apart = self.known.windows(2).map(|pair| pair[1].0 - pair[0].0).filter(|apart| *apart > 0.0);
+        apart.reduce(f64::min)
+    }
+}
+
 /// The instants that are printed and those of expectations.
 pub(super) fn outputs(mechanism: &Mechanism, simulation: &Simulation) -> Outputs {
     let printed = (0..simulation.instants()).map(|i| (simulation.instant(i), Origin::Printed));

@@ -17,6 +17,10 @@ use crate::solve::note::Note;
 const FINER: f64 = 0.1;
 /// The tolerance of the first run over the wanted accuracy: errors of smooth motions are far below their tolerance.
 const LOOSER: f64 = 10.0;
+/// Two runs may agree by chance: the error is not said to be less than this part of the finer one's tolerance.
+const LEAST: f64 = 0.2;
+/// Above this tolerance two runs know little of each other.
+const LOOSEST: f64 = 1e-4;
 /// Below this relative tolerance the digits of the numbers end.
 const FINEST: f64 = 2e-15;
 /// Where the coarser run misses the accuracy by more than this, the next pair starts anew.
@@ -82,13 +86,14 @@ pub(crate) fn trajectory(
     let equations =
         |state: &State| Equations::new(model, statics, rates, first, simulation.from, (state, &angles));
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
-    let mut tolerance = (LOOSER * within).min(0.1);
+    let mut tolerance = (LOOSER * within).min(LOOSEST.max(within));
     let mut spent = 0;
     let mut coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
     loop {
         let mut fine = run(&mut equations(&state), tolerance * FINER, &outputs, span, false);
         spent += coarse.counts.evaluations;
-        let compared = Compared::of(&mut equations(&state), &coarse, &fine);
+        let mut compared = Compared::of(&mut equations(&state), &coarse, &fine);
+        compared.error = compared.error.max(LEAST * FINER * tolerance);
         let out_of_reach = tolerance * FINER <= FINEST;
         if compared.error <= within || out_of_reach {
             let ended = fine.stopped.take().or_else(|| {
