@@ -6,9 +6,10 @@ mod folder;
 
 use assur::internals::check::Overrides;
 use assur::internals::diagnostic::{Problems, Style, render};
+use assur::internals::drawing::Scale;
 use assur::internals::exercise::grade::{LeftOut, Rules, Sheet, grade};
 use assur::internals::exercise::table::{Fault, Lines, Table};
-use assur::internals::picture::{KINDS, Options, Scene};
+use assur::internals::picture::{KINDS, Options, Scaled, Scene};
 use assur::internals::source::Source;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::path::Path;
@@ -68,7 +69,7 @@ fn said(source: &Source, stage: &str) -> String {
 }
 
 /// What is said about the pictures of a text, of all kinds; a first line `// --pose 9` names the position, `// --path crank.B`
-/// a point.
+/// a point, `// --length 0.0001` the scale.
 fn drawn(source: &Source) -> Problems {
     let (solved, mut problems) = assur::internals::pipeline::solve_drawn(source, &Overrides::none(), &KINDS);
     let Some(solved) = solved else { return problems };
@@ -76,13 +77,18 @@ fn drawn(source: &Source) -> Problems {
     let (name, path) = (option("// --pose "), option("// --path "));
     let mut options = Options::default();
     options.scheme.paths.extend(path.map(str::to_owned));
+    let scale = option("// --length ").and_then(|factor| Scale::fitting(factor.parse().ok()?, 1.0));
+    if let Some(scale) = scale {
+        options.scheme.scales = options.scheme.scales.with(Scaled::Length, scale);
+    }
     let turn = assur::internals::pipeline::turn(&solved.compiled, &solved.solution);
     let file = (source.name.as_str(), source.text.as_str());
     match Scene::of(solved.compiled.model(), &solved.solution, file, name) {
         Ok(scene) => {
             let scene = Scene { turn: &turn, ..scene };
             // what a first line names is of the scheme
-            let kinds = if options.scheme.paths.is_empty() { &KINDS[..] } else { &KINDS[..1] };
+            let of_all = options.scheme.paths.is_empty() && scale.is_none();
+            let kinds = if of_all { &KINDS[..] } else { &KINDS[..1] };
             let drawn = kinds.iter().map(|kind| assur::internals::picture::draw(*kind, &scene, &options));
             problems.extend(drawn.filter_map(Result::err));
         }

@@ -66,6 +66,63 @@ pub enum CliError {
         /// The place.
         name: String,
     },
+    /// The other poses of a list.
+    #[error("pose {first} is drawn, the first of {count}")]
+    #[diagnostic(
+        severity(Advice),
+        help("`-o pictures/` writes one picture per pose; `--pose NAME` draws another")
+    )]
+    FirstPose {
+        /// The one that is drawn.
+        first: String,
+        /// How many there are.
+        count: usize,
+    },
+    /// No table of variants.
+    #[error("`{name}` has no table of variants")]
+    #[diagnostic(help("name one: `--variants TABLE.csv`, or write `variants {{ … }}` into the file"))]
+    NoTable {
+        /// The file.
+        name: String,
+    },
+    /// A build without pixels.
+    #[cfg(not(feature = "png"))]
+    #[error("`{name}` cannot be written: this build of assur draws no PNG")]
+    #[diagnostic(help(
+        "write `.svg` or `.html`, or install assur with PNG: `cargo install assur --features png`"
+    ))]
+    NoPng {
+        /// As given.
+        name: String,
+    },
+    /// No font.
+    #[cfg(feature = "png")]
+    #[error("`{name}` cannot be written: no font for its letters is installed")]
+    #[diagnostic(help("install one of {families}, e.g. `apt install fonts-liberation`, or write `.svg`"))]
+    NoFont {
+        /// As given.
+        name: String,
+        /// What is looked for.
+        families: String,
+    },
+    /// No such row.
+    #[error("no row of variants is named `{name}`")]
+    NoRow {
+        /// As given.
+        name: String,
+        /// What there is.
+        #[help]
+        help: String,
+    },
+    /// An option that changes no picture that is asked for.
+    #[error("`{option}` changes no picture that is asked for")]
+    NoEffect {
+        /// The option.
+        option: String,
+        /// Pictures that it changes.
+        #[help]
+        help: String,
+    },
     /// No cam, or several and no choice.
     #[error("{message}")]
     NoCam {

@@ -2,8 +2,8 @@
 
 use super::compare::{bound, equal, is_within};
 use super::error::ExpectError;
-use super::undefined::{truth, why_undefined, without_cycle};
-use assur_model::model::{At, Comparison, Display, Expect, Expr, Relation, Tolerance, Value};
+use super::undefined::{not_happened, truth, why_undefined, without_cycle};
+use assur_model::model::{At, Comparison, Display, Expect, Expr, Occasion, Relation, Tolerance, Value};
 use assur_solve::message::failure;
 use assur_solve::solve::{DriveValue, Model, Pose, PoseAnswers, PoseOrigin, Solution, State, compare};
 use assur_text::source::Span;
@@ -114,6 +114,10 @@ impl<'a> Key<'a> {
         };
         // those of a long sweep are not kept
         let count = if expect.at.is_none() { self.solution.positions.max(found.len()) } else { found.len() };
+        if let (0, Some(At::Occasion(Occasion::Event(event, which)))) = (count, &expect.at) {
+            let why = not_happened(self.model, self.solution, *event, *which);
+            return Err(ExpectError::no_value(expect, String::new(), why));
+        }
         match (count, values) {
             (0, _) => Err(ExpectError::no_solution(expect)),
             (poses, values) if poses == values => Ok(found),

@@ -3,6 +3,7 @@
 use assur_model::model::{Expr, Query, Value};
 use assur_solve::message::undefined;
 use assur_solve::solve::{Model, PoseAnswers, Solution, compare};
+use assur_text::units::Dimension;
 
 /// Whether a condition holds; `None` where that depends on a value that does not exist.
 pub(super) fn truth(view: &PoseAnswers<'_>, expr: &Expr) -> Option<bool> {
@@ -69,9 +70,33 @@ pub(super) fn without_cycle(model: &Model<'_>, solution: &Solution, expr: &Expr)
                 let why = solution.statics.cycles.get(*index).and_then(|c| c.why);
                 why.map(|why| undefined(model, why))
             }
+            Expr::Query(Query::EventTime(event, which)) => not_happened(model, solution, *event, *which),
             _ => None,
         };
         why = why.take().or(found);
     });
     why
+}
+
+/// Why an event has no instant.
+pub(super) fn not_happened(
+    model: &Model<'_>,
+    solution: &Solution,
+    event: usize,
+    which: usize,
+) -> Option<String> {
+    let run = solution.simulation.as_ref()?;
+    let happened = run.events.get(event)?.len();
+    let name = model.mechanism.events.get(event)?.name.as_deref().unwrap_or("until");
+    let times = match happened {
+        0 => "does not happen".to_owned(),
+        1 => "happens once".to_owned(),
+        n => format!("happens {n} times"),
+    };
+    let end = format!(
+        "{} {}",
+        model.mechanism.instant_text(run.end),
+        model.mechanism.display_of(Dimension::TIME).unit
+    );
+    (happened < which).then(|| format!("the event `{name}` {times} until {end}"))
 }

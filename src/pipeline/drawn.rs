@@ -1,17 +1,33 @@
 //! Text → solved problem for pictures, which may show more than the file asks for.
 
-use super::compile::compile;
+use super::compile::compile_document;
 use super::solved::{Solved, solve};
 use assur_check::Overrides;
 use assur_picture::Kind;
 use assur_position::plan::{Effects, plan_with};
+use assur_syntax as syntax;
+use assur_syntax::document::Document;
 use assur_text::diagnostic::Problems;
 use assur_text::source::Source;
+use std::sync::Arc;
 
 /// Solves a text with all that pictures of these kinds show, as far as the file declares it.
 #[must_use]
 pub fn solve_drawn(source: &Source, overrides: &Overrides, kinds: &[Kind]) -> (Option<Solved>, Problems) {
-    let (compiled, mut problems) = compile(source, overrides);
+    let (document, found) = syntax::parse(source);
+    solve_document_drawn(source, &Arc::new(document), found, overrides, kinds)
+}
+
+/// As [`solve_drawn`], of a document in which `found` was found on reading.
+#[must_use]
+pub fn solve_document_drawn(
+    source: &Source,
+    document: &Arc<Document>,
+    found: Problems,
+    overrides: &Overrides,
+    kinds: &[Kind],
+) -> (Option<Solved>, Problems) {
+    let (compiled, mut problems) = compile_document(source, document, found, overrides);
     let Some(mut compiled) = compiled.filter(|_| !problems.has_errors()) else { return (None, problems) };
     let level = kinds.iter().map(|kind| kind.level()).max().unwrap_or_default();
     let forces = kinds.iter().any(|kind| kind.forces());

@@ -120,7 +120,8 @@ pub fn followed(model: &Model<'_>, origin: Option<&Origin>, sink: Option<&mut dy
         let labels = model.mechanism.drives.iter().map(|d| LabeledSpan::underline(d.span)).collect();
         return Err(Problems::of([SizeError::TooManyPositions { positions, most, labels }]));
     }
-    let mut head = Solution { statics: following.statics().clone(), ..Solution::default() };
+    let simulation = following.simulation().cloned();
+    let mut head = Solution { statics: following.statics().clone(), simulation, ..Solution::default() };
     if let Some(origin) = origin {
         head.open = open_sizes(model, origin).map_err(Problems::of)?;
     }

@@ -2,6 +2,7 @@
 
 mod compile;
 mod critical;
+mod dimensions;
 mod drawn;
 mod file_variants;
 mod followed;
@@ -14,11 +15,12 @@ mod turn;
 mod variant_solver;
 
 pub use compile::{Compiled, Origin, check_source, compile, compile_document};
-pub use drawn::solve_drawn;
+pub use dimensions::dimensions;
+pub use drawn::{solve_document_drawn, solve_drawn};
 pub use file_variants::{FileVariants, SolvedRow, file_row_words, row_words};
 pub use followed::{Followed, Sink, SizeError, is_long, most_positions};
 pub use open_sizes::OpenSizeError;
 pub use solved::{Solved, solve, solve_each, solve_source, solve_within};
 pub use test::{diagnose, test_document, test_source, test_text};
-pub use turn::turn;
+pub use turn::{turn, turn_in};
 pub use variant_solver::VariantSolver;

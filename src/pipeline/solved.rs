@@ -66,6 +66,11 @@ fn evaluated(compiled: Compiled, found: Followed) -> (Result<Solved, Compiled>, 
 /// does, the result is the most accurate answer with an error.
 pub fn solve_within(mut compiled: Compiled, within: Option<f64>) -> (Result<Solved, Compiled>, Problems) {
     let Some(wanted) = within else { return solve(compiled) };
+    if let Some(simulation) = &mut compiled.mechanism.simulation {
+        // a run keeps the accuracy that it is asked for by itself
+        simulation.within = Some(wanted);
+        return solve(compiled);
+    }
     let mut candidates = accuracy::candidates(&compiled.model(), wanted);
     candidates.reverse();
     while let Some(settings) = candidates.pop() {

@@ -6,48 +6,77 @@ use assur_position::plan::{Effects, plan_with};
 use assur_solve::solve::{DriveValue, Model, Pose, Solution, solve};
 use std::f64::consts::TAU;
 
-/// Steps of the way.
+/// Steps of the way, at least.
 const STEPS: usize = 180;
 
 /// Positions in small steps: over the way that the file gives its drive, or a whole turn from its first value. None where
 /// there are several drives, or the only one does not turn and has no way.
 #[must_use]
 pub fn turn(compiled: &Compiled, solution: &Solution) -> Vec<Pose> {
-    let Some(positions) = positions(&compiled.mechanism, solution) else { return Vec::new() };
-    let mut mechanism = compiled.mechanism.clone();
-    if let [drive] = mechanism.drives.as_mut_slice() {
-        drive.positions = positions;
-    }
-    // only positions are asked
-    mechanism.finds.clear();
-    mechanism.expects.clear();
-    mechanism.quantities.clear();
-    mechanism.poses.clear();
-    mechanism.loads.clear();
-    mechanism.cycles.clear();
-    mechanism.flywheels.clear();
-    mechanism.criticals.clear();
-    mechanism.powers = None;
-    let Effects { moving, timed, .. } = compiled.plan.effects;
-    let effects = Effects { moving, timed, ..Effects::default() };
-    let plan = plan_with(&mechanism, &compiled.structure, effects);
-    let model = Model { mechanism: &mechanism, structure: &compiled.structure, plan: &plan };
-    solve(&model).map(|solution| solution.poses).unwrap_or_default()
+    let Some(way) = Way::of(&compiled.mechanism, solution) else { return Vec::new() };
+    way.solved(compiled, way.steps * STEPS.div_ceil(way.steps))
 }
 
-fn positions(mechanism: &Mechanism, solution: &Solution) -> Option<Positions> {
-    let [drive] = mechanism.drives.as_slice() else { return None };
-    if let Positions::Range { from, to, steps } = &drive.positions {
-        let times = STEPS.div_ceil(*steps);
-        return Some(Positions::Range { from: from.clone(), to: to.clone(), steps: steps * times });
-    }
-    let turns = match drive.target {
-        DriveTarget::Link(_) => true,
-        DriveTarget::Pair(pair) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
-        DriveTarget::Point(..) => false,
+/// As [`turn`], in a number of positions that is wanted, two or more.
+#[must_use]
+pub fn turn_in(compiled: &Compiled, solution: &Solution, count: usize) -> Vec<Pose> {
+    let Some(way) = Way::of(&compiled.mechanism, solution) else { return Vec::new() };
+    let each = |parts: usize| {
+        let every = STEPS.div_ceil(parts);
+        let poses = way.solved(compiled, parts * every);
+        let is_closed = poses.len() == parts * every;
+        (poses.into_iter().step_by(every).collect::<Vec<_>>(), is_closed)
     };
-    let first = solution.poses.first()?.drives.first()?;
-    let (true, DriveValue::Scalar(first)) = (turns, first) else { return None };
-    let end = |angle: f64| Expr::Constant(Value::Scalar(angle));
-    Some(Positions::Range { from: end(*first), to: end(first + TAU), steps: STEPS })
+    // over whole turns the last position is the first and left out
+    let (poses, is_closed) = each(count.max(2));
+    if is_closed { poses } else { each(count.max(2) - 1).0 }
+}
+
+/// A way of the only drive.
+struct Way {
+    from: Expr,
+    to: Expr,
+    /// As written.
+    steps: usize,
+}
+
+impl Way {
+    fn of(mechanism: &Mechanism, solution: &Solution) -> Option<Self> {
+        let [drive] = mechanism.drives.as_slice() else { return None };
+        if let Positions::Range { from, to, steps } = &drive.positions {
+            return Some(Self { from: from.clone(), to: to.clone(), steps: (*steps).max(1) });
+        }
+        let turns = match drive.target {
+            DriveTarget::Link(_) => true,
+            DriveTarget::Pair(pair) => matches!(mechanism.pair(pair).kind, PairKind::Revolute(_)),
+            DriveTarget::Point(..) => false,
+        };
+        let first = solution.poses.first()?.drives.first()?;
+        let (true, DriveValue::Scalar(first)) = (turns, first) else { return None };
+        let end = |angle: f64| Expr::Constant(Value::Scalar(angle));
+        Some(Self { from: end(*first), to: end(first + TAU), steps: STEPS })
+    }
+
+    /// Its positions.
+    fn solved(&self, compiled: &Compiled, steps: usize) -> Vec<Pose> {
+        let mut mechanism = compiled.mechanism.clone();
+        if let [drive] = mechanism.drives.as_mut_slice() {
+            drive.positions = Positions::Range { from: self.from.clone(), to: self.to.clone(), steps };
+        }
+        // only positions are asked
+        mechanism.finds.clear();
+        mechanism.expects.clear();
+        mechanism.quantities.clear();
+        mechanism.poses.clear();
+        mechanism.loads.clear();
+        mechanism.cycles.clear();
+        mechanism.flywheels.clear();
+        mechanism.criticals.clear();
+        mechanism.powers = None;
+        let Effects { moving, timed, .. } = compiled.plan.effects;
+        let effects = Effects { moving, timed, ..Effects::default() };
+        let plan = plan_with(&mechanism, &compiled.structure, effects);
+        let model = Model { mechanism: &mechanism, structure: &compiled.structure, plan: &plan };
+        solve(&model).map(|solution| solution.poses).unwrap_or_default()
+    }
 }

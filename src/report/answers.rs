@@ -3,7 +3,7 @@
 use crate::exercise::Outcome;
 use assur_model::model::{Drive, DriveTarget, FindKind, Mechanism};
 use assur_solve::measure::accuracy::AchievedAccuracy;
-use assur_solve::solve::{DriveValue, Model, Pose, PoseOrigin, Solution};
+use assur_solve::solve::{DriveValue, Greatest, Model, Pose, PoseOrigin, Solution};
 use assur_text::units::{Dimension, significant};
 
 /// A solved file.
@@ -60,6 +60,24 @@ impl<'a> Answers<'a> {
         pose_header(self.model.mechanism)
     }
 
+    /// The name of a pose in a table for people: an instant is rounded.
+    pub(super) fn pose_cell(&self, pose: &Pose) -> String {
+        let mechanism = self.model.mechanism;
+        match (&mechanism.simulation, &pose.outcome) {
+            (Some(_), Ok(solved)) => {
+                let time = mechanism.display_of(Dimension::TIME).of_si(solved.state.motion.time);
+                significant(time, self.precision.digits)
+            }
+            _ => pose.name.clone(),
+        }
+    }
+
+    /// How quantities are rounded: of a motion what is below its error is 0.
+    pub(super) fn precision_of_motion(&self) -> Precision {
+        let error = self.solution.simulation.as_ref().map_or(0.0, |run| run.error);
+        Precision { noise: self.precision.noise.max(error), ..self.precision }
+    }
+
     /// A pose by its name, in a sentence.
     pub(super) fn at_pose(&self, name: &str) -> String {
         let mechanism = self.model.mechanism;
@@ -67,6 +85,12 @@ impl<'a> Answers<'a> {
             Some(_) => format!("at {name} {}", mechanism.display_of(Dimension::TIME).unit),
             None => format!("at pose {name}"),
         }
+    }
+
+    /// What the quantities of these poses are large against.
+    #[must_use]
+    pub fn greatest(&self) -> Greatest {
+        Greatest::of(&self.model, self.poses().filter_map(|pose| pose.outcome.as_ref().ok()))
     }
 
     /// Whether the file asks for all reactions.

@@ -5,10 +5,9 @@ use super::columns::Quantity;
 use super::document::Section;
 use super::reactions::reactions;
 use super::results::figures;
-use super::scale::Scale;
 use super::symbols::Symbols;
 use assur_model::model::{FindKind, Value};
-use assur_solve::solve::Pose;
+use assur_solve::solve::{Greatest, Pose};
 use assur_text::units::Dimension;
 use unicode_width::UnicodeWidthStr;
 
@@ -27,7 +26,7 @@ pub fn brief(file: &str, answers: &Answers<'_>, width: usize) -> Section {
     if let Some(reached) = answers.reached {
         section.text(super::tradeoff::reached(reached));
     }
-    let (scale, symbols) = (Scale::of(answers), Symbols::of(answers.model.mechanism));
+    let (scale, symbols) = (answers.greatest(), Symbols::of(answers.model.mechanism));
     let all = answers.quantities(&poses).into_iter().chain(answers.quantities_without_pose());
     let mut items: Vec<String> = all.map(|q| item(answers, &symbols, scale, &q)).collect();
     items.extend(greatest_reaction(answers, &poses));
@@ -58,7 +57,7 @@ fn counts(answers: &Answers<'_>, poses: &[&Pose]) -> Vec<String> {
 }
 
 /// `Mb = 472.5 N*m`, or `x_C = 335.41 … 450 mm`; of a vector that varies its magnitude.
-fn item(answers: &Answers<'_>, symbols: &Symbols<'_>, scale: Scale, quantity: &Quantity) -> String {
+fn item(answers: &Answers<'_>, symbols: &Symbols<'_>, scale: Greatest, quantity: &Quantity) -> String {
     let name = symbols.label(&quantity.name);
     let unit = &quantity.display.unit;
     let text = |value: Value| figures(answers, scale, &quantity.display, Some(value));

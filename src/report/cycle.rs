@@ -2,7 +2,6 @@
 
 use super::answers::{Answers, NONE};
 use super::document::{Column, Report, Section, Table};
-use super::scale::Scale;
 use assur_model::model::{Display, Expr, FindKind, Flywheel, Query, Value};
 use assur_solve::solve::{CycleAnswer, FlywheelAnswer};
 use assur_text::units::Dimension;
@@ -26,7 +25,7 @@ pub(super) fn all_flywheels<'a>(
 
 fn of_flywheel(answers: &Answers<'_>, wheel: &Flywheel, found: &FlywheelAnswer) -> Table {
     let mechanism = answers.model.mechanism;
-    let scale = Scale::of(answers);
+    let scale = answers.greatest();
     let columns = vec![Column::words("quantity"), Column::numbers("value"), Column::words("unit")];
     let mut table = Table::new(columns, 1);
     let mut add = |name: &str, x: f64, display: Display| {

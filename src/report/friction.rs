@@ -25,7 +25,9 @@ pub(super) fn section(answers: &Answers<'_>, report: &mut Report) {
         [(_, solved)] => {
             let view = answers.solution.view(&answers.model, solved);
             section.table(of_one_pose(answers, &view.pair_frictions()));
-            section.text(balance(answers, &view));
+            if answers.model.mechanism.simulation.is_none() {
+                section.text(balance(answers, &view));
+            }
         }
         _ => section.table(of_a_sweep(answers, &poses)),
     }

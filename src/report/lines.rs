@@ -3,6 +3,7 @@
 use super::answers::{Answers, pose_header};
 use super::csv::{LINE_END, field};
 use super::rows::{AnswerColumns, FULL, write_text};
+use super::simulation;
 use assur_model::model::Value;
 use assur_solve::solve::{Model, NumberColumns, Pose};
 use assur_text::units::push_row;
@@ -20,6 +21,8 @@ pub struct CsvLines {
     begun: bool,
     /// What heads the names of poses.
     pose: String,
+    /// A column says which events happen.
+    events: bool,
 }
 
 impl CsvLines {
@@ -34,6 +37,7 @@ impl CsvLines {
             numbers: None,
             begun: false,
             pose: pose_header(model.mechanism),
+            events: simulation::names_events(model.mechanism),
         }
     }
 
@@ -42,6 +46,9 @@ impl CsvLines {
     pub fn header(&self) -> String {
         let mut line = if self.file.is_some() { "file," } else { "" }.to_owned();
         write_text(&self.pose, &mut line);
+        if self.events {
+            line.push_str(",event");
+        }
         for header in self.columns.headers(false) {
             line.push(',');
             write_text(&header, &mut line);
@@ -70,6 +77,11 @@ impl CsvLines {
             out.extend_from_slice(pose.name.as_bytes());
         } else {
             out.extend_from_slice(field(&pose.name).as_bytes());
+        }
+        if self.events {
+            out.push(b',');
+            let events = simulation::events_at(answers, pose).unwrap_or_default();
+            out.extend_from_slice(field(&events).as_bytes());
         }
         let solved = pose.outcome.as_ref().ok().filter(|solved| !solved.state.forces.locked);
         match (&self.numbers, solved) {

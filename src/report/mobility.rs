@@ -94,6 +94,7 @@ pub(super) fn sections(model: &Model<'_>, report: &mut Report) {
         ("lower pairs".to_owned(), count.lower.to_string()),
         ("higher pairs".to_owned(), count.higher.to_string()),
         ("drives".to_owned(), drive_names(model)),
+        ("free coordinates".to_owned(), free_names(model)),
         ("unknown efforts".to_owned(), effort_names(model)),
         ("effects".to_owned(), effects(model)),
     ];
@@ -161,14 +162,23 @@ fn pair_names(model: &Model<'_>, group: &Group) -> Vec<String> {
 /// Name of a drive, or of a balance.
 pub(super) fn source_name(model: &Model<'_>, effort: &Effort) -> String {
     match effort.source {
-        EffortSource::Drive(id) => format!("drive {}", model.mechanism.drives[id.index()].name),
+        EffortSource::Drive(id) => {
+            let drive = &model.mechanism.drives[id.index()];
+            format!("{} {}", if drive.free { "start" } else { "drive" }, drive.name)
+        }
         EffortSource::Balance(id) => format!("balance {}", model.mechanism.balances[id.index()].name),
     }
 }
 
 fn drive_names(model: &Model<'_>) -> String {
-    let drives = model.mechanism.drives.iter().map(|d| d.name.as_str());
+    let drives = model.mechanism.drives.iter().filter(|d| !d.free).map(|d| d.name.as_str());
     drives.collect::<Vec<_>>().join(", ")
+}
+
+/// The coordinates whose motion follows from the loads.
+fn free_names(model: &Model<'_>) -> String {
+    let free = model.mechanism.drives.iter().filter(|d| d.free).map(|d| d.name.as_str());
+    free.collect::<Vec<_>>().join(", ")
 }
 
 fn effort_names(model: &Model<'_>) -> String {
@@ -176,9 +186,12 @@ fn effort_names(model: &Model<'_>) -> String {
         return String::new();
     }
     if model.mechanism.balances.is_empty() {
-        let own = model.structure.efforts.iter().map(|e| match e.source {
-            EffortSource::Drive(id) => format!("effort({})", model.mechanism.drives[id.index()].name),
-            EffortSource::Balance(_) => String::new(),
+        let own = model.structure.efforts.iter().filter_map(|e| match e.source {
+            EffortSource::Drive(id) => {
+                let drive = &model.mechanism.drives[id.index()];
+                (!drive.free).then(|| format!("effort({})", drive.name))
+            }
+            EffortSource::Balance(_) => None,
         });
         return own.collect::<Vec<_>>().join(", ");
     }

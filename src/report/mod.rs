@@ -34,7 +34,6 @@ mod replacement;
 mod results;
 mod row_numbers;
 pub mod rows;
-mod scale;
 mod sections;
 mod simulation;
 #[doc(hidden)]
@@ -85,6 +84,7 @@ pub fn of_answers(file: &str, answers: &Answers<'_>, accuracy: AccuracyShown) ->
     }
     element::cams(&answers.model, &mut report);
     results::sections(answers, &mut report);
+    simulation::section(answers, &mut report);
     element::tables(answers, &mut report);
     reactions::sections(answers, &mut report);
     train::section(answers, &mut report);

@@ -5,7 +5,7 @@ use super::document::{Report, Section, Table};
 use super::mobility::{link_names, source_name};
 use super::train::motion_in_words as train_in_words;
 use assur_model::model::{LinkId, LoadKind, Unsupported};
-use assur_model::structure::{Effort, Group, GroupKind};
+use assur_model::structure::{Effort, EffortSource, Group, GroupKind};
 use assur_position::plan::{ForceStep, LoadStep, MotionStep};
 use assur_solve::measure::Costs;
 use assur_solve::solve::Model;
@@ -61,7 +61,14 @@ fn bodies(model: &Model<'_>, group: &Group) -> String {
 fn motion_in_words(model: &Model<'_>, group: &Group, efforts: &[Effort], step: &MotionStep) -> String {
     let with: Vec<String> = group.efforts.iter().map(|&e| source_name(model, &efforts[e])).collect();
     match step {
-        MotionStep::Turn { .. } | MotionStep::Shift { .. } => format!("prescribed by {}", with.join(", ")),
+        MotionStep::Turn { .. } | MotionStep::Shift { .. } => {
+            let free = |e: &usize| match efforts[*e].source {
+                EffortSource::Drive(id) => model.mechanism.drives[id.index()].free,
+                EffortSource::Balance(_) => false,
+            };
+            let how = if group.efforts.iter().any(free) { "a free coordinate" } else { "prescribed" };
+            format!("{how} by {}", with.join(", "))
+        }
         MotionStep::Triad { .. } => {
             "triad: all assemblies by a sextic, then followed with a certificate".to_owned()
         }

@@ -4,11 +4,11 @@ use super::answers::{Answers, NONE, with_unit};
 use super::columns::{Cell, Quantity};
 use super::document::{Align, Column, Report, Section, Table};
 use super::reactions::{ReactionEntry, reactions};
-use super::scale::Scale;
+use super::simulation;
 use super::symbols::Symbols;
 use assur_model::model::{Display, Value};
 use assur_solve::message::failure;
-use assur_solve::solve::Pose;
+use assur_solve::solve::{Greatest, Pose};
 use assur_text::units::{Dimension, significant};
 
 /// Digits that remain after the conversion from SI into the author's unit: 30 deg remain 30 deg.
@@ -17,7 +17,7 @@ const FULL: usize = 15;
 /// Answers, and the poses that have none.
 pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
     let mut section = Section::new("Answers");
-    let scale = Scale::of(answers);
+    let scale = answers.greatest();
     let poses: Vec<&Pose> = answers.poses().collect();
     let mut quantities = answers.quantities(&poses);
     if let [pose] = poses.as_slice() {
@@ -27,8 +27,10 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
         section.table(of_one_pose(answers, scale, header, &quantities));
     } else {
         section.table(of_a_sweep(answers, scale, &poses, &quantities));
+        let moves = answers.model.mechanism.simulation.is_some();
+        let header = if moves { "over the whole motion" } else { "for the whole cycle" };
         let whole = answers.quantities_without_pose();
-        section.table(of_one_pose(answers, scale, "for the whole cycle".to_owned(), &whole));
+        section.table(of_one_pose(answers, scale, header.to_owned(), &whole));
     }
     let own: Vec<String> = answers.efforts().into_iter().filter(|e| e.of_drive).map(|e| e.name).collect();
     if !own.is_empty() {
@@ -44,7 +46,7 @@ pub(super) fn sections(answers: &Answers<'_>, report: &mut Report) {
 }
 
 /// One row per quantity.
-fn of_one_pose(answers: &Answers<'_>, scale: Scale, header: String, quantities: &[Quantity]) -> Table {
+fn of_one_pose(answers: &Answers<'_>, scale: Greatest, header: String, quantities: &[Quantity]) -> Table {
     let with_vectors = quantities.iter().any(|q| matches!(q.values[..], [Some(Value::Vector(_))]));
     let mut columns = vec![Column::words(header), Column::numbers("value"), Column::words("unit")];
     if with_vectors {
@@ -74,7 +76,7 @@ fn of_one_pose(answers: &Answers<'_>, scale: Scale, header: String, quantities: 
 /// A value in figures, rounding errors as 0.
 pub(super) fn figures(
     answers: &Answers<'_>,
-    scale: Scale,
+    scale: Greatest,
     display: &Display,
     value: Option<Value>,
 ) -> String {
@@ -89,22 +91,27 @@ pub(super) fn figures(
 }
 
 /// One row per pose, one column per number.
-fn of_a_sweep(answers: &Answers<'_>, scale: Scale, poses: &[&Pose], quantities: &[Quantity]) -> Table {
+fn of_a_sweep(answers: &Answers<'_>, scale: Greatest, poses: &[&Pose], quantities: &[Quantity]) -> Table {
     let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
-    table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
+    table.rows = poses.iter().map(|p| vec![answers.pose_cell(p)]).collect();
+    if simulation::names_events(answers.model.mechanism) {
+        table.columns.push(Column::words("event"));
+        let events = poses.iter().map(|p| simulation::events_at(answers, p).unwrap_or_default());
+        table.rows.iter_mut().zip(events).for_each(|(row, events)| row.push(events));
+    }
     for (i, drive) in answers.shown_drives() {
         let display = answers.model.mechanism.drive_display(drive.target);
         let cells = poses.iter().map(|p| answers.drive_figures(drive.target, p.drives.get(i)));
         table.column(with_unit(&drive.name, &display.unit), cells);
     }
     table.keys = table.columns.len();
-    let symbols = Symbols::of(answers.model.mechanism);
+    let (symbols, precision) = (Symbols::of(answers.model.mechanism), answers.precision_of_motion());
     for quantity in quantities {
         let unit = scale.in_unit(&quantity.display);
         for part in quantity.parts() {
             let greatest = unit.max(part.greatest());
             let cells = part.cells.iter().map(|cell| match cell {
-                Cell::Number(x) => answers.precision.figures(*x, greatest),
+                Cell::Number(x) => precision.figures(*x, greatest),
                 Cell::Bool(truth) => truth.to_string(),
                 Cell::None => quantity.missing.to_owned(),
             });
@@ -121,6 +128,11 @@ pub(super) fn full_table(answers: &Answers<'_>) -> Table {
     let poses: Vec<&Pose> = answers.poses().collect();
     let mut table = Table::new(vec![Column::words(answers.pose_header())], 1);
     table.rows = poses.iter().map(|p| vec![p.name.clone()]).collect();
+    if simulation::names_events(answers.model.mechanism) {
+        table.columns.push(Column::words("event"));
+        let events = poses.iter().map(|p| simulation::events_at(answers, p).unwrap_or_default());
+        table.rows.iter_mut().zip(events).for_each(|(row, events)| row.push(events));
+    }
     for (i, drive) in answers.shown_drives() {
         let display = answers.model.mechanism.drive_display(drive.target);
         let values = poses.iter().map(|p| p.drives.get(i).and_then(|d| d.value())).collect();

@@ -2,9 +2,11 @@
 
 use assur::internals::Solved;
 use assur::internals::check::Overrides;
-use assur::internals::drawing::{Obstacle, Rect, Sheet, Style, Theme, touches};
+use assur::internals::drawing::{Drawing, Obstacle, Rect, Sheet, Style, Theme, touches};
+use assur::internals::model::{Drive, Positions};
 use assur::internals::picture::{KINDS, Kind, Options, Scene, animation, draw};
 use assur::internals::pipeline::solve_drawn;
+use assur::internals::solve::{Model, Pose, Solution};
 use assur::internals::source::Source;
 
 /// A solved text; none where it has errors.
@@ -33,18 +35,71 @@ pub fn animated(source: &Source, solved: &Solved) -> Option<String> {
     let file = (source.name.as_str(), source.text.as_str());
     let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
     let scene = Scene { turn: &turn, ..scene };
-    animation(&scene, Options::default().scheme.size, Theme::Auto).ok()
+    animation(&scene, &Options::default(), Theme::Auto).ok()
 }
 
-/// All pictures of a kind, of the first position or of all.
-pub fn sheets(source: &Source, solved: &Solved, kind: Kind, every_pose: bool) -> Vec<Sheet> {
-    let model = solved.compiled.model();
+/// The same as one picture without a script.
+pub fn moving_picture(source: &Source, solved: &Solved) -> Option<String> {
+    let turn = assur::internals::pipeline::turn(&solved.compiled, &solved.solution);
     let file = (source.name.as_str(), source.text.as_str());
-    let poses = solved.solution.poses.iter().filter(|p| p.outcome.is_ok());
-    let poses = poses.take(if every_pose && !kind.is_of_sweep() { 8 } else { 1 });
-    let scenes = poses.filter_map(|pose| Scene::of(model, &solved.solution, file, Some(&pose.name)).ok());
-    let drawings = scenes.filter_map(|scene| draw(kind, &scene, &Options::default()).ok()).flatten();
-    drawings.map(|drawing| drawing.placed()).collect()
+    let scene = Scene::of(solved.compiled.model(), &solved.solution, file, None).ok()?;
+    let scene = Scene { turn: &turn, ..scene };
+    assur::internals::picture::moving(&scene, &Options::default(), Theme::Auto).ok()
+}
+
+/// A solution that is drawn.
+#[derive(Clone, Copy)]
+pub struct Shown<'a> {
+    pub model: Model<'a>,
+    pub solution: &'a Solution,
+    /// Name and text.
+    pub file: (&'a str, &'a str),
+}
+
+/// The most positions of a list or of a sweep that are drawn.
+const POSES: usize = 8;
+
+impl<'a> Shown<'a> {
+    pub fn of(source: &'a Source, solved: &'a Solved) -> Self {
+        let file = (source.name.as_str(), source.text.as_str());
+        Self { model: solved.compiled.model(), solution: &solved.solution, file }
+    }
+
+    /// The positions that are drawn: of a sweep some over all of it, else all.
+    pub fn poses(&self, every: bool) -> Vec<&'a Pose> {
+        let solved: Vec<&Pose> = self.solution.poses.iter().filter(|p| p.outcome.is_ok()).collect();
+        let sweeps = |d: &Drive| matches!(d.positions, Positions::Range { .. });
+        let swept = self.model.mechanism.drives.iter().any(sweeps);
+        let most = if !every {
+            1
+        } else if swept {
+            POSES
+        } else {
+            solved.len()
+        };
+        let step = (solved.len() as f64 / most.max(1) as f64).max(1.0);
+        (0..most).filter_map(|i| solved.get((i as f64 * step) as usize).copied()).collect()
+    }
+
+    /// Pictures of a kind at a position.
+    pub fn drawn(&self, kind: Kind, pose: &Pose) -> Vec<Sheet> {
+        let Ok(scene) = Scene::of(self.model, self.solution, self.file, Some(&pose.name)) else {
+            return Vec::new();
+        };
+        let drawings = draw(kind, &scene, &Options::default()).unwrap_or_default();
+        drawings.into_iter().map(Drawing::placed).collect()
+    }
+
+    /// Pictures of a kind, of the first position or of all.
+    pub fn sheets(&self, kind: Kind, every: bool) -> Vec<(&'a Pose, Sheet)> {
+        let poses = self.poses(every && !kind.is_of_sweep()).into_iter();
+        poses.flat_map(|pose| self.drawn(kind, pose).into_iter().map(move |sheet| (pose, sheet))).collect()
+    }
+}
+
+/// Pictures of a kind at the first position.
+pub fn sheets(source: &Source, solved: &Solved, kind: Kind) -> Vec<Sheet> {
+    Shown::of(source, solved).sheets(kind, false).into_iter().map(|(_, sheet)| sheet).collect()
 }
 
 /// What is wrong with a sheet.

@@ -6,7 +6,7 @@ use assur::internals::picture::KINDS;
 /// Draws all there is; how many pictures, and what is wrong with them.
 fn drawn(text: &str) -> (usize, Vec<String>) {
     let Some((source, solved)) = solved("extreme.mech", text) else { return (0, Vec::new()) };
-    let sheets: Vec<_> = KINDS.into_iter().flat_map(|kind| sheets(&source, &solved, kind, false)).collect();
+    let sheets: Vec<_> = KINDS.into_iter().flat_map(|kind| sheets(&source, &solved, kind)).collect();
     (sheets.len(), sheets.iter().flat_map(faults).collect())
 }
 

@@ -1,10 +1,20 @@
-//! Pictures of every example and of extreme inputs, judged on their marks and as documents.
+//! Pictures of every example, of random mechanisms and of extreme inputs, judged on their marks and as documents.
 
 #[path = "../folder/mod.rs"]
 mod folder;
+#[allow(dead_code, reason = "pictures need no reference solution")]
+#[path = "../mechanics/support/mod.rs"]
+mod support;
 
+mod bars;
+mod dimensioned;
 mod drawn;
 mod every_example;
 mod extreme;
+mod mutated;
+mod numbers;
 mod over_sweeps;
+mod random;
+mod scenes;
+mod without_script;
 mod xml;

@@ -36,12 +36,12 @@ fn animations_ask_for_nothing_and_repeat() {
 fn plots_mark_the_extremes_that_the_file_asks_for() {
     let text = include_str!("../../examples/flywheel/engine.mech");
     let Some((source, solved)) = solved("engine.mech", text) else { panic!("the engine is solved") };
-    let work = sheets(&source, &solved, Kind::Work, false);
+    let work = sheets(&source, &solved, Kind::Work);
     assert_eq!(work.len(), 2, "a picture per flywheel");
     // `expect fluctuation(J) = 324.118… J`, `argmax(-work(J)) = 255.77… deg` of the example
     let said = &work[0].drawing.description;
     assert!(said.contains("324.1 J") && said.contains("least at 255.8°"), "{said}");
-    let plot = sheets(&source, &solved, Kind::Plot, false);
+    let plot = sheets(&source, &solved, Kind::Plot);
     let said = &plot[0].drawing.description;
     assert!(said.contains("c: least 11.25 mm at 90°, greatest 101.2 mm at 270°"), "{said}");
 }

@@ -4,9 +4,14 @@ use crate::cli::GOOD;
 use crate::run::{Folder, assur, assur_in};
 use std::path::Path;
 
+/// [`GOOD`] at one position.
+fn one() -> String {
+    GOOD.replace("0 deg, 90 deg", "0 deg")
+}
+
 #[test]
 fn one_picture_goes_to_standard_output_or_to_a_file() {
-    let folder = Folder::new("draw-one").with("a.mech", GOOD);
+    let folder = Folder::new("draw-one").with("a.mech", &one());
     let out = assur(&folder, &["draw", "a.mech"]);
     assert_eq!((out.status, out.stderr.as_str()), (0, ""));
     assert!(out.stdout.starts_with("<svg ") && out.stdout.ends_with("</svg>\n"), "{}", out.stdout);
@@ -19,7 +24,7 @@ fn one_picture_goes_to_standard_output_or_to_a_file() {
 
 #[test]
 fn several_pictures_go_to_a_folder() {
-    let folder = Folder::new("draw-several").with("a.mech", GOOD);
+    let folder = Folder::new("draw-several").with("a.mech", &one());
     let out = assur(&folder, &["draw", "a.mech", "scheme", "velocities"]);
     assert_eq!((out.status, out.stdout.as_str()), (2, ""));
     assert!(out.stderr.contains("one picture only") && out.stderr.contains("-o pictures/"), "{}", out.stderr);
@@ -32,6 +37,34 @@ fn several_pictures_go_to_a_folder() {
     assert_eq!(names, ["a-scheme.svg", "a-velocities.svg"]);
     let all = assur(&folder, &["draw", "a.mech", "--all", "-o", "all"]);
     assert_eq!((all.status, all.stderr.as_str()), (0, ""));
+}
+
+#[test]
+fn every_pose_of_a_list_is_drawn_into_a_folder() {
+    let folder = Folder::new("draw-list").with("a.mech", GOOD);
+    let out = assur(&folder, &["draw", "a.mech", "scheme", "velocities", "-o", "."]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    assert_eq!(
+        folder.names(),
+        ["a-scheme-1.svg", "a-scheme-2.svg", "a-velocities-1.svg", "a-velocities-2.svg", "a.mech"]
+    );
+    let out = assur(&folder, &["draw", "a.mech"]);
+    assert_eq!((out.status, out.stdout), (0, folder.read("a-scheme-1.svg")));
+    assert!(out.stderr.contains("pose 1 is drawn, the first of 2"), "{}", out.stderr);
+    let out = assur(&folder, &["draw", "a.mech", "--pose", "2", "--pose", "2"]);
+    assert_eq!((out.status, out.stdout, out.stderr), (0, folder.read("a-scheme-2.svg"), String::new()));
+    let out = assur(&folder, &["draw", "a.mech", "--pose", "1", "--pose", "2"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+}
+
+#[test]
+fn of_a_sweep_the_first_pose_is_drawn() {
+    let sweep = GOOD.replace("0 deg, 90 deg", "0 deg .. 360 deg in 12 steps");
+    let folder = Folder::new("draw-sweep").with("a.mech", &sweep);
+    let out = assur(&folder, &["draw", "a.mech", "-o", "out"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let names = Path::new(&folder.path("out")).read_dir().expect("the folder").flatten();
+    assert_eq!(names.map(|f| f.file_name()).collect::<Vec<_>>(), ["a-scheme.svg"]);
 }
 
 #[test]
@@ -64,6 +97,168 @@ fn what_cannot_be_drawn_is_said() {
     assert_eq!((out.status, out.stdout.as_str()), (2, ""));
 }
 
+#[test]
+fn a_scale_is_as_wanted_or_refused() {
+    let folder = Folder::new("draw-scale").with("a.mech", &one());
+    let scaled = |scale: &str, picture: &str| assur(&folder, &["draw", "a.mech", picture, "--scale", scale]);
+    let out = scaled("length=0.01,velocity=0.5", "scheme");
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    assert!(out.stderr.contains("`--scale velocity` changes no picture"), "{}", out.stderr);
+    assert!(out.stderr.contains("`velocities`, `lever`, `hodograph`"), "{}", out.stderr);
+    let out = scaled("length=0.01", "scheme");
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(out.stdout.contains("Length scale 0.01 m per mm"), "{}", out.stdout);
+    let out = scaled("velocity=0.5", "velocities");
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    assert!(out.stdout.contains("Scale 0.5 m/s per mm"), "{}", out.stdout);
+    let out = scaled("length=0.0001", "scheme");
+    assert_eq!((out.status, out.stdout.as_str()), (1, ""));
+    assert!(out.stderr.contains("mech::picture::no_scale"), "{}", out.stderr);
+    for (wrong, said) in [
+        ("mass=1", "`mass` has no scale: write length, velocity, acceleration, force"),
+        ("length=0.003", "write length=0.004"),
+        ("length", "write KIND=FACTOR"),
+        ("length=-1", "write KIND=FACTOR"),
+    ] {
+        let out = scaled(wrong, "scheme");
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{wrong}");
+        assert!(out.stderr.contains(said), "{wrong}: {}", out.stderr);
+    }
+}
+
+#[test]
+fn an_option_of_another_picture_is_refused() {
+    let folder = Folder::new("draw-option").with("a.mech", &one());
+    for option in [
+        &["--ghosts", "4"][..],
+        &["--path", "rod.B"],
+        &["--loads", "none"],
+        &["--frames", "12"],
+        &["--dimensions"],
+        &["--numbers"],
+    ] {
+        let out = assur(&folder, &[&["draw", "a.mech", "velocities"], option].concat());
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{option:?}");
+        assert!(out.stderr.contains("changes no picture"), "{}", out.stderr);
+    }
+    for option in [["--pose", "1"], ["--size", "100x100"]] {
+        let out = assur(&folder, &["draw", "a.mech", "plot", option[0], option[1]]);
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""), "{option:?}");
+        assert!(out.stderr.contains("changes no picture"), "{}", out.stderr);
+    }
+    let out = assur(&folder, &["draw", "a.mech", "--numbers", "--loads", "none"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+}
+
+#[test]
+fn dimensions_and_numbers_are_drawn() {
+    let text = one() + "force P on piston at C = 400 N @ 180 deg\nbalance torque Mb on crank\n";
+    let folder = Folder::new("draw-dimensions").with("a.mech", &text);
+    let out = assur(&folder, &["draw", "a.mech", "--dimensions", "--numbers", "--scale", "force=20"]);
+    assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+    for said in [
+        "Dimensions: r = 100 mm",
+        "class=\"dimension\" data-name=\"r\"",
+        "Loads: P = 400 N",
+        "Unknown effort Mb = 0 N·m",
+        "Force scale 20 N per mm",
+    ] {
+        assert!(out.stdout.contains(said), "{said}: {}", out.stdout);
+    }
+    let out = assur(&folder, &["draw", "a.mech", "--numbers", "--scale", "force=10"]);
+    assert_eq!((out.status, out.stdout.as_str()), (1, ""));
+    assert!(out.stderr.contains("`--scale force=20`"), "{}", out.stderr);
+}
+
+/// The numbers in the first list of a script that begins with a name.
+fn frames(page: &str) -> Option<usize> {
+    page.split_once("const N=")?.1.split(',').next()?.parse().ok()
+}
+
+#[test]
+fn an_animation_has_the_frames_that_are_wanted() {
+    let folder = Folder::new("draw-frames").with("a.mech", &one());
+    for count in ["2", "24", "500"] {
+        let out = assur(&folder, &["draw", "a.mech", "animation", "--frames", count]);
+        assert_eq!((out.status, out.stderr.as_str()), (0, ""));
+        assert_eq!(frames(&out.stdout), count.parse().ok());
+    }
+    for count in ["1", "20000", "x"] {
+        let out = assur(&folder, &["draw", "a.mech", "animation", "--frames", count]);
+        assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+        assert!(out.stderr.contains("from 2 to 10000"), "{}", out.stderr);
+    }
+}
+
+#[test]
+fn an_animation_is_a_page_or_a_picture() {
+    let folder = Folder::new("draw-animation").with("a.mech", &one());
+    let out = assur(&folder, &["draw", "a.mech", "animation", "-o", "a.svg"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let picture = folder.read("a.svg");
+    assert!(picture.contains("<animateTransform") && !picture.contains("<script"));
+    assert!(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
+    let out = assur(&folder, &["draw", "a.mech", "animation", "-o", "a.html"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let page = folder.read("a.html");
+    assert!(page.contains("<script>") && page.contains("<output id=\"o\" for=\"s\">crank = 0.0°</output>"));
+    let out = assur(&folder, &["draw", "a.mech", "animation", "--frames", "10000"]);
+    assert!(out.status == 0 && out.stdout.len() < 1_200_000, "{} bytes", out.stdout.len());
+}
+
+#[test]
+fn rows_of_variants_are_drawn() {
+    let own = format!("{}\nvariants {{\n  variant, r [mm]\n  small, 60\n  large, 120\n}}\n", one());
+    let own = own.replace("expect x_C = 450 mm within 1e-9 at pose 1\n", "");
+    let folder = Folder::new("draw-rows").with("a.mech", &own).with("T.csv", "r [mm]\n60\n120\n80\n");
+    let drawn = |args: &[&str]| assur(&folder, &[&["draw", "a.mech"], args].concat());
+    let as_written = drawn(&["--set", "r=120mm"]);
+    let large = drawn(&["--row", "large"]);
+    assert_eq!((large.status, large.stderr.as_str()), (0, ""));
+    assert_eq!(drawn(&["--row", "2"]).stdout, large.stdout);
+    let marks = |svg: &str| svg.split_once("</style>").map(|(_, marks)| marks.to_owned());
+    assert_eq!(marks(&large.stdout), marks(&as_written.stdout));
+    assert!(large.stdout.contains("row 2, variant large (r = 120 mm)"), "{}", large.stdout);
+    let out = drawn(&["--row", "larg"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    assert!(out.stderr.contains("did you mean `large`?"), "{}", out.stderr);
+    let out = drawn(&["--variants", "T.csv", "--row", "9"]);
+    assert!(out.stderr.contains("the rows are 1 to 3"), "{}", out.stderr);
+    assert_eq!(drawn(&["--variants", "T.csv"]).status, 2, "three pictures in one place");
+    let out = drawn(&["--variants", "T.csv", "-o", "out"]);
+    assert_eq!((out.status, out.stdout.as_str(), out.stderr.as_str()), (0, "", ""));
+    let row = folder.read("out/a-row-2-scheme.svg");
+    assert_eq!(marks(&row), marks(&as_written.stdout));
+    let page = drawn(&["--variants", "T.csv", "-o", "all.html"]);
+    assert_eq!(page.status, 0);
+    let page = folder.read("all.html");
+    let ids: Vec<&str> = page.split(" id=\"").skip(1).filter_map(|part| part.split('"').next()).collect();
+    assert!(ids.len() == 6 && (1..6).all(|i| !ids[..i].contains(&ids[i])), "{ids:?}");
+}
+
+#[test]
+fn rows_that_cannot_be_drawn_are_said() {
+    let folder = Folder::new("draw-no-rows").with("a.mech", &one());
+    folder.write_bytes("T.csv", b"rr [mm]\n60\n");
+    folder.write_bytes("E.csv", b"r [mm]\n");
+    folder.write_bytes("N.csv", b"r [mm]\nx\n");
+    folder.write_bytes("far.csv", b"r [mm]\n60\n900\n");
+    let drawn = |args: &[&str]| assur(&folder, &[&["draw", "a.mech"], args].concat());
+    let out = drawn(&["--row", "1"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    assert!(out.stderr.contains("has no table of variants"), "{}", out.stderr);
+    let out = drawn(&["--variants", "none.csv"]);
+    assert_eq!((out.status, out.stdout.as_str()), (2, ""));
+    for (table, code) in [("T.csv", "name::unknown"), ("E.csv", "table::empty"), ("N.csv", "table::number")] {
+        let out = drawn(&["--variants", table]);
+        assert_eq!((out.status, out.stdout.as_str()), (1, ""), "{table}");
+        assert!(out.stderr.contains(&format!("mech::{code}")), "{table}: {}", out.stderr);
+    }
+    let out = drawn(&["--variants", "far.csv", "velocities", "--pose", "1", "-o", "out"]);
+    assert_eq!(out.status, 0, "{}", out.stderr);
+    assert!(drawn(&["--set", "r=x"]).stderr.contains("mech::request::set_value"));
+}
+
 /// `docs/pictures.sh` writes what is there.
 #[test]
 fn the_pictures_of_the_documents_are_of_now() {
@@ -78,5 +273,5 @@ fn the_pictures_of_the_documents_are_of_now() {
         assert!(out.stdout == there, "{file} is not what is drawn: run docs/pictures.sh");
         count += 1;
     }
-    assert_eq!(count, 2);
+    assert_eq!(count, 10);
 }

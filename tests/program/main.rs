@@ -6,6 +6,7 @@ mod arrow;
 mod batch;
 mod cli;
 mod draw;
+mod draw_png;
 #[path = "../folder/mod.rs"]
 mod folder;
 mod formats;

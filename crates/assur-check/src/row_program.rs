@@ -288,6 +288,8 @@ fn call(function: Function, a: f64, b: f64) -> f64 {
         Function::Tan => libm::tan(a),
         Function::Asin => libm::asin(a),
         Function::Acos => libm::acos(a),
+        Function::Exp => libm::exp(a),
+        Function::Log => libm::log(a),
         Function::Atan => libm::atan(a),
         Function::Atan2 => libm::atan2(a, b),
         Function::Mag => libm::hypot(a, b),

@@ -4,7 +4,7 @@ use crate::geometry::Rect;
 use crate::label::Label;
 use crate::mark::{Mark, Shape};
 use crate::outside;
-use crate::placement;
+use crate::placement::{self, Later};
 use crate::style::Style;
 use crate::text::Text;
 use assur_math::math::Vec2;
@@ -136,9 +136,20 @@ impl Drawing {
 
     /// Finds a place for every label; none is left out.
     #[must_use]
-    pub fn placed(mut self) -> Sheet {
-        let found = placement::place(&self.marks, &self.labels);
+    pub fn placed(self) -> Sheet {
+        self.placed_through(&[])
+    }
+
+    /// The same where marks move: labels keep their distance to what they are about, and are where they are best in all
+    /// frames.
+    #[must_use]
+    pub fn placed_through(mut self, later: &[Later]) -> Sheet {
+        let found = placement::place(&self.marks, &self.labels, later);
         let mut bounds = self.extent();
+        for frame in later {
+            let boxes = found.iter().zip(&frame.shifts).filter_map(|(b, by)| Some(b.as_ref()?.shifted(*by)));
+            boxes.for_each(|b| bounds.join(&b));
+        }
         found.iter().flatten().for_each(|b| bounds.join(b));
         if bounds.is_nothing() {
             bounds = Rect { min: Vec2::zero(), max: Vec2::zero() };

@@ -62,6 +62,12 @@ impl Rect {
         Self { min: self.min - by, max: self.max + by }
     }
 
+    /// The same box elsewhere.
+    #[must_use]
+    pub fn shifted(&self, by: Vec2) -> Self {
+        Self { min: self.min + by, max: self.max + by }
+    }
+
     /// Width and height.
     #[must_use]
     pub fn size(&self) -> Vec2 {

@@ -51,7 +51,7 @@ impl Palette {
     ]);
     /// On paper.
     pub const PRINT: Self =
-        Self(["#000", "#fff", "#555", "#005b8f", "#a84300", "#075239", "#f0f0f0", "#dfeef6", "#fae7db"]);
+        Self(["#000", "#fff", "#666", "#005b8f", "#a84300", "#075239", "#f0f0f0", "#dfeef6", "#fae7db"]);
     /// Without colours.
     pub const MONO: Self =
         Self(["#000", "#fff", "#555", "#000", "#000", "#000", "#f0f0f0", "#e8e8e8", "#d8d8d8"]);

@@ -5,7 +5,8 @@
 use crate::geometry::{Rect, Segment};
 use crate::grid::{Grid, bounds, pieces, touches};
 use crate::label::{Anchor, Label};
-use crate::mark::{Mark, Obstacle};
+use crate::mark::{Mark, Obstacle, Shape};
+use crate::style::Style;
 use assur_math::math::Vec2;
 use std::f64::consts::TAU;
 
@@ -34,10 +35,24 @@ struct Candidate {
     cost: f64,
 }
 
+/// What there is later, where the marks move and labels with them.
+#[derive(Clone, Debug, Default)]
+pub struct Later {
+    /// The marks.
+    pub marks: Vec<Mark>,
+    /// How far each label has moved.
+    pub shifts: Vec<Vec2>,
+}
+
+/// Price of a place that marks lie on in all later frames, in millimetres of distance.
+const LATER: f64 = 20.0;
+/// The part of the later frames in which two labels may overlap.
+const PASSING: f64 = 0.1;
+
 /// The boxes of all labels, in their order; none for those that found no place.
-pub fn place(marks: &[Mark], labels: &[Label]) -> Vec<Option<Rect>> {
+pub fn place(marks: &[Mark], labels: &[Label], later: &[Later]) -> Vec<Option<Rect>> {
     let mut all = Rect::NOTHING;
-    marks.iter().for_each(|mark| all.join(&mark.shape.bounds()));
+    marks.iter().chain(later.iter().flat_map(|l| &l.marks)).for_each(|mark| all.join(&mark.shape.bounds()));
     labels.iter().for_each(|label| match label.anchor {
         Anchor::Point(p, _) => all.add(p),
         Anchor::Line(a, b) => {
@@ -50,10 +65,27 @@ pub fn place(marks: &[Mark], labels: &[Label]) -> Vec<Option<Rect>> {
     }
     let around = all.grown(MARGIN);
     let ground = Ground::of(marks, &around);
-    let candidates: Vec<Vec<Candidate>> = labels.iter().map(|label| ground.candidates(label)).collect();
+    let grounds: Vec<Ground> = later.iter().map(|l| Ground::of(&l.marks, &around)).collect();
+    let candidates = labels.iter().enumerate().map(|(i, label)| {
+        let mut own = ground.candidates(label);
+        if !later.is_empty() {
+            let round = label.ring.is_some_and(|r| label.half().x <= r);
+            for candidate in &mut own {
+                let on = |(ground, later): &(&Ground, &Later)| {
+                    let there = candidate.bounds.shifted(later.shifts[i]);
+                    ground.solid.any(&there, |o| touches(&there, round, o, 0.0))
+                };
+                let hits = grounds.iter().zip(later).filter(on).count();
+                candidate.cost += LATER * hits as f64 / later.len() as f64;
+            }
+            own.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        }
+        own
+    });
+    let candidates: Vec<Vec<Candidate>> = candidates.collect();
     let mut order: Vec<usize> = (0..labels.len()).collect();
     order.sort_by_key(|i| (labels[*i].rank, candidates[*i].len(), *i));
-    let mut board = Board::new(labels, &candidates, &around);
+    let mut board = Board::new(labels, &candidates, later, &around);
     for &label in &order {
         board.take_cheapest(label);
     }
@@ -66,6 +98,13 @@ pub fn place(marks: &[Mark], labels: &[Label]) -> Vec<Option<Rect>> {
             break;
         }
     }
+    // better in the way later than outside
+    board.later = &[];
+    for &label in &order {
+        if board.chosen[label].is_none() {
+            board.take_cheapest(label);
+        }
+    }
     board.chosen.iter().zip(&candidates).map(|(chosen, all)| chosen.map(|c| all[c].bounds)).collect()
 }
 
@@ -73,12 +112,17 @@ pub fn place(marks: &[Mark], labels: &[Label]) -> Vec<Option<Rect>> {
 struct Ground {
     solid: Grid<Obstacle>,
     thin: Grid<Segment>,
+    /// Circles that only labels of what is in them may enter.
+    insets: Vec<Obstacle>,
 }
 
 impl Ground {
     fn of(marks: &[Mark], around: &Rect) -> Self {
-        let mut ground = Self { solid: Grid::over(around), thin: Grid::over(around) };
+        let mut ground = Self { solid: Grid::over(around), thin: Grid::over(around), insets: Vec::new() };
         for mark in marks {
+            if let (Style::Inset, Shape::Circle { centre, radius }) = (mark.style, &mark.shape) {
+                ground.insets.push(Obstacle::Disc(*centre, *radius));
+            }
             if mark.style.is_solid() {
                 for obstacle in mark.shape.obstacles(mark.style.half_width()) {
                     match obstacle {
@@ -136,6 +180,9 @@ impl Ground {
         }
         let round = label.ring.is_some_and(|r| half.x <= r);
         all.retain(|c| !self.solid.any(&c.bounds, |o| touches(&c.bounds, round, o, APART)));
+        for inset in self.insets.iter().filter(|inset| !holds(inset, label)) {
+            all.retain(|c| !touches(&c.bounds, round, inset, APART));
+        }
         for candidate in &mut all {
             let mut inside = 0.0;
             self.thin.any(&candidate.bounds, |s| {
@@ -149,6 +196,15 @@ impl Ground {
     }
 }
 
+/// Whether what a label is about lies in a disc.
+fn holds(inset: &Obstacle, label: &Label) -> bool {
+    let (Obstacle::Disc(centre, radius), Anchor::Point(at, _) | Anchor::Line(at, _)) = (inset, label.anchor)
+    else {
+        return false;
+    };
+    (at - *centre).norm() < *radius
+}
+
 /// The box that lies beyond a point in a direction: its side or its corner has the distance.
 fn beyond(from: Vec2, direction: Vec2, distance: f64, half: Vec2) -> Rect {
     let largest = direction.x.abs().max(direction.y.abs());
@@ -160,6 +216,7 @@ fn beyond(from: Vec2, direction: Vec2, distance: f64, half: Vec2) -> Rect {
 /// Who sits where.
 struct Board<'a> {
     candidates: &'a [Vec<Candidate>],
+    later: &'a [Later],
     chosen: Vec<Option<usize>>,
     /// Labels by the cells of the places that they have.
     taken: Grid<usize>,
@@ -170,10 +227,10 @@ struct Board<'a> {
 const OUTSIDE: f64 = 60.0;
 
 impl<'a> Board<'a> {
-    fn new(labels: &[Label], candidates: &'a [Vec<Candidate>], around: &Rect) -> Self {
+    fn new(labels: &[Label], candidates: &'a [Vec<Candidate>], later: &'a [Later], around: &Rect) -> Self {
         let taken = Grid::knowing((0..labels.len()).collect(), around);
         let ranks = labels.iter().map(|l| l.rank).collect();
-        Self { candidates, chosen: vec![None; candidates.len()], taken, ranks }
+        Self { candidates, later, chosen: vec![None; candidates.len()], taken, ranks }
     }
 
     fn cost(&self, label: usize) -> f64 {
@@ -206,6 +263,20 @@ impl<'a> Board<'a> {
             }
             found.len() > 1
         });
+        if !self.later.is_empty() && found.len() < 2 {
+            let others = (0..self.chosen.len()).filter(|o| *o != label && !found.contains(o));
+            let meets = |other: &usize| {
+                self.chosen[*other].is_some_and(|number| {
+                    let place = self.candidates[*other][number].bounds;
+                    let on = |l: &&Later| {
+                        place.shifted(l.shifts[*other]).overlaps(&bounds.shifted(l.shifts[label]))
+                    };
+                    self.later.iter().filter(on).count() as f64 > PASSING * self.later.len() as f64
+                })
+            };
+            let more: Vec<usize> = others.filter(meets).take(2 - found.len()).collect();
+            found.extend(more);
+        }
         found
     }
 

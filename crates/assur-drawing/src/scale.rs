@@ -35,6 +35,15 @@ impl Scale {
         format!("{}e{}", self.mantissa, self.exponent).parse().unwrap_or(f64::NAN)
     }
 
+    /// As a program reads it: `0.005`, `4e-9`.
+    #[must_use]
+    pub fn written(&self) -> String {
+        match self.exponent {
+            -4..=4 => self.text(),
+            exponent => format!("{}e{exponent}", self.mantissa),
+        }
+    }
+
     /// As it is printed: `0.005`, `2.5`, `4·10⁻⁹`.
     #[must_use]
     pub fn text(&self) -> String {

@@ -29,6 +29,8 @@ pub enum Style {
     Solid,
     /// A block, filled with paper.
     Block,
+    /// A circle with a place magnified in it.
+    Inset,
     /// A link with three joints and more, a cam: outline and tint.
     Plate,
     /// An absolute velocity.
@@ -84,7 +86,7 @@ pub const CURVES: [Style; 6] =
     [Style::Curve1, Style::Curve2, Style::Curve3, Style::Curve4, Style::Curve5, Style::Curve6];
 
 /// All of them, in the order of their rules.
-pub const STYLES: [Style; 36] = [
+pub const STYLES: [Style; 37] = [
     Style::Link,
     Style::Medium,
     Style::Thin,
@@ -97,6 +99,7 @@ pub const STYLES: [Style; 36] = [
     Style::Centre,
     Style::Solid,
     Style::Block,
+    Style::Inset,
     Style::Plate,
     Style::Velocity,
     Style::VelocityPart,
@@ -134,12 +137,12 @@ pub struct Paint {
     pub fill: Option<Role>,
     /// Dashes and gaps, mm.
     pub dashes: &'static str,
-    /// Less than all of its colour.
-    pub faint: bool,
+    /// How much of its colour there is.
+    pub opacity: f64,
 }
 
 const fn stroke(class: &'static str, role: Role, width: f64) -> Paint {
-    Paint { class, stroke: Some((role, width)), fill: None, dashes: "", faint: false }
+    Paint { class, stroke: Some((role, width)), fill: None, dashes: "", opacity: 1.0 }
 }
 
 const fn filled(class: &'static str, role: Role, width: f64, fill: Role) -> Paint {
@@ -147,7 +150,7 @@ const fn filled(class: &'static str, role: Role, width: f64, fill: Role) -> Pain
 }
 
 const fn area(class: &'static str, fill: Role) -> Paint {
-    Paint { class, stroke: None, fill: Some(fill), dashes: "", faint: false }
+    Paint { class, stroke: None, fill: Some(fill), dashes: "", opacity: 1.0 }
 }
 
 const fn dashed(class: &'static str, role: Role, width: f64, dashes: &'static str) -> Paint {
@@ -162,8 +165,8 @@ impl Style {
             Self::Link => stroke("l", Role::Ink, 0.7),
             Self::Medium => stroke("m", Role::Ink, 0.45),
             Self::Thin => stroke("t", Role::Ink, 0.22),
-            Self::Ghost => Paint { faint: true, ..stroke("g", Role::Grey, 0.3) },
-            Self::Grid => Paint { faint: true, ..stroke("gr", Role::Grey, 0.18) },
+            Self::Ghost => Paint { opacity: 0.8, ..stroke("g", Role::Grey, 0.3) },
+            Self::Grid => Paint { opacity: 0.55, ..stroke("gr", Role::Grey, 0.18) },
             Self::Axis => dashed("ax", Role::Grey, 0.2, "5 1 1 1"),
             Self::Dashed => dashed("da", Role::Ink, 0.28, "1.6 1"),
             Self::Way => dashed("pa", Role::Grey, 0.3, "2.2 1"),
@@ -171,6 +174,7 @@ impl Style {
             Self::Centre => filled("c", Role::Ink, 0.3, Role::Paper),
             Self::Solid => area("k", Role::Ink),
             Self::Block => filled("b", Role::Ink, 0.5, Role::Paper),
+            Self::Inset => filled("in", Role::Ink, 0.35, Role::Paper),
             Self::Plate => filled("tern", Role::Ink, 0.6, Role::Tint),
             Self::Velocity => stroke("v", Role::Blue, 0.5),
             Self::VelocityPart => stroke("v2", Role::Blue, 0.3),
@@ -178,9 +182,9 @@ impl Style {
             Self::AccelerationPart => stroke("a3", Role::Vermilion, 0.3),
             Self::AccelerationTangent => dashed("a2", Role::Vermilion, 0.32, "1.8 .9"),
             Self::Force => stroke("f", Role::Ink, 0.5),
-            Self::Unknown => stroke("r", Role::Green, 0.6),
+            Self::Unknown => stroke("r", Role::Green, 0.66),
             Self::UnknownPart => dashed("r2", Role::Green, 0.32, "1.8 .9"),
-            Self::Drive => stroke("dr", Role::Blue, 0.45),
+            Self::Drive => stroke("dr", Role::Blue, 0.38),
             Self::FrictionCircle => {
                 Paint { dashes: "1.2 .7", ..filled("fc", Role::Vermilion, 0.35, Role::VermilionTint) }
             }

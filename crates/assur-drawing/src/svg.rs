@@ -9,6 +9,9 @@ use assur_math::math::Vec2;
 use std::fmt::Write;
 
 /// Families with the same widths.
+pub const FAMILIES: [&str; 5] =
+    ["Times New Roman", "Tinos", "Liberation Serif", "Nimbus Roman", "TeX Gyre Termes"];
+/// The same as a rule.
 const FAMILY: &str = r#""Times New Roman",Tinos,"Liberation Serif","Nimbus Roman","TeX Gyre Termes",serif"#;
 
 /// A number with two decimals at most, without zeros at its end and without a minus before nothing.
@@ -125,8 +128,8 @@ impl Sheet {
                 if !paint.dashes.is_empty() {
                     parts.push(format!("stroke-dasharray:{}", paint.dashes));
                 }
-                if paint.faint {
-                    parts.push("opacity:.55".to_owned());
+                if paint.opacity < 1.0 {
+                    parts.push(format!("opacity:{}", number(paint.opacity)));
                 }
                 if matches!(style, Style::Link | Style::Plate | Style::Block | Style::Medium) {
                     parts.push("stroke-linejoin:round".to_owned());

@@ -77,6 +77,17 @@ impl Text {
     /// One more run.
     #[must_use]
     pub fn and(mut self, letters: &str, italic: bool, level: Level) -> Self {
+        let mut rest = letters;
+        while level == Level::Base
+            && let Some((before, exponent, behind)) = exponent(rest)
+        {
+            self = self.run(before, italic, level).run(&exponent, false, Level::Sup);
+            rest = behind;
+        }
+        self.run(rest, italic, level)
+    }
+
+    fn run(mut self, letters: &str, italic: bool, level: Level) -> Self {
         if !letters.is_empty() {
             self.runs.push(Run { letters: clean(letters), italic, level });
         }
@@ -141,7 +152,9 @@ impl Text {
             if run.level == Level::Sub {
                 plain.push('_');
             }
-            plain.push_str(&run.letters);
+            let is_exponent = run.level == Level::Sup && run.letters.chars().all(|c| DIGITS.contains(c));
+            let raised = |c: char| RAISED_DIGITS.chars().nth(DIGITS.chars().position(|d| d == c)?);
+            plain.extend(run.letters.chars().map(|c| raised(c).filter(|_| is_exponent).unwrap_or(c)));
         }
         plain
     }
@@ -188,6 +201,26 @@ impl Text {
             rect.add(set.at + Vec2::new(set.width, depth * set.size));
         }
         if rect.is_nothing() { Rect { min: Vec2::zero(), max: Vec2::zero() } } else { rect }
+    }
+}
+
+/// Digits of exponents, and the signs of them that fonts have or lack.
+const DIGITS: &str = "0123456789−";
+const RAISED_DIGITS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
+
+/// What is before the first exponent that fonts have no signs for, its digits, and what is behind.
+fn exponent(letters: &str) -> Option<(&str, String, &str)> {
+    let is_raised = |c: char| RAISED_DIGITS.contains(c);
+    let mut from = 0;
+    loop {
+        let start = from + letters[from..].find(is_raised)?;
+        let length = letters[start..].find(|c| !is_raised(c)).unwrap_or(letters.len() - start);
+        let (exponent, behind) = letters[start..].split_at(length);
+        if exponent.chars().any(|c| !matches!(c, '¹' | '²' | '³')) {
+            let digit = |c: char| DIGITS.chars().nth(RAISED_DIGITS.chars().position(|r| r == c)?);
+            return Some((&letters[..start], exponent.chars().filter_map(digit).collect(), behind));
+        }
+        from = start + length;
     }
 }
 

@@ -3,9 +3,11 @@
 use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
 use crate::words::offered;
+use assur_model::model::{LinkId, Mechanism};
 use assur_position::position::turns;
 use assur_solve::solve::Solution;
 use assur_text::diagnostic::did_you_mean;
+use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 
@@ -22,6 +24,9 @@ pub enum Missing {
     NoPosition {
         /// `: no solved pose is named `9``, or empty.
         named: String,
+        /// What it is about.
+        #[label("these are the positions")]
+        at: Option<Span>,
         /// What to write.
         #[help]
         help: String,
@@ -34,6 +39,9 @@ pub enum Missing {
         what: &'static str,
         /// What the file does not give.
         why: &'static str,
+        /// What it is about.
+        #[label("without a speed")]
+        at: Option<Span>,
         /// What to write.
         #[help]
         help: String,
@@ -44,6 +52,11 @@ pub enum Missing {
     NoForces {
         /// What is missing.
         why: String,
+        /// What it is about.
+        #[label("{what}")]
+        at: Option<Span>,
+        /// What that is.
+        what: &'static str,
         /// What to write.
         #[help]
         help: String,
@@ -54,6 +67,9 @@ pub enum Missing {
     NoPoint {
         /// As given.
         name: String,
+        /// Its link, where there is one.
+        #[label("this link has no such point")]
+        at: Option<Span>,
         /// What may be meant.
         #[help]
         help: String,
@@ -64,7 +80,11 @@ pub enum Missing {
         code("mech::picture::no_way"),
         help("give the only drive a range: `drive crank = 0 deg .. 360 deg in 12 steps`")
     )]
-    NoWay,
+    NoWay {
+        /// The drive.
+        #[label("one position")]
+        at: Option<Span>,
+    },
     /// No friction.
     #[error("there is no friction to draw: no pair has a friction circle or a coefficient")]
     #[diagnostic(
@@ -81,6 +101,18 @@ pub enum Missing {
         help("draw the `scheme`, or declare shafts: `shaft I {{ wheel a teeth 20 }}`")
     )]
     NoTrain,
+    /// A scale that does not fit.
+    #[error("the scale {wanted} does not fit: {why}")]
+    #[diagnostic(code("mech::picture::no_scale"))]
+    NoScale {
+        /// `length = 0.001 m/mm`.
+        wanted: String,
+        /// What would come of it.
+        why: &'static str,
+        /// What fits.
+        #[help]
+        help: String,
+    },
     /// No link has a place.
     #[error("no link has a position: {needs}")]
     #[diagnostic(
@@ -92,6 +124,9 @@ pub enum Missing {
     NotPlaced {
         /// `a plan shows velocities of points`.
         needs: &'static str,
+        /// The first link.
+        #[label("has no position")]
+        at: Option<Span>,
     },
 }
 
@@ -106,17 +141,37 @@ impl Missing {
             Some(near) => format!("did you mean `{near}`?"),
             None => format!("the points are {}", offered(&all)),
         };
-        Self::NoPoint { name: name.to_owned(), help }
+        let own = name.split_once('.').map_or(name, |(link, _)| link);
+        let link = scene
+            .mechanism()
+            .links
+            .iter()
+            .skip(1)
+            .find(|l| l.name == own || l.number.as_deref() == Some(own));
+        Self::NoPoint { name: name.to_owned(), at: link.map(|link| link.span), help }
     }
 
     /// No forces.
     pub(crate) fn no_forces(why: &str, help: &str) -> Self {
-        Self::NoForces { why: why.to_owned(), help: help.to_owned() }
+        Self::NoForces { why: why.to_owned(), at: None, what: "", help: help.to_owned() }
+    }
+
+    /// No forces, because of a drive.
+    pub(crate) fn no_forces_by_drive(scene: &Scene<'_>, why: &str, what: &'static str, help: &str) -> Self {
+        let at = scene.mechanism().drives.first().map(|drive| drive.span);
+        Self::NoForces { why: why.to_owned(), at, what, help: help.to_owned() }
+    }
+
+    /// No motion over which something could be drawn.
+    pub(crate) fn no_way(scene: &Scene<'_>) -> Self {
+        Self::NoWay { at: scene.mechanism().drives.first().map(|drive| drive.span) }
     }
 
     /// No link has a place.
-    pub(crate) const fn nothing_placed(needs: &'static str) -> Self {
-        Self::NotPlaced { needs }
+    pub(crate) fn nothing_placed(scene: &Scene<'_>, needs: &'static str) -> Self {
+        let links = &scene.mechanism().links;
+        let open = (1..links.len()).find(|i| !scene.is_placed(LinkId::at(*i)));
+        Self::NotPlaced { needs, at: open.map(|i| links[i].span) }
     }
 
     /// No drive has a speed; the help writes one behind the first.
@@ -137,20 +192,24 @@ impl Missing {
                 }
             },
         );
-        Self::NoSpeed { what, why, help: format!("give the drive a speed: `{line}`") }
+        let at = mechanism.drives.first().map(|drive| drive.span);
+        Self::NoSpeed { what, why, at, help: format!("give the drive a speed: `{line}`") }
     }
 
     /// No position, or none of a name, is solved.
-    pub(crate) fn no_position(solution: &Solution, name: Option<&str>) -> Self {
+    pub(crate) fn no_position(mechanism: &Mechanism, solution: &Solution, name: Option<&str>) -> Self {
+        let at = mechanism.drives.first().map(|drive| drive.span);
         let solved = solution.poses.iter().filter(|p| p.outcome.is_ok());
         let known: Vec<String> = solved.map(|p| p.name.clone()).collect();
         match name {
             Some(name) if !known.is_empty() => Self::NoPosition {
                 named: format!(": no solved pose is named `{name}`"),
+                at,
                 help: format!("the poses are {}", offered(&known)),
             },
             _ => Self::NoPosition {
                 named: String::new(),
+                at: None,
                 help: "declare a link with a drive: `drive crank = 45 deg`".to_owned(),
             },
         }

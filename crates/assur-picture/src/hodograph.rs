@@ -2,8 +2,10 @@
 
 use crate::diagram::thinned;
 use crate::error::Missing;
+use crate::figures::{FORCE, VELOCITY, cleared};
 use crate::frame::Frame;
 use crate::no_diagram::NoDiagram;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::words;
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Shape, Style, Text};
@@ -44,7 +46,7 @@ struct Swept {
 ///
 /// # Errors
 /// No speed, no sweep, no such point.
-pub fn hodographs(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+pub fn hodographs(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     if !scene.model.plan.effects.moving {
         return Err(Missing::no_speed(scene, "velocities"));
     }
@@ -58,24 +60,24 @@ pub fn hodographs(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawi
         if all.is_empty() {
             let known = points(scene.mechanism());
             let why = "the file asks for no velocity of a point".to_owned();
-            return Err(NoDiagram::no_velocity(why, &known).into());
+            return Err(NoDiagram::no_velocity(why, NoDiagram::first_item(scene), &known).into());
         }
     } else {
         let Some(point) = point(scene.mechanism(), name) else {
             let known = points(scene.mechanism());
             let why = format!("no point of a link is named `{name}`");
-            return Err(NoDiagram::no_velocity(why, &known).into());
+            return Err(NoDiagram::no_velocity(why, NoDiagram::link_of(scene, name), &known).into());
         };
         all.push(velocity(scene.mechanism(), point, name));
     }
-    drawn(scene, Of::Velocity, &all, size)
+    drawn(scene, Of::Velocity, &all, paper)
 }
 
 /// Polar diagrams of reactions: of a pair of a name, or of all whose reaction the file asks for.
 ///
 /// # Errors
 /// No forces, no sweep, no such pair.
-pub fn polars(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+pub fn polars(scene: &Scene<'_>, name: &str, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     crate::forces::loaded(scene)?;
     let mechanism = scene.mechanism();
     let mut all = Vec::new();
@@ -91,16 +93,16 @@ pub fn polars(scene: &Scene<'_>, name: &str, size: Vec2) -> Result<Vec<Drawing>,
         }
         if all.is_empty() {
             let why = "the file asks for no reaction".to_owned();
-            return Err(NoDiagram::no_reaction(why, &known).into());
+            return Err(NoDiagram::no_reaction(why, NoDiagram::first_item(scene), &known).into());
         }
     } else {
         let Some(id) = reacting(mechanism).find(|id| mechanism.pair(*id).name == name) else {
             let why = format!("no pair is named `{name}`");
-            return Err(NoDiagram::no_reaction(why, &known).into());
+            return Err(NoDiagram::no_reaction(why, (None, ""), &known).into());
         };
         all.push(reaction(mechanism, id, on(mechanism, id)));
     }
-    drawn(scene, Of::Reaction, &all, size)
+    drawn(scene, Of::Reaction, &all, paper)
 }
 
 /// The questions in the items of `find`, each once, with the name of the item.
@@ -173,7 +175,7 @@ fn on(mechanism: &Mechanism, pair: PairId) -> LinkId {
     links.into_iter().rfind(|l| *l != LinkId::GROUND).unwrap_or(LinkId::GROUND)
 }
 
-fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], size: Vec2) -> Result<Vec<Drawing>, Missing> {
+fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     let sets: Vec<Vec<Expr>> = all.iter().map(|swept| components(&swept.query)).collect();
     let what = if of == Of::Velocity { "hodograph" } else { "polar diagram" };
     let found = courses(&scene.model, &scene.solution.statics, &sets)
@@ -188,7 +190,7 @@ fn drawn(scene: &Scene<'_>, of: Of, all: &[Swept], size: Vec2) -> Result<Vec<Dra
             _ => over_poses(scene, &swept.query),
         };
         if lines.iter().any(|line| line.len() > 1) {
-            drawings.push(picture(scene, of, swept, &lines, size));
+            drawings.push(picture(scene, of, swept, &lines, paper)?);
         }
     }
     if drawings.is_empty() {
@@ -229,10 +231,16 @@ fn over_poses(scene: &Scene<'_>, query: &Query) -> Vec<Vec<Vec2>> {
     lines
 }
 
-fn picture(scene: &Scene<'_>, of: Of, swept: &Swept, lines: &[Vec<Vec2>], size: Vec2) -> Drawing {
-    let (what, kind, unit) = match of {
-        Of::Velocity => ("hodograph of the velocity of", "hodograph", "m/s"),
-        Of::Reaction => ("polar diagram of the reaction in", "polar", "N"),
+fn picture(
+    scene: &Scene<'_>,
+    of: Of,
+    swept: &Swept,
+    lines: &[Vec<Vec2>],
+    paper: &Paper,
+) -> Result<Drawing, Missing> {
+    let (what, kind, unit, dimension) = match of {
+        Of::Velocity => ("hodograph of the velocity of", "hodograph", "m/s", VELOCITY),
+        Of::Reaction => ("polar diagram of the reaction in", "polar", "N", FORCE),
     };
     let title = format!("{}: {what} {}", words::title(scene), swept.plain);
     let most = lines.iter().flatten().map(|v| v.norm()).fold(0.0, f64::max);
@@ -243,15 +251,17 @@ fn picture(scene: &Scene<'_>, of: Of, swept: &Swept, lines: &[Vec<Vec2>], size: 
     };
     let said = format!(
         "Ends of the vectors over the sweep{unit_said}; the greatest is {} {unit}.",
-        crate::motion::significant(most)
+        scene.figure(most, dimension)
     );
     let id = format!("{}-{}", words::id(scene, kind), swept.plain);
     let mut drawing = Drawing::new(&id, title, said);
     let mut bounds = Rect::NOTHING;
     bounds.add(Vec2::zero());
-    lines.iter().flatten().for_each(|v| bounds.add(*v));
-    let fitting = Frame::fitting(&bounds, size * 0.8);
-    let frame = Frame::new(fitting.scale, Vec2::zero());
+    if cleared(most, scene.greatest.in_si(dimension)) > 0.0 {
+        lines.iter().flatten().for_each(|v| bounds.add(*v));
+    }
+    let scaled = if of == Of::Velocity { Scaled::Velocity } else { Scaled::Force };
+    let frame = paper.plan(scaled, &bounds, paper.size * 0.2)?;
     axes(&mut drawing, &frame, &bounds);
     let (thin, thick, role) = match of {
         Of::Velocity => (Style::VelocityPart, Style::Velocity, Role::Blue),
@@ -277,7 +287,7 @@ fn picture(scene: &Scene<'_>, of: Of, swept: &Swept, lines: &[Vec<Vec2>], size: 
     } else {
         drawing.caption(Text::upright("The vector is zero over the whole sweep."));
     }
-    drawing
+    Ok(drawing)
 }
 
 /// The axes of the ground through the pole.

@@ -6,6 +6,7 @@ use crate::error::Missing;
 use crate::forces::{forces, friction, lever};
 use crate::hodograph::{hodographs, polars};
 use crate::motion::{accelerations, velocities};
+use crate::paper::Scaled;
 use crate::plot::plot;
 use crate::scene::Scene;
 use crate::scheme::{Scheme, scheme};
@@ -71,6 +72,8 @@ pub struct Options {
     pub plotted: Vec<usize>,
     /// The point of a hodograph, the pair of a polar diagram; all that the file asks for where it is empty.
     pub of: String,
+    /// How many frames an animation has, where that is wanted; then all positions of the scene's way are frames.
+    pub frames: Option<usize>,
 }
 
 impl Kind {
@@ -111,6 +114,25 @@ impl Kind {
         }
     }
 
+    /// Whether lengths in it stand for a kind of quantity; those of a scheme for forces where it shows numbers.
+    #[must_use]
+    pub const fn has_scale(self, of: Scaled) -> bool {
+        match of {
+            Scaled::Length => {
+                matches!(self, Self::Scheme | Self::Forces | Self::Friction | Self::Cam | Self::Animation)
+            }
+            Scaled::Velocity => matches!(self, Self::Velocities | Self::Lever | Self::Hodograph),
+            Scaled::Acceleration => matches!(self, Self::Accelerations),
+            Scaled::Force => matches!(self, Self::Forces | Self::Polar),
+        }
+    }
+
+    /// Whether the space that it takes is chosen: diagrams and sections have their own.
+    #[must_use]
+    pub const fn has_size(self) -> bool {
+        !matches!(self, Self::Train | Self::Plot | Self::Work)
+    }
+
     /// Whether it shows forces.
     #[must_use]
     pub const fn forces(self) -> bool {
@@ -141,20 +163,21 @@ impl Kind {
 /// # Errors
 /// What the file does not declare.
 pub fn draw(kind: Kind, scene: &Scene<'_>, options: &Options) -> Result<Vec<Drawing>, Missing> {
+    let paper = &options.scheme.paper();
     match kind {
         Kind::Scheme => scheme_or_section(scene, options).map(|scheme| vec![scheme]),
         Kind::Train => train(scene).map(|section| vec![section]),
-        Kind::Cam => cams(scene, options.scheme.size),
-        Kind::Hodograph => hodographs(scene, &options.of, options.scheme.size),
-        Kind::Polar => polars(scene, &options.of, options.scheme.size),
-        Kind::Animation => still(scene, options.scheme.size).map(|first| vec![first]),
+        Kind::Cam => cams(scene, paper),
+        Kind::Hodograph => hodographs(scene, &options.of, paper),
+        Kind::Polar => polars(scene, &options.of, paper),
+        Kind::Animation => still(scene, options).map(|first| vec![first]),
         Kind::Work => work(scene),
         Kind::Plot => plot(scene, &options.plotted).map(|(plot, _)| vec![plot]),
-        Kind::Velocities => velocities(scene, options.scheme.size).map(|plan| vec![plan]),
-        Kind::Accelerations => accelerations(scene, options.scheme.size).map(|plan| vec![plan]),
-        Kind::Forces => forces(scene, options.scheme.size),
-        Kind::Friction => friction(scene, options.scheme.size).map(|picture| vec![picture]),
-        Kind::Lever => lever(scene, options.scheme.size).map(|lever| vec![lever]),
+        Kind::Velocities => velocities(scene, paper).map(|plan| vec![plan]),
+        Kind::Accelerations => accelerations(scene, paper).map(|plan| vec![plan]),
+        Kind::Forces => forces(scene, paper),
+        Kind::Friction => friction(scene, paper).map(|picture| vec![picture]),
+        Kind::Lever => lever(scene, paper).map(|lever| vec![lever]),
     }
 }
 

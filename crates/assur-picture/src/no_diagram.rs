@@ -5,6 +5,7 @@ use crate::words::offered;
 use assur_position::position::turns;
 use assur_solve::answer::NoSweep;
 use assur_solve::solve::Cause;
+use assur_text::source::Span;
 use miette::Diagnostic;
 use thiserror::Error;
 
@@ -19,6 +20,11 @@ pub enum NoDiagram {
         what: &'static str,
         /// What the file does not give.
         why: &'static str,
+        /// The drive.
+        #[label("{label}")]
+        at: Option<Span>,
+        /// What is said of it.
+        label: &'static str,
         /// What to write.
         #[help]
         help: String,
@@ -29,6 +35,9 @@ pub enum NoDiagram {
     NoQuantity {
         /// `no item of `find` is a number`
         why: String,
+        /// The first item.
+        #[label("asked for here")]
+        at: Option<Span>,
         /// What to write.
         #[help]
         help: String,
@@ -58,16 +67,45 @@ pub enum NoDiagram {
         what: &'static str,
         /// `no point is named `ram.X``.
         why: String,
+        /// What the file asks for instead, or the link that has no such point.
+        #[label("{label}")]
+        at: Option<Span>,
+        /// What is said of it.
+        label: &'static str,
         /// What there is.
         #[help]
         help: String,
     },
 }
 
+/// A place with what is said of it.
+pub type Place = (Option<Span>, &'static str);
+
 impl NoDiagram {
+    /// The first item of `find`, which does not ask for what is drawn.
+    pub(crate) fn first_item(scene: &Scene<'_>) -> Place {
+        (scene.mechanism().finds.first().map(|find| find.span), "asks for something else")
+    }
+
+    /// The link of a point that it has not.
+    pub(crate) fn link_of(scene: &Scene<'_>, point: &str) -> Place {
+        let name = point.split_once('.').map_or(point, |(link, _)| link);
+        let link = scene.mechanism().links.iter().skip(1).find(|link| link.name == name);
+        (link.map(|link| link.span), "this link has no such point")
+    }
+
     /// There is no sweep; the help writes one.
     pub(crate) fn no_sweep(scene: &Scene<'_>, what: &'static str, cause: &Cause) -> Self {
         let mechanism = scene.mechanism();
+        if let Some(simulation) = &mechanism.simulation {
+            return Self::NoSweep {
+                what,
+                why: "the motion follows from the loads, and nothing is drawn over time yet",
+                at: Some(simulation.span),
+                label: "followed in time",
+                help: "print the answers instant by instant, with `assur solve FILE --format csv`".to_owned(),
+            };
+        }
         let why = match cause {
             Cause::NoSweep(NoSweep::OnePosition) if mechanism.drives.is_empty() => "the file has no drive",
             Cause::NoSweep(NoSweep::OnePosition) => "the file has one position and no sweep",
@@ -83,7 +121,13 @@ impl NoDiagram {
         } else {
             format!("drive {name} = 0 mm .. 100 mm in 20 steps at 0.1 m/s")
         };
-        Self::NoSweep { what, why, help: format!("let the drive go through positions: `{line}`") }
+        let label = match cause {
+            Cause::NoSweep(NoSweep::Unordered(_)) => "out of order",
+            Cause::NoSweep(NoSweep::OnePosition) => "one position",
+            _ => "over this way",
+        };
+        let at = drive.map(|drive| drive.span);
+        Self::NoSweep { what, why, at, label, help: format!("let the drive go through positions: `{line}`") }
     }
 
     /// Nothing to plot; the help says what the file asks for.
@@ -92,7 +136,8 @@ impl NoDiagram {
         let help = format!(
             "name a number: `plot \"omega({link})\"`, or ask for one in the file: `find omega({link})`"
         );
-        Self::NoQuantity { why: why.to_owned(), help }
+        let at = scene.mechanism().finds.first().map(|find| find.span);
+        Self::NoQuantity { why: why.to_owned(), at, help }
     }
 
     /// No flywheel; the help writes one.
@@ -104,7 +149,7 @@ impl NoDiagram {
     }
 
     /// No point to draw the velocity of; the help names one on the command line and in the file.
-    pub(crate) fn no_velocity(why: String, points: &[String]) -> Self {
+    pub(crate) fn no_velocity(why: String, (at, label): Place, points: &[String]) -> Self {
         let help = points.first().map_or_else(
             || "give a link a point: `link crank A-B 100 mm`".to_owned(),
             |first| {
@@ -112,11 +157,11 @@ impl NoDiagram {
                 format!("name a point, `hodograph {first}`, or ask in the file, `find velocity({first})`; there are {known}")
             },
         );
-        Self::Unknown { what: "hodograph", why, help }
+        Self::Unknown { what: "hodograph", why, at, label, help }
     }
 
     /// No pair to draw the reaction of; the help names one on the command line and asks in the file.
-    pub(crate) fn no_reaction(why: String, pairs: &[String]) -> Self {
+    pub(crate) fn no_reaction(why: String, (at, label): Place, pairs: &[String]) -> Self {
         let help = pairs.first().map_or_else(
             || "declare a pair: `revolute A: ground - crank`".to_owned(),
             |first| {
@@ -126,6 +171,6 @@ impl NoDiagram {
                 )
             },
         );
-        Self::Unknown { what: "polar diagram", why, help }
+        Self::Unknown { what: "polar diagram", why, at, label, help }
     }
 }

@@ -1,10 +1,10 @@
 //! Numbers over the sweep: a panel per unit, curves told apart by dashes and colour, extremes as the solver finds them.
 
 use crate::diagram::{
-    Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, over_poses, printed, scaled, unit_text,
-    value_text, with_unit,
+    Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, over_poses, printed, scaled, with_unit,
 };
 use crate::error::Missing;
+use crate::figures::unit_text;
 use crate::no_diagram::NoDiagram;
 use crate::scene::Scene;
 use crate::words;
@@ -57,11 +57,17 @@ impl Curves {
         self.x.share(printed(&self.along, drive)) * WIDTH
     }
 
-    /// The numbers at a value of the drive: between the points of the curves.
-    pub fn at(&self, drive: f64) -> impl Iterator<Item = (&str, &Display, f64)> {
-        self.all
-            .iter()
-            .filter_map(move |(name, display, curve)| Some((name.as_str(), display, curve.at(drive)?)))
+    /// How many there are.
+    #[must_use]
+    pub const fn count(&self) -> usize {
+        self.all.len()
+    }
+
+    /// The name of one, and its number at a value of the drive: between the points of its curve.
+    #[must_use]
+    pub fn of(&self, index: usize, drive: f64) -> (&str, &Display, Option<f64>) {
+        let (name, display, curve) = &self.all[index];
+        (name, display, curve.at(drive))
     }
 }
 
@@ -181,10 +187,10 @@ fn panels(scene: &Scene<'_>, drawing: &mut Drawing, groups: &[Group<'_>]) -> (Di
             // what is rounding beside the others has no extremes
             let (low, high) = curve.range();
             if low.abs().max(high.abs()) > 1e-9 * least.abs().max(most.abs()) {
-                extremes(drawing, &panel, curve, (&along, group.display), style);
+                extremes(scene, drawing, &panel, curve, (&along, group.display), style);
             }
             drawing.end();
-            drawing.description += &said(item, curve, &along);
+            drawing.description += &said(scene, item, curve, &along);
         }
         top += height + BETWEEN;
     }
@@ -221,6 +227,7 @@ fn legend(drawing: &mut Drawing, group: &Group<'_>, top: f64) -> f64 {
 
 /// Dots at the least and the greatest value, with value and place.
 fn extremes(
+    scene: &Scene<'_>,
     drawing: &mut Drawing,
     panel: &Panel,
     curve: &Curve,
@@ -234,23 +241,23 @@ fn extremes(
         let Some((x, y)) = extreme else { continue };
         let at = panel.at(printed(along, x), printed(display, y));
         drawing.mark(Style::Solid, Shape::Circle { centre: at, radius: 0.7 });
-        let text = format!("{} at {}", value_text(display, y), value_text(along, x));
+        let text = format!("{} at {}", scene.value_text(display, y), scene.place_text(along, x));
         let label = Label::at(Text::upright(&text), 3.0, at, 0.9).towards(Vec2::new(0.3, towards));
         drawing.label(label.coloured(style.text_role()).ranked(3));
     }
 }
 
 /// `Mb: least −261.8 N·m at 120°, greatest 61.2 N·m at 301°. `
-fn said(item: &Item, curve: &Curve, along: &Display) -> String {
-    let value = |y: f64| value_text(&item.display, y);
+fn said(scene: &Scene<'_>, item: &Item, curve: &Curve, along: &Display) -> String {
+    let value = |y: f64| scene.value_text(&item.display, y);
     match (curve.least, curve.greatest) {
         (Some((x_1, y_1)), Some((x_2, y_2))) if curve.changes() => format!(
             "{}: least {} at {}, greatest {} at {}. ",
             item.plain,
             value(y_1),
-            value_text(along, x_1),
+            scene.place_text(along, x_1),
             value(y_2),
-            value_text(along, x_2)
+            scene.place_text(along, x_2)
         ),
         (Some((_, y)), _) => format!("{}: {} everywhere. ", item.plain, value(y)),
         _ => {

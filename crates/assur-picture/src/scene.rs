@@ -3,9 +3,9 @@
 use crate::error::Missing;
 use assur_drawing::Text;
 use assur_math::math::Vec2;
-use assur_model::model::{Bearing, LinkId, Load, Mechanism, PairId, PairKind};
+use assur_model::model::{Bearing, GenevaPair, LinkId, Load, Mechanism, PairId, PairKind};
 use assur_solve::answer::PoseAnswers;
-use assur_solve::solve::{BodyState, Model, Pose, Solution, Solved, State};
+use assur_solve::solve::{BodyState, Greatest, Model, Pose, Solution, Solved, State};
 
 /// One position of a solved problem.
 #[derive(Clone, Copy)]
@@ -22,8 +22,12 @@ pub struct Scene<'a> {
     pub file: &'a str,
     /// Its text.
     pub text: &'a str,
+    /// What the quantities of all positions are large against.
+    pub greatest: Greatest,
     /// Positions in small steps over the way of the drive, where paths or other poses are wanted.
     pub turn: &'a [Pose],
+    /// The ways of the pairs, where many positions of one scene are drawn; else they are looked up in all positions.
+    pub ways: &'a [(f64, f64)],
 }
 
 impl<'a> Scene<'a> {
@@ -40,9 +44,11 @@ impl<'a> Scene<'a> {
         let wanted = |pose: &&Pose| name.is_none_or(|name| pose.name == name);
         let found = solution.poses.iter().filter(wanted).find_map(|pose| {
             let solved = pose.outcome.as_ref().ok()?;
-            Some(Self { model, solution, pose, solved, file, text, turn: &[] })
+            let all = solution.poses.iter().filter_map(|pose| pose.outcome.as_ref().ok());
+            let greatest = Greatest::of(&model, all);
+            Some(Self { model, solution, pose, solved, file, text, greatest, turn: &[], ways: &[] })
         });
-        found.ok_or_else(|| Missing::no_position(solution, name))
+        found.ok_or_else(|| Missing::no_position(model.mechanism, solution, name))
     }
 
     /// The mechanism.
@@ -92,9 +98,12 @@ impl<'a> Scene<'a> {
         self.mechanism().pairs.iter().any(|p| is(&p.kind))
     }
 
-    /// The coordinates that a pair takes on, m: least and greatest of all positions.
+    /// The coordinates that a pair takes on, m: least and greatest of all positions; of a cylinder its length.
     #[must_use]
     pub fn way(&self, pair: PairId) -> (f64, f64) {
+        if let Some(way) = self.ways.get(pair.index()) {
+            return *way;
+        }
         let here = self.coordinate(pair, &self.solved.state);
         self.states().fold((here, here), |(least, greatest), state| {
             let s = self.coordinate(pair, state);
@@ -102,11 +111,35 @@ impl<'a> Scene<'a> {
         })
     }
 
+    /// Whether something slides in a pair: the pin of a Geneva wheel does not while it is between two slots.
+    #[must_use]
+    pub fn slides(&self, pair: PairId) -> bool {
+        let mut wheels = self.model.plan.genevas.iter();
+        wheels.find(|step| step.pair.pair == pair).is_none_or(|step| self.solved.state.is_in_slot(step))
+    }
+
+    /// The Geneva wheel of a pair.
+    #[must_use]
+    pub fn geneva(&self, pair: PairId) -> Option<&'a GenevaPair> {
+        self.mechanism().genevas.iter().find(|g| g.pair == pair)
+    }
+
+    /// The ways of all pairs.
+    #[must_use]
+    pub(crate) fn all_ways(&self) -> Vec<(f64, f64)> {
+        (0..self.mechanism().pairs.len()).map(|i| self.way(PairId::at(i))).collect()
+    }
+
     fn coordinate(&self, pair: PairId, state: &State) -> f64 {
-        let (PairKind::Prismatic(g) | PairKind::Slot(g)) = &self.mechanism().pair(pair).kind else {
-            return 0.0;
-        };
         let bodies = &state.motion.bodies;
+        let g = match &self.mechanism().pair(pair).kind {
+            PairKind::Prismatic(g) | PairKind::Slot(g) => g,
+            PairKind::Cylinder { from, to, .. } => {
+                let [a, b] = [from, to].map(|pin| bodies[pin.link.index()].position(pin.at));
+                return (b - a).norm();
+            }
+            _ => return 0.0,
+        };
         let guide = &bodies[g.guide.index()];
         (bodies[g.slider.index()].position(g.point) - guide.position(g.through)).dot(g.along.turned(guide.u))
     }

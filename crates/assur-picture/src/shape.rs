@@ -141,7 +141,8 @@ fn attach(scene: &Scene<'_>, shapes: &mut [LinkShape]) {
 fn rails(scene: &Scene<'_>, shapes: &mut [LinkShape]) {
     for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
         let id = PairId::at(i);
-        if pair.bearing.is_some() {
+        // a Geneva wheel is drawn whole
+        if pair.bearing.is_some() || scene.geneva(id).is_some() {
             continue;
         }
         match &pair.kind {

@@ -1,5 +1,6 @@
 //! What a picture shows, in words.
 
+use crate::figures::cleared;
 use crate::scene::Scene;
 use assur_model::model::{LinkId, PairKind, Value};
 use assur_solve::solve::{DriveValue, PoseOrigin};
@@ -15,12 +16,14 @@ const MOST_OFFERED: usize = 12;
 pub fn drives(scene: &Scene<'_>) -> String {
     let mechanism = scene.mechanism();
     let said = mechanism.drives.iter().zip(&scene.pose.drives).filter_map(|(drive, value)| {
+        let display = mechanism.drive_display(drive.target);
+        let large = scene.greatest.in_si(display.dimension);
         let value = match value {
-            DriveValue::Scalar(x) => Value::Scalar(*x),
+            DriveValue::Scalar(x) => Value::Scalar(cleared(*x, large)),
             DriveValue::Point(p) => Value::Vector(*p),
             DriveValue::None => return None,
         };
-        let text = mechanism.drive_display(drive.target).text(value, DIGITS);
+        let text = display.text(value, DIGITS);
         Some(format!("{} = {}", drive.name, text))
     });
     said.collect::<Vec<_>>().join(", ")

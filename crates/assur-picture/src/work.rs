@@ -2,8 +2,7 @@
 //! fluctuation [W] between its extremes.
 
 use crate::diagram::{
-    Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, hatched, printed, scaled, value_text,
-    with_unit,
+    Axis, Curve, LETTERS, Line, Panel, drive_axis, drive_label, hatched, printed, scaled, with_unit,
 };
 use crate::error::Missing;
 use crate::no_diagram::NoDiagram;
@@ -105,14 +104,14 @@ impl Sheet<'_> {
         let panel =
             Panel { top: 0.0, size: Vec2::new(WIDTH, HEIGHTS[0]), x, y: Axis::around(low, high, 7.0) };
         let line: Line = scaled(&curve.lines.concat(), &self.along, &self.moment);
-        self.areas(drawing, &panel, &line, mean);
+        self.areas(scene, drawing, &panel, &line, mean);
         let name = self.letter(scene);
         panel.draw(drawing, with_unit(name.clone(), &panel.y.power_text(), &self.moment.unit), None);
         drawing.begin("mean", "");
         let (from, to) = (panel.at(x.from, mean), panel.at(x.to, mean));
         drawing.line(Style::Velocity, from, to);
         let text = Text::italic("M").lowered("m").and(
-            &format!(" = {}", value_text(&self.moment, self.mean)),
+            &format!(" = {}", scene.value_text(&self.moment, self.mean)),
             false,
             Level::Base,
         );
@@ -125,7 +124,7 @@ impl Sheet<'_> {
     }
 
     /// Where the effort does more work than its mean, hatched, and where it does less, with the work between.
-    fn areas(&self, drawing: &mut Drawing, panel: &Panel, line: &Line, mean: f64) {
+    fn areas(&self, scene: &Scene<'_>, drawing: &mut Drawing, panel: &Panel, line: &Line, mean: f64) {
         let mut ends: Vec<f64> = self.torque.crossings(self.mean);
         let (first, length) = self.torque.interval;
         ends.insert(0, first);
@@ -160,7 +159,7 @@ impl Sheet<'_> {
             if work.abs() > SMALL * self.found.fluctuation {
                 let most = all.iter().map(|p| p.1).fold(mean, |a, b| if (b > a) == above { b } else { a });
                 let middle = panel.at(0.5 * (from + to), mean + 0.45 * (most - mean));
-                let text = Text::upright(&value_text(&self.energy, work));
+                let text = Text::upright(&scene.value_text(&self.energy, work));
                 drawing.label(Label::at(text, 3.0, middle, 0.0).towards(Vec2::new(0.0, -1.0)).ranked(5));
             }
         }
@@ -202,7 +201,7 @@ impl Sheet<'_> {
             let at = panel.dot(drawing, printed(&self.along, place), y);
             drawing.line(Style::Thin, at, level(y) + Vec2::new(2.0, 0.0));
             let text = Text::italic("φ").lowered(index).and(
-                &format!(" = {}", value_text(&self.along, place)),
+                &format!(" = {}", scene.place_text(&self.along, place)),
                 false,
                 Level::Base,
             );
@@ -213,7 +212,7 @@ impl Sheet<'_> {
         drawing.mark(Style::Acceleration, Shape::Arrow(middle, low));
         drawing.mark(Style::Acceleration, Shape::Arrow(middle, high));
         let text = Text::upright("[").and("W", true, Level::Base).and(
-            &format!("] = {}", value_text(&self.energy, self.found.fluctuation)),
+            &format!("] = {}", scene.value_text(&self.energy, self.found.fluctuation)),
             false,
             Level::Base,
         );
@@ -249,17 +248,17 @@ impl Sheet<'_> {
     }
 
     fn said(&self, scene: &Scene<'_>) -> String {
-        let place = |at: f64| value_text(&self.along, at);
+        let place = |at: f64| scene.place_text(&self.along, at);
         let [least, greatest] = self.found.extremes;
         format!(
             "Above {} over the sweep of {} and its mean {}; below the work between them, least at {}, greatest at {}: its \
              fluctuation is {}.",
             self.letter(scene).plain(),
             drive_label(scene).plain(),
-            value_text(&self.moment, self.mean),
+            scene.value_text(&self.moment, self.mean),
             place(least),
             place(greatest),
-            value_text(&self.energy, self.found.fluctuation),
+            scene.value_text(&self.energy, self.found.fluctuation),
         )
     }
 }

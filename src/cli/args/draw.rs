@@ -1,9 +1,10 @@
 //! Arguments of `draw`.
 
 use super::setting;
+use crate::cli::error::CliError;
 use assur_check::Overrides;
-use assur_drawing::Theme;
-use assur_picture::{KINDS, Kind, Loads};
+use assur_drawing::{Scale, Theme};
+use assur_picture::{KINDS, Kind, Loads, SCALED, Scaled};
 use clap::ValueEnum;
 
 /// Arguments of `draw`.
@@ -13,11 +14,11 @@ pub struct Draw {
     /// `train`, `plot "omega(rocker), Mb"`, `work`, `cam`, `hodograph rod.S`, `polar B`, `animation` [default: scheme]
     #[arg(required = true, value_name = "FILES PICTURES")]
     pub names: Vec<String>,
-    /// Write one picture to this file (.svg), all to this page (.html), or to files in this folder (created only when
+    /// Write one picture to this file (.svg, .png), all to this page (.html), or to files in this folder (created only when
     /// complete) [default: standard output]
     #[arg(short, long, value_name = "OUT")]
     pub out: Option<String>,
-    /// Draw the pose of this name; may be repeated [default: the first]
+    /// Draw the pose of this name; may be repeated [default: all of a list, the first of a sweep]
     #[arg(long, value_name = "NAME")]
     pub pose: Vec<String>,
     /// Draw this number of other poses pale behind the scheme
@@ -26,9 +27,22 @@ pub struct Draw {
     /// Draw the path of this point over the way of the drive; may be repeated
     #[arg(long, value_name = "LINK.POINT")]
     pub path: Vec<String>,
+    /// Show the lengths and offsets that the file gives by name, as dimension lines of the scheme
+    #[arg(long)]
+    pub dimensions: bool,
+    /// Show the numbers of loads and efforts next to them, and arrows of forces in proportion
+    #[arg(long)]
+    pub numbers: bool,
+    /// Number of frames of an animation [default: up to 400]
+    #[arg(long, value_name = "N", value_parser = frames)]
+    pub frames: Option<usize>,
     /// Space for the mechanism or the plan, mm
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     pub size: Option<(f64, f64)>,
+    /// Scale factors in SI units per mm of `length`, `velocity`, `acceleration`, `force`: 1, 2, 2.5, 4 or 5 times a power of
+    /// ten, e.g. length=0.005,velocity=0.02 [default: the smallest that fit]
+    #[arg(long, value_name = "KIND=FACTOR", value_delimiter = ',', value_parser = scale)]
+    pub scale: Vec<(Scaled, Scale)>,
     /// Draw every picture that the file declares the effects for
     #[arg(long)]
     pub all: bool,
@@ -38,6 +52,12 @@ pub struct Draw {
     /// Colours: light that turns dark where the reader prefers it, light, dark, or black and white
     #[arg(long, value_enum, value_name = "THEME", default_value_t = ThemeArg::Auto)]
     pub theme: ThemeArg,
+    /// Draw with the rows of this table of variants, or with those that `--row` names
+    #[arg(long, value_name = "TABLE.csv")]
+    pub variants: Option<String>,
+    /// Draw with the row of this name or number, of `--variants` or of the file's own table; may be repeated
+    #[arg(long, value_name = "ROW")]
+    pub row: Vec<String>,
     /// Replace the value of a `given`, e.g. `--set r=120mm`; may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     pub settings: Vec<(String, String)>,
@@ -69,6 +89,49 @@ impl Draw {
             pictures.push(Picture { kind: Kind::Scheme, of: String::new() });
         }
         (pictures, files)
+    }
+
+    /// The first option that changes no picture that is wanted.
+    #[must_use]
+    pub fn without_effect(&self, pictures: &[Picture]) -> Option<CliError> {
+        let of = |option: &str, is_of: &dyn Fn(Kind) -> bool| {
+            if pictures.iter().any(|picture| is_of(picture.kind)) {
+                return None;
+            }
+            let kinds =
+                KINDS.into_iter().filter(|kind| is_of(*kind)).map(|kind| format!("`{}`", kind.name()));
+            let kinds = kinds.collect::<Vec<_>>().join(", ");
+            Some(CliError::NoEffect { option: option.to_owned(), help: format!("it is for {kinds}") })
+        };
+        let scheme_options = [
+            (self.ghosts > 0, "--ghosts"),
+            (!self.path.is_empty(), "--path"),
+            (self.loads != LoadsArg::All, "--loads"),
+            (self.dimensions, "--dimensions"),
+            (self.numbers, "--numbers"),
+        ];
+        let given = scheme_options.into_iter().filter(|(is_given, _)| *is_given);
+        let of_scheme = || given.clone().find_map(|(_, option)| of(option, &|kind| kind == Kind::Scheme));
+        let of_frames = || self.frames.and_then(|_| of("--frames", &|kind| kind == Kind::Animation));
+        let shows = |kind: Kind, what| {
+            kind.has_scale(what) || what == Scaled::Force && kind == Kind::Scheme && self.numbers
+        };
+        let mut scales = self.scale.iter().map(|(what, _)| *what);
+        let mut of_scales =
+            || scales.find_map(|what| of(&format!("--scale {}", what.name()), &|kind| shows(kind, what)));
+        let of_numbers = || {
+            let help = "`--loads none` leaves out all that has a number".to_owned();
+            let is_none = self.numbers && self.loads == LoadsArg::None;
+            is_none.then(|| CliError::NoEffect { option: "--numbers".to_owned(), help })
+        };
+        let of_pose = || of("--pose", &|kind| !kind.is_of_sweep()).filter(|_| !self.pose.is_empty());
+        let of_size = || of("--size", &Kind::has_size).filter(|_| self.size.is_some());
+        of_scheme()
+            .or_else(of_pose)
+            .or_else(of_size)
+            .or_else(of_frames)
+            .or_else(&mut of_scales)
+            .or_else(of_numbers)
     }
 
     /// The values from outside.
@@ -135,6 +198,30 @@ impl From<ThemeArg> for Theme {
             ThemeArg::Mono => Self::Mono,
         }
     }
+}
+
+fn scale(text: &str) -> Result<(Scaled, Scale), String> {
+    let example = "write KIND=FACTOR, e.g. length=0.005";
+    let (name, factor) = text.split_once('=').ok_or(example)?;
+    let name = name.trim();
+    let Some(of) = SCALED.into_iter().find(|of| of.name() == name) else {
+        let kinds = SCALED.map(Scaled::name).join(", ");
+        return Err(format!("`{name}` has no scale: write {kinds}"));
+    };
+    let number = factor.trim().parse::<f64>().ok().filter(|x| (1e-30..=1e30).contains(x)).ok_or(example)?;
+    match Scale::fitting(number, 1.0) {
+        Some(scale) if (scale.factor() - number).abs() <= 1e-9 * number => Ok((of, scale)),
+        Some(next) => Err(format!(
+            "a scale factor is 1, 2, 2.5, 4 or 5 times a power of ten: write {name}={}",
+            next.written()
+        )),
+        None => Err(example.to_owned()),
+    }
+}
+
+fn frames(text: &str) -> Result<usize, String> {
+    let count = text.parse::<usize>().ok().filter(|count| (2..=10_000).contains(count));
+    count.ok_or_else(|| "write a number from 2 to 10000".to_owned())
 }
 
 fn size(text: &str) -> Result<(f64, f64), String> {

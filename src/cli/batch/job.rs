@@ -66,7 +66,8 @@ type Csv = Table<BufReader<File>>;
 /// Processes a chunk of rows, with their total number if it is known; returns whether to continue.
 type Work<'a> = dyn FnMut(&Chunk<'_>, Option<usize>) -> Result<bool, CliError> + 'a;
 
-fn open(name: &str) -> Result<Result<Csv, Fault>, CliError> {
+/// Opens a table and reads its header.
+pub fn open_table(name: &str) -> Result<Result<Csv, Fault>, CliError> {
     let fail = |error: std::io::Error| match error.kind() {
         std::io::ErrorKind::NotFound => CliError::Missing { name: name.to_owned() },
         _ => CliError::Unreadable { name: name.to_owned(), why: error.to_string() },
@@ -110,7 +111,7 @@ impl Job {
             }
         }
         let (rows, columns) = match table {
-            Some(name) => match open(name)? {
+            Some(name) => match open_table(name)? {
                 Ok(table) => {
                     let (columns, problems) = check::columns(&document, overrides, &table.columns);
                     tell(&problems, &table.header, screen);
@@ -218,7 +219,7 @@ impl Job {
             }
             Rows::Csv(name) => {
                 // the header is known to be fine
-                let Ok(mut table) = open(name)? else { return Ok(()) };
+                let Ok(mut table) = open_table(name)? else { return Ok(()) };
                 let separator = table.separator;
                 let mut lines = Lines::default();
                 loop {
@@ -245,7 +246,7 @@ impl Job {
     /// What is wrong with a table without rows.
     fn without_rows(&self) -> Result<Option<Fault>, CliError> {
         match &self.rows {
-            Rows::Csv(name) => Ok(open(name)?.ok().and_then(|table| table.without_rows())),
+            Rows::Csv(name) => Ok(open_table(name)?.ok().and_then(|table| table.without_rows())),
             Rows::Own(rows) if rows.is_empty() => {
                 let error = crate::exercise::table::TableError::Empty { what: "no rows", span: None };
                 Ok(Some((self.source.clone(), Box::new(error))))
@@ -315,7 +316,7 @@ impl<'r> Run<'r> {
                 }
             }
             if self.format.is_read() {
-                out.write(&self.layout.table(&shown, name, self.format.page(self.screen.look())))?;
+                out.write(self.layout.table(&shown, name, self.format.page(self.screen.look())))?;
             }
             progress.rows(tally.rows());
             Ok(whole && !out.closed() && !stop::wanted())

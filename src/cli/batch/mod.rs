@@ -18,6 +18,7 @@ use super::files;
 use super::reply::{Status, complaint, quiet_panics};
 use super::screen::Screen;
 use assur_text::source::shown_in_line;
+pub use job::open_table;
 use job::{Job, Run};
 use layout::Layout;
 pub use sink::Sink;
@@ -73,10 +74,10 @@ fn all(args: &Batch, screen: &Screen) -> Result<Status, CliError> {
         None => None,
     };
     if format == Format::Csv {
-        out.write(&layout.header())?;
+        out.write(layout.header())?;
     }
     if let Some(sink) = &mut key_out {
-        sink.write(&key.header())?;
+        sink.write(key.header())?;
     }
     let mut total = Tally::default();
     for job in &jobs {

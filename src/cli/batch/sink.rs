@@ -72,15 +72,16 @@ impl Sink {
         Ok(Self { target, path: real, closed: false })
     }
 
-    /// Adds a text. A reader of standard output that has gone away has seen enough: see [`Sink::closed`].
-    pub fn write(&mut self, text: &str) -> Result<(), CliError> {
+    /// Adds a text, or bytes. A reader of standard output that has gone away has seen enough: see [`Sink::closed`].
+    pub fn write(&mut self, text: impl AsRef<[u8]>) -> Result<(), CliError> {
         if self.closed {
             return Ok(());
         }
+        let bytes = text.as_ref();
         let written = match &mut self.target {
-            Target::Stdout(out) => out.write_all(text.as_bytes()),
-            Target::Special(file) => file.write_all(text.as_bytes()),
-            Target::File(file) => file.write_all(text.as_bytes()),
+            Target::Stdout(out) => out.write_all(bytes),
+            Target::Special(file) => file.write_all(bytes),
+            Target::File(file) => file.write_all(bytes),
         };
         self.told(written)
     }

@@ -1,6 +1,7 @@
 //! Where pictures go: standard output, one file, one page with all, or files in a folder.
 
-use super::{Page, one_only};
+use super::one_only;
+use super::pages::Page;
 use crate::cli::batch::Sink;
 use crate::cli::error::CliError;
 use assur_drawing::escaped;
@@ -21,28 +22,38 @@ pub enum Output {
 }
 
 impl Output {
-    /// What `-o` names; a name that ends in `.svg` or `.html` is a file, any other a folder.
+    /// What `-o` names; a name that ends in `.svg`, `.png` or `.html` is a file, any other a folder.
     pub fn of(name: Option<&str>, one: bool, animation: bool) -> Result<Self, CliError> {
         match name {
             None | Some("-") if one => Ok(Self::Stdout),
             None | Some("-") => Err(one_only("standard output")),
             Some(name) if name.ends_with(".html") && one && animation => Ok(Self::File(PathBuf::from(name))),
-            Some(name) if name.ends_with(".svg") && animation => Err(CliError::NotCreated {
-                name: name.to_owned(),
-                why: "an animation is a page: write it to a file that ends in `.html`".to_owned(),
-            }),
             Some(name) if name.ends_with(".html") => {
                 Ok(Self::Page(PathBuf::from(name), RefCell::new(String::new())))
             }
-            Some(name) if name.ends_with(".svg") && one => Ok(Self::File(PathBuf::from(name))),
-            Some(name) if name.ends_with(".svg") => Err(one_only(name)),
+            #[cfg(not(feature = "png"))]
+            Some(name) if name.ends_with(".png") => Err(CliError::NoPng { name: name.to_owned() }),
+            Some(name) if (name.ends_with(".svg") || name.ends_with(".png")) && one => {
+                Ok(Self::File(PathBuf::from(name)))
+            }
+            Some(name) if name.ends_with(".svg") || name.ends_with(".png") => Err(one_only(name)),
             Some(name) => Ok(Self::Folder(PathBuf::from(name))),
         }
     }
 
-    /// Whether all pictures come into one page, in which nothing moves.
-    pub const fn is_page(&self) -> bool {
-        matches!(self, Self::Page(..))
+    /// Whether it is one picture, in which an animation needs no script.
+    pub fn is_picture(&self) -> bool {
+        matches!(self, Self::File(path) if ending(path) == "svg")
+    }
+
+    /// Whether nothing moves in it: a page of all pictures, or pixels.
+    pub fn is_still(&self) -> bool {
+        matches!(self, Self::Page(..)) || matches!(self, Self::File(path) if ending(path) == "png")
+    }
+
+    /// Whether it holds one picture.
+    pub const fn is_single(&self) -> bool {
+        matches!(self, Self::Stdout | Self::File(..))
     }
 
     /// Writes pictures; what goes to standard output is given back.
@@ -54,7 +65,12 @@ impl Output {
                 _ => Err(one_only("standard output")),
             },
             Self::File(path) => match pages {
-                [page] => written(path, &page.text, inputs).map(|()| String::new()),
+                #[cfg(feature = "png")]
+                [page] if ending(path) == "png" => {
+                    let pixels = super::png::png(&page.text, &path.display().to_string())?;
+                    written(path, &pixels, inputs).map(|()| String::new())
+                }
+                [page] => written(path, page.text.as_bytes(), inputs).map(|()| String::new()),
                 _ => Err(one_only(&path.display().to_string())),
             },
             Self::Page(_, body) => {
@@ -72,7 +88,11 @@ impl Output {
                     why: error.to_string(),
                 })?;
                 for page in pages {
-                    written(&folder.join(format!("{}.{}", page.name, page.ending)), &page.text, inputs)?;
+                    written(
+                        &folder.join(format!("{}.{}", page.name, page.ending)),
+                        page.text.as_bytes(),
+                        inputs,
+                    )?;
                 }
                 Ok(String::new())
             }
@@ -85,7 +105,7 @@ impl Output {
     pub fn finish(&self, inputs: &[String]) -> Result<(), CliError> {
         let Self::Page(path, body) = self else { return Ok(()) };
         let body = body.borrow();
-        if body.is_empty() { Ok(()) } else { written(path, &format!("{HEAD}{body}{FOOT}"), inputs) }
+        if body.is_empty() { Ok(()) } else { written(path, format!("{HEAD}{body}{FOOT}").as_bytes(), inputs) }
     }
 }
 
@@ -108,8 +128,13 @@ figure svg{max-width:100%;height:auto}
 ";
 const FOOT: &str = "</body>\n</html>\n";
 
+/// The ending of the name of a file.
+fn ending(path: &Path) -> &str {
+    path.extension().and_then(|ending| ending.to_str()).unwrap_or_default()
+}
+
 /// Writes a file, which appears only when complete.
-fn written(path: &Path, text: &str, inputs: &[String]) -> Result<(), CliError> {
+fn written(path: &Path, text: &[u8], inputs: &[String]) -> Result<(), CliError> {
     if inputs.iter().any(|input| Path::new(input) == path) {
         return Err(CliError::Overwrites { name: path.display().to_string() });
     }

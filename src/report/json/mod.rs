@@ -6,6 +6,7 @@ mod entries;
 mod lines;
 mod pose;
 mod reached;
+mod simulation;
 mod structure;
 mod train;
 
@@ -23,6 +24,7 @@ use entries::{Entries, Number, Reading};
 pub use lines::JsonLines;
 use pose::PoseView;
 use reached::ReachedView;
+use simulation::SimulationView;
 use std::fmt::Write;
 use structure::StructureView;
 
@@ -43,6 +45,8 @@ struct SolutionView<'a> {
     effects: Option<Vec<&'static str>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     accuracy: Option<ReachedView>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    simulation: Option<SimulationView>,
     #[serde(skip_serializing_if = "Option::is_none")]
     poses: Option<Vec<PoseView<'a>>>,
     #[serde(skip_serializing_if = "Entries::is_empty")]
@@ -143,6 +147,7 @@ pub fn render_row(
         structure: model.map(StructureView::of),
         effects: model.map(|s| s.plan.effects.computed()),
         accuracy: answers.and_then(|a| a.reached).map(ReachedView::of),
+        simulation: answers.and_then(SimulationView::of),
         poses: answers.map(|a| a.poses().map(|p| PoseView::of(a, p)).collect()),
         cycle: Entries(answers.map(of_cycle).unwrap_or_default()),
         cycle_accuracy: answers.map_or_else(|| Entries(Vec::new()), cycle::accuracy),

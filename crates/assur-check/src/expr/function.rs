@@ -53,6 +53,11 @@ impl Context<'_> {
         self.of(call, Dimension::NUMBER, f, Dimension::ANGLE)
     }
 
+    /// `exp`, `log`
+    pub(crate) fn of_number(&mut self, call: Call<'_>, f: Function) -> Option<Typed> {
+        self.of(call, Dimension::NUMBER, f, Dimension::NUMBER)
+    }
+
     fn one<'c>(&mut self, call: Call<'c>, sign: Sign) -> Option<(Typed, &'c Expr)> {
         let args = self.arguments(call, 1, 1)?;
         Some((self.read_signed(args[0], sign)?, args[0]))
@@ -63,7 +68,7 @@ impl Context<'_> {
         let (t, expr) = self.one(call, Sign::Matters)?;
         let t = self.fit(t, from, &format!("the argument of `{}`", call.name.node), expr)?;
         if from == Dimension::NUMBER
-            && f != Function::Atan
+            && matches!(f, Function::Asin | Function::Acos)
             && let Some(Value::Scalar(x)) = t.value()
             && x.abs() > 1.0
         {
@@ -71,7 +76,12 @@ impl Context<'_> {
             return None;
         }
         let t = apply(f, Type::number(to), [t]);
-        self.finite(t, "a sine or cosine is at most 1 in magnitude", call.span)
+        let why = match f {
+            Function::Log => "a logarithm is of a number greater than 0",
+            Function::Exp => "the result is too great for a number",
+            _ => "a sine or cosine is at most 1 in magnitude",
+        };
+        self.finite(t, why, call.span)
     }
 
     /// `sqrt`

@@ -162,6 +162,8 @@ fn known(function: Function, args: &[Expr]) -> Option<Expr> {
         Function::Tan => libm::tan(x(0)?),
         Function::Asin => libm::asin(x(0)?),
         Function::Acos => libm::acos(x(0)?),
+        Function::Exp => libm::exp(x(0)?),
+        Function::Log => libm::log(x(0)?),
         Function::Atan => libm::atan(x(0)?),
         Function::Atan2 => libm::atan2(x(0)?, x(1)?),
         Function::Max => all(args)?.into_iter().fold(f64::NEG_INFINITY, f64::max),

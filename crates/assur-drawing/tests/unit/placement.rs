@@ -1,4 +1,4 @@
-use assur_drawing::{Drawing, Label, Shape, Sheet, Style, Text, touches};
+use assur_drawing::{Drawing, Label, Later, Shape, Sheet, Style, Text, touches};
 use assur_math::math::Vec2;
 
 /// Numbers without an end, always the same.
@@ -66,4 +66,38 @@ fn a_label_with_room_is_where_it_is_best() {
     let sheet = drawing.placed();
     let middle = sheet.placed[0].bounds.centre();
     assert!(middle.y < -2.0 && middle.x.abs() < 0.5, "{middle:?}");
+}
+
+/// A crank that turns under the name of its pin, and a name beside it that does not move.
+#[test]
+fn labels_keep_off_what_moves() {
+    let pin = |angle: f64| Vec2::direction(angle) * 20.0;
+    let crank = |angle: f64| {
+        let mut drawing = Drawing::new("crank", "A crank".to_owned(), "It turns.".to_owned());
+        drawing.line(Style::Link, Vec2::zero(), pin(angle));
+        drawing.mark(Style::Hinge, Shape::Circle { centre: pin(angle), radius: 1.5 });
+        // best where the bar comes along later
+        let label = Label::at(Text::name("B"), 4.0, pin(angle), 1.5);
+        drawing.label(label.towards(Vec2::new(0.0, 1.0)));
+        drawing.label(Label::at(Text::name("A"), 4.0, Vec2::zero(), 1.5).towards(pin(2.0)));
+        drawing
+    };
+    let frame = |i: i32| {
+        let angle = 0.26 * f64::from(i);
+        Later { marks: crank(angle).marks, shifts: vec![pin(angle) - pin(0.0), Vec2::zero()] }
+    };
+    let frames: Vec<Later> = (0..24).map(frame).collect();
+    let covered = |sheet: &Sheet| {
+        let on = |later: &&Later| {
+            sheet.placed.iter().zip(&later.shifts).any(|(placed, by)| {
+                let there = placed.bounds.shifted(*by);
+                let solid = later.marks.iter().filter(|m| m.style.is_solid());
+                let mut all = solid.flat_map(|m| m.shape.obstacles(m.style.half_width()));
+                all.any(|o| touches(&there, false, &o, 0.0))
+            })
+        };
+        frames.iter().filter(on).count()
+    };
+    let (first, all) = (covered(&crank(0.0).placed()), covered(&crank(0.0).placed_through(&frames)));
+    assert!(first >= 9 && all <= 6, "{first} frames, then {all}");
 }

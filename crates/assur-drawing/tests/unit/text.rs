@@ -42,3 +42,12 @@ fn widths_are_of_the_table() {
     let one = Text::italic("a").lowered("FB");
     assert!((stacked.bounds(4.0).size().x - one.bounds(4.0).size().x).abs() < 1e-12);
 }
+
+/// Fonts have ² and no ⁻⁸.
+#[test]
+fn exponents_are_raised_digits() {
+    let text = Text::upright("μ = 10⁻⁸ m/s² and 4·10⁶");
+    assert_eq!(read(&text), "μ = 10^−8 m/s² and 4·10^6");
+    assert_eq!(text.plain(), "μ = 10⁻⁸ m/s² and 4·10⁶");
+    assert_eq!(read(&Text::upright("a²b")), "a²b");
+}

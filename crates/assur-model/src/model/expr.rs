@@ -131,6 +131,10 @@ pub enum Function {
     Acos,
     /// Inverse tangent.
     Atan,
+    /// Power of e.
+    Exp,
+    /// Natural logarithm.
+    Log,
     /// Angle of (x, y) from `atan2(y, x)`.
     Atan2,
     /// Magnitude of a vector (of a scalar: `Abs`).

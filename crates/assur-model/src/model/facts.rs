@@ -87,6 +87,8 @@ const NUMBER: Facts = Facts {
 const VECTOR: Facts = Facts { answer: Answer::Vector, ..NUMBER };
 /// A number that needs velocities.
 const RATE: Facts = Facts { level: Level::Velocities, ..NUMBER };
+/// A number that is known once all positions are.
+const OF_SOLUTION: Facts = Facts { poseless: true, of_solution: true, ..NUMBER };
 /// A number that needs accelerations.
 const SECOND_RATE: Facts = Facts { level: Level::Accelerations, ..NUMBER };
 
@@ -121,12 +123,9 @@ impl Query {
                 let about = About::Link(link);
                 Facts { placed: Some((about, "an angle")), turned: Some(about), ..VECTOR }
             }
-            Self::Time => NUMBER,
-            Self::EventTime(..) | Self::EventCount(_) => {
-                Facts { poseless: true, of_solution: true, ..NUMBER }
-            }
+            Self::EventTime(..) | Self::EventCount(_) => OF_SOLUTION,
+            Self::Time | Self::PotentialEnergy => NUMBER,
             Self::KineticEnergy => RATE,
-            Self::PotentialEnergy => NUMBER,
             Self::Omega(link) | Self::Turning(link, _) => Facts { turned: Some(About::Link(link)), ..RATE },
             Self::Alpha(link) | Self::InertiaTorque(link) => {
                 Facts { turned: Some(About::Link(link)), ..SECOND_RATE }
@@ -195,7 +194,7 @@ impl Query {
                 Facts { level: Level::Velocities, answer: Answer::Condition, ..force("the efficiency") }
             }
             Self::Critical(_) => Facts { poseless: true, of_solution: true, ..force("a critical value") },
-            Self::Cycle(_) => Facts { poseless: true, of_solution: true, ..NUMBER },
+            Self::Cycle(_) => OF_SOLUTION,
             Self::Flywheel(_, part) => Facts {
                 level: Level::Velocities,
                 forces: !matches!(part, FlywheelPart::LinksInertia),

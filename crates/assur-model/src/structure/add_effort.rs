@@ -54,9 +54,10 @@ pub(super) fn efforts_beside(
     lines
 }
 fn line(mechanism: &Mechanism, adds: Adds, already: usize, kind: EffortKind, place: &str) -> String {
+    let drive = if mechanism.simulation.is_some() { "start" } else { "drive" };
     match (adds, kind) {
-        (Adds::Drives, EffortKind::Coordinate(_)) => format!("drive {place} = 100 mm"),
-        (Adds::Drives, _) => format!("drive {place} = 45 deg"),
+        (Adds::Drives, EffortKind::Coordinate(_)) => format!("{drive} {place} = 100 mm"),
+        (Adds::Drives, _) => format!("{drive} {place} = 45 deg"),
         (Adds::Balances, EffortKind::Coordinate(_)) => {
             format!("balance force {} in {place}", free_quantity_name(mechanism, "F", already))
         }

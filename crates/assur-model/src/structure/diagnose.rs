@@ -27,11 +27,7 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Str
         return error;
     }
     let formula = count.formula();
-    let drives = match count.drives {
-        0 => "but no drive is declared".to_owned(),
-        1 => "but 1 drive is declared".to_owned(),
-        n => format!("but {n} drives are declared"),
-    };
+    let drives = declared(trial.mechanism, count);
     let mut labels = loose_labels(trial, &defect.loose, "can still move");
     labels.extend(held_labels(trial, &defect.over, |n| format!("takes {}", counted(n, "freedom"))));
     match (defect.fit.missing, defect.fit.surplus) {
@@ -51,6 +47,21 @@ pub(super) fn of_motion(trial: Trial<'_>, count: &Count, defect: &Defect) -> Str
             let help = format!("{};\n{}", to_leave_out(trial, defect), to_add(trial, count, defect));
             StructureError::Unbalanced { formula, drives, help, labels }
         }
+    }
+}
+
+/// How many drives are declared, and starts where the motion follows from the loads.
+fn declared(mechanism: &Mechanism, count: &Count) -> String {
+    let starts = mechanism.drives.iter().filter(|d| d.free).count();
+    let driven = count.drives.saturating_sub(starts);
+    match (driven, starts) {
+        (0, 0) if mechanism.simulation.is_some() => "but no start is declared".to_owned(),
+        (0, 0) => "but no drive is declared".to_owned(),
+        (1, 0) => "but 1 drive is declared".to_owned(),
+        (n, 0) => format!("but {n} drives are declared"),
+        (0, 1) => "but 1 start is declared".to_owned(),
+        (0, n) => format!("but {n} starts are declared"),
+        (d, s) => format!("but {} and {} are declared", counted(d, "drive"), counted(s, "start")),
     }
 }
 
@@ -241,6 +252,7 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
         text += &with_lines(&format!("no wheels mesh here; add {}", add_words(&meshes, true)), &meshes);
         text += "\nor ";
     }
+    let drive = if trial.mechanism.simulation.is_some() { "start" } else { "drive" };
     let pairs =
         (count.drives > 0 || missing > 2).then(|| missing_pairs(trial, defect, &defect.loose)).flatten();
     if let Some(missing) = pairs {
@@ -250,10 +262,10 @@ fn to_add(trial: Trial<'_>, count: &Count, defect: &Defect) -> String {
     text + &match (drives.as_slice(), missing) {
         ([], _) => "add a pair that holds them".to_owned(),
         (lines, _) if lines.len() < missing => {
-            format!("add pairs that hold them, or {missing} drives, beginning with `{}`", lines[0])
+            format!("add pairs that hold them, or {missing} {drive}s, beginning with `{}`", lines[0])
         }
-        (lines, 1) => with_lines(&format!("drive it: add {}", add_words(lines, true)), lines),
-        (lines, _) => with_lines(&format!("drive them: add {}", add_words(lines, false)), lines),
+        (lines, 1) => with_lines(&format!("{drive} it: add {}", add_words(lines, true)), lines),
+        (lines, _) => with_lines(&format!("{drive} them: add {}", add_words(lines, false)), lines),
     }
 }
 

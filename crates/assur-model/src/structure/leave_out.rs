@@ -46,10 +46,13 @@ pub(super) fn statement(mechanism: &Mechanism, pair: PairId) -> String {
     format!("`{} {}`", pair.kind.word(), pair.name)
 }
 
-/// An effort as its statement begins: `drive crank`, `balance Mb`.
+/// An effort as its statement begins: `drive crank`, `start crank`, `balance Mb`.
 fn effort_statement(mechanism: &Mechanism, source: EffortSource) -> String {
     match source {
-        EffortSource::Drive(id) => format!("`drive {}`", mechanism.drives[id.index()].name),
+        EffortSource::Drive(id) => {
+            let drive = &mechanism.drives[id.index()];
+            format!("`{} {}`", if drive.free { "start" } else { "drive" }, drive.name)
+        }
         EffortSource::Balance(id) => format!("`balance {}`", mechanism.balances[id.index()].name),
     }
 }

@@ -2,8 +2,9 @@
 //! drawn anew.
 
 use crate::angles::wrapped;
-use assur_drawing::{Anchor, Drawing, Label, Mark, Shape, mark_svg, on_circle};
+use assur_drawing::{Anchor, Drawing, Label, Later, Mark, Shape, mark_svg, on_circle};
 use assur_math::math::Vec2;
+use std::collections::HashMap;
 
 /// What two places may differ by and are still one, mm.
 const SAME: f64 = 0.02;
@@ -20,7 +21,22 @@ pub struct Body {
 }
 
 /// A mark that changes its shape, as text in each frame.
-pub type Redrawn = Vec<String>;
+pub struct Redrawn(Vec<String>);
+
+impl Redrawn {
+    /// The texts of every so many frames, each once, and which one each of these frames shows.
+    pub fn distinct(&self, every: usize) -> (Vec<&str>, Vec<usize>) {
+        let (mut known, mut places) = (Vec::new(), HashMap::new());
+        let which = self.0.iter().step_by(every).map(|text| {
+            *places.entry(text.as_str()).or_insert_with(|| {
+                known.push(text.as_str());
+                known.len() - 1
+            })
+        });
+        let which = which.collect();
+        (known, which)
+    }
+}
 
 /// What moves in a drawing.
 #[derive(Default)]
@@ -76,7 +92,7 @@ impl Moved {
                 Some(body) => Some(moved.class_of(body)),
                 None => {
                     let texts = found.iter().map(|marks| marks[i].map(mark_svg).unwrap_or_default());
-                    moved.redrawn.push(texts.collect());
+                    moved.redrawn.push(Redrawn(texts.collect()));
                     Some(format!("r{}", moved.redrawn.len() - 1))
                 }
             };
@@ -125,6 +141,17 @@ const fn anchor(label: &Label) -> Vec2 {
         Anchor::Point(at, _) => at,
         Anchor::Line(a, b) => Vec2::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y)),
     }
+}
+
+/// What labels of the first frame meet in another one.
+pub fn later(first: &Drawing, frame: &Drawing) -> Later {
+    let shifts = first.labels.iter().zip(anchors(first, frame)).map(|(label, there)| {
+        let stays = shows_turn(first, label.group);
+        there.filter(|_| !stays).map_or(Vec2::zero(), |there| there - anchor(label))
+    });
+    let moved = frame.marks.iter().filter(|m| !shows_turn(frame, m.group));
+    let stay = first.marks.iter().filter(|m| shows_turn(first, m.group));
+    Later { marks: moved.chain(stay).cloned().collect(), shifts: shifts.collect() }
 }
 
 /// Whether a group is the arc arrow of a drive.

@@ -6,10 +6,10 @@ mod profile;
 
 use crate::error::Missing;
 use crate::no_diagram::NoDiagram;
+use crate::paper::Paper;
 use crate::scene::Scene;
 use crate::words;
 use assur_drawing::Drawing;
-use assur_math::math::Vec2;
 use assur_model::model::Mechanism;
 use placed::PlacedCam;
 
@@ -27,29 +27,29 @@ struct Subject<'s, 'a> {
 ///
 /// # Errors
 /// There is none.
-pub fn cams(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+pub fn cams(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     let (title, id) = (words::title(scene), words::id(scene, "cam"));
-    drawn(&Subject { mechanism: scene.mechanism(), title, id, scene: Some(scene) }, size)
+    drawn(&Subject { mechanism: scene.mechanism(), title, id, scene: Some(scene) }, paper)
 }
 
 /// The cams of a file that has no position: each at the angle of its greatest pressure angle.
 ///
 /// # Errors
 /// There is none.
-pub fn cams_alone(mechanism: &Mechanism, file: &str, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+pub fn cams_alone(mechanism: &Mechanism, file: &str, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     let title = if mechanism.title.is_empty() { file.to_owned() } else { mechanism.title.clone() };
     let stem = file.rsplit(['/', '\\']).next().unwrap_or_default().trim_end_matches(".mech");
-    drawn(&Subject { mechanism, title, id: format!("cam-{stem}"), scene: None }, size)
+    drawn(&Subject { mechanism, title, id: format!("cam-{stem}"), scene: None }, paper)
 }
 
-fn drawn(subject: &Subject<'_, '_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+fn drawn(subject: &Subject<'_, '_>, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     let plates = &subject.mechanism.cams;
     if plates.is_empty() {
         return Err(NoDiagram::NoCam.into());
     }
     let mut drawings = Vec::new();
     for (i, plate) in plates.iter().enumerate() {
-        drawings.push(profile::profile(subject, &PlacedCam::of(subject, i, plate), size));
+        drawings.push(profile::profile(subject, &PlacedCam::of(subject, i, plate), paper)?);
         drawings.push(motion::motion(subject, plate));
     }
     Ok(drawings)

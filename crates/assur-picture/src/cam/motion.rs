@@ -1,7 +1,8 @@
 //! The motion of a follower over a turn of its cam: lift, its first and second derivative, the pressure angle, stages.
 
 use super::Subject;
-use crate::diagram::{Axis, LETTERS, Line, Panel, printed, scaled, value_text, with_unit};
+use crate::diagram::{Axis, LETTERS, Line, Panel, printed, scaled, with_unit};
+use crate::figures::{cleared, place, value_text};
 use assur_drawing::{Drawing, Label, Level, Shape, Style, Text};
 use assur_math::element::cam::{CamPoint, Quantity};
 use assur_math::math::Vec2;
@@ -47,8 +48,9 @@ pub fn motion(subject: &Subject<'_, '_>, plate: &PlateCam) -> Drawing {
         panel.draw(&mut drawing, title, below);
         drawing.begin("curve", shown.said);
         panel.curve(&mut drawing, shown.style, &[scaled(&line, &along, &shown.display)]);
+        let large = least.1.abs().max(greatest.1.abs()) * shown.factor.abs();
         for ((phi, value), towards) in [(greatest, -1.0), (least, 1.0)] {
-            let si = value * shown.factor;
+            let (phi, si) = (place(phi, TAU), cleared(value * shown.factor, large));
             drawing.description += &format!(
                 "{} {} {} at {}. ",
                 if towards < 0.0 { "Greatest" } else { "Least" },

@@ -3,7 +3,9 @@
 use super::Subject;
 use super::placed::PlacedCam;
 use crate::angles::flipped;
+use crate::error::Missing;
 use crate::frame::Frame;
+use crate::paper::{Paper, Scaled};
 use crate::scheme::length_scale;
 use crate::symbol::{arrow, guide, hinge};
 use crate::words;
@@ -25,11 +27,14 @@ const ARC: f64 = 11.0;
 const FACE: f64 = 0.9;
 
 /// The profile at a position.
-pub fn profile(subject: &Subject<'_, '_>, placed: &PlacedCam<'_>, size: Vec2) -> Drawing {
+///
+/// # Errors
+/// A scale is wanted that does not fit.
+pub fn profile(subject: &Subject<'_, '_>, placed: &PlacedCam<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     let rim = placed.around(|at| at.contact);
     let tips = placed.around(|at| at.tip);
     let bounds = extent(placed, &rim, &tips);
-    let frame = Frame::fitting(&bounds, size - AROUND);
+    let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
     let name = &placed.plate.name;
     let scene = subject.scene.filter(|_| placed.contact.is_some());
     let place = scene.map(words::at_position).unwrap_or_default();
@@ -45,7 +50,7 @@ pub fn profile(subject: &Subject<'_, '_>, placed: &PlacedCam<'_>, size: Vec2) ->
         drawing.captions.push(length_scale(&scale));
         drawing.description += &format!(" Length scale {} m per mm.", scale.text());
     }
-    drawing
+    Ok(drawing)
 }
 
 fn said(placed: &PlacedCam<'_>) -> String {

@@ -1,31 +1,10 @@
 //! Numbers, units and the drive's name as they stand in a diagram.
 
 use super::curve::Line;
+use crate::figures::unit_text;
 use crate::scene::Scene;
 use assur_drawing::{Level, Text};
-use assur_model::model::{Display, DriveTarget, PairKind, Value};
-
-/// Digits of a marked value.
-const DIGITS: usize = 4;
-
-/// A unit as printed: `N·m`, `°`, `m/s²`.
-#[must_use]
-pub fn unit_text(unit: &str) -> String {
-    let spelled = unit.replace('*', "·").replace("^-1", "⁻¹").replace("^2", "²").replace("^3", "³");
-    let degrees = spelled.split('/').map(|part| if part == "deg" { "°" } else { part });
-    degrees.collect::<Vec<_>>().join("/")
-}
-
-/// A value in the author's unit with four digits.
-#[must_use]
-pub fn value_text(display: &Display, si: f64) -> String {
-    let figures = display.figures(Value::Scalar(si), DIGITS).replace('-', "−");
-    match unit_text(&display.unit).as_str() {
-        "" => figures,
-        "°" => format!("{figures}°"),
-        unit => format!("{figures} {unit}"),
-    }
-}
+use assur_model::model::{Display, DriveTarget, PairKind};
 
 /// The letter of what the sweep runs over: φ of a link or a hinge, s of a slider; the share of the sweep where the drive moves a
 /// point.

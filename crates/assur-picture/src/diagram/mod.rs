@@ -9,5 +9,5 @@ mod panel;
 pub use area::hatched;
 pub use axis::Axis;
 pub use curve::{Curve, Line, over_poses};
-pub use figure::{drive_axis, drive_label, printed, scaled, unit_text, value_text, with_unit};
+pub use figure::{drive_axis, drive_label, printed, scaled, with_unit};
 pub use panel::{LETTERS, Panel, thinned};

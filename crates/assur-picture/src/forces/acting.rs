@@ -50,6 +50,8 @@ pub struct Acting {
 
 /// Forces less than this part of the largest are rounding.
 const NOTHING: f64 = 1e-9;
+/// Where the largest is less than this part of what loads the mechanism, all of them.
+const ROUNDING: f64 = 1e-13;
 
 impl Acting {
     /// All that acts on a part from outside; none where a place or a force is not known.
@@ -67,7 +69,8 @@ impl Acting {
             return None;
         }
         let largest = acting.forces.iter().map(|f| f.force.norm()).fold(0.0, f64::max);
-        acting.forces.retain(|f| f.force.norm() > NOTHING * largest);
+        let only_rounding = largest <= ROUNDING * greatest(scene);
+        acting.forces.retain(|f| !only_rounding && f.force.norm() > NOTHING * largest);
         acting.couples.retain(|c| c.3.is_finite() && c.3 != 0.0);
         Some(acting)
     }
@@ -180,6 +183,9 @@ impl Acting {
             let links = pair.kind.links();
             let inside: Vec<LinkId> = links.iter().copied().filter(|l| part.links.contains(l)).collect();
             let outside = links.iter().copied().find(|l| !part.links.contains(l));
+            if let (PairKind::Cylinder { barrel, rod, .. }, None) = (&pair.kind, outside) {
+                found.extend(held(scene, id, [*barrel, *rod], &inside));
+            }
             let (Some(on), Some(from)) = (inside.first().copied(), outside) else { continue };
             let force = inside.iter().fold(Vec2::zero(), |sum, l| sum + scene.view().reaction(id, *l));
             let at = place(scene, id, on)?;
@@ -216,12 +222,34 @@ impl Acting {
         });
         let names = balances
             .map(|b| Text::name(&b.name))
-            .chain(loads.filter_map(|l| scene.load_name(l)))
+            .chain(loads.map(|l| scene.load_name(l).unwrap_or_else(|| Text::italic("F"))))
             .chain(drives);
         let Some(name) = names.into_iter().next().filter(|_| sum.norm() > 1e-7 * largest) else { return };
         let on = part.links[0];
         self.push(name, on, centre(scene, on), -sum, Acts::Effort);
     }
+}
+
+/// The greatest force that is applied anywhere, with that of the greatest moment over the size of the mechanism.
+fn greatest(scene: &Scene<'_>) -> f64 {
+    let applied = &scene.solved.state.forces.applied;
+    let force = applied.iter().map(|w| w.force.norm()).fold(0.0, f64::max);
+    let moment = applied.iter().map(|w| w.moment.abs()).fold(0.0, f64::max);
+    let extent = assur_solve::solve::extent(&scene.model);
+    if extent > 0.0 { force + moment / extent } else { force }
+}
+
+/// What a cylinder between two links of a part does to both: they differ by what its barrel and its rod carry.
+fn held(scene: &Scene<'_>, id: PairId, own: [LinkId; 2], links: &[LinkId]) -> Vec<Force> {
+    if own.iter().all(|l| scene.mechanism().link(*l).mass.is_none()) {
+        return Vec::new();
+    }
+    let on = |link: &LinkId| {
+        let (at, force) = (place(scene, id, *link)?, scene.view().reaction(id, *link));
+        let name = reaction_name(scene, id, *link, *link);
+        Some(Force { name, on: *link, at, force, acts: Acts::Reaction { pair: id, known: true } })
+    };
+    links.iter().filter_map(on).collect()
 }
 
 /// Whether the forces of a link are found before those of another.

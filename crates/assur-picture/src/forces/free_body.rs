@@ -2,9 +2,12 @@
 
 use super::acting::{Acting, Acts, Force};
 use super::polygon::split;
-use super::{Part, figure, names};
+use super::{Part, names};
 use crate::angles::{flipped, freest};
+use crate::error::Missing;
+use crate::figures::{FORCE, MOMENT};
 use crate::frame::Frame;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::scheme::length_scale;
 use crate::shape::{Outline, shapes};
@@ -27,19 +30,25 @@ const ARM: f64 = 3.0;
 const ARMS: usize = 4;
 
 /// The free body.
-pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, size: Vec2) -> Drawing {
+///
+/// # Errors
+/// A scale is wanted that does not fit.
+pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, paper: &Paper) -> Result<Drawing, Missing> {
     let all = shapes(scene);
     let mut bounds = Rect::NOTHING;
     for link in &part.links {
         all[link.index()].extent(scene, *link, &mut bounds);
     }
     acting.forces.iter().for_each(|f| bounds.add(f.at));
-    let frame = Frame::fitting(&bounds, size - AROUND);
+    let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
     let links = names(scene, part);
-    let said: Vec<String> =
-        acting.forces.iter().map(|f| format!("{} {} N", f.name.plain(), figure(f.force.norm()))).collect();
+    let said: Vec<String> = acting
+        .forces
+        .iter()
+        .map(|f| format!("{} {} N", f.name.plain(), scene.figure(f.force.norm(), FORCE)))
+        .collect();
     let couples: Vec<String> =
-        acting.couples.iter().map(|c| format!("{} {} N·m", c.0.plain(), figure(c.3))).collect();
+        acting.couples.iter().map(|c| format!("{} {} N·m", c.0.plain(), scene.figure(c.3, MOMENT))).collect();
     let couples =
         if couples.is_empty() { String::new() } else { format!(" Couples: {}.", couples.join(", ")) };
     let title =
@@ -60,7 +69,7 @@ pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, size: Vec2) -> Draw
     if let Some(scale) = frame.scale {
         drawing.captions.push(length_scale(&scale));
     }
-    drawing
+    Ok(drawing)
 }
 
 fn bodies(

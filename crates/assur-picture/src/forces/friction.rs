@@ -1,12 +1,15 @@
 //! Friction: circles at the scale of lengths with the action lines that touch them, the angle between a reaction and the
 //! normal at guides and contacts, and the frictionless line beside each.
 
-use super::{determined, figure};
+use super::determined;
 use crate::angles::{flipped, freest, wrapped};
 use crate::error::Missing;
+use crate::figures::{FORCE, MOMENT, plain};
 use crate::frame::Frame;
+use crate::inset::Inset;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
-use crate::scheme::length_scale;
+use crate::scheme::{efforts, length_scale};
 use crate::shape::{Outline, shapes};
 use crate::symbol::{arrow, guide, hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Segment, Shape, Style, Text, on_circle};
@@ -20,12 +23,9 @@ const ARROW: f64 = 19.0;
 const LINE: f64 = 14.0;
 /// Radius of a hinge within its friction circle.
 const SMALL: f64 = 0.7;
-/// Friction circles smaller than this on paper are shown magnified; their radius there, and that of the inset.
-const HIDDEN: f64 = 1.2;
-const MAGNIFIED: f64 = 5.0;
-const INSET: f64 = 12.0;
-/// From the drawing to the inset.
-const BESIDE: f64 = 20.0;
+/// Friction circles smaller than this on paper are shown magnified, and their least radius there.
+const HIDDEN: f64 = 1.5;
+const MAGNIFIED: f64 = 3.0;
 /// Radius and angle of the arrow of a relative turn.
 const TURN: (f64, f64) = (6.0, 1.0);
 /// What arrows and names take, mm.
@@ -38,7 +38,7 @@ const POINT: f64 = 4.4;
 ///
 /// # Errors
 /// No pair has friction; the forces are not known.
-pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+pub fn friction(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if !scene.mechanism().pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some())) {
         return Err(Missing::NoFriction);
     }
@@ -53,7 +53,7 @@ pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
         .filter(|f| scene.is_placed(f.on) && scene.is_placed(f.from))
         .collect();
     if frictions.is_empty() {
-        return Err(Missing::nothing_placed("friction is drawn at its pairs"));
+        return Err(Missing::nothing_placed(scene, "friction is drawn at its pairs"));
     }
     let all = shapes(scene);
     let mut bounds = Rect::NOTHING;
@@ -63,8 +63,9 @@ pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
             shape.extent(scene, link, &mut bounds);
         }
     }
-    let frame = Frame::fitting(&bounds, size - AROUND);
-    let mut picture = Picture { scene, frame, drawing: empty(scene, &frictions), outlines: Vec::new() };
+    let frame = paper.frame(Scaled::Length, &bounds, AROUND)?;
+    let mut picture =
+        Picture { scene, frame, drawing: empty(scene, &frictions), outlines: Vec::new(), taken: Vec::new() };
     for (i, shape) in all.iter().enumerate().skip(1) {
         let link = LinkId::at(i);
         if scene.is_placed(link) && !scene.is_in_cylinder(link) {
@@ -76,6 +77,8 @@ pub fn friction(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     for friction in &frictions {
         if friction.turns { picture.journal(friction) } else { picture.guide(friction) }
     }
+    let taken = std::mem::take(&mut picture.taken);
+    efforts(scene, &picture.frame, taken, &mut picture.drawing);
     picture.inset(&frictions);
     if let Some(scale) = picture.frame.scale {
         picture.drawing.captions.push(length_scale(&scale));
@@ -88,14 +91,14 @@ fn empty(scene: &Scene<'_>, frictions: &[PairFriction]) -> Drawing {
     let said = frictions.iter().map(|f| {
         let name = &scene.mechanism().pair(f.pair).name;
         let (what, unit) = if f.turns { ("torque", "N·m") } else { ("force", "N") };
-        let pressed = figure(f.normal);
+        let pressed = scene.figure(f.normal, FORCE);
         format!(
             "{name}: {what} {} {unit} on {}, pressed by {pressed} N",
-            figure(f.effort),
+            scene.figure(f.effort, if f.turns { MOMENT } else { FORCE }),
             scene.link_label(f.on)
         )
     });
-    let description = format!("Friction in the pairs. {}.", said.collect::<Vec<_>>().join("; "));
+    let description = format!("Friction in the pairs. {}. ", said.collect::<Vec<_>>().join("; "));
     Drawing::new(&crate::words::id(scene, "friction"), title, description)
 }
 
@@ -105,6 +108,8 @@ struct Picture<'a, 's> {
     frame: Frame,
     drawing: Drawing,
     outlines: Vec<(LinkId, Outline)>,
+    /// Where arrows begin, and arcs with their radii.
+    taken: Vec<(Vec2, Vec2)>,
 }
 
 impl Picture<'_, '_> {
@@ -184,6 +189,7 @@ impl Picture<'_, '_> {
         let touch = at + flipped(force.perp()) / force.norm() * self.frame.length(left);
         self.drawing.line(Style::Dashed, touch - along * LINE, touch + along * LINE);
         self.drawing.mark(Style::Unknown, Shape::Arrow(touch, touch + along * ARROW));
+        self.taken.push((touch, along));
         let label =
             Label::along(self.reaction_name(f), LETTERS, touch + along * 9.0, touch + along * (ARROW + 2.0));
         self.drawing.label(label.coloured(Role::Green).ranked(2));
@@ -192,6 +198,7 @@ impl Picture<'_, '_> {
             let fixed = f.from == LinkId::GROUND || f.on == LinkId::GROUND;
             let middle = -self.free_angle(at, along, fixed);
             arrow::turn(&mut self.drawing, Style::Drive, at, TURN.0, (middle, TURN.1), f.speed > 0.0);
+            self.taken.push((at, Vec2::direction(-middle) * TURN.0));
             let tip = arrow::middle(at, TURN.0, middle);
             let on = self.scene.link_label(f.on);
             let from = if f.from == LinkId::GROUND { "" } else { self.scene.link_label(f.from) };
@@ -248,7 +255,7 @@ impl Picture<'_, '_> {
             let radius = ARROW * 0.8;
             self.drawing.mark(Style::Thin, Shape::Arc { centre: at, radius, from, sweep });
             let angle = libm::atan(f.factor) * 360.0 / TAU;
-            let name = Text::italic("φ").and(&format!(" = {}°", figure(angle)), false, Level::Base);
+            let name = Text::italic("φ").and(&format!(" = {}°", plain(angle)), false, Level::Base);
             let middle = on_circle(at, radius, from + sweep / 2.0);
             self.drawing.label(Label::at(name, 3.6, middle, 0.4).towards(middle - at).ranked(4));
         }
@@ -266,40 +273,37 @@ impl Picture<'_, '_> {
         }
     }
 
-    /// The largest friction circle that the scale hides, magnified beside the drawing.
+    /// The largest friction circle that the scale hides, magnified.
     fn inset(&mut self, frictions: &[PairFriction]) {
         let hidden = frictions.iter().filter(|f| f.turns && self.frame.length(f.factor) < HIDDEN);
         let right = |f: &PairFriction| self.action(f).map_or(f64::MIN, |(_, _, at)| at.x);
         let largest = hidden.max_by(|a, b| a.factor.total_cmp(&b.factor).then(right(a).total_cmp(&right(b))));
         let Some(f) = largest else { return };
         let Some((force, left, place)) = self.action(f) else { return };
-        let all = self.drawing.extent();
-        let at = self.frame.point(place);
-        let centre = Vec2::new(all.max.x + BESIDE, all.centre().y);
-        self.drawing.begin("inset", &self.scene.mechanism().pair(f.pair).name.clone());
-        self.drawing.mark(Style::Thin, Shape::Circle { centre: at, radius: 2.7 });
-        let towards = (centre - at).unit().unwrap_or(Vec2::new(1.0, 0.0));
-        self.drawing.line(Style::Thin, at + towards * 2.7, centre - towards * INSET);
-        self.drawing.mark(Style::Medium, Shape::Circle { centre, radius: INSET });
-        self.drawing.mark(Style::FrictionCircle, Shape::Circle { centre, radius: MAGNIFIED });
-        for line in self.lines_at(at) {
-            let along = line / line.norm();
-            self.drawing.line(Style::Link, centre + along * 1.2, centre + along * INSET);
-        }
-        self.drawing.mark(Style::Hinge, Shape::Circle { centre, radius: 1.2 });
+        let (at, radius) = (self.frame.point(place), self.frame.length(f.factor));
         let along = flipped(force) / force.norm();
-        let side = flipped(force.perp()) / force.norm() * (MAGNIFIED * left / f.factor);
-        let half = (INSET * INSET - side.dot(side)).max(0.0).sqrt();
-        let touch = centre + side;
-        self.drawing.line(Style::Thin, centre, touch);
-        self.drawing.line(Style::Dashed, touch - along * half, touch);
-        self.drawing.mark(Style::Unknown, Shape::Arrow(touch, touch + along * half));
-        mass::point(&mut self.drawing, touch);
-        let words = format!(" = {} mm, magnified", figure(f.factor * 1000.0));
-        let text = Text::italic("ρ").and(&words, false, Level::Base);
-        let below = Vec2::new(centre.x, centre.y + INSET);
-        let label = Label::at(text, 3.6, below, 0.3).towards(Vec2::new(0.0, 1.0));
-        self.drawing.label(label.coloured(Role::Vermilion).ranked(0));
-        self.drawing.end();
+        let touch = at + flipped(force.perp()) / force.norm() * self.frame.length(left);
+        let lines = self.lines_at(at);
+        let drawing = &mut self.drawing;
+        drawing.begin("inset", &self.scene.mechanism().pair(f.pair).name);
+        let Some(inset) = Inset::of(drawing, at, (radius, MAGNIFIED)) else { return drawing.end() };
+        let centre = inset.point(at);
+        drawing.mark(Style::FrictionCircle, Shape::Circle { centre, radius: inset.length(radius) });
+        for line in lines {
+            if let Some((from, to)) = inset.within(at, at + line) {
+                let clear = (to - from) / (to - from).norm() * 1.2;
+                drawing.line(Style::Link, from + clear, to);
+            }
+        }
+        drawing.mark(Style::Hinge, Shape::Circle { centre, radius: 1.2 });
+        drawing.line(Style::Thin, centre, inset.point(touch));
+        inset.line(drawing, Style::Dashed, touch - along * LINE, touch);
+        if let Some((from, to)) = inset.within(touch, touch + along * ARROW) {
+            drawing.mark(Style::Unknown, Shape::Arrow(from, to));
+        }
+        mass::point(drawing, inset.point(touch));
+        let words = format!(" = {} mm", plain(f.factor * 1000.0));
+        inset.caption(drawing, Text::italic("ρ").and(&words, false, Level::Base), Role::Vermilion);
+        drawing.end();
     }
 }

@@ -2,11 +2,13 @@
 //! all forces about the pole add up to nothing, which is the balance of powers.
 
 use super::acting::{Acting, Acts, Force};
-use super::{Part, figure, is_loaded};
+use super::{Part, is_loaded};
 use crate::angles::{flipped, freest};
 use crate::error::Missing;
+use crate::figures::{cleared, plain};
 use crate::frame::Frame;
 use crate::motion::{Node, Nodes, velocity_at};
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::{hinge, mass};
 use assur_drawing::{Drawing, Label, Level, Rect, Shape, Style, Text};
@@ -29,7 +31,7 @@ const DEAD: f64 = 1e-12;
 ///
 /// # Errors
 /// There are no velocities, no forces, or no link has a place.
-pub fn lever(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+pub fn lever(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if !scene.model.plan.effects.moving {
         return Err(Missing::no_speed(scene, "velocities"));
     }
@@ -39,26 +41,31 @@ pub fn lever(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     }
     if scene.mechanism().drives.iter().any(|d| matches!(d.target, DriveTarget::Point(..))) {
         let help = "the lever needs the whole machine; `forces` draws the group";
-        return Err(Missing::no_forces("a driven point replaces the rest of the machine", help));
+        return Err(Missing::no_forces_by_drive(
+            scene,
+            "a driven point replaces the rest of the machine",
+            "a driven point",
+            help,
+        ));
     }
     let nodes = Nodes::of(scene, false);
     if nodes.nodes.is_empty() {
-        return Err(Missing::nothing_placed("the lever is a plan of velocities"));
+        return Err(Missing::nothing_placed(scene, "the lever is a plan of velocities"));
     }
     let forces = forces(scene);
     let mut bounds = Rect::NOTHING;
     bounds.add(Vec2::zero());
     nodes.nodes.iter().for_each(|n| bounds.add(turned(scene, n.velocity(scene))));
     forces.iter().for_each(|f| bounds.add(image(scene, f.on, f.at)));
-    let frame = Frame::new(Frame::fitting(&bounds, size - AROUND).scale, Vec2::zero());
+    let frame = paper.plan(Scaled::Velocity, &bounds, AROUND)?;
     let terms = terms(scene);
     let largest = terms.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
     let sum: f64 = terms.iter().map(|t| t.1).sum();
     // where nothing does work, at a dead position, all terms are rounding
     let scale = if largest > DEAD * greatest(scene) { largest } else { greatest(scene) };
     let share = if scale > 0.0 { sum.abs() / scale } else { 0.0 };
-    let said: Vec<String> =
-        terms.iter().map(|(name, p)| format!("{} {}", name.plain(), figure(*p))).collect();
+    let terms: Vec<(Text, f64)> = terms.into_iter().map(|(name, p)| (name, cleared(p, scale))).collect();
+    let said: Vec<String> = terms.iter().map(|(name, p)| format!("{} {}", name.plain(), plain(*p))).collect();
     let title =
         format!("{}: Zhukovsky’s lever{}", crate::words::title(scene), crate::words::at_position(scene));
     let description = format!(
@@ -285,7 +292,7 @@ fn captions(drawing: &mut Drawing, frame: &Frame, terms: &[(Text, f64)]) {
             let lead = if i > 0 { ",  " } else { "" };
             text = text.and(lead, false, Level::Base);
             text.runs.extend(name.runs.iter().cloned());
-            text = text.and(&format!(": {}", figure(*power)), false, Level::Base);
+            text = text.and(&format!(": {}", plain(*power)), false, Level::Base);
         }
         drawing.caption(text);
     }

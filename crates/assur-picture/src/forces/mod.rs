@@ -10,13 +10,14 @@ pub use friction::friction;
 pub use lever::lever;
 
 use crate::error::Missing;
+use crate::paper::Paper;
 use crate::scene::Scene;
 use acting::{Acting, Acts};
 use assur_drawing::Drawing;
-use assur_math::math::Vec2;
 use assur_model::model::{LinkId, PairId};
 use assur_solve::solve::Model;
-use assur_text::units::significant;
+use assur_text::source::Span;
+use miette::Diagnostic;
 
 /// What is freed at once: a group, or one link of a group that is solved as a whole.
 pub struct Part {
@@ -30,7 +31,7 @@ pub struct Part {
 ///
 /// # Errors
 /// There are no forces: nothing loads the mechanism, they are not determined, or friction locks it.
-pub fn forces(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
+pub fn forces(scene: &Scene<'_>, paper: &Paper) -> Result<Vec<Drawing>, Missing> {
     loaded(scene)?;
     let mut drawings = Vec::new();
     for part in parts(scene) {
@@ -38,11 +39,11 @@ pub fn forces(scene: &Scene<'_>, size: Vec2) -> Result<Vec<Drawing>, Missing> {
         if acting.forces.is_empty() {
             continue;
         }
-        drawings.push(free_body::draw(scene, &part, &acting, size));
-        drawings.extend(polygon::draw(scene, &part, &acting, size));
+        drawings.push(free_body::draw(scene, &part, &acting, paper)?);
+        drawings.extend(polygon::draw(scene, &part, &acting, paper)?);
     }
     if drawings.is_empty() {
-        return Err(Missing::nothing_placed("forces act at points"));
+        return Err(Missing::nothing_placed(scene, "forces act at points"));
     }
     Ok(drawings)
 }
@@ -56,14 +57,19 @@ pub fn loaded(scene: &Scene<'_>) -> Result<(), Missing> {
 /// Refuses where the forces are not known.
 fn determined(scene: &Scene<'_>) -> Result<(), Missing> {
     if let Some(defect) = &scene.model.structure.force_defect {
-        return Err(Missing::no_forces(
-            &defect.to_string(),
-            "declare what holds it: `balance torque Mb on crank`",
-        ));
+        let help = "declare what holds it: `balance torque Mb on crank`";
+        let label = defect.labels().and_then(|mut labels| labels.next());
+        let at = label.map(|label| Span::new(label.offset(), label.offset() + label.len()));
+        return Err(Missing::NoForces {
+            why: defect.to_string(),
+            at,
+            what: "not determined",
+            help: help.to_owned(),
+        });
     }
     if scene.solved.state.forces.locked {
         let help = "draw another pose, or lower the friction";
-        return Err(Missing::no_forces("friction locks the mechanism", help));
+        return Err(Missing::no_forces_by_drive(scene, "friction locks the mechanism", "locked", help));
     }
     if scene.model.plan.effects.forces { Ok(()) } else { Err(nothing_loads()) }
 }
@@ -107,11 +113,6 @@ fn parts(scene: &Scene<'_>) -> Vec<Part> {
 /// `2, 3`
 fn names(scene: &Scene<'_>, part: &Part) -> String {
     part.links.iter().map(|l| scene.link_label(*l)).collect::<Vec<_>>().join(", ")
-}
-
-/// Five digits with a true minus.
-fn figure(x: f64) -> String {
-    significant(x, 5).replace('-', "−")
 }
 
 /// What a force is, in the order of the polygon.

@@ -1,8 +1,11 @@
 //! The polygon of forces in the textbook's order.
 
 use super::acting::{Acting, Acts, Force};
-use super::{Part, figure, is_unknown, names};
+use super::{Part, is_unknown, names};
 use crate::angles::flipped;
+use crate::error::Missing;
+use crate::figures::FORCE;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::mass;
 use assur_drawing::{Drawing, Label, Level, Rect, Scale, Shape, Style, Text};
@@ -35,10 +38,18 @@ struct Sides {
 }
 
 /// The polygon of a part; none where it has one force alone.
-pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, size: Vec2) -> Option<Drawing> {
+///
+/// # Errors
+/// A scale is wanted that does not fit.
+pub fn draw(
+    scene: &Scene<'_>,
+    part: &Part,
+    acting: &Acting,
+    paper: &Paper,
+) -> Result<Option<Drawing>, Missing> {
     let Sides { sides, resultants } = sides(scene, part, acting);
     if sides.len() < 2 {
-        return None;
+        return Ok(None);
     }
     let mut corners = vec![Vec2::zero()];
     for side in &sides {
@@ -46,13 +57,13 @@ pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, size: Vec2) -> Opti
     }
     let mut bounds = Rect::NOTHING;
     corners.iter().for_each(|c| bounds.add(*c));
-    let extent = bounds.size();
-    let scales = [Scale::fitting(extent.x, size.x - AROUND.x), Scale::fitting(extent.y, size.y - AROUND.y)];
-    let scale = scales.into_iter().flatten().max_by(|a, b| a.factor().total_cmp(&b.factor()))?;
-    let paper = |v: Vec2| flipped(v) / scale.factor();
+    let Some(scale) = paper.frame(Scaled::Force, &bounds, AROUND)?.scale else { return Ok(None) };
+    let on_paper = |v: Vec2| flipped(v) / scale.factor();
     let links = names(scene, part);
-    let said: Vec<String> =
-        sides.iter().map(|s| format!("{} {} N", s.name.plain(), figure(s.force.norm()))).collect();
+    let said: Vec<String> = sides
+        .iter()
+        .map(|s| format!("{} {} N", s.name.plain(), scene.figure(s.force.norm(), FORCE)))
+        .collect();
     let title = format!(
         "{}: polygon of forces of links {links}{}",
         crate::words::title(scene),
@@ -63,17 +74,17 @@ pub fn draw(scene: &Scene<'_>, part: &Part, acting: &Acting, size: Vec2) -> Opti
     let id = format!("{}-{}", crate::words::id(scene, "polygon"), links.replace(", ", "-"));
     let mut drawing = Drawing::new(&id, title, description);
     for (i, side) in sides.iter().enumerate() {
-        let (a, b) = (paper(corners[i]), paper(corners[i + 1]));
+        let (a, b) = (on_paper(corners[i]), on_paper(corners[i + 1]));
         arrow(&mut drawing, side.style, a, b, side.name.clone());
     }
     for (name, first, last) in resultants {
-        arrow(&mut drawing, Style::Unknown, paper(corners[first]), paper(corners[last]), name);
+        arrow(&mut drawing, Style::Unknown, on_paper(corners[first]), on_paper(corners[last]), name);
     }
     let last = corners.len() - 1;
     // the last corner is the first
-    vertices(&mut drawing, &corners[..last].iter().map(|c| paper(*c)).collect::<Vec<_>>());
-    captions(&mut drawing, &sides, &scale);
-    Some(drawing)
+    vertices(&mut drawing, &corners[..last].iter().map(|c| on_paper(*c)).collect::<Vec<_>>());
+    captions(scene, &mut drawing, &sides, &scale);
+    Ok(Some(drawing))
 }
 
 fn arrow(drawing: &mut Drawing, style: Style, a: Vec2, b: Vec2, name: Text) {
@@ -120,7 +131,7 @@ fn letter(i: usize) -> String {
     if i < 26 { first.to_string() } else { format!("{first}{}", i / 26) }
 }
 
-fn captions(drawing: &mut Drawing, sides: &[Side], scale: &Scale) {
+fn captions(scene: &Scene<'_>, drawing: &mut Drawing, sides: &[Side], scale: &Scale) {
     let text = Text::italic("μ").lowered("F").and(&format!(" = {} N/mm", scale.text()), false, Level::Base);
     drawing.caption(text);
     for (row, line) in sides.chunks(4).enumerate() {
@@ -136,7 +147,7 @@ fn captions(drawing: &mut Drawing, sides: &[Side], scale: &Scale) {
             );
             text = text.and(" = ", false, Level::Base);
             text.runs.extend(side.name.runs.iter().cloned());
-            text = text.and(&format!(" = {} N", figure(side.force.norm())), false, Level::Base);
+            text = text.and(&format!(" = {} N", scene.figure(side.force.norm(), FORCE)), false, Level::Base);
         }
         drawing.caption(text);
     }

@@ -2,8 +2,10 @@
 
 use super::nodes::{Node, Nodes, acceleration, rank};
 use super::velocity::images;
-use super::{PlanOf, significant, title};
+use super::{PlanOf, natural, title};
 use crate::error::Missing;
+use crate::figures::ACCELERATION;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Role, Style, Text};
 use assur_math::math::Vec2;
@@ -13,13 +15,13 @@ use assur_model::model::LinkId;
 ///
 /// # Errors
 /// No drive has a speed; no link has a place.
-pub fn accelerations(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+pub fn accelerations(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if !scene.model.plan.effects.timed {
         return Err(Missing::no_speed(scene, "accelerations"));
     }
     let nodes = Nodes::of(scene, false);
     if nodes.nodes.is_empty() {
-        return Err(Missing::nothing_placed("a plan shows accelerations of points"));
+        return Err(Missing::nothing_placed(scene, "a plan shows accelerations of points"));
     }
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.acceleration(scene)).collect();
     let parts = parts(scene, &nodes);
@@ -27,13 +29,14 @@ pub fn accelerations(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> 
     ends.extend(parts.iter().flat_map(|p| [p.from, p.to]));
     let mut said: Vec<String> = Vec::new();
     for (node, a) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
-        said.push(format!("a_{} = {} m/s²", node.index(), significant(a.norm())));
+        said.push(format!("a_{} = {} m/s²", node.index(), scene.figure(a.norm(), ACCELERATION)));
     }
     let description = format!("Accelerations from the pole p′: {}.", said.join(", "));
     let id = crate::words::id(scene, "accelerations");
     let drawing = Drawing::new(&id, title(scene, "acceleration plan"), description);
     ends.extend(Nodes::extent(scene, acceleration));
-    let mut plan = PlanOf::new(drawing, &ends, &all, "m/s²", size);
+    let natural = natural(scene).1;
+    let mut plan = PlanOf::new(drawing, (Scaled::Acceleration, natural), &ends, &all, paper)?;
     plan.pole(Text::italic("p").and("′", false, assur_drawing::Level::Base));
     for (node, a) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
         plan.absolute(Style::Acceleration, *a, Text::italic("a").lowered(&node.index()));

@@ -8,7 +8,10 @@ pub use acceleration::accelerations;
 pub use nodes::{Node, Nodes, velocity as velocity_at};
 pub use velocity::velocities;
 
+use crate::error::Missing;
+use crate::figures::plain;
 use crate::frame::Frame;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use crate::symbol::mass;
 use assur_drawing::{Drawing, Label, Level, Rect, Role, Style, Text};
@@ -26,8 +29,11 @@ const SHORT: f64 = 0.3;
 /// Vectors less than this part of the largest are rounding.
 const ROUNDING: f64 = 1e-9;
 
+/// Where no vector is more than this part of the natural size, all are rounding.
+const NOISE: f64 = 1e-13;
+
 /// A plan that is being drawn.
-struct PlanOf<'s> {
+struct PlanOf {
     drawing: Drawing,
     frame: Frame,
     /// Points that have a dot, with their names.
@@ -40,19 +46,27 @@ struct PlanOf<'s> {
     largest: f64,
     /// Vectors too short to be drawn, with their values.
     short: Vec<Text>,
-    unit: &'s str,
+    unit: &'static str,
 }
 
-impl<'s> PlanOf<'s> {
-    /// A plan of vectors that fits into its size.
-    fn new(drawing: Drawing, room: &[Vec2], vectors: &[Vec2], unit: &'s str, size: Vec2) -> Self {
+impl PlanOf {
+    /// A plan of vectors that fits into its size; vectors that are rounding beside a natural size are points.
+    fn new(
+        drawing: Drawing,
+        (of, natural): (Scaled, f64),
+        room: &[Vec2],
+        vectors: &[Vec2],
+        paper: &Paper,
+    ) -> Result<Self, Missing> {
         let mut bounds = Rect::NOTHING;
         bounds.add(Vec2::zero());
-        room.iter().for_each(|v| bounds.add(*v));
-        let frame = Frame::new(Frame::fitting(&bounds, size - AROUND).scale, Vec2::zero());
+        if room.iter().any(|v| v.norm() > NOISE * natural) {
+            room.iter().for_each(|v| bounds.add(*v));
+        }
+        let frame = paper.plan(of, &bounds, AROUND)?;
         let ends = vectors.iter().map(|v| frame.point(*v)).collect();
         let largest = room.iter().map(|v| v.norm()).fold(0.0, f64::max);
-        Self {
+        Ok(Self {
             drawing,
             frame,
             dots: Vec::new(),
@@ -60,8 +74,8 @@ impl<'s> PlanOf<'s> {
             absolute: Vec::new(),
             largest,
             short: Vec::new(),
-            unit,
-        }
+            unit: of.unit(),
+        })
     }
 
     /// The end of a vector from the pole.
@@ -89,7 +103,7 @@ impl<'s> PlanOf<'s> {
         if (b - a).norm() < SHORT {
             // what rounding leaves is nothing
             if value > ROUNDING * self.largest && self.frame.scale.is_some() {
-                let text = format!(" = {} {}", significant(value), self.unit);
+                let text = format!(" = {} {}", plain(value), self.unit);
                 self.short.push(name.and(&text, false, Level::Base));
             }
             return;
@@ -181,6 +195,15 @@ impl<'s> PlanOf<'s> {
 /// What names of points and vectors take, mm.
 const AROUND: Vec2 = Vec2::new(24.0, 20.0);
 
+/// The velocity and the acceleration that the fastest turn gives over the whole mechanism.
+fn natural(scene: &Scene<'_>) -> (f64, f64) {
+    let extent = assur_solve::solve::extent(&scene.model);
+    let bodies = &scene.solved.state.motion.bodies;
+    let omega = bodies.iter().map(|b| b.omega.abs()).fold(0.0, f64::max);
+    let alpha = bodies.iter().map(|b| b.alpha.abs()).fold(0.0, f64::max);
+    (omega * extent, (omega * omega + alpha) * extent)
+}
+
 /// `a₂ = a₃`
 fn joined(names: Vec<Text>) -> Text {
     let mut all = Text::default();
@@ -192,11 +215,6 @@ fn joined(names: Vec<Text>) -> Text {
         all.full = all.full.or(name.full);
     }
     all
-}
-
-/// Five digits.
-pub fn significant(x: f64) -> String {
-    assur_text::units::significant(x, 5).replace('-', "−")
 }
 
 /// The name of a point in small letters.

@@ -73,9 +73,9 @@ impl Nodes {
                 _ => {}
             }
         }
-        for pair in pairs.iter().filter(|p| p.bearing.is_none()) {
+        for (i, pair) in pairs.iter().enumerate().filter(|(_, p)| p.bearing.is_none()) {
             if let PairKind::Prismatic(g) | PairKind::Slot(g) = &pair.kind {
-                nodes.slide(scene, &pair.name, g);
+                nodes.slide(scene, (PairId::at(i), &pair.name), g);
             }
         }
         for (i, pair) in pairs.iter().enumerate() {
@@ -144,7 +144,7 @@ impl Nodes {
         self.nodes.len() - 1
     }
 
-    fn slide(&mut self, scene: &Scene<'_>, name: &str, g: &Guide) {
+    fn slide(&mut self, scene: &Scene<'_>, (pair, name): (PairId, &str), g: &Guide) {
         if !scene.is_placed(g.slider) || !scene.is_placed(g.guide) {
             return;
         }
@@ -153,7 +153,7 @@ impl Nodes {
         let there = self.nodes.iter().position(|n| n.links.contains(&g.slider) && (n.at - at).norm() <= near);
         let name = if g.point_name.is_empty() { name } else { &g.point_name };
         let slider = there.unwrap_or_else(|| self.add(scene, name, vec![g.slider], at));
-        if g.guide == LinkId::GROUND || g.slider == LinkId::GROUND {
+        if g.guide == LinkId::GROUND || g.slider == LinkId::GROUND || !scene.slides(pair) {
             return;
         }
         let name = self.nodes[slider].name.clone();

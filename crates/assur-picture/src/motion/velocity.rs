@@ -1,8 +1,10 @@
 //! The plan of velocities.
 
 use super::nodes::{Node, Nodes, velocity};
-use super::{PlanOf, significant, title};
+use super::{PlanOf, natural, title};
 use crate::error::Missing;
+use crate::figures::VELOCITY;
+use crate::paper::{Paper, Scaled};
 use crate::scene::Scene;
 use assur_drawing::{Drawing, Role, Style, Text};
 use assur_math::math::Vec2;
@@ -12,18 +14,18 @@ use assur_model::model::LinkId;
 ///
 /// # Errors
 /// No drive has a speed; no link has a place.
-pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
+pub fn velocities(scene: &Scene<'_>, paper: &Paper) -> Result<Drawing, Missing> {
     if !scene.model.plan.effects.moving {
         return Err(Missing::no_speed(scene, "velocities"));
     }
     let nodes = Nodes::of(scene, true);
     if nodes.nodes.is_empty() {
-        return Err(Missing::nothing_placed("a plan shows velocities of points"));
+        return Err(Missing::nothing_placed(scene, "a plan shows velocities of points"));
     }
     let all: Vec<Vec2> = nodes.nodes.iter().map(|n| n.velocity(scene)).collect();
     let mut said: Vec<String> = Vec::new();
     for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| !n.fixed) {
-        said.push(format!("v_{} = {} m/s", node.index(), significant(v.norm())));
+        said.push(format!("v_{} = {} m/s", node.index(), scene.figure(v.norm(), VELOCITY)));
     }
     let ratios = if scene.model.plan.effects.timed { "" } else { " for a unit speed of the drive" };
     let description = format!("Velocities from the pole p{ratios}: {}.", said.join(", "));
@@ -31,7 +33,8 @@ pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
     let drawing = Drawing::new(&id, title(scene, "velocity plan"), description);
     let mut room = Nodes::extent(scene, velocity);
     room.extend(&all);
-    let mut plan = PlanOf::new(drawing, &room, &all, "m/s", size);
+    let natural = natural(scene).0;
+    let mut plan = PlanOf::new(drawing, (Scaled::Velocity, natural), &room, &all, paper)?;
     plan.pole(Text::italic("p"));
     let is_of = |n: &Node| !n.fixed;
     for (node, v) in nodes.nodes.iter().zip(&all).filter(|(n, _)| is_of(n)) {
@@ -49,7 +52,7 @@ pub fn velocities(scene: &Scene<'_>, size: Vec2) -> Result<Drawing, Missing> {
 }
 
 /// Velocities of points of one link against each other, and of sliding.
-fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf<'_>) {
+fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf) {
     for link in 1..scene.mechanism().links.len() {
         let on = nodes.on(LinkId::at(link));
         let Some((base, others)) = on.split_first() else { continue };
@@ -85,7 +88,7 @@ fn relative(scene: &Scene<'_>, nodes: &Nodes, plan: &mut PlanOf<'_>) {
 pub fn images(
     scene: &Scene<'_>,
     nodes: &Nodes,
-    plan: &mut PlanOf<'_>,
+    plan: &mut PlanOf,
     of: fn(&assur_solve::solve::BodyState, Vec2) -> Vec2,
 ) {
     let near = 1e-7 * assur_solve::solve::extent(&scene.model);

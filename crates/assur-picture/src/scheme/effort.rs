@@ -175,16 +175,21 @@ impl Sketch<'_, '_> {
                 ) => {
                     let at = self.frame.point(scene.view().place(*on, at));
                     if let (Some(along), true) = (flipped(f).unit(), scene.is_placed(*on)) {
-                        self.push(drawing, Style::Force, at, along, LENGTH, force);
-                        named.push(name);
+                        let (length, force) =
+                            (self.arrow(f.norm(), LENGTH), self.with_force(force, f.norm()));
+                        named.push(spoken(&name, &force));
+                        self.push(drawing, Style::Force, at, along, length, force);
                     }
                 }
                 (LoadKind::Torque { on, .. }, Value::Scalar(m)) if m != 0.0 && m.is_finite() => {
+                    let couple = self.with_couple(couple, m.abs());
                     self.couple(drawing, Style::Force, *on, m > 0.0, couple);
                     named.push(name);
                 }
                 (LoadKind::InPair { pair, .. }, Value::Scalar(x)) if x != 0.0 && x.is_finite() => {
-                    self.inside(drawing, Style::Force, *pair, x > 0.0, (force, couple));
+                    let size = (self.arrow(x, LENGTH), x > 0.0);
+                    let names = (self.with_force(force, x.abs()), self.with_couple(couple, x.abs()));
+                    self.inside(drawing, Style::Force, *pair, size, names);
                     named.push(name);
                 }
                 _ => {}
@@ -200,9 +205,8 @@ impl Sketch<'_, '_> {
 
     fn weights(&mut self, drawing: &mut Drawing) {
         let scene = self.scene;
-        let Some(down) = scene.mechanism().gravity.and_then(|g| flipped(g.acceleration).unit()) else {
-            return;
-        };
+        let Some(acceleration) = scene.mechanism().gravity.map(|g| g.acceleration) else { return };
+        let (Some(down), gravity) = (flipped(acceleration).unit(), acceleration.norm()) else { return };
         for (i, link) in scene.mechanism().links.iter().enumerate().skip(1) {
             let id = LinkId::at(i);
             let Some(mass) = link.mass.filter(|m| m.mass > 0.0) else { continue };
@@ -211,7 +215,9 @@ impl Sketch<'_, '_> {
             }
             drawing.begin("weight", &link.name);
             let at = self.on_paper(id, mass.centre);
-            self.push(drawing, Style::Force, at, down, LENGTH, scene.indexed("G", id));
+            let weight = mass.mass * gravity;
+            let name = self.with_force(scene.indexed("G", id), weight);
+            self.push(drawing, Style::Force, at, down, self.arrow(weight, LENGTH), name);
             drawing.end();
         }
     }
@@ -219,10 +225,10 @@ impl Sketch<'_, '_> {
     /// Unknown efforts in their positive sense.
     pub(super) fn balances(&mut self, drawing: &mut Drawing) {
         let scene = self.scene;
-        for balance in &scene.mechanism().balances {
+        for (i, balance) in scene.mechanism().balances.iter().enumerate() {
             drawing.begin("balance", &balance.name);
             for place in balance.kind.places() {
-                let name = Text::name(&balance.name);
+                let name = self.with_effort(Text::name(&balance.name), i, place);
                 match place {
                     BalanceKind::Torque(link) => self.couple(drawing, Style::Unknown, *link, true, name),
                     BalanceKind::Force { on, .. } => {
@@ -230,17 +236,23 @@ impl Sketch<'_, '_> {
                             (scene.view().balance_line(place), scene.is_placed(*on))
                         {
                             let at = self.frame.point(at);
-                            self.push(drawing, Style::Unknown, at, flipped(along), UNKNOWN, name);
+                            let length = self.arrow_of(i, UNKNOWN);
+                            self.push(drawing, Style::Unknown, at, flipped(along), length, name);
                         }
                     }
                     BalanceKind::InPair(pair) => {
-                        self.inside(drawing, Style::Unknown, *pair, true, (name.clone(), name));
+                        let size = (self.arrow_of(i, LENGTH), true);
+                        self.inside(drawing, Style::Unknown, *pair, size, (name.clone(), name));
                     }
                     BalanceKind::Several(_) => {}
                 }
             }
             drawing.end();
-            self.say(&format!("Unknown effort {} in its positive sense", balance.name));
+            let first = balance.kind.places().first();
+            let number = |place| self.with_effort(Text::name(&balance.name), i, place);
+            let said =
+                first.map_or_else(|| balance.name.clone(), |place| spoken(&balance.name, &number(place)));
+            self.say(&format!("Unknown effort {said} in its positive sense"));
         }
     }
 
@@ -250,7 +262,7 @@ impl Sketch<'_, '_> {
         drawing: &mut Drawing,
         style: Style,
         pair: PairId,
-        positive: bool,
+        (length, positive): (f64, bool),
         (force, couple): (Text, Text),
     ) {
         let pair = self.scene.mechanism().pair(pair);
@@ -264,7 +276,7 @@ impl Sketch<'_, '_> {
             }
         } else if let Some((at, along)) = self.line_of(pair) {
             let along = if positive { along } else { -along };
-            self.push(drawing, style, at, along, LENGTH, force);
+            self.push(drawing, style, at, along, length, force);
         }
     }
 
@@ -366,6 +378,14 @@ impl Sketch<'_, '_> {
         }
         let on_hinge = self.labelled.iter().any(|l| (*l - at).norm() < 0.05);
         if on_hinge { hinge::RADIUS + 0.2 } else { 0.0 }
+    }
+}
+
+/// A name with the number in its label.
+fn spoken(name: &str, label: &Text) -> String {
+    match label.plain().split_once(" = ") {
+        Some((_, number)) if !name.is_empty() => format!("{name} = {number}"),
+        _ => name.to_owned(),
     }
 }
 

@@ -1,16 +1,13 @@
 //! What runs between wheels that have places, seen from the front: teeth where wheels meet, belts and ropes, racks.
 
 use super::{LinkId, Sketch};
+use crate::symbol::gear::{MODULE, TEETH, held, row};
 use crate::symbol::hinge;
-use assur_drawing::{Drawing, Shape, Style, on_circle};
+use assur_drawing::{Drawing, Shape, Style};
 use assur_math::math::Vec2;
 use assur_model::model::{PairKind, Rate, Transmission, TransmissionKind, Wheel};
 use std::f64::consts::{PI, TAU};
 
-/// Teeth on each side of the place where wheels meet.
-const TEETH: i32 = 3;
-/// The smallest module that is drawn, mm: smaller teeth are shown larger.
-const MODULE: f64 = 0.7;
 /// How far a rack goes beyond its wheel, mm.
 const RACK: f64 = 8.0;
 
@@ -144,30 +141,4 @@ fn crossed(t: &Transmission, a: LinkId, b: LinkId) -> bool {
         law.terms.iter().find(|(r, _)| *r == Rate::Turn(link)).map(|t| t.1)
     };
     matches!((term(a), term(b)), (Some(a), Some(b)) if a * b > 0.0)
-}
-
-/// Teeth of a wheel about an angle; those of a ring point inwards.
-fn row(drawing: &mut Drawing, centre: Vec2, radius: f64, about: f64, module: f64, shift: f64, out: f64) {
-    let pitch = PI * module / radius;
-    if radius < 2.0 * module {
-        return;
-    }
-    let mut points = Vec::new();
-    for tooth in -TEETH..=TEETH {
-        let middle = about + pitch * (f64::from(tooth) + shift);
-        for (s, up) in [(-0.3, -1.0), (-0.15, 1.0), (0.15, 1.0), (0.3, -1.0)] {
-            points.push(on_circle(centre, radius + out * up * module, middle + s * pitch));
-        }
-    }
-    drawing.mark(Style::Thin, Shape::Lines { points, closed: false });
-}
-
-/// Hatching at the rim of a wheel of the ground.
-fn held(drawing: &mut Drawing, centre: Vec2, radius: f64, about: f64) {
-    let step = 1.6 / radius;
-    let lines = (-3..=3).map(|i| {
-        let angle = about + step * f64::from(i);
-        (on_circle(centre, radius, angle), on_circle(centre, radius + 2.0, angle + step * 0.8))
-    });
-    drawing.mark(Style::Thin, Shape::Strokes(lines.collect()));
 }

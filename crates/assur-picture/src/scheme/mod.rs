@@ -1,15 +1,22 @@
 //! The kinematic scheme: the mechanism at one position, to scale.
 
+mod dimension;
 mod effort;
+mod geneva;
+mod hidden;
 mod label;
 mod link;
 mod mesh;
+mod numbers;
 mod pair;
 mod profile;
 mod ways;
 
+pub use dimension::{Dimension, Measured};
+
 use crate::error::Missing;
 use crate::frame::Frame;
+use crate::paper::{Paper, Scaled, Scales};
 use crate::scene::Scene;
 use crate::shape::{LinkShape, Outline, shapes};
 use crate::words;
@@ -36,18 +43,31 @@ pub struct Scheme {
     pub loads: Loads,
     /// The most that the mechanism takes, mm.
     pub size: Vec2,
-    /// Its scale, where it is wanted.
-    pub scale: Option<Scale>,
+    /// Scale factors, where they are wanted.
+    pub scales: Scales,
     /// How many other poses are shown.
     pub ghosts: usize,
     /// Points whose paths are shown: `coupler.S2`.
     pub paths: Vec<String>,
+    /// Whether loads and efforts have their numbers, and arrows of forces lengths in proportion.
+    pub numbers: bool,
+    /// Lengths that are shown with their names.
+    pub dimensions: Vec<Dimension>,
 }
 
 impl Default for Scheme {
     fn default() -> Self {
-        let (ghosts, paths) = (0, Vec::new());
-        Self { loads: Loads::All, size: Vec2::new(180.0, 120.0), scale: None, ghosts, paths }
+        let (ghosts, paths, numbers, dimensions) = (0, Vec::new(), false, Vec::new());
+        let (size, scales) = (Vec2::new(180.0, 120.0), Scales::default());
+        Self { loads: Loads::All, size, scales, ghosts, paths, numbers, dimensions }
+    }
+}
+
+impl Scheme {
+    /// The space that pictures have.
+    #[must_use]
+    pub const fn paper(&self) -> Paper {
+        Paper { size: self.size, scales: self.scales }
     }
 }
 
@@ -70,25 +90,45 @@ pub fn scheme(scene: &Scene<'_>, wanted: &Scheme) -> Result<Drawing, Missing> {
     let mut bounds = extent(scene, &shapes);
     ways::extent(scene, wanted, &traced, &mut bounds);
     let size = wanted.size * crowding(scene);
-    let fitting = Frame::fitting(&bounds, paper(&bounds, size) - AROUND);
-    let frame = match (wanted.scale, fitting.scale) {
-        (Some(scale), Some(_)) => Frame::new(Some(scale), fitting.origin),
-        _ => fitting,
-    };
-    Ok(drawn(scene, wanted, &shapes, &frame, &traced))
+    let sheet = Paper { size: paper(&bounds, size), ..wanted.paper() };
+    let frame = sheet.frame(Scaled::Length, &bounds, AROUND)?;
+    let forces = if wanted.numbers { numbers::scale(scene, wanted)? } else { None };
+    let mut drawing = drawn(scene, wanted, &shapes, &frame, &traced, forces);
+    Sketch::new(scene, &shapes, &frame).hidden(&mut drawing);
+    Ok(described(scene, drawing))
 }
 
 /// The size and place on paper that hold a mechanism at several positions.
-pub fn frame_of_all(scenes: &[Scene<'_>], size: Vec2) -> Frame {
+///
+/// # Errors
+/// A scale is wanted that does not fit.
+pub fn frame_of_all(scenes: &[Scene<'_>], space: &Paper) -> Result<Frame, Missing> {
     let mut bounds = Rect::NOTHING;
     scenes.iter().for_each(|scene| bounds.join(&extent(scene, &shapes(scene))));
-    let size = scenes.first().map_or(size, |scene| size * crowding(scene));
-    Frame::fitting(&bounds, paper(&bounds, size) - AROUND)
+    let size = scenes.first().map_or(space.size, |scene| space.size * crowding(scene));
+    Paper { size: paper(&bounds, size), ..*space }.frame(Scaled::Length, &bounds, AROUND)
 }
 
-/// The scheme of a position where others have their places too.
+/// The scheme of a position where others have their places too, without words.
 pub fn scheme_in(scene: &Scene<'_>, wanted: &Scheme, frame: &Frame) -> Drawing {
-    drawn(scene, wanted, &shapes(scene), frame, &[])
+    drawn(scene, wanted, &shapes(scene), frame, &[], None)
+}
+
+/// With its title and what it shows.
+pub fn described(scene: &Scene<'_>, mut drawing: Drawing) -> Drawing {
+    drawing.title = format!("{}: kinematic scheme{}", words::title(scene), words::at_position(scene));
+    drawing.description = words::mechanism(scene) + &drawing.description;
+    drawing
+}
+
+/// Loads and unknown efforts alone, beside what begins at places in directions already.
+pub fn efforts(scene: &Scene<'_>, frame: &Frame, taken: Vec<(Vec2, Vec2)>, drawing: &mut Drawing) {
+    let shapes = shapes(scene);
+    let mut sketch = Sketch::new(scene, &shapes, frame);
+    sketch.taken = taken;
+    sketch.loads(drawing);
+    sketch.balances(drawing);
+    drawing.description += &sketch.said;
 }
 
 fn drawn(
@@ -97,17 +137,22 @@ fn drawn(
     shapes: &[LinkShape],
     frame: &Frame,
     traced: &[ways::Traced],
+    forces: Option<Scale>,
 ) -> Drawing {
-    let title = format!("{}: kinematic scheme{}", words::title(scene), words::at_position(scene));
-    let mut drawing = Drawing::new(&words::id(scene, "scheme"), title, String::new());
+    let mut drawing = Drawing::new(&words::id(scene, "scheme"), String::new(), String::new());
     let mut sketch = Sketch::new(scene, shapes, frame);
+    (sketch.numbers, sketch.forces) = (wanted.numbers, forces);
     sketch.ghosts(&mut drawing, wanted.ghosts);
     sketch.paths(&mut drawing, traced);
     sketch.draw(&mut drawing, wanted);
-    drawing.description = words::mechanism(scene) + &sketch.said;
+    drawing.description = sketch.said;
     if let Some(scale) = frame.scale {
-        drawing.captions.push(length_scale(&scale));
+        drawing.captions.insert(0, length_scale(&scale));
         drawing.description += &format!("Length scale {} m per mm.", scale.text());
+    }
+    if let Some(scale) = forces {
+        drawing.captions.push(numbers::caption(&scale));
+        drawing.description += &format!(" Force scale {} N per mm.", scale.text());
     }
     drawing
 }
@@ -181,6 +226,10 @@ struct Sketch<'a, 's> {
     supports: Vec<Vec2>,
     /// Rods of followers.
     rods: Vec<(LinkId, Vec2, Vec2)>,
+    /// Whether loads and efforts have their numbers.
+    numbers: bool,
+    /// The scale of their arrows, where they have.
+    forces: Option<Scale>,
 }
 
 impl<'a, 's> Sketch<'a, 's> {
@@ -196,7 +245,21 @@ impl<'a, 's> Sketch<'a, 's> {
         let outlines = shapes.iter().enumerate().map(outline).collect();
         let (said, taken, blocks) = (String::new(), Vec::new(), Vec::new());
         let (labelled, supports, rods) = (Vec::new(), Vec::new(), Vec::new());
-        Self { scene, shapes, frame, outlines, said, taken, blocks, labelled, supports, rods }
+        let (numbers, forces) = (false, None);
+        Self {
+            scene,
+            shapes,
+            frame,
+            outlines,
+            said,
+            taken,
+            blocks,
+            labelled,
+            supports,
+            rods,
+            numbers,
+            forces,
+        }
     }
 
     /// From the back to the front.
@@ -205,12 +268,14 @@ impl<'a, 's> Sketch<'a, 's> {
         self.wheels(drawing);
         self.meshes(drawing);
         self.profiles(drawing);
+        self.genevas(drawing);
         self.plates(drawing);
         self.draw_blocks(drawing);
         self.bars(drawing);
         self.slots(drawing);
         self.cylinders(drawing);
         self.springs(drawing);
+        self.pins_of_wheels(drawing);
         self.hinges(drawing);
         self.rollers(drawing);
         self.points(drawing);
@@ -222,6 +287,7 @@ impl<'a, 's> Sketch<'a, 's> {
         if wanted.loads == Loads::All {
             self.balances(drawing);
         }
+        self.dimensions(drawing, &wanted.dimensions);
     }
 
     /// A point of a link on paper.

@@ -19,6 +19,7 @@ const END: f64 = 1.0;
 
 /// The places of pins in slots of the ground, and ways on its rails, m.
 pub fn extent(scene: &Scene<'_>, bounds: &mut Rect) {
+    super::geneva::extent(scene, bounds);
     for (i, pair) in scene.mechanism().pairs.iter().enumerate() {
         if let PairKind::Prismatic(g) | PairKind::Slot(g) = &pair.kind
             && g.guide == LinkId::GROUND
@@ -159,6 +160,9 @@ impl<'a> Sketch<'a, '_> {
     pub(super) fn slots(&self, drawing: &mut Drawing) {
         for (i, pair) in self.scene.mechanism().pairs.iter().enumerate() {
             let PairKind::Slot(g) = &pair.kind else { continue };
+            if self.scene.geneva(PairId::at(i)).is_some() {
+                continue;
+            }
             drawing.begin("pair", &pair.name);
             let (least, greatest) = self.scene.way(PairId::at(i));
             let at = self.on_paper(g.guide, g.through);
@@ -172,15 +176,11 @@ impl<'a> Sketch<'a, '_> {
     }
 
     pub(super) fn cylinders(&self, drawing: &mut Drawing) {
-        for pair in &self.scene.mechanism().pairs {
+        for (i, pair) in self.scene.mechanism().pairs.iter().enumerate() {
             let PairKind::Cylinder { from, to, .. } = &pair.kind else { continue };
             drawing.begin("pair", &pair.name);
             let ends = [from, to].map(|pin| self.on_paper(pin.link, pin.at));
-            let least = self.scene.states().map(|state| {
-                let [a, b] = [from, to].map(|pin| state.motion.bodies[pin.link.index()].position(pin.at));
-                self.frame.length((b - a).norm())
-            });
-            let least = least.fold((ends[1] - ends[0]).norm(), f64::min);
+            let least = self.frame.length(self.scene.way(PairId::at(i)).0);
             cylinder::cylinder(drawing, ends[0], ends[1], least);
             for (pin, at) in [from, to].into_iter().zip(ends) {
                 if pin.link == LinkId::GROUND {

@@ -36,7 +36,7 @@ pub fn traced(scene: &Scene<'_>, wanted: &Scheme) -> Result<Vec<Traced>, Missing
         traced.push(Traced { link, at, name: scene.mechanism().link(link).name.clone() });
     }
     if (!traced.is_empty() || wanted.ghosts > 0) && scene.turn.is_empty() {
-        return Err(Missing::NoWay);
+        return Err(Missing::no_way(scene));
     }
     Ok(traced)
 }

@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Radius of the sign of a mass centre.
 pub const RADIUS: f64 = 1.25;
 /// Radius of a point.
-pub const POINT: f64 = 0.8;
+pub const POINT: f64 = 0.6;
 
 /// A circle with two filled quarters.
 pub fn centre(drawing: &mut Drawing, at: Vec2) {

@@ -2,6 +2,8 @@
 
 pub mod arrow;
 pub mod cylinder;
+pub mod dimension;
+pub mod gear;
 pub mod guide;
 pub mod hinge;
 pub mod mass;

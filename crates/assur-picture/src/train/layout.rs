@@ -1,6 +1,7 @@
 //! Where shafts, wheels and sliders are in the section. Levels grow upwards, mm; y of paper is their negative.
 
 use crate::scene::Scene;
+use assur_drawing::Scale;
 use assur_math::math::Vec2;
 use assur_model::model::{Bearing, LinkId, Mechanism, PairKind, Rate, Transmission, TransmissionKind};
 
@@ -12,6 +13,8 @@ pub const COLUMN: f64 = 22.0;
 /// What a shaft is longer than its wheels, on the side of its bearing and on the other.
 const LONG: f64 = 15.0;
 const SHORT: f64 = 4.5;
+/// From the end of a shaft to that of another on the same axis.
+const BEHIND: f64 = 12.5;
 /// Between two wheels of a belt, and between shafts that nothing joins.
 const GAP: f64 = 16.0;
 
@@ -54,13 +57,19 @@ pub struct Layout {
     pub wheels: Vec<Drawn>,
     /// Sliders with the middle of their blocks, on paper.
     pub sliders: Vec<(LinkId, Vec2)>,
+    /// What runs on what.
+    pub runs: Vec<Run>,
 }
 
 /// Two wheels that run on each other.
-struct Run {
-    wheels: [usize; 2],
-    internal: bool,
-    apart: bool,
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Indices of drawn wheels.
+    pub wheels: [usize; 2],
+    /// One lies within the other.
+    pub internal: bool,
+    /// A belt or a chain joins them.
+    pub apart: bool,
 }
 
 impl Layout {
@@ -92,7 +101,16 @@ impl Layout {
         layout.rings(mechanism, &runs);
         layout.ends(mechanism);
         layout.place_sliders(mechanism);
+        layout.runs = runs;
         layout
+    }
+
+    /// The scale of all wheels; none where small ones are drawn larger, or where the file leaves sizes open.
+    pub fn scale(&self, mechanism: &Mechanism) -> Option<Scale> {
+        let radius = |w: &Drawn| mechanism.wheels[w.wheel].radius;
+        let scale = Scale::fitting(self.wheels.iter().map(radius).fold(0.0, f64::max), LARGEST)?;
+        let fits = |w: &Drawn| (w.radius - radius(w) / scale.factor()).abs() < 1e-9;
+        (mechanism.open_sizes.is_empty() && self.wheels.iter().all(fits)).then_some(scale)
     }
 
     /// Heights of the shafts, each from one that it meshes with.
@@ -185,7 +203,16 @@ impl Layout {
             self.shafts[i].ends = if planet {
                 (low - SHORT, high + COLUMN / 2.0)
             } else if is_right {
-                right
+                // bearings on one axis are behind each other
+                let near = |end: f64| {
+                    let here = used.iter().filter(|u| (u.0 - shaft.level).abs() < 4.0);
+                    here.map(|u| u.2).filter(|e| (e - end).abs() < BEHIND).fold(f64::MIN, f64::max)
+                };
+                let mut end = right.1;
+                while near(end) > f64::MIN {
+                    end = near(end) + BEHIND;
+                }
+                (right.0, end)
             } else {
                 left
             };
@@ -293,8 +320,8 @@ fn is_internal(t: &Transmission, links: [LinkId; 2]) -> bool {
 
 fn radii(mechanism: &Mechanism, drawn: &[usize]) -> Vec<f64> {
     let largest = drawn.iter().map(|i| mechanism.wheels[*i].radius).fold(0.0, f64::max);
-    let radius = |i: &usize| (LARGEST * mechanism.wheels[*i].radius / largest).max(LEAST);
-    drawn.iter().map(|i| if largest > 0.0 { radius(i) } else { LARGEST / 2.0 }).collect()
+    let Some(scale) = Scale::fitting(largest, LARGEST) else { return vec![LARGEST / 2.0; drawn.len()] };
+    drawn.iter().map(|i| (mechanism.wheels[*i].radius / scale.factor()).max(LEAST)).collect()
 }
 
 /// Wheels that run on each other share a column; columns are in the order of the wheels.

@@ -1,9 +1,11 @@
 //! Shafts without places: the half section of the schoolbook, laid out in order of the meshes. Sizes are relative.
 
+mod front;
 mod layout;
 mod wheels;
 
 use crate::error::Missing;
+use crate::figures::TURNING;
 use crate::scene::Scene;
 use crate::symbol::{arrow, hinge};
 use assur_drawing::{Drawing, Label, Shape, Style, Text};
@@ -50,13 +52,20 @@ pub fn train(scene: &Scene<'_>) -> Result<Drawing, Missing> {
     wheels::draw(scene, &layout, &mut drawing);
     wheels::transmissions(scene, &layout, &mut drawing);
     sliders(scene, &layout, &mut drawing);
+    front::draw(scene, &layout, &mut drawing);
     efforts(scene, &layout, &mut drawing);
-    let note = if mechanism.open_sizes.is_empty() {
-        "Section, not to scale: axial places and small wheels are chosen for the drawing."
-    } else {
-        "Section, not to scale: sizes that the file leaves open are assumed."
-    };
-    drawing.caption(Text::upright(note));
+    match layout.scale(mechanism) {
+        Some(scale) => {
+            drawing.captions.push(crate::scheme::length_scale(&scale));
+            drawing
+                .caption(Text::upright("Pitch circles to scale; axial places are chosen for the drawing."));
+        }
+        None if mechanism.open_sizes.is_empty() => drawing.caption(Text::upright(
+            "Section, not to scale: axial places and small wheels are chosen for the drawing.",
+        )),
+        None => drawing
+            .caption(Text::upright("Section, not to scale: sizes that the file leaves open are assumed.")),
+    }
     Ok(drawing)
 }
 
@@ -74,9 +83,7 @@ fn said(scene: &Scene<'_>) -> String {
     let speeds = (1..mechanism.links.len()).filter_map(|i| {
         let omega = scene.body(LinkId::at(i)).omega;
         let turns = omega != 0.0 && omega.is_finite();
-        turns.then(|| {
-            format!("ω of {} {} rad/s", mechanism.links[i].name, assur_text::units::significant(omega, 5))
-        })
+        turns.then(|| format!("ω of {} {} rad/s", mechanism.links[i].name, scene.figure(omega, TURNING)))
     });
     let speeds: Vec<String> = speeds.collect();
     if !speeds.is_empty() {

@@ -56,9 +56,11 @@ impl Effects {
         let moving = timed || mechanism.drives.iter().any(|d| d.sense.is_some());
         let has_mass = mechanism.links.iter().any(|l| l.mass.is_some());
         let simulated = mechanism.simulation.is_some();
-        let (forces, loaded) = (wanted.forces, wanted.forces || simulated);
-        let inertia = loaded && timed && has_mass && !mechanism.ignore_inertia;
         let rubs = mechanism.pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some()));
+        // where the motion follows from the loads, friction takes part in it
+        let forces = wanted.forces || (simulated && (rubs || loses(mechanism)));
+        let loaded = forces || simulated;
+        let inertia = loaded && timed && has_mass && !mechanism.ignore_inertia;
         let friction = forces && moving && rubs;
         let losses = forces && moving && loses(mechanism);
         let damped = mechanism.springs.iter().any(|s| s.damping > 0.0);

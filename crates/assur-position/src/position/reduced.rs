@@ -174,6 +174,14 @@ impl Reduced {
         self.columns.iter().map(|column| power(column, state))
     }
 
+    /// The sum of magnitudes whose sum is the power of the loads for a unit rate of the first free coordinate: what rounding
+    /// leaves of it is relative to this.
+    #[must_use]
+    pub fn greatest_power(&self, state: &State) -> f64 {
+        let bodies = self.columns[0].iter().zip(&state.forces.applied).skip(1);
+        bodies.map(|(k, w)| w.force.norm() * k.v.norm() + (w.moment * k.omega).abs()).sum()
+    }
+
     /// M, by rows.
     #[must_use]
     pub fn mass(&self) -> &[f64] {

@@ -80,6 +80,8 @@ impl PoseAnswers<'_> {
             Function::Asin => libm::asin(scalar(0)),
             Function::Acos => libm::acos(scalar(0)),
             Function::Atan => libm::atan(scalar(0)),
+            Function::Exp => libm::exp(scalar(0)),
+            Function::Log => libm::log(scalar(0)),
             Function::Atan2 => libm::atan2(scalar(0), scalar(1)),
             Function::Mag => match arg(0) {
                 Value::Scalar(x) => x.abs(),

@@ -6,6 +6,7 @@ use super::format::{and_at, drive_text, four, label, labels, links, place, round
 use super::friction::{locked, no_effort, no_sliding};
 use super::over_sweep::needless_flywheel;
 use super::partial_sweep::partial_sweep;
+use super::simulate::never_ended;
 use super::slip::slips;
 use super::speeds::{no_damping, unit_speed};
 use super::train_error::TrainError;
@@ -24,6 +25,7 @@ fn note(model: &Model<'_>, note: &Note) -> Option<SolveError> {
     Some(match note {
         Note::Switched { group, at, from, to } => switched(model, *group, at, (from, to)),
         Note::Elsewhere { link, off, turned, drives } => elsewhere(model, *link, (*off, *turned), drives),
+        Note::NeverEnded { event, time } => never_ended(model, *event, *time),
         Note::SelfLocking { pose, more } => self_locking(model, (pose, *more)),
         Note::SeveralBalances { count, followed, pose, more } => {
             several(model, (*count, *followed), (pose, *more))

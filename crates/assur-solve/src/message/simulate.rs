@@ -22,6 +22,8 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
         Halt::Dead { group, condition } => dead(model, *group, Some(*condition), time),
         Halt::Open { group } => dead(model, *group, None, time),
         Halt::NoInertia => no_inertia(model, time),
+        Halt::Jam => jam(model, time),
+        Halt::RubsOnDriven => return rubs_on_driven(model),
         Halt::NotANumber => {
             let loads = model.mechanism.loads.iter().map(|load| label("a load", load.span));
             SimulateError::NoValue { time, labels: loads.collect() }
@@ -34,6 +36,12 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
             span,
         },
     })
+}
+
+/// An end that does not come.
+pub(super) fn never_ended(model: &Model<'_>, event: usize, time: f64) -> SolveError {
+    let span = model.mechanism.events[event].span;
+    SolveError::Simulate(SimulateError::NeverEnded { time: with_unit(model, time, Dimension::TIME), span })
 }
 
 /// An accuracy in words of a file.
@@ -73,6 +81,21 @@ fn dead(model: &Model<'_>, group: usize, condition: Option<f64>, time: String) -
         ),
         labels: all,
     }
+}
+
+fn rubbing(model: &Model<'_>, text: &str) -> Vec<miette::LabeledSpan> {
+    let pairs = model.mechanism.pairs.iter().filter(|p| p.friction.is_some_and(|f| f.is_some()));
+    pairs.map(|pair| label(text, pair.span)).collect()
+}
+
+fn jam(model: &Model<'_>, time: String) -> SimulateError {
+    SimulateError::Jam { time, labels: rubbing(model, "rubs") }
+}
+
+fn rubs_on_driven(model: &Model<'_>) -> SolveError {
+    let what =
+        "friction between links that a drive moves against each other, in a motion under loads,".to_owned();
+    SolveError::NotSupportedYet { what, labels: rubbing(model, "rubs") }
 }
 
 fn no_inertia(model: &Model<'_>, time: String) -> SimulateError {

@@ -94,4 +94,31 @@ pub enum SimulateError {
         #[label("not reached")]
         span: Span,
     },
+    /// An end that does not come.
+    #[error("the motion does not come to this end until {time}, its last instant")]
+    #[diagnostic(
+        code(mech::simulate::never_ended),
+        severity(warning),
+        help("let `simulate` go on for longer, or leave `until` out")
+    )]
+    NeverEnded {
+        /// The last instant.
+        time: String,
+        /// The statement `until`.
+        #[label("does not happen")]
+        span: Span,
+    },
+    /// Friction that jams.
+    #[error("friction jams the motion at {time}: no acceleration satisfies its laws, or several do")]
+    #[diagnostic(
+        code(mech::simulate::jam),
+        help("with less friction, or a longer guide, the motion goes on")
+    )]
+    Jam {
+        /// The instant.
+        time: String,
+        /// The pairs that rub.
+        #[label(collection)]
+        labels: Vec<LabeledSpan>,
+    },
 }

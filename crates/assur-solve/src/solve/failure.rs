@@ -127,6 +127,10 @@ pub enum Halt {
     },
     /// A free coordinate moves no mass.
     NoInertia,
+    /// Friction admits no acceleration of a free coordinate, or one in either sense.
+    Jam,
+    /// Drives move links against each other that rub.
+    RubsOnDriven,
     /// A load is not a number.
     NotANumber,
     /// The most steps are done.

@@ -31,7 +31,8 @@ impl FrictionNotes {
                 }
             }
         }
-        if !model.plan.effects.friction {
+        // no effort moves a motion that follows from the loads
+        if !model.plan.effects.friction || model.mechanism.simulation.is_some() {
             return;
         }
         for (i, pair) in model.mechanism.pairs.iter().enumerate() {

@@ -29,6 +29,13 @@ pub enum Note {
         /// Drive values of the position.
         drives: Vec<DriveValue>,
     },
+    /// A motion under loads comes to its last instant without the end that `until` names.
+    NeverEnded {
+        /// Index into [`crate::model::Mechanism::events`].
+        event: usize,
+        /// The last instant, s.
+        time: f64,
+    },
     /// The load cannot drive the mechanism.
     SelfLocking {
         /// The first position.

@@ -13,7 +13,7 @@ use super::note::{Closing, Note};
 use super::notes::Notes;
 use super::positions::{Sweep, beside};
 use super::refusals::{refusals, unit_speeds};
-use super::simulate::{Instant, Trajectory};
+use super::simulate::{Instant, SimulationReport, Trajectory};
 use super::solution::{Pose, Solution, Solved};
 use super::steps::steps;
 use super::track::{Switch, Tracker};
@@ -160,6 +160,12 @@ impl<'a, 's> Following<'a, 's> {
         &self.run.statics
     }
 
+    /// What a motion under loads says of itself.
+    #[must_use]
+    pub fn simulation(&self) -> Option<&SimulationReport> {
+        self.trajectory.as_ref().map(|trajectory| &trajectory.report)
+    }
+
     /// Whether a position that was looked at has a meaning.
     #[must_use]
     pub const fn has_begun(&self) -> bool {
@@ -261,6 +267,9 @@ impl<'a, 's> Following<'a, 's> {
         notes.extend(unit_speeds(self.run.model));
         notes.extend(self.run.friction.into_notes());
         notes.extend(self.run.centres.into_notes());
+        if let Some(trajectory) = &self.trajectory {
+            notes.extend(trajectory.never_ended(self.run.model.mechanism));
+        }
         let simulation = self.trajectory.map(|trajectory| trajectory.report);
         Solution { statics: self.run.statics, notes, unlisted, positions, simulation, ..Solution::default() }
     }

@@ -156,6 +156,9 @@ const SYNONYMS: &[(&[&str], &[&str])] = &[
     (&["var", "const", "param", "parameter", "set", "def", "input"], &["given", "let"]),
     (&["assert", "verify", "answer", "result"], &["expect"]),
     (&["table", "data", "rows"], &["variants"]),
+    (&["damper", "dashpot"], &["spring"]),
+    (&["initial", "init", "ic"], &["start"]),
+    (&["integrate", "run", "transient"], &["simulate"]),
     (&["position", "configuration", "assembly"], &["assemble"]),
 ];
 
@@ -173,6 +176,9 @@ fn synonym(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
     })
 }
 
+/// Words that other programs have for the instants of a motion.
+const OF_A_RUN: &[&str] = &["output", "step", "timestep", "dt", "t_end", "tend", "tstop", "tspan", "sampling"];
+
 /// Words that ask for a drawing.
 const DRAWINGS: &[&str] = &["plot", "draw", "graph", "chart", "animate", "figure"];
 
@@ -181,9 +187,10 @@ fn unknown(case: &Case<'_>, word: &str) -> SyntaxError {
         let asked = case.slice.get(word.len()..).unwrap_or_default().trim();
         let find = format!("find {asked}");
         let find = if case.reads(&find) { format!("`{find}`") } else { "`find …`".to_owned() };
-        format!(
-            "nothing is drawn from a file: write {find} and plot the values that `assur solve --format csv` prints"
-        )
+        format!("nothing is drawn from a file: write {find} and draw it with `assur draw FILE plot`")
+    } else if OF_A_RUN.contains(&word) && case.text.lines().any(|l| l.trim_start().starts_with("simulate ")) {
+        "the instants that are printed belong to `simulate`: write for example `simulate 0 s .. 2 s in 2000 steps`"
+            .to_owned()
     } else {
         lines_meant(case).unwrap_or_else(|| {
             "begin with the word of a statement: `given`, `ground`, `link`, `revolute`, `drive`, `force`, `find`, …; \

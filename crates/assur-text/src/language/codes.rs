@@ -256,6 +256,8 @@ pub const CODES: &[Code] = codes! {
     "simulate" / "no_value",
     "simulate" / "too_many_steps",
     "simulate" / "tolerance",
+    "simulate" / "never_ended",
+    "simulate" / "jam",
     "accuracy" / "out_of_reach",
     "request" / "not_supported_yet",
     "request" / "needs_speed",
@@ -288,6 +290,7 @@ pub const CODES: &[Code] = codes! {
     "picture" / "unknown",
     "picture" / "no_point",
     "picture" / "no_way",
+    "picture" / "no_scale",
     // tables beside a file
     "table" / "header",
     "table" / "empty",

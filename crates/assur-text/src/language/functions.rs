@@ -89,6 +89,8 @@ functions! {
     Atan "atan" Math "atan(x)" [form(&[NUMBER], Number(Dimension::ANGLE), "angle of a tangent")],
     Atan2 "atan2" Math "atan2(y, x)"
         [form(&[value("y"), X], Number(Dimension::ANGLE), "direction of (x, y)")],
+    Exp "exp" Math "exp(x)" [form(&[NUMBER], Number(Dimension::NUMBER), "power of e")],
+    Log "log" Math "log(x)" [form(&[NUMBER], Number(Dimension::NUMBER), "natural logarithm")],
     Mag "mag" Math "mag(velocity(C))" [form(&[value("v")], Varies("that of v"), "magnitude of a vector")],
     Dot "dot" Math "dot(a, b)"
         [form(&[value("a"), value("b")], Varies("product"), "scalar product of vectors")],

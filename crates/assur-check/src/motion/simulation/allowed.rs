@@ -81,9 +81,13 @@ fn not_solved_yet(cx: &mut Context<'_>) {
         PairKind::Transmission(t) => t.slip > 0.0 || t.laws.iter().any(|law| law.efficiency.is_some()),
         _ => false,
     };
-    let pairs = || cx.builder.mech.pairs.iter();
-    let rubbing = pairs().filter(rubs).map(|pair| ("friction in a motion under loads", pair.span));
-    let losing = pairs().filter(loses).map(|pair| ("losses in a motion under loads", pair.span));
+    // with one free coordinate friction is solved
+    let free = cx.builder.mech.drives.iter().filter(|d| d.free).count();
+    let pairs = || cx.builder.mech.pairs.iter().filter(|_| free > 1);
+    let rubbing =
+        pairs().filter(rubs).map(|pair| ("friction in a motion of several free coordinates", pair.span));
+    let losing =
+        pairs().filter(loses).map(|pair| ("losses in a motion of several free coordinates", pair.span));
     for (what, span) in rubbing.chain(losing).collect::<Vec<_>>() {
         cx.builder.unsupported(what, span);
     }

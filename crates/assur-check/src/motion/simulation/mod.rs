@@ -44,8 +44,16 @@ fn second_statement(cx: &mut Context<'_>) {
     }
 }
 
+/// Whether no statement that could not be read may be the `simulate` that is missing.
+pub(crate) fn may_be_missing(cx: &Context<'_>) -> bool {
+    !cx.doc.statements.iter().any(|s| matches!(s.node, Statement::Bad(_)))
+}
+
 /// What has no meaning without a motion that is followed.
 fn without_simulate(cx: &mut Context<'_>) {
+    if !may_be_missing(cx) {
+        return;
+    }
     let help = || "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
     for statement in &cx.doc.statements {
         let word = match &statement.node {

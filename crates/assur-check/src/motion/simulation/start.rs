@@ -1,6 +1,6 @@
 //! Starts: where free coordinates are at the first instant, and how fast.
 
-use super::statement;
+use super::{may_be_missing, statement};
 use crate::error::{MotionError, SimulateError};
 use crate::expr::context::Context;
 use crate::motion::drive::{Moves, has_wheels, target, value, zero};
@@ -30,7 +30,7 @@ fn start(cx: &mut Context<'_>, start: &Start, span: Span) -> Option<Drive> {
         return None;
     }
     let (target, moves) = target(cx, &start.target, "a start")?;
-    if statement(cx).is_none() {
+    if statement(cx).is_none() && may_be_missing(cx) {
         let line = written_start(start, &name);
         let help = format!("add `simulate 0 s .. 1 s`, or write `{}` for a motion that is given", line);
         cx.error(SimulateError::Missing { word: "start", help, span });

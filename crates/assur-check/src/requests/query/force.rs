@@ -292,7 +292,12 @@ impl Context<'_> {
             return None;
         }
         let all = drives.iter().map(String::as_str).collect::<Vec<_>>();
-        let help = suggestion(&written, &all, "driven links and pairs");
+        let free = self.builder.mech.drives.iter().any(|d| d.free && d.name == written);
+        let help = if free {
+            Some(format!("`{written}` is free: it moves as the loads make it, and has no effort of its own"))
+        } else {
+            suggestion(&written, &all, "driven links and pairs")
+        };
         self.error(RequestError::NotDriven { name: written, span: first.span.to(last.span), help });
         None
     }

@@ -53,18 +53,31 @@ impl Context<'_> {
     }
 
     /// A function by its kind: one arm for each in the table of the language.
+    /// Elementary functions of a number or an angle.
+    fn elementary(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
+        use model::Function as M;
+        match function {
+            Function::Sin => self.of_angle(call, M::Sin),
+            Function::Cos => self.of_angle(call, M::Cos),
+            Function::Tan => self.of_angle(call, M::Tan),
+            Function::Asin => self.angle_of(call, M::Asin),
+            Function::Acos => self.angle_of(call, M::Acos),
+            Function::Atan => self.angle_of(call, M::Atan),
+            Function::Exp => self.of_number(call, M::Exp),
+            Function::Log => self.of_number(call, M::Log),
+            _ => self.atan2(call),
+        }
+    }
+
     fn answer(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
         use Function as F;
+        self.is_of_a_motion(call, function)?;
         match function {
             F::Sqrt => self.root(call),
             F::Abs => self.absolute(call),
-            F::Sin => self.of_angle(call, model::Function::Sin),
-            F::Cos => self.of_angle(call, model::Function::Cos),
-            F::Tan => self.of_angle(call, model::Function::Tan),
-            F::Asin => self.angle_of(call, model::Function::Asin),
-            F::Acos => self.angle_of(call, model::Function::Acos),
-            F::Atan => self.angle_of(call, model::Function::Atan),
-            F::Atan2 => self.atan2(call),
+            F::Sin | F::Cos | F::Tan | F::Asin | F::Acos | F::Atan | F::Atan2 | F::Exp | F::Log => {
+                self.elementary(call, function)
+            }
             F::Mag => self.magnitude(call),
             F::Unit => self.unit_vector(call),
             F::Dir if self.names.is_result(F::Dir.name(), call.args) => {
@@ -137,11 +150,9 @@ impl Context<'_> {
             F::Power => self.power(call),
             F::Efficiency => self.verdict(call, Query::Efficiency, Type::number(Dimension::NUMBER)),
             F::Locked => self.verdict(call, Query::Locked, Type::Bool),
-            F::Time => self.event_time(call),
-            F::Count => self.event_count(call),
-            F::KineticEnergy => self.energy(call, &[Query::KineticEnergy]),
-            F::PotentialEnergy => self.energy(call, &[Query::PotentialEnergy]),
-            F::Energy => self.energy(call, &[Query::KineticEnergy, Query::PotentialEnergy]),
+            F::Time | F::Count | F::KineticEnergy | F::PotentialEnergy | F::Energy => {
+                self.of_motion(call, function)
+            }
             F::Critical => self.critical(call),
             F::Frictionless => self.frictionless(call),
             F::Speed => self.speed(call),

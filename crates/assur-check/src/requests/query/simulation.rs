@@ -8,12 +8,44 @@ use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{BinaryOp, Expr, Query};
 use assur_syntax::document::{ExprKind, Name};
+use assur_text::language::Function;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::Dimension;
 
 impl Context<'_> {
+    /// Reports functions of a motion under loads in another file, and those of a turn of the drive in such a file.
+    pub(crate) fn is_of_a_motion(&mut self, call: Call<'_>, function: Function) -> Option<()> {
+        use Function as F;
+        let of_events = matches!(function, F::Time | F::Count);
+        let of_drive = matches!(function, F::Travel | F::Stroke | F::TimeRatio | F::Dead | F::Critical);
+        if of_events && !self.names.simulates {
+            let help = "add `simulate 0 s .. 1 s` with a `start` for each free coordinate".to_owned();
+            self.error(SimulateError::Missing { word: "event", help, span: call.span });
+            return None;
+        }
+        if of_drive && self.names.simulates {
+            let what = format!("`{}`, which is found over the positions of a drive,", call.name.node);
+            let help = "take `max` or `min` of a coordinate over the motion, as in `max(displacement(G))`"
+                .to_owned();
+            self.error(SimulateError::NoMeaning { what, help, span: call.span });
+            return None;
+        }
+        Some(())
+    }
+
+    /// The functions of a motion under loads.
+    pub(crate) fn of_motion(&mut self, call: Call<'_>, function: Function) -> Option<Typed> {
+        match function {
+            Function::Time => self.event_time(call),
+            Function::Count => self.event_count(call),
+            Function::KineticEnergy => self.energy(call, &[Query::KineticEnergy]),
+            Function::PotentialEnergy => self.energy(call, &[Query::PotentialEnergy]),
+            _ => self.energy(call, &[Query::KineticEnergy, Query::PotentialEnergy]),
+        }
+    }
+
     /// `time(top)`, `time(top, 2)`
-    pub(crate) fn event_time(&mut self, call: Call<'_>) -> Option<Typed> {
+    fn event_time(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 2)?;
         let event = self.event_argument(call, args[0])?;
         let which = match args.get(1) {
@@ -25,14 +57,14 @@ impl Context<'_> {
     }
 
     /// `count(top)`
-    pub(crate) fn event_count(&mut self, call: Call<'_>) -> Option<Typed> {
+    fn event_count(&mut self, call: Call<'_>) -> Option<Typed> {
         let args = self.arguments(call, 1, 1)?;
         let event = self.event_argument(call, args[0])?;
         Some(Typed::new(Expr::Query(Query::EventCount(event)), Type::number(Dimension::NUMBER)))
     }
 
     /// `kinetic_energy()`, `potential_energy()`, and their sum.
-    pub(crate) fn energy(&mut self, call: Call<'_>, parts: &[Query]) -> Option<Typed> {
+    fn energy(&mut self, call: Call<'_>, parts: &[Query]) -> Option<Typed> {
         self.arguments(call, 0, 0)?;
         let mut parts = parts.iter().map(|query| Expr::Query(*query));
         let first = parts.next()?;

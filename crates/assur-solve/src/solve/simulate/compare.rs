@@ -28,7 +28,7 @@ impl Compared {
     /// Compares two runs at the instants that both have reached.
     pub fn of(equations: &mut Equations<'_, '_>, coarse_run: &Run, fine_run: &Run) -> Self {
         let (coarse, fine) = (&coarse_run.records, &fine_run.records);
-        let mut kinds = Kinds::default();
+        let mut kinds = coarse_run.kinds.clone();
         let mut bodies: Vec<BodyState> = Vec::new();
         let mut forces: Vec<(f64, f64, f64)> = Vec::new();
         let both = coarse.count.min(fine.count);
@@ -83,8 +83,8 @@ fn efforts<'e>(equations: &'e Equations<'_, '_>) -> impl Iterator<Item = (f64, f
 }
 
 /// The greatest difference and the greatest magnitude of each kind.
-#[derive(Default)]
-struct Kinds {
+#[derive(Clone, Debug, Default)]
+pub(super) struct Kinds {
     difference: [f64; 8],
     magnitude: [f64; 8],
 }
@@ -95,6 +95,14 @@ impl Kinds {
         let difference = if difference.is_nan() { f64::INFINITY } else { difference };
         self.difference[kind] = self.difference[kind].max(difference);
         self.magnitude[kind] = self.magnitude[kind].max(magnitude);
+    }
+
+    /// The magnitudes at the end of a step: what is small at every instant that is printed may be small beside the motion.
+    pub fn measure(&mut self, equations: &Equations<'_, '_>) {
+        let bodies = &equations.trial.motion.bodies;
+        self.bodies(bodies, bodies);
+        let own: Vec<(f64, f64, f64)> = efforts(equations).collect();
+        self.forces(&own, own.iter().copied());
     }
 
     fn bodies(&mut self, coarse: &[BodyState], fine: &[BodyState]) {

@@ -2,6 +2,7 @@
 //! all loads since the first instant.
 
 use super::drives::prescribed;
+use super::rubbing::Mode;
 use crate::answer::{PoseAnswers, WholeCycle};
 use crate::math::Vec2;
 use crate::math::ode::{System, Undefined};
@@ -35,7 +36,9 @@ pub(super) struct Equations<'a, 's> {
     goes_on: bool,
     /// Memory for the values of the file's quantities, where loads name them.
     quantities: Option<Vec<Value>>,
-    evaluated: Vec<(LoadId, Value)>,
+    pub evaluated: Vec<(LoadId, Value)>,
+    /// How the coordinate moves, where something depends on the sense of its motion.
+    pub mode: Option<Mode>,
     /// Memory for rates that nobody looks at.
     quiet: Vec<f64>,
     /// Why the last evaluation has no value.
@@ -74,6 +77,7 @@ impl<'a, 's> Equations<'a, 's> {
             goes_on: model.plan.goes_on(),
             quantities: loads_name_quantities(model.mechanism).then(Vec::new),
             evaluated: Vec::new(),
+            mode: None,
             quiet: vec![0.0; unknowns],
             why: None,
         }
@@ -90,6 +94,14 @@ impl<'a, 's> Equations<'a, 's> {
         let values = free.iter().map(|&i| self.first[i].value);
         let rates = free.iter().map(|&i| self.first[i].rate);
         values.chain(rates).chain([0.0]).collect()
+    }
+
+    /// Position and rate of all drives at an instant, from which steps of motion start where the step began.
+    pub fn set_position(&mut self, t: f64, y: &[f64]) {
+        if self.goes_on {
+            self.trial.start_from(&self.accepted.1);
+        }
+        self.set_inputs(t, y);
     }
 
     /// The inputs of all drives at an instant.
@@ -132,11 +144,13 @@ impl<'a, 's> Equations<'a, 's> {
     pub fn observe(&mut self, t: f64, y: &[f64], deep: bool) -> bool {
         let mut dy = std::mem::take(&mut self.quiet);
         let known = self.rates(t, y, &mut dy).is_ok();
-        if known && deep {
+        // where something rubs, accelerations and forces are there already
+        if known && deep && self.mode.is_none_or(|mode| mode == Mode::Resting) {
             let n = self.order();
             self.place(t, y, &dy[n..2 * n], None);
         }
         if known {
+            self.take_rates(y);
             self.follow_angles(t);
         }
         self.quiet = dy;
@@ -165,7 +179,7 @@ impl<'a, 's> Equations<'a, 's> {
         PoseAnswers { quantities: &quantities, ..view }.scalar(expr)
     }
 
-    fn evaluate_loads(&mut self, t: f64) {
+    pub fn evaluate_loads(&mut self, t: f64) {
         self.evaluated.clear();
         if !self.model.plan.loads.iter().any(|load| matches!(load, LoadStep::Evaluated(_))) {
             return;
@@ -212,13 +226,26 @@ impl<'a, 's> Equations<'a, 's> {
         let conditions = self.accepted.1.motion.conditions.iter().enumerate();
         let least = conditions.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         match (least, self.why.take()) {
-            (_, Some(halt @ (Halt::NoInertia | Halt::NotANumber))) => halt,
+            (_, Some(halt @ (Halt::NoInertia | Halt::NotANumber | Halt::Jam))) => halt,
             (Some((group, condition)), _) if condition.abs() < NEAR_DEAD => {
                 Halt::Dead { group, condition: condition.abs() }
             }
             (_, Some(halt)) => halt,
             (_, None) => Halt::NotANumber,
         }
+    }
+
+    /// Why M q̈ = Q has no solution: a load, or velocities of a dead position, or no mass.
+    pub fn without_acceleration(&self) -> Halt {
+        if self.evaluated.iter().any(|(_, value)| !value.is_defined()) {
+            return Halt::NotANumber;
+        }
+        if self.trial.forces.wrenches.iter().all(|w| w.moment.is_finite()) {
+            return Halt::NoInertia;
+        }
+        let conditions = self.trial.motion.conditions.iter().enumerate();
+        let least = conditions.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        least.map_or(Halt::NotANumber, |(group, _)| Halt::Open { group })
     }
 
     /// The least condition figure of the state from which the present step begins.
@@ -233,10 +260,14 @@ const NEAR_DEAD: f64 = 0.1;
 impl System<f64> for Equations<'_, '_> {
     fn rates(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Undefined> {
         let n = self.order();
-        if self.goes_on {
-            self.trial.start_from(&self.accepted.1);
+        self.set_position(t, y);
+        if let Some(mode) = self.mode {
+            let found = self.rubbing_rates(mode, y, dy);
+            self.why = found.err();
+            self.at.0 = t;
+            self.at.1.copy_from_slice(y);
+            return if self.why.is_none() { Ok(()) } else { Err(Undefined) };
         }
-        self.set_inputs(t, y);
         self.reduced.run_motion(self.model.plan, &mut self.trial);
         if let Some(group) = self.trial.motion.open {
             self.why = Some(Halt::Open { group });
@@ -249,8 +280,7 @@ impl System<f64> for Equations<'_, '_> {
         rates.copy_from_slice(&y[n..2 * n]);
         work[0] = self.trial.power_of_loads(self.model, &self.evaluated);
         if self.reduced.accelerations(self.model.plan, &self.trial, accelerations).is_none() {
-            let known = self.trial.forces.wrenches.iter().all(|w| w.moment.is_finite());
-            self.why = Some(if known { Halt::NoInertia } else { Halt::NotANumber });
+            self.why = Some(self.without_acceleration());
             return Err(Undefined);
         }
         self.at.0 = t;

@@ -10,6 +10,7 @@ mod equations;
 mod poses;
 mod records;
 mod report;
+mod rubbing;
 mod run;
 mod setup;
 mod trajectory;

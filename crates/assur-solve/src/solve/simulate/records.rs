@@ -99,6 +99,7 @@ impl Recorder {
         {
             return false;
         }
+        equations.take_rates(&self.y);
         equations.follow_angles(time);
         let (n, records) = (self.records.order, &mut self.records);
         records.count += 1;
@@ -121,6 +122,11 @@ impl Recorder {
         self.end = kinetic;
         self.missing = self.missing.max((kinetic - begin - self.work).abs());
         self.exchanged = self.exchanged.max(kinetic).max(self.work.abs());
+    }
+
+    /// The work of the loads up to the end of a step.
+    pub fn look(&mut self, work: f64) {
+        self.exchanged = self.exchanged.max(work.abs());
     }
 
     pub fn end(self) -> (Records, Energy) {

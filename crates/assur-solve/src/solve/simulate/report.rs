@@ -35,6 +35,8 @@ pub struct SimulationReport {
     pub coordinates: Vec<usize>,
     /// Instants of every event of the mechanism, s.
     pub events: Vec<Vec<f64>>,
+    /// When the coordinate comes to rest by friction, and when it leaves again, s.
+    pub rests: Vec<(f64, Option<f64>)>,
     /// The event that ended the run.
     pub ended_by: Option<usize>,
     /// The last instant that was reached, s.

@@ -1,10 +1,13 @@
 //! One run of the integrator at one tolerance.
 
+use super::compare::Kinds;
 use super::equations::Equations;
-use super::records::{Origin, Recorder, Records};
+use super::records::{Origin, Recorder, Records, within_step};
 use super::report::{Energy, Method};
+use super::rubbing::{Mode, rubs, wakes};
 use super::setup::Outputs;
-use super::watch::Watch;
+use super::watch::{AT_ONCE, Watch};
+use crate::math::ode::event::first_crossing;
 use crate::math::ode::{Counts, Dop853, Integrator, Radau, Step, Stopped, System, Tolerance, Undefined};
 use crate::model::DriveTarget;
 use crate::position::{extent, turns};
@@ -19,6 +22,9 @@ const TURN: f64 = std::f64::consts::PI;
 /// So many are never done.
 const ENDLESS: f64 = 2e7;
 
+/// Steps of a run at least, where something may end a rest.
+const AT_REST: f64 = 200.0;
+
 /// A run.
 pub(super) struct Run {
     pub method: Method,
@@ -28,8 +34,12 @@ pub(super) struct Run {
     pub worst_condition: (f64, f64),
     /// Instants of every event, s.
     pub events: Vec<Vec<f64>>,
+    /// The greatest magnitudes of each kind, where they are measured.
+    pub kinds: Kinds,
     /// Functions over the run, each with the greatest magnitude in play.
     pub functions: Vec<(f64, f64)>,
+    /// When the coordinate comes to rest by friction, and when it leaves again, s.
+    pub rests: Vec<(f64, Option<f64>)>,
     /// The event that ended it.
     pub ended_by: Option<usize>,
     /// Why it ended early, and when, s.
@@ -44,10 +54,17 @@ pub(super) fn run(
     tolerance: f64,
     outputs: &Outputs,
     (first, last): (f64, f64),
+    measures: bool,
 ) -> Run {
     let y = equations.start();
+    if rubs(equations) {
+        equations.mode = Some(Mode::Resting);
+    }
     let allowed = allowed(equations, tolerance, last - first);
     let mechanism = equations.model.mechanism;
+    if let Err(halt) = begin(equations, first, &y) {
+        return Run::halted(first, halt);
+    }
     let mut going = Going {
         recorder: Recorder::new(equations),
         watch: Watch::new(mechanism, y.len(), (first, last)),
@@ -57,8 +74,17 @@ pub(super) fn run(
         begin: first,
         worst_condition: (1.0, first),
         ended_by: None,
+        rests: if equations.mode == Some(Mode::Resting) { vec![(first, None)] } else { Vec::new() },
+        wakes: wakes(mechanism),
+        kinds: Kinds::default(),
+        measures,
     };
     let mut method = Dop853::new(allowed.clone());
+    if going.wakes && equations.mode.is_some() {
+        // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
+        let steps = if measures { 0.7 * AT_REST } else { AT_REST };
+        method.progress_mut().longest = Some((last - first) / steps);
+    }
     let mut ended = match method.start(equations, first, &y, last) {
         Ok(()) => going.integrate(equations, &mut method, false),
         Err(Undefined) => {
@@ -81,10 +107,23 @@ pub(super) fn run(
         Ended::Done | Ended::Stiff => None,
     };
     let functions = going.watch.functions(end);
-    let events = going.watch.times;
-    let (records, energy) = going.recorder.end();
-    let (worst_condition, ended_by) = (going.worst_condition, going.ended_by);
-    Run { method: name, records, counts, energy, worst_condition, events, functions, ended_by, stopped, end }
+    let Going { watch, recorder, kinds, worst_condition, ended_by, rests, .. } = going;
+    let events = watch.times;
+    let (records, energy) = recorder.end();
+    Run {
+        method: name,
+        records,
+        counts,
+        energy,
+        worst_condition,
+        events,
+        kinds,
+        functions,
+        rests,
+        ended_by,
+        stopped,
+        end,
+    }
 }
 
 const fn sum(a: Counts, b: Counts) -> Counts {
@@ -117,6 +156,13 @@ struct Going<'m, 'o> {
     last: f64,
     worst_condition: (f64, f64),
     ended_by: Option<usize>,
+    /// When the coordinate comes to rest by friction, and when it leaves again, s.
+    rests: Vec<(f64, Option<f64>)>,
+    /// Something changes while it rests.
+    wakes: bool,
+    /// The greatest magnitudes of each kind.
+    kinds: Kinds,
+    measures: bool,
 }
 
 impl Going<'_, '_> {
@@ -148,8 +194,11 @@ impl Going<'_, '_> {
                 self.worst_condition = (condition, method.previous_t());
             }
             let happened = self.watch.first(equations, method);
+            let turned = self.turning(equations, method);
             let wanted = self.outputs.known.get(self.next).map_or(last, |output| output.0);
-            let cut = happened.as_ref().map(|h| h.time).filter(|t| *t < method.t());
+            let first =
+                happened.as_ref().map(|h| h.time).into_iter().chain(turned).fold(f64::INFINITY, f64::min);
+            let cut = (first < method.t()).then_some(first);
             let exact = (exactly && method.previous_t() < wanted && wanted < method.t()).then_some(wanted);
             let early = match (cut, exact) {
                 (Some(event), Some(wanted)) => Some(event.min(wanted)),
@@ -160,7 +209,26 @@ impl Going<'_, '_> {
             {
                 return Ended::Halted(equations.halt());
             }
-            let happened = happened.filter(|h| h.time <= method.t());
+            if self.measures && equations.observe(method.t(), method.y(), true) {
+                self.kinds.measure(equations);
+            }
+            self.recorder.look(method.y()[2 * equations.order()]);
+            let here = method.t() + AT_ONCE * (last - self.begin);
+            let happened = happened.filter(|h| h.time <= here);
+            let turned = turned.is_some_and(|t| t <= method.t());
+            let mut y = Vec::new();
+            if turned {
+                y.extend_from_slice(method.y());
+                y[1] = 0.0;
+                let chosen = match equations.mode {
+                    Some(Mode::Resting) => equations.leave(method.t(), &y),
+                    _ => equations.choose_mode(method.t(), &y),
+                };
+                if let Err(halt) = chosen {
+                    return Ended::Halted(halt);
+                }
+                self.note_rest(equations, method.t());
+            }
             let begun = self.watch.counts();
             self.ended_by = self.watch.look(equations, method, happened);
             let done = self.ended_by.is_some() || method.t() >= last;
@@ -170,6 +238,9 @@ impl Going<'_, '_> {
             if done {
                 return Ended::Done;
             }
+            if turned && method.restart(equations, &y, last).is_err() {
+                return Ended::Halted(equations.halt());
+            }
             if condition < DEAD {
                 return Ended::Halted(equations.halt());
             }
@@ -177,7 +248,68 @@ impl Going<'_, '_> {
     }
 }
 
+/// Chooses how a coordinate that rubs begins.
+fn begin(equations: &mut Equations<'_, '_>, first: f64, y: &[f64]) -> Result<(), Halt> {
+    if equations.mode.is_none() {
+        return Ok(());
+    }
+    if !equations.rests_together(first, y) {
+        return Err(Halt::RubsOnDriven);
+    }
+    equations.choose_mode(first, y)
+}
+
+impl Run {
+    /// A run that does not begin.
+    fn halted(first: f64, halt: Halt) -> Self {
+        Self {
+            method: Method::Dop853,
+            records: Records::default(),
+            counts: Counts::default(),
+            energy: Energy::default(),
+            worst_condition: (1.0, first),
+            events: Vec::new(),
+            kinds: Kinds::default(),
+            functions: Vec::new(),
+            rests: Vec::new(),
+            ended_by: None,
+            stopped: Some((first, halt)),
+            end: first,
+        }
+    }
+}
+
 impl Going<'_, '_> {
+    /// Where, in the last step, a coordinate that rubs comes to rest or leaves it.
+    fn turning<M: Integrator<f64>>(&self, equations: &mut Equations<'_, '_>, method: &mut M) -> Option<f64> {
+        let step = (method.previous_t(), method.t());
+        let mut y = method.y().to_vec();
+        match equations.mode? {
+            Mode::Moving(sense) => {
+                let begins_at_rest = (method.previous_y()[1] == 0.0).then_some(true);
+                let rate = |t: f64| {
+                    within_step(equations, method, t, &mut y);
+                    sense * y[1]
+                };
+                first_crossing(step, begins_at_rest, rate).filter(|c| !c.rising).map(|c| c.t)
+            }
+            Mode::Resting if self.wakes => {
+                first_crossing(step, Some(false), |t| equations.leaving(t, &y)).map(|c| c.t)
+            }
+            Mode::Resting => None,
+        }
+    }
+
+    fn note_rest(&mut self, equations: &Equations<'_, '_>, time: f64) {
+        let resting = equations.mode == Some(Mode::Resting);
+        match self.rests.last_mut() {
+            Some(rest) if rest.1.is_none() && !resting => rest.1 = Some(time),
+            Some(rest) if rest.1.is_none() => {}
+            _ if resting => self.rests.push((time, None)),
+            _ => {}
+        }
+    }
+
     /// Keeps all that is wanted of the last step; `begun` counts the events before it.
     fn keep<M: Integrator<f64>>(
         &mut self,

@@ -11,9 +11,12 @@ use crate::model::{Mechanism, Simulation};
 use crate::position::{DriveInput, DriveValue, Model, State};
 use crate::solve::failure::{Cause, Failure, Halt};
 use crate::solve::inputs::Rates;
+use crate::solve::note::Note;
 
 /// The tolerance of the finer run over that of the coarser one.
 const FINER: f64 = 0.1;
+/// The tolerance of the first run over the wanted accuracy: errors of smooth motions are far below their tolerance.
+const LOOSER: f64 = 10.0;
 /// Below this relative tolerance the digits of the numbers end.
 const FINEST: f64 = 2e-15;
 /// Where the coarser run misses the accuracy by more than this, the next pair starts anew.
@@ -41,6 +44,13 @@ pub(crate) struct Trajectory {
 }
 
 impl Trajectory {
+    /// The ends that the run did not come to, where it came to none.
+    pub fn never_ended(&self, mechanism: &Mechanism) -> Vec<Note> {
+        let open = self.ended.is_none() && self.report.ended_by.is_none();
+        let ends = mechanism.events.iter().enumerate().filter(|(_, event)| open && event.ends);
+        ends.map(|(event, _)| Note::NeverEnded { event, time: self.report.end }).collect()
+    }
+
     /// Puts what the run has found beside its instants to what needs no position.
     pub fn tell(&self, statics: &mut WholeCycle) {
         statics.events.clone_from(&self.report.events);
@@ -72,18 +82,18 @@ pub(crate) fn trajectory(
     let equations =
         |state: &State| Equations::new(model, statics, rates, first, simulation.from, (state, &angles));
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
-    let mut tolerance = within;
+    let mut tolerance = (LOOSER * within).min(0.1);
     let mut spent = 0;
-    let mut coarse = run(&mut equations(&state), tolerance, &outputs, span);
+    let mut coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
     loop {
-        let mut fine = run(&mut equations(&state), tolerance * FINER, &outputs, span);
+        let mut fine = run(&mut equations(&state), tolerance * FINER, &outputs, span, false);
         spent += coarse.counts.evaluations;
         let compared = Compared::of(&mut equations(&state), &coarse, &fine);
         let out_of_reach = tolerance * FINER <= FINEST;
         if compared.error <= within || out_of_reach {
             let ended = fine.stopped.take().or_else(|| {
                 let halt = Halt::Accuracy { wanted: within, reached: compared.error };
-                (compared.error > within).then(|| (fine.end, halt))
+                (compared.error > within).then_some((fine.end, halt))
             });
             let report = report(model.mechanism, within, spent, &compared, &fine);
             let ended = ended.map(|(time, halt)| Cause::Halted { time, halt }.into());
@@ -104,10 +114,11 @@ pub(crate) fn trajectory(
         if missed > FAR {
             tolerance = (tolerance / missed).max(FINEST / FINER);
             spent += fine.counts.evaluations;
-            coarse = run(&mut equations(&state), tolerance, &outputs, span);
+            coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
         } else {
             tolerance *= FINER;
-            coarse = fine;
+            let kinds = coarse.kinds;
+            coarse = Run { kinds, ..fine };
         }
     }
 }
@@ -133,6 +144,7 @@ fn report(
         worst_condition: fine.worst_condition,
         coordinates: free.map(|(i, _)| i).collect(),
         events: fine.events.clone(),
+        rests: fine.rests.clone(),
         ended_by: fine.ended_by,
         end: fine.end,
     }

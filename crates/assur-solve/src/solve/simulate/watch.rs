@@ -2,13 +2,14 @@
 
 use super::equations::Equations;
 use super::records::within_step;
+use super::rubbing::Mode;
 use crate::math::chebyshev::{NODES, Nodes};
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
 use crate::model::{Cycle, CycleFunction, Event, Expr, Level, Mechanism};
 
 /// Events nearer to each other than this part of the run happen at once.
-const AT_ONCE: f64 = 1e-13;
+pub(super) const AT_ONCE: f64 = 1e-12;
 
 /// What is looked at within every step.
 pub(super) struct Watch<'m> {
@@ -147,7 +148,8 @@ impl<'m> Watch<'m> {
         self.passed.fill(None);
         let mut ends = None;
         for (index, rising) in happened.into_iter().flat_map(|h| h.events) {
-            self.passed[index] = Some(rising);
+            // at rest a value stays where it is
+            self.passed[index] = Some(rising).filter(|_| equations.mode != Some(Mode::Resting));
             self.times[index].push(method.t());
             if self.events[index].ends {
                 ends = ends.or(Some(index));
@@ -163,20 +165,17 @@ impl<'m> Watch<'m> {
         let (from, to) = (method.previous_t(), method.t());
         let mut values = vec![[0.0; NODES]; self.functions.len()];
         let mut ends = vec![[0.0; 2]; self.functions.len()];
-        for node in 0..NODES + 2 {
-            let t = match node {
-                NODES => from,
-                n if n > NODES => to,
-                n => self.nodes.at(from, to, n),
-            };
+        let places = (0..NODES).map(|node| (self.nodes.at(from, to, node), Some(node), 0));
+        let places: Vec<_> = places.chain([(from, None, 0), (to, None, 1)]).collect();
+        for (t, node, end) in places {
             if !within_step(equations, method, t, &mut self.y) || !equations.observe(t, &self.y, self.deep) {
                 continue;
             }
-            for (i, function) in self.functions.iter().enumerate() {
+            for ((function, values), ends) in self.functions.iter().zip(&mut values).zip(&mut ends) {
                 let value = equations.value(&function.cycle.expr);
-                match node.checked_sub(NODES) {
-                    Some(end) => ends[i][end] = value,
-                    None => values[i][node] = value,
+                match node {
+                    Some(node) => values[node] = value,
+                    None => ends[end] = value,
                 }
             }
         }

@@ -1,0 +1,171 @@
+//! The mechanism in motion as a page: the first frame, how its parts move as small whole numbers, a slider, and a script of a
+//! few lines. Without the script the first frame stands there.
+
+use super::Animated;
+use super::moved::{Body, Redrawn};
+use super::values::{Column, columns, said};
+use crate::error::Missing;
+use crate::kind::Options;
+use crate::plot::{Curves, plot};
+use crate::scene::Scene;
+use assur_drawing::{Theme, escaped, number};
+use assur_solve::solve::DriveValue;
+use std::fmt::Write;
+
+/// Steps of a millimetre and of a radian.
+const STEPS: (f64, f64) = (100.0, 18_000.0 / std::f64::consts::PI);
+
+/// The page.
+///
+/// # Errors
+/// There is no way to go.
+pub fn animation(scene: &Scene<'_>, options: &Options, theme: Theme) -> Result<String, Missing> {
+    let ways = scene.all_ways();
+    let scene = &Scene { ways: &ways, ..*scene };
+    let animated = Animated::of(scene, options)?;
+    let diagram = plot(scene, &[]).ok();
+    let columns = columns(&animated.frames, diagram.as_ref().map(|(_, curves)| curves));
+    let mut out = String::new();
+    let heading = escaped(&animated.title);
+    let _ = write!(out, "{HEAD}<title>{heading}</title>\n{STYLE}</head>\n<body>\n<h1>{heading}</h1>\n");
+    out.push_str(&animated.sheet.svg(theme));
+    let last = animated.frames.len() - 1;
+    let _ = write!(
+        out,
+        "<div class=\"bar\"><button id=\"p\" type=\"button\" aria-label=\"play or pause\">▶</button><input id=\"s\" \
+         type=\"range\" min=\"0\" max=\"{last}\" value=\"0\" aria-label=\"pose\"></div>\n<output id=\"o\" for=\"s\">{}</output>\n",
+        escaped(&said(&columns, 0))
+    );
+    let mut places = String::from("null");
+    if let Some((drawing, curves)) = diagram {
+        let sheet = drawing.placed();
+        let top = number(sheet.bounds.min.y);
+        let cursor = format!(
+            "<path id=\"c\" fill=\"none\" stroke=\"#b84a00\" stroke-width=\".35\" visibility=\"hidden\" d=\"M0 {top}V{}\"/>\n</svg>",
+            number(sheet.bounds.max.y)
+        );
+        out.push_str(&sheet.svg(theme).replacen("</svg>", &cursor, 1));
+        places = along(&animated.frames, &curves);
+    }
+    let moved = &animated.moved;
+    let _ = write!(
+        out,
+        "<script>\nconst N={},B=[{}],R=[{}],V=[{}],X={places};\n{SCRIPT}</script>\n</body>\n</html>\n",
+        animated.frames.len(),
+        moved.bodies.iter().map(body).collect::<Vec<_>>().join(",\n"),
+        moved.redrawn.iter().map(redrawn).collect::<Vec<_>>().join(",\n"),
+        columns.iter().map(column).collect::<Vec<_>>().join(",\n"),
+    );
+    Ok(out)
+}
+
+/// Where the drive is in the plot, in steps of a hundredth of a millimetre.
+fn along(frames: &[Scene<'_>], curves: &Curves) -> String {
+    let places = frames.iter().map(|frame| match frame.pose.drives.first() {
+        Some(DriveValue::Scalar(x)) => whole(curves.place(*x) * STEPS.0),
+        _ => None,
+    });
+    steps(&places.collect::<Vec<_>>())
+}
+
+/// The nearest whole number.
+#[allow(clippy::cast_possible_truncation)] // millimetres of paper
+fn whole(x: f64) -> Option<i64> {
+    (x.abs() < 1e15).then(|| x.round() as i64)
+}
+
+/// Steps from each number to the next; `null` where there is none.
+fn steps(numbers: &[Option<i64>]) -> String {
+    let mut before = 0;
+    list(numbers.iter().map(|number| match number {
+        Some(number) => {
+            let step = number - before;
+            before = *number;
+            step.to_string()
+        }
+        None => "null".to_owned(),
+    }))
+}
+
+fn list(parts: impl Iterator<Item = String>) -> String {
+    let mut out = String::from("[");
+    for (i, part) in parts.enumerate() {
+        if i > 0 {
+            out.push(',');
+        }
+        out.push_str(&part);
+    }
+    out.push(']');
+    out
+}
+
+/// A number of all frames: name, unit, decimals, steps.
+fn column(column: &Column) -> String {
+    let Column { name, unit, decimals, numbers } = column;
+    format!("[{},{},{decimals},{}]", quoted(name), quoted(unit), steps(numbers))
+}
+
+/// The texts of a mark, each once, and which one each frame shows.
+fn redrawn(texts: &Redrawn) -> String {
+    let (known, which) = texts.distinct(1);
+    let which = which.into_iter().map(|i| i.to_string());
+    format!("[{},{}]", list(known.into_iter().map(quoted)), list(which))
+}
+
+/// A text in a script.
+fn quoted(text: &str) -> String {
+    let inner = text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', " ").replace("</", "<\\/");
+    format!("\"{inner}\"")
+}
+
+/// Centre, whether it turns, and steps from frame to frame: right, down, turn.
+fn body(body: &Body) -> String {
+    let mut done = [0_i64; 3];
+    let count = if body.turns { 3 } else { 2 };
+    let mut out = String::with_capacity(8 * body.poses.len());
+    for (at, angle) in &body.poses {
+        let here = [at.x * STEPS.0, at.y * STEPS.0, angle * STEPS.1].map(|x| whole(x).unwrap_or(0));
+        for i in 0..count {
+            let _ = write!(out, "{},", here[i] - done[i]);
+        }
+        done = here;
+    }
+    out.pop();
+    format!("[{},{},{},[{out}]]", number(body.centre.x), number(body.centre.y), u8::from(body.turns))
+}
+
+const HEAD: &str = "<!doctype html>
+<html lang=\"en\">
+<head>
+<meta charset=\"utf-8\">
+<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">
+";
+
+const STYLE: &str = "<style>
+:root{color-scheme:light dark}
+body{margin:0 auto;max-width:200mm;padding:1rem;font-family:\"Times New Roman\",Tinos,\"Liberation Serif\",serif;background:#fff;color:#111}
+h1{font-size:1.4rem}svg{width:100%;height:auto;max-height:80vh;display:block}
+.bar{display:flex;gap:.8rem;align-items:center;margin:.6rem 0}input{flex:1;min-width:0;accent-color:#0072b2}
+button{font:inherit;min-width:3em;padding:.35em}
+output{display:block;min-height:2.6em;font-variant-numeric:tabular-nums;white-space:pre-wrap;overflow-wrap:anywhere;margin-bottom:.6rem}
+@media (prefers-color-scheme:dark){body{background:#16181c;color:#ececec}}
+@media print{body{background:#fff;color:#000}.bar{display:none}}
+</style>
+";
+
+/// Sums up the steps, shows a frame, plays: whole seconds between twelfths of the way where less motion is wanted.
+const SCRIPT: &str = "const $=i=>document.getElementById(i),all=c=>[...document.querySelectorAll('.'+c)],few=matchMedia('(prefers-reduced-motion: reduce)');
+const sum=t=>{let q=0;return t.map(x=>x===null?null:(q+=x))};
+const M=B.map((b,j)=>{const w=b[2]?3:2,q=[0,0,0];return[all('m'+j),b[3].map((x,i)=>q[i%w]+=x),w,b]});
+const D=R.map((r,j)=>[all('r'+j),r[1].map(i=>r[0][i])]),Q=V.map(v=>[v[0],v[1],v[2],sum(v[3])]),C=X&&sum(X);let k=0,on=false,t0=0;
+function show(i){k=i;for(const[g,q,w,b]of M){const t=`translate(${q[i*w]/100} ${q[i*w+1]/100})`+(w>2?` rotate(${q[i*w+2]/100})`:'')+` translate(${-b[0]} ${-b[1]})`;
+for(const e of g)e.setAttribute('transform',t)}for(const[g,r]of D)for(const e of g)e.innerHTML=r[i];
+$('o').textContent=Q.map(([n,u,d,s])=>n+' = '+(s[i]===null?'—':(s[i]/10**d).toFixed(d).replace('-','−')+u)).join('   ');
+$('s').value=i;const c=$('c');if(c){const x=C[i];c.setAttribute('visibility',x!==null&&x>=-1&&x<=15001?'visible':'hidden');c.setAttribute('transform',`translate(${x/100} 0)`)}}
+function step(t){if(!on)return;const w=few.matches?1000:6000/N;if(t-t0>=w){const d=few.matches?Math.ceil(N/12):Math.max(1,Math.min(Math.ceil(N/45),Math.floor((t-t0)/w)));t0=t;show((k+d)%N)}requestAnimationFrame(step)}
+function play(y){on=y;$('p').textContent=on?'❚❚':'▶';if(on)requestAnimationFrame(step)}
+$('s').oninput=e=>{play(false);show(+e.target.value)};$('p').onclick=()=>play(!on);
+document.addEventListener('keydown',e=>{if(e.target.tagName=='BUTTON'||e.altKey||e.ctrlKey||e.metaKey)return;if(e.key==' '){e.preventDefault();play(!on)}
+else if(e.target.id!='s'&&(e.key=='ArrowRight'||e.key=='ArrowLeft')){play(false);show((k+(e.key=='ArrowRight'?1:N-1))%N)}});
+show(0);
+";

@@ -1,0 +1,87 @@
+//! The mechanism in motion as one picture without a script: every part that moves carries its own `animateTransform`.
+
+use super::Animated;
+use super::moved::{Body, Redrawn};
+use crate::error::Missing;
+use crate::kind::Options;
+use crate::scene::Scene;
+use assur_drawing::{Theme, number};
+use assur_math::math::Vec2;
+use std::fmt::Write;
+
+/// How long the way takes.
+const TIME: &str = "dur=\"6s\" repeatCount=\"indefinite\"";
+/// The most frames, where no number is wanted: between them the reader of the picture goes on evenly.
+const MOST: usize = 120;
+
+/// The picture, in which the first frame stands where nothing can move.
+///
+/// # Errors
+/// There is no way to go.
+pub fn moving(scene: &Scene<'_>, options: &Options, theme: Theme) -> Result<String, Missing> {
+    let ways = scene.all_ways();
+    let scene = &Scene { ways: &ways, ..*scene };
+    let animated = Animated::of(scene, options)?;
+    let count = animated.frames.len();
+    let every = if options.frames.is_some() { 1 } else { count.div_ceil(MOST) };
+    let mut out = animated.sheet.svg(theme);
+    for (i, body) in animated.moved.bodies.iter().enumerate() {
+        let open = format!("<g class=\"m{i}\">");
+        out = out.replace(&open, &(open.clone() + &transforms(body, every)));
+    }
+    for (i, texts) in animated.moved.redrawn.iter().enumerate() {
+        out = shown_in_turn(&out, &format!("<g class=\"r{i}\">"), texts, every);
+    }
+    Ok(out)
+}
+
+/// A turn about the origin of the paper, and then a shift.
+fn transforms(body: &Body, every: usize) -> String {
+    let (mut shifts, mut turns) = (String::new(), String::new());
+    for (at, angle) in body.poses.iter().step_by(every) {
+        let shift = *at - body.centre.turned(Vec2::direction(*angle));
+        let _ = write!(shifts, "{} {};", number(shift.x), number(shift.y));
+        let _ = write!(turns, "{};", number(angle.to_degrees()));
+    }
+    let mut out = format!(
+        "<animateTransform attributeName=\"transform\" type=\"translate\" {TIME} values=\"{}\"/>",
+        shifts.trim_end_matches(';')
+    );
+    if body.turns {
+        let _ = write!(
+            out,
+            "<animateTransform attributeName=\"transform\" type=\"rotate\" additive=\"sum\" {TIME} values=\"{}\"/>",
+            turns.trim_end_matches(';')
+        );
+    }
+    out
+}
+
+/// What changes its shape is there once per shape, and each is visible in its frames.
+fn shown_in_turn(picture: &str, open: &str, texts: &Redrawn, every: usize) -> String {
+    let Some((before, rest)) = picture.split_once(open) else { return picture.to_owned() };
+    let Some((_, after)) = rest.split_once("</g>") else { return picture.to_owned() };
+    let (known, which) = texts.distinct(every);
+    let mut shapes = String::new();
+    for (i, text) in known.into_iter().enumerate() {
+        let first = if i == 0 { "visible" } else { "hidden" };
+        let (mut values, mut times) = (String::new(), String::new());
+        let mut shown = None;
+        for (frame, index) in which.iter().enumerate() {
+            let is_shown = *index == i;
+            if shown != Some(is_shown) {
+                shown = Some(is_shown);
+                let time = frame as f64 / which.len() as f64;
+                let _ = write!(values, "{};", if is_shown { "visible" } else { "hidden" });
+                let _ = write!(times, "{time:.4};");
+            }
+        }
+        let (values, times) = (values.trim_end_matches(';'), times.trim_end_matches(';'));
+        let _ = write!(
+            shapes,
+            "<g visibility=\"{first}\"><animate attributeName=\"visibility\" calcMode=\"discrete\" {TIME} values=\"{values}\" \
+             keyTimes=\"{times}\"/>{text}</g>"
+        );
+    }
+    format!("{before}{open}{shapes}</g>{after}")
+}

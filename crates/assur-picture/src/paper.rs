@@ -1,0 +1,125 @@
+//! The space that a picture has, and the scale factors that are wanted for it.
+
+use crate::error::Missing;
+use crate::frame::Frame;
+use assur_drawing::{Rect, Scale};
+use assur_math::math::Vec2;
+
+/// What has a scale factor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scaled {
+    /// Lengths, m/mm.
+    Length,
+    /// Velocities, (m/s)/mm.
+    Velocity,
+    /// Accelerations, (m/s²)/mm.
+    Acceleration,
+    /// Forces, N/mm.
+    Force,
+}
+
+/// All of them.
+pub const SCALED: [Scaled; 4] = [Scaled::Length, Scaled::Velocity, Scaled::Acceleration, Scaled::Force];
+
+/// With a greater factor than this many times the fitting one nothing can be seen.
+const COARSE: f64 = 50.0;
+
+impl Scaled {
+    /// Its name on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
+            Self::Force => "force",
+        }
+    }
+
+    const fn per_mm(self) -> &'static str {
+        match self {
+            Self::Length => "m/mm",
+            Self::Velocity => "(m/s)/mm",
+            Self::Acceleration => "(m/s²)/mm",
+            Self::Force => "N/mm",
+        }
+    }
+
+    /// Its unit.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Length => "m",
+            Self::Velocity => "m/s",
+            Self::Acceleration => "m/s²",
+            Self::Force => "N",
+        }
+    }
+}
+
+/// Scale factors that are wanted; the smallest that fits where there is none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Scales([Option<Scale>; 4]);
+
+impl Scales {
+    /// With a factor for what it is of.
+    #[must_use]
+    pub const fn with(mut self, of: Scaled, scale: Scale) -> Self {
+        self.0[of as usize] = Some(scale);
+        self
+    }
+
+    /// The factor that is wanted, where there is one.
+    #[must_use]
+    pub const fn wanted(&self, of: Scaled) -> Option<Scale> {
+        self.0[of as usize]
+    }
+
+    /// The factor that is wanted instead of the smallest that fits; none where nothing has an extent.
+    ///
+    /// # Errors
+    /// The picture would be larger than its space, or too small to be seen.
+    pub fn chosen(&self, of: Scaled, fitting: Option<Scale>) -> Result<Option<Scale>, Missing> {
+        let (Some(wanted), Some(fitting)) = (self.wanted(of), fitting) else { return Ok(fitting) };
+        let share = wanted.factor() / fitting.factor();
+        // NaN would be no share either
+        if (1.0 - 1e-9..=COARSE).contains(&share) {
+            return Ok(Some(wanted));
+        }
+        let (what, unit, least) = (of.name(), of.per_mm(), fitting.text());
+        let why = if share < 1.0 { "the picture is larger than its space" } else { "nothing can be seen" };
+        Err(Missing::NoScale {
+            wanted: format!("{what} = {} {unit}", wanted.text()),
+            why,
+            help: format!("the smallest that fits is {least} {unit}: `--scale {what}={}`", fitting.written()),
+        })
+    }
+}
+
+/// The space of a picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Paper {
+    /// The most that the mechanism or the plan takes, mm.
+    pub size: Vec2,
+    /// Scale factors that are wanted.
+    pub scales: Scales,
+}
+
+impl Paper {
+    /// The frame for a box, without what symbols and labels take around it.
+    ///
+    /// # Errors
+    /// A scale is wanted that does not fit.
+    pub fn frame(&self, of: Scaled, bounds: &Rect, around: Vec2) -> Result<Frame, Missing> {
+        let fitting = Frame::fitting(bounds, self.size - around);
+        Ok(Frame::new(self.scales.chosen(of, fitting.scale)?, fitting.origin))
+    }
+
+    /// As [`Paper::frame`], of vectors from the origin.
+    ///
+    /// # Errors
+    /// A scale is wanted that does not fit.
+    pub fn plan(&self, of: Scaled, bounds: &Rect, around: Vec2) -> Result<Frame, Missing> {
+        Ok(Frame::new(self.frame(of, bounds, around)?.scale, Vec2::zero()))
+    }
+}

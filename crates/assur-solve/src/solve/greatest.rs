@@ -1,0 +1,62 @@
+//! How large the quantities of a solution are: what a rounding error is small against.
+
+use super::{Model, Solved};
+use crate::math::Vec2;
+use crate::model::{Display, LinkId};
+
+/// The greatest length, angular velocity and force of all poses, in SI; every other dimension follows from them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Greatest {
+    length: f64,
+    per_time: f64,
+    force: f64,
+}
+
+impl Greatest {
+    /// Of the positions of a solution.
+    #[must_use]
+    pub fn of<'s>(model: &Model<'_>, positions: impl IntoIterator<Item = &'s Solved>) -> Self {
+        let mut greatest = Self::default();
+        positions.into_iter().for_each(|solved| greatest.include(model, solved));
+        if greatest.force == 0.0 {
+            greatest.force = 1.0;
+        }
+        greatest
+    }
+
+    fn include(&mut self, model: &Model<'_>, solved: &Solved) {
+        let state = &solved.state;
+        let mut fastest = 0.0_f64;
+        for (i, link) in model.mechanism.links.iter().enumerate() {
+            let body = &state.motion.bodies[LinkId::at(i).index()];
+            for at in link.points.iter().map(|p| p.at).chain([Vec2::zero()]) {
+                self.length = self.length.max(body.position(at).norm());
+                fastest = fastest.max(body.velocity(at).norm());
+            }
+            self.per_time = self.per_time.max(body.omega.abs());
+        }
+        if self.per_time == 0.0 && self.length > 0.0 {
+            self.per_time = fastest / self.length;
+        }
+        let reactions = state.forces.reactions.iter().map(|r| r.force);
+        let forces = reactions.chain(state.forces.applied.iter().map(|w| w.force));
+        self.force = forces.fold(self.force, |most, f| most.max(f.norm()));
+    }
+
+    /// What a quantity of a dimension is large against, SI: F^m L^(l−m) T^(t+2m).
+    #[must_use]
+    pub fn in_si(&self, [l, m, t, _]: [i8; 4]) -> f64 {
+        let power = |base: f64, n: i8| if n == 0 { 1.0 } else { libm::pow(base, f64::from(n)) };
+        let time = t.saturating_add(m.saturating_mul(2));
+        power(self.force, m)
+            * power(self.length, l.saturating_sub(m))
+            * power(self.per_time, time.saturating_neg())
+    }
+
+    /// The same in the unit of a display.
+    #[must_use]
+    pub fn in_unit(&self, display: &Display) -> f64 {
+        let si = self.in_si(display.dimension);
+        if si.is_finite() { display.of_si(si) } else { 0.0 }
+    }
+}

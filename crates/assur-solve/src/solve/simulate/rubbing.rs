@@ -1,0 +1,220 @@
+//! One free coordinate with friction, losses or brakes: its acceleration from the effort that vanishes, and rest.
+//!
+//! Reactions depend on the acceleration and friction on reactions, so that the equation is effort(q̈) = 0, solved by the
+//! method of secants from the acceleration without friction. The effort is a broken line in q̈; where it does not rise with q̈
+//! no acceleration is the answer, or several are (Painlevé), and the run ends.
+
+use super::equations::Equations;
+use crate::model::{Load, Mechanism, Query};
+use crate::position::{STILL, State};
+use crate::solve::failure::Halt;
+use crate::structure::EffortSource;
+
+/// Steps of the method of secants at most; where nothing breaks two suffice.
+const MOST: usize = 40;
+/// What is left of the effort, relative to the loads.
+const ENOUGH: f64 = 1e-13;
+/// A rate that is nothing where nothing else moves, but has a sense.
+const LEAST_RATE: f64 = 1e-100;
+/// The same relative to the rates of drives: more than the part that counts as rest.
+const LEAST_PART: f64 = 1e3 * STILL;
+
+/// How a coordinate that rubs moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Mode {
+    /// In this sense, ±1.
+    Moving(f64),
+    /// Not at all.
+    Resting,
+}
+
+/// Whether what acts on a mechanism depends on the sense of its motion.
+pub(super) fn rubs(equations: &Equations<'_, '_>) -> bool {
+    let plan = equations.model.plan;
+    plan.effects.loses() || equations.model.mechanism.loads.iter().any(Load::is_against_motion)
+}
+
+/// Whether something changes while the coordinate rests: a drive moves, or a load depends on the instant.
+pub(super) fn wakes(mechanism: &Mechanism) -> bool {
+    let mut timed = false;
+    let loads = mechanism.loads.iter().flat_map(Load::expressions);
+    let named = mechanism.quantities.iter().map(|quantity| &quantity.expr);
+    loads.chain(named).for_each(|expr| expr.queries(&mut |query| timed |= *query == Query::Time));
+    timed || mechanism.drives.iter().any(|d| !d.free && (d.speed.is_some() || d.acceleration.is_some()))
+}
+
+impl Equations<'_, '_> {
+    /// Chooses how the coordinate goes on from here: as it moves, or, at rest, in the sense in which it accelerates.
+    ///
+    /// # Errors
+    /// There is no acceleration, or one in either sense.
+    pub fn choose_mode(&mut self, t: f64, y: &[f64]) -> Result<(), Halt> {
+        if self.mode.is_none() {
+            return Ok(());
+        }
+        if y[1] != 0.0 {
+            self.mode = Some(Mode::Moving(y[1].signum()));
+            return Ok(());
+        }
+        let forward = self.acceleration_from_rest(t, y, 1.0)?;
+        let back = self.acceleration_from_rest(t, y, -1.0)?;
+        self.mode = Some(match (forward > 0.0, back < 0.0) {
+            (true, false) => Mode::Moving(1.0),
+            (false, true) => Mode::Moving(-1.0),
+            (false, false) => Mode::Resting,
+            (true, true) => return Err(Halt::Jam),
+        });
+        Ok(())
+    }
+
+    /// The rates of the unknowns at the position that is set.
+    pub fn rubbing_rates(&mut self, mode: Mode, y: &[f64], dy: &mut [f64]) -> Result<(), Halt> {
+        let Mode::Moving(sense) = mode else {
+            dy.fill(0.0);
+            self.accelerate(0.0);
+            return self.trial.motion.open.map_or(Ok(()), |group| Err(Halt::Open { group }));
+        };
+        let acceleration = self.rubbing_acceleration(sense)?;
+        // stages beyond a rest go on smoothly
+        let rate = self.trial.motion.inputs[self.reduced.free()[0]].rate;
+        let power = self.trial.power_of_loads(self.model, &self.evaluated) + self.power_of_friction();
+        let work = power / rate * y[1];
+        dy.copy_from_slice(&[y[1], acceleration, work]);
+        Ok(())
+    }
+
+    /// Puts the rates as they are in place of those that only have the sense of the motion, and leaves the forces.
+    pub fn take_rates(&mut self, y: &[f64]) {
+        if self.mode.is_some() {
+            let drive = self.reduced.free()[0];
+            self.trial.motion.inputs[drive].rate = y[1];
+            self.trial.run_motion::<2>(self.model.plan);
+        }
+    }
+
+    /// How far the coordinate is from leaving its rest: positive where it does.
+    pub fn leaving(&mut self, t: f64, y: &[f64]) -> f64 {
+        let ways = [1.0, -1.0].map(|sense| self.acceleration_from_rest(t, y, sense).map(|a| a * sense));
+        match ways {
+            [Ok(forward), Ok(back)] => forward.max(back),
+            _ => f64::NAN,
+        }
+    }
+
+    /// A rest ends: the coordinate moves in the sense in which it is pulled most.
+    pub fn leave(&mut self, t: f64, y: &[f64]) -> Result<(), Halt> {
+        let forward = self.acceleration_from_rest(t, y, 1.0)?;
+        let back = -self.acceleration_from_rest(t, y, -1.0)?;
+        self.mode = Some(Mode::Moving(if forward >= back { 1.0 } else { -1.0 }));
+        Ok(())
+    }
+
+    /// The acceleration with which it would begin to move in a sense; nothing where friction holds it.
+    fn acceleration_from_rest(&mut self, t: f64, y: &[f64], sense: f64) -> Result<f64, Halt> {
+        let kept = self.mode.replace(Mode::Moving(sense));
+        let rest = [y[0], 0.0];
+        self.set_position(t, &rest);
+        let found = self.rubbing_acceleration(sense);
+        self.mode = kept;
+        match found {
+            // friction that locks holds it
+            Err(Halt::Jam) => Ok(0.0),
+            other => other,
+        }
+    }
+
+    /// The acceleration at the position and rate that are set, moving in a sense. Leaves the motion and the forces that go
+    /// with it.
+    pub fn rubbing_acceleration(&mut self, sense: f64) -> Result<f64, Halt> {
+        let drive = self.reduced.free()[0];
+        let rate = self.trial.motion.inputs[drive].rate;
+        let others = self.trial.motion.inputs.iter().enumerate().filter(|(i, _)| *i != drive);
+        let fastest = others.map(|(_, input)| input.rate.abs()).fold(0.0, f64::max);
+        let least = LEAST_RATE.max(LEAST_PART * fastest);
+        self.trial.motion.inputs[drive].rate = sense * (sense * rate).max(least);
+        self.reduced.run_motion(self.model.plan, &mut self.trial);
+        if let Some(group) = self.trial.motion.open {
+            return Err(Halt::Open { group });
+        }
+        let time = self.trial.motion.time;
+        self.evaluate_loads(time);
+        self.trial.run_loads(self.model, &self.evaluated);
+        let mut start = [0.0];
+        if self.reduced.accelerations(self.model.plan, &self.trial, &mut start).is_none() {
+            return Err(self.without_acceleration());
+        }
+        if !self.model.plan.effects.loses() {
+            self.accelerate(start[0]);
+            return Ok(start[0]);
+        }
+        self.vanishing_effort(start[0])
+    }
+
+    /// The acceleration at which the effort vanishes, from the one without friction.
+    fn vanishing_effort(&mut self, start: f64) -> Result<f64, Halt> {
+        let mass = self.reduced.mass()[0];
+        let (mut a, mut effort) = (start, self.effort(start)?);
+        let mut slope = mass;
+        for _ in 0..MOST {
+            // what the friction adds is of the order of the loads
+            let greatest = self.reduced.greatest_power(&self.trial) + mass * a.abs();
+            if effort.abs() <= ENOUGH * greatest {
+                return Ok(a);
+            }
+            let next = a - effort / slope;
+            if !next.is_finite() {
+                return Err(Halt::NotANumber);
+            }
+            if next == a {
+                return Ok(a);
+            }
+            let then = self.effort(next)?;
+            slope = (then - effort) / (next - a);
+            (a, effort) = (next, then);
+            if slope.is_nan() || slope <= STILL * mass {
+                return Err(Halt::Jam);
+            }
+        }
+        Err(Halt::Jam)
+    }
+
+    fn accelerate(&mut self, acceleration: f64) {
+        let drive = self.reduced.free()[0];
+        self.trial.motion.inputs[drive].acceleration = acceleration;
+        self.trial.run_motion::<2>(self.model.plan);
+    }
+
+    /// The effort that the coordinate would need for an acceleration.
+    fn effort(&mut self, acceleration: f64) -> Result<f64, Halt> {
+        self.accelerate(acceleration);
+        self.trial.run_loads_and_forces(self.model, &self.evaluated);
+        if self.trial.forces.locked {
+            return Err(Halt::Jam);
+        }
+        let drive = self.reduced.free()[0];
+        let mut efforts = self.model.structure.efforts.iter().zip(&self.trial.forces.efforts);
+        let own = efforts.find(|(e, _)| matches!(e.source, EffortSource::Drive(id) if id.index() == drive));
+        own.map(|(_, effort)| *effort).filter(|e| e.is_finite()).ok_or(Halt::NotANumber)
+    }
+
+    /// What friction in the pairs takes, W: not positive.
+    pub fn power_of_friction(&self) -> f64 {
+        let state: &State = &self.trial;
+        let elements = self.model.plan.friction.iter().zip(&state.forces.frictions);
+        -elements.map(|(element, effort)| (effort * state.sliding_speed(element)).abs()).sum::<f64>()
+    }
+
+    /// Whether drives alone move nothing against each other that rubs: then all of it rests with the free coordinate.
+    pub fn rests_together(&mut self, t: f64, y: &[f64]) -> bool {
+        let speeds = |equations: &Self| {
+            let elements = equations.model.plan.friction.iter();
+            elements.map(|e| equations.trial.sliding_speed(e).abs()).fold(0.0, f64::max)
+        };
+        self.set_position(t, &[y[0], 1.0]);
+        self.trial.run_motion::<1>(self.model.plan);
+        let moving = speeds(self);
+        self.set_position(t, &[y[0], 0.0]);
+        self.trial.run_motion::<1>(self.model.plan);
+        speeds(self) <= STILL * moving
+    }
+}

@@ -1,0 +1,232 @@
+//! The pictures of a solved file, as text.
+
+use super::rows::DrawnRow;
+use super::{Drawing, output, plotted, poses};
+use crate::cli::args::Picture;
+use crate::cli::error::CliError;
+use crate::pipeline::{self, Solved};
+use assur_drawing::Theme;
+use assur_math::math::Vec2;
+use assur_model::model::Mechanism;
+use assur_picture::{Kind, Missing, Options, Scales, Scene, Scheme};
+use assur_solve::solve::Pose;
+use assur_syntax::document::Document;
+use assur_text::diagnostic::Problems;
+use assur_text::source::Source;
+
+/// A picture as text, with its title and the name of its file.
+pub struct Page {
+    /// Of its file, without its ending.
+    pub name: String,
+    /// What it shows.
+    pub title: String,
+    /// It.
+    pub text: String,
+    /// Of its file.
+    pub ending: &'static str,
+}
+
+/// What pictures are made of.
+pub struct Pages<'d, 'a> {
+    /// What is wanted.
+    pub drawing: &'d Drawing<'a>,
+    /// The text of the file.
+    pub source: &'d Source,
+    /// The same as statements.
+    pub document: &'d Document,
+    /// The solution.
+    pub solved: &'d Solved,
+    /// The row of variants.
+    pub row: &'d DrawnRow,
+}
+
+/// Positions in small steps, for paths and other poses and for an animation.
+struct Ways {
+    turn: Vec<Pose>,
+    frames: Vec<Pose>,
+}
+
+impl Pages<'_, '_> {
+    /// All pictures.
+    pub fn all(&self, problems: &mut Problems) -> Vec<Page> {
+        let pictures = &self.drawing.pictures;
+        let of_cams = |picture: &Picture| picture.kind == Kind::Cam;
+        if self.solved.solution.poses.is_empty() && pictures.iter().all(of_cams) {
+            return self.cams(problems);
+        }
+        let ways = self.ways();
+        let scenes = self.scenes(problems);
+        let (mut pages, mut lacking) = (Vec::new(), Vec::new());
+        for picture in pictures {
+            let plotted = plotted::items(self.source, &self.solved.compiled.mechanism, &picture.of);
+            let options = Options { plotted, of: picture.of.clone(), ..self.options() };
+            let shown = if picture.kind.is_of_sweep() { 1 } else { scenes.len() };
+            for scene in &scenes[..shown.min(scenes.len())] {
+                let turn = if picture.kind == Kind::Animation { &ways.frames } else { &ways.turn };
+                let name = self.name(picture, scene, scenes.len() > 1);
+                match self.drawn(picture.kind, &Scene { turn, ..*scene }, &options, &name) {
+                    Ok(drawn) => pages.extend(drawn),
+                    // of all kinds those are left out that the file has no effects for
+                    Err(_) if self.drawing.args.all => {}
+                    Err(missing) => {
+                        // what lacks at every pose is said once
+                        let words = missing.to_string();
+                        if !lacking.contains(&words) {
+                            lacking.push(words);
+                            problems.push(missing);
+                        }
+                    }
+                }
+            }
+        }
+        pages
+    }
+
+    fn ways(&self) -> Ways {
+        let args = self.drawing.args;
+        let (compiled, solution) = (&self.solved.compiled, &self.solved.solution);
+        let animated = self.drawing.pictures.iter().any(|picture| picture.kind == Kind::Animation);
+        let traced = args.ghosts > 0 || !args.path.is_empty();
+        let turn = if traced { pipeline::turn(compiled, solution) } else { Vec::new() };
+        let frames = match args.frames {
+            _ if !animated => Vec::new(),
+            Some(count) => pipeline::turn_in(compiled, solution, count),
+            None => pipeline::turn(compiled, solution),
+        };
+        Ways { turn, frames }
+    }
+
+    fn options(&self) -> Options {
+        let args = self.drawing.args;
+        let scales = args.scale.iter().fold(Scales::default(), |all, (of, scale)| all.with(*of, *scale));
+        let mut scheme = Scheme {
+            loads: args.loads.into(),
+            ghosts: args.ghosts,
+            paths: args.path.clone(),
+            scales,
+            numbers: args.numbers,
+            ..Scheme::default()
+        };
+        if args.dimensions {
+            scheme.dimensions = pipeline::dimensions(self.document, &self.solved.compiled.mechanism);
+        }
+        if let Some((width, height)) = args.size {
+            scheme.size = Vec2::new(width, height);
+        }
+        Options { scheme, frames: args.frames, ..Options::default() }
+    }
+
+    /// The name of the file of a picture.
+    fn name(&self, picture: &Picture, scene: &Scene<'_>, of_several: bool) -> String {
+        let mut name = format!("{}-{}", self.stem(), picture.kind.name());
+        if !picture.of.is_empty() {
+            name += &format!("-{}", picture.of);
+        }
+        if of_several && !picture.kind.is_of_sweep() {
+            name += &format!("-{}", scene.pose.name);
+        }
+        output::file_name(&name)
+    }
+
+    /// The pictures of a kind at a position; an animation is a page of its own where the output is not one.
+    fn drawn(
+        &self,
+        kind: Kind,
+        scene: &Scene<'_>,
+        options: &Options,
+        name: &str,
+    ) -> Result<Vec<Page>, Missing> {
+        if kind == Kind::Animation && !self.drawing.output.is_still() {
+            let theme = self.drawing.args.theme.into();
+            let (text, ending) = if self.drawing.output.is_picture() {
+                (assur_picture::moving(scene, options, theme)?, "svg")
+            } else {
+                (assur_picture::animation(scene, options, theme)?, "html")
+            };
+            return Ok(vec![Page { name: name.to_owned(), title: String::new(), text, ending }]);
+        }
+        Ok(self.numbered(name, assur_picture::draw(kind, scene, options)?))
+    }
+
+    /// The cams of a file that has no position.
+    fn cams(&self, problems: &mut Problems) -> Vec<Page> {
+        let mechanism: &Mechanism = &self.solved.compiled.mechanism;
+        match assur_picture::cams_alone(mechanism, &self.source.name, &self.options().scheme.paper()) {
+            Ok(drawings) => self.numbered(&output::file_name(&format!("{}-cam", self.stem())), drawings),
+            Err(missing) => {
+                problems.push(missing);
+                Vec::new()
+            }
+        }
+    }
+
+    /// The begin of the names of pictures.
+    fn stem(&self) -> String {
+        let name = &self.source.name;
+        let stem = if self.drawing.several { path_in_one(name) } else { stem(name) };
+        if self.row.name.is_empty() { stem } else { format!("{stem}-row-{}", self.row.name) }
+    }
+
+    /// Pictures of one kind and one position as text, numbered where there are several.
+    fn numbered(&self, name: &str, drawings: Vec<assur_drawing::Drawing>) -> Vec<Page> {
+        let theme: Theme = self.drawing.args.theme.into();
+        let many = drawings.len() > 1;
+        let words = &self.row.words;
+        let pages = drawings.into_iter().enumerate().map(|(i, mut drawing)| {
+            let name = if many { format!("{name}-{}", i + 1) } else { name.to_owned() };
+            if self.drawing.several || !words.is_empty() {
+                // two files of one name, and rows of a table, may be in one page
+                drawing.id = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+            }
+            if !words.is_empty() {
+                drawing.title += &format!(", {words}");
+            }
+            Page { name, title: drawing.title.clone(), text: drawing.placed().svg(theme), ending: "svg" }
+        });
+        pages.collect()
+    }
+
+    /// The positions that are shown: those named, else all of a list, the first of a sweep.
+    fn scenes(&self, problems: &mut Problems) -> Vec<Scene<'_>> {
+        let (solved, named) = (self.solved, &self.drawing.args.pose);
+        let file = (self.source.name.as_str(), self.source.text.as_str());
+        let of = |name: Option<&str>| Scene::of(solved.compiled.model(), &solved.solution, file, name);
+        let listed = if named.is_empty() { poses::listed(solved) } else { Vec::new() };
+        let drawn = if self.drawing.output.is_single() { listed.len().min(1) } else { listed.len() };
+        if drawn < listed.len() && !self.drawing.pictures.iter().all(|picture| picture.kind.is_of_sweep()) {
+            let (first, count) = (listed[0].to_owned(), listed.len());
+            problems.push(CliError::FirstPose { first, count });
+        }
+        let all = named.iter().map(String::as_str).chain(listed[..drawn].iter().copied());
+        let mut names: Vec<Option<&str>> = Vec::new();
+        for name in all.map(Some) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        if names.is_empty() {
+            names.push(None);
+        }
+        let mut scenes = Vec::new();
+        for scene in names.into_iter().map(of) {
+            match scene {
+                Ok(scene) => scenes.push(scene),
+                Err(missing) => problems.push(missing),
+            }
+        }
+        scenes
+    }
+}
+
+/// The file's name without folders and ending.
+fn stem(name: &str) -> String {
+    let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
+    let stem = last.strip_suffix(".mech").unwrap_or(last);
+    if stem == "-" { "picture".to_owned() } else { stem.to_owned() }
+}
+
+/// The file's name with its folders, so that two of one name in two folders are apart: `cams-lever` of `cams/lever.mech`.
+fn path_in_one(name: &str) -> String {
+    let parts = name.split(['/', '\\']).filter(|part| !part.is_empty() && *part != "." && *part != "..");
+    stem(&parts.collect::<Vec<_>>().join("-"))
+}

@@ -1,0 +1,37 @@
+//! Pictures as pixels, with the fonts of the system.
+
+use crate::cli::error::CliError;
+use assur_drawing::FAMILIES;
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree};
+
+/// Pixels per inch: those of the document, and those of the picture.
+const INCH: [f32; 2] = [96.0, 300.0];
+/// The piece of a file that says so: 11,811 pixels per metre, with its length and its check sum.
+const DENSITY: [u8; 21] =
+    [0, 0, 0, 9, b'p', b'H', b'Y', b's', 0, 0, 0x2e, 0x23, 0, 0, 0x2e, 0x23, 1, 0x78, 0xa5, 0x3f, 0x76];
+/// Its place: behind the signature and the head.
+const HEAD: usize = 33;
+
+/// A picture in pixels.
+pub fn png(svg: &str, name: &str) -> Result<Vec<u8>, CliError> {
+    let fail = |why: String| CliError::NotCreated { name: name.to_owned(), why };
+    let mut options = Options::default();
+    let fonts = options.fontdb_mut();
+    fonts.load_system_fonts();
+    let installed = |family: &str| fonts.faces().any(|face| face.families.iter().any(|(n, _)| n == family));
+    let Some(family) = FAMILIES.into_iter().find(|family| installed(family)) else {
+        let families = FAMILIES.join(", ");
+        return Err(CliError::NoFont { name: name.to_owned(), families });
+    };
+    fonts.set_serif_family(family);
+    let tree = Tree::from_str(svg, &options).map_err(|error| fail(error.to_string()))?;
+    let factor = INCH[1] / INCH[0];
+    let size = tree.size().to_int_size().scale_by(factor).ok_or_else(|| fail("it has no size".to_owned()))?;
+    let mut pixels =
+        Pixmap::new(size.width(), size.height()).ok_or_else(|| fail("it is too large".to_owned()))?;
+    resvg::render(&tree, Transform::from_scale(factor, factor), &mut pixels.as_mut());
+    let mut bytes = pixels.encode_png().map_err(|error| fail(error.to_string()))?;
+    bytes.splice(HEAD..HEAD, DENSITY);
+    Ok(bytes)
+}
