@@ -1,4 +1,5 @@
-//! The loop over positions takes no memory: motion, loads and forces of machines with closed forms and without.
+//! The loop over positions takes no memory: motion, loads and forces of machines with closed forms and without, nor do the
+//! steps of a motion under loads.
 
 #[path = "mechanics/support/machines.rs"]
 mod machines;
@@ -203,6 +204,70 @@ fn a_row_of_variants_allocates_nothing() {
     let counted = allocation_counter::measure(|| (20..200).for_each(&mut solve));
     assert_eq!(counted.count_total, 0);
     assert!(out.len() > 20_000);
+}
+
+/// Allocations of a whole run under loads that ends at this instant.
+fn allocations_of_a_run(text: &str, end: &str) -> (u64, usize) {
+    let source = assur::internals::source::Source::new("run.mech", text.replace("END", end));
+    let (compiled, problems) =
+        assur::internals::compile(&source, &assur::internals::check::Overrides::none());
+    let compiled = compiled.unwrap_or_else(|| panic!("{problems:?}"));
+    let model = compiled.model();
+    let mut steps = 0;
+    let counted = allocation_counter::measure(|| {
+        steps = solve(&model).expect("it moves").simulation.expect("a run").steps;
+    });
+    (counted.count_total, steps)
+}
+
+/// A crank-slider with a curve, a spring and loads that depend on the motion; two freedoms with a drive beside them.
+const RUNS: [&str; 2] = [
+    "
+ground { A (0, 0); line guide through A along 0 deg }
+link crank  A-B 100 mm { mass 1 kg at A; inertia 0.5 kg*m^2 }
+link rod    B-C 350 mm { S (117 mm, 0); mass 2.5 kg at S; inertia 0.0425 kg*m^2 }
+link piston { C (0, 0); mass 2.14 kg at C }
+revolute  A: ground - crank
+revolute  B: crank - rod
+revolute  C: rod - piston
+prismatic D: piston.C - ground.guide
+assemble C ahead of B
+curve motor linear held { n [rpm], M [N*m]; 0, 80; 1500, 0 }
+torque M on crank = motor(omega(crank))
+force Q on piston at C = -2 N*s/m*velocity(C)
+spring k in A { stiffness 0.5 N*m/rad; free_angle 0 deg; damping 0.01 N*m*s/rad }
+gravity 9.81 m/s^2
+start crank = 45 deg
+simulate END within 1e-9
+find omega(crank)
+",
+    "
+gravity 9.81 m/s^2
+ground { O (0, 0); line way through O along 0 deg }
+link slide { A (0, 0); mass 3 kg at A }
+link bar A-B 0.6 m { mass 1 kg at B; inertia 0.03 kg*m^2 }
+link end B-C 0.4 m { mass 1 kg at C; inertia 0.03 kg*m^2 }
+prismatic G: slide.A - ground.way
+revolute A: slide - bar
+revolute B: bar - end
+drive G = 20 mm at 60 mm/s accelerating 3 m/s^2
+start bar = -80 deg
+start end = -60 deg
+simulate END within 1e-9
+find angle(bar), reactions
+",
+];
+
+/// Every run of a pair, or of several until they agree, takes its memory at its begin: of two files that differ in the last
+/// instant alone, and in many steps, the one allocates as often as the other.
+#[test]
+fn the_steps_of_a_run_allocate_nothing() {
+    for text in RUNS {
+        let found =
+            ["0.3 s", "0.5 s", "0.7 s", "1 s", "1.5 s", "2 s"].map(|end| allocations_of_a_run(text, end));
+        let alike = |a: &(u64, usize), b: &(u64, usize)| a.0 == b.0 && b.1 > a.1 + 30;
+        assert!(found.iter().any(|a| found.iter().any(|b| alike(a, b))), "{found:?}");
+    }
 }
 
 /// A turn whose rates have no value beyond a little more than its radius.

@@ -1,6 +1,6 @@
 //! Answers of many rows of variants, one line per row and pose: what stands in a column is found once.
 
-use super::answers::{Answers, with_unit};
+use super::answers::{Answers, pose_header, with_unit};
 use super::csv;
 use super::reactions::moment;
 use assur_math::math::Vec2;
@@ -39,6 +39,8 @@ pub(super) struct Answer {
 #[derive(Clone, Debug)]
 pub struct AnswerColumns {
     drives: usize,
+    /// Heads the column of poses, or of instants.
+    pose: String,
     pub(super) answers: Vec<Answer>,
     /// Every reaction among them has a place, whatever the values of the givens.
     pub(super) placed: bool,
@@ -101,7 +103,8 @@ impl AnswerColumns {
         }
         // without transmissions and open bearings nothing is left open
         let open = mechanism.pairs.iter().any(|pair| pair.bearing == Some(Bearing::Open));
-        Self { drives, answers, placed: !open && model.plan.laws.is_empty() }
+        let pose = pose_header(mechanism);
+        Self { drives, pose, answers, placed: !open && model.plan.laws.is_empty() }
     }
 
     /// Those of one file alone: without the reactions that depend on a place that the file leaves open.
@@ -114,6 +117,12 @@ impl AnswerColumns {
             _ => true,
         });
         Self { placed: true, ..columns }
+    }
+
+    /// What heads the column of poses, or of instants.
+    #[must_use]
+    pub fn pose_header(&self) -> &str {
+        &self.pose
     }
 
     /// The headers: names with units in brackets, `.x` and `.y` for the components of vectors. Without the drives for an

@@ -11,7 +11,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Files with givens: dyads, slots, friction, locking, general groups, critical values, sweeps, mass substitution.
-const FILES: [&str; 14] = [
+const FILES: [&str; 16] = [
     "crank-slider.mech",
     "inertia/engine.mech",
     "mass-substitution/connecting-rod.mech",
@@ -26,6 +26,8 @@ const FILES: [&str; 14] = [
     "exercise-set/06-statics-of-a-crank-slider.mech",
     "exercise-set/14-scotch-yoke.mech",
     "exercise-set/21-class-iii-group.mech",
+    "simulation/elliptic-trammel.mech",
+    "simulation/fan.mech",
 ];
 const ROWS: usize = 40;
 
@@ -132,7 +134,7 @@ fn a_batch_writes_what_solve_writes() {
         let Some(solved) = solved else { continue };
         let answers = solved.answers(Precision::READABLE);
         let columns = AnswerColumns::of(&answers.model);
-        let mut text = std::iter::once("pose".to_owned()).chain(columns.headers(false));
+        let mut text = std::iter::once(columns.pose_header().to_owned()).chain(columns.headers(false));
         let head: Vec<String> = text.by_ref().map(|h| csv::field(&h).into_owned()).collect();
         let mut lines = head.join(",") + csv::LINE_END;
         for pose in answers.poses() {

@@ -170,7 +170,9 @@ impl Job {
         if !key {
             headers.extend(self.givens().map(|(_, column)| column.header()));
         }
-        headers.push("pose".to_owned());
+        // an answer key is read by this name
+        let pose = self.answers.as_ref().filter(|_| !key).map_or("pose", AnswerColumns::pose_header);
+        headers.push(pose.to_owned());
         headers.extend(self.answers.iter().flat_map(|a| a.headers(key)));
         if !key {
             headers.push(ERROR.to_owned());

@@ -1,6 +1,5 @@
 //! Motion under loads against the equations of all bodies at once.
 
-mod dbg;
 mod follow;
 mod newton_euler;
 mod trains;

@@ -159,6 +159,16 @@ impl<'a, 's> Equations<'a, 's> {
         known
     }
 
+    /// The greatest angular velocity of a body, rad/s, where the present step begins.
+    pub fn fastest_accepted(&self) -> f64 {
+        fastest(&self.accepted.1)
+    }
+
+    /// The same at another instant; nothing where the equations have no value.
+    pub fn fastest(&mut self, t: f64, y: &[f64]) -> f64 {
+        if self.observe(t, y, false) { fastest(&self.trial) } else { 0.0 }
+    }
+
     /// The value of an expression in the state that is observed.
     pub fn value(&mut self, expr: &Expr) -> f64 {
         let view = PoseAnswers::new(self.model, &self.trial, &self.angles, self.statics);
@@ -292,6 +302,11 @@ impl System<f64> for Equations<'_, '_> {
         self.accepted.1.start_from(&self.trial);
         self.accepted.2.clone_from(&self.angles);
     }
+}
+
+/// The greatest angular velocity of a body, rad/s.
+fn fastest(state: &State) -> f64 {
+    state.motion.bodies.iter().map(|body| body.omega.abs()).fold(0.0, f64::max)
 }
 
 fn set_value(input: &mut DriveInput, value: f64) {

@@ -17,6 +17,8 @@ use crate::solve::failure::Halt;
 const DEAD: f64 = 1e-6;
 /// After so many steps it is looked at how many there will be.
 const LOOKED_AT: usize = 20_000;
+/// What is looked at within a step turns with the bodies: none turns by more than this, rad, or what comes again would be lost.
+const TURN: f64 = std::f64::consts::PI;
 /// So many are never done.
 const ENDLESS: f64 = 2e7;
 
@@ -188,6 +190,9 @@ impl Going<'_, '_> {
             if is_endless(method, self.begin, last) {
                 return Ended::Halted(Halt::TooManySteps);
             }
+            if self.keep_short(equations, method).is_err() {
+                return Ended::Halted(equations.halt());
+            }
             let condition = equations.condition();
             if condition < self.worst_condition.0 {
                 self.worst_condition = (condition, method.previous_t());
@@ -342,6 +347,29 @@ impl Going<'_, '_> {
             kept &= self.recorder.keep(equations, method, (here, Origin::Expected(expect)));
         }
         kept
+    }
+}
+
+impl Going<'_, '_> {
+    /// Ends a step where a body has turned too far for what is looked at within it, and bounds the next one.
+    fn keep_short<M: Integrator<f64>>(
+        &self,
+        equations: &mut Equations<'_, '_>,
+        method: &mut M,
+    ) -> Result<(), Undefined> {
+        if !self.watch.looks_within() {
+            return Ok(());
+        }
+        let (from, to) = (method.previous_t(), method.t());
+        let before = equations.fastest_accepted();
+        let after = equations.fastest(to, method.y());
+        let turned = (to - from) * before.max(after);
+        if turned > TURN {
+            method.shorten(equations, from + (to - from) * (TURN / turned))?;
+        }
+        let fastest = equations.fastest(method.t(), method.y());
+        method.progress_mut().longest = (fastest > 0.0).then(|| TURN / fastest);
+        Ok(())
     }
 }
 

@@ -76,6 +76,11 @@ impl<'m> Watch<'m> {
         }
     }
 
+    /// Whether anything is looked at within the steps.
+    pub const fn looks_within(&self) -> bool {
+        !self.events.is_empty() || !self.functions.is_empty()
+    }
+
     /// The first events within the last step.
     pub fn first<M: Integrator<f64>>(
         &mut self,
