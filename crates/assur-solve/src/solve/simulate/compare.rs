@@ -101,8 +101,9 @@ impl Kinds {
     pub fn measure(&mut self, equations: &Equations<'_, '_>) {
         let bodies = &equations.trial.motion.bodies;
         self.bodies(bodies, bodies);
-        let own: Vec<(f64, f64, f64)> = efforts(equations).collect();
-        self.forces(&own, own.iter().copied());
+        for own in efforts(equations) {
+            self.forces(&[own], std::iter::once(own));
+        }
     }
 
     fn bodies(&mut self, coarse: &[BodyState], fine: &[BodyState]) {

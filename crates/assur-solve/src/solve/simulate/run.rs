@@ -57,7 +57,7 @@ pub(super) fn run(
     measures: bool,
 ) -> Run {
     let y = equations.start();
-    if rubs(equations) {
+    if rubs(equations) && equations.order() == 1 {
         equations.mode = Some(Mode::Resting);
     }
     let allowed = allowed(equations, tolerance, last - first);
@@ -220,9 +220,9 @@ impl Going<'_, '_> {
             let here = method.t() + AT_ONCE * (last - self.begin);
             let happened = happened.filter(|h| h.time <= here);
             let turned = turned.is_some_and(|t| t <= method.t());
-            let mut y = Vec::new();
+            let mut y = [0.0; 3];
             if turned {
-                y.extend_from_slice(method.y());
+                y.copy_from_slice(method.y());
                 y[1] = 0.0;
                 let chosen = match equations.mode {
                     Some(Mode::Resting) => equations.leave(method.t(), &y),
@@ -255,7 +255,8 @@ impl Going<'_, '_> {
 /// Chooses how a coordinate that rubs begins.
 fn begin(equations: &mut Equations<'_, '_>, first: f64, y: &[f64]) -> Result<(), Halt> {
     if equations.mode.is_none() {
-        return Ok(());
+        let unsolved = equations.model.plan.effects.loses();
+        return if unsolved { Err(Halt::RubsOnDriven) } else { Ok(()) };
     }
     if !equations.rests_together(first, y) {
         return Err(Halt::RubsOnDriven);
@@ -287,8 +288,10 @@ impl Going<'_, '_> {
     /// Where, in the last step, a coordinate that rubs comes to rest or leaves it.
     fn turning<M: Integrator<f64>>(&self, equations: &mut Equations<'_, '_>, method: &mut M) -> Option<f64> {
         let step = (method.previous_t(), method.t());
-        let mut y = method.y().to_vec();
-        match equations.mode? {
+        let mode = equations.mode?;
+        let mut y = [0.0; 3];
+        y.copy_from_slice(method.y());
+        match mode {
             Mode::Moving(sense) => {
                 let begins_at_rest = (method.previous_y()[1] == 0.0).then_some(true);
                 let rate = |t: f64| {
