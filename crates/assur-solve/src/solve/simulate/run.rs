@@ -76,6 +76,7 @@ pub(super) fn run(
         ended_by: None,
         rests: if equations.mode == Some(Mode::Resting) { vec![(first, None)] } else { Vec::new() },
         wakes: wakes(mechanism),
+        longest: None,
         kinds: Kinds::default(),
         measures,
     };
@@ -83,7 +84,8 @@ pub(super) fn run(
     if going.wakes && equations.mode.is_some() {
         // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
         let steps = if measures { 0.7 * AT_REST } else { AT_REST };
-        method.progress_mut().longest = Some((last - first) / steps);
+        going.longest = Some((last - first) / steps);
+        method.progress_mut().longest = going.longest;
     }
     let mut ended = match method.start(equations, first, &y, last) {
         Ok(()) => going.integrate(equations, &mut method, false),
@@ -97,7 +99,8 @@ pub(super) fn run(
         let mut implicit = Radau::new(&allowed);
         if !measures {
             // steps that end at the instants wanted are the same for any tolerance: two runs would say nothing of their error
-            implicit.progress_mut().longest = outputs.closest().map(|apart| 0.5 * apart);
+            going.longest = outputs.closest().map(|apart| 0.5 * apart);
+            implicit.progress_mut().longest = going.longest;
         }
         ended = match implicit.start(equations, method.t(), method.y(), last) {
             Ok(()) => going.integrate(equations, &mut implicit, true),
@@ -164,6 +167,8 @@ struct Going<'m, 'o> {
     rests: Vec<(f64, Option<f64>)>,
     /// Something changes while it rests.
     wakes: bool,
+    /// No step is longer, s, whatever turns.
+    longest: Option<f64>,
     /// The greatest magnitudes of each kind.
     kinds: Kinds,
     measures: bool,
@@ -371,7 +376,8 @@ impl Going<'_, '_> {
             method.shorten(equations, from + (to - from) * (TURN / turned))?;
         }
         let fastest = equations.fastest(method.t(), method.y());
-        method.progress_mut().longest = (fastest > 0.0).then(|| TURN / fastest);
+        let turning = (fastest > 0.0).then(|| TURN / fastest);
+        method.progress_mut().longest = turning.into_iter().chain(self.longest).reduce(f64::min);
         Ok(())
     }
 }
