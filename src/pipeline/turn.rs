@@ -2,7 +2,7 @@
 
 use super::compile::Compiled;
 use assur_model::model::{DriveTarget, Expr, Mechanism, PairKind, Positions, Value};
-use assur_position::plan::{Effects, plan_with};
+use assur_position::plan::{Effects, plan, plan_with};
 use assur_solve::solve::{DriveValue, Model, Pose, Solution, solve};
 use std::f64::consts::TAU;
 
@@ -13,6 +13,9 @@ const STEPS: usize = 180;
 /// there are several drives, or the only one does not turn and has no way.
 #[must_use]
 pub fn turn(compiled: &Compiled, solution: &Solution) -> Vec<Pose> {
+    if compiled.mechanism.simulation.is_some() {
+        return in_time(compiled, STEPS + 1);
+    }
     let Some(way) = Way::of(&compiled.mechanism, solution) else { return Vec::new() };
     way.solved(compiled, way.steps * STEPS.div_ceil(way.steps))
 }
@@ -20,6 +23,9 @@ pub fn turn(compiled: &Compiled, solution: &Solution) -> Vec<Pose> {
 /// As [`turn`], in a number of positions that is wanted, two or more.
 #[must_use]
 pub fn turn_in(compiled: &Compiled, solution: &Solution, count: usize) -> Vec<Pose> {
+    if compiled.mechanism.simulation.is_some() {
+        return in_time(compiled, count.max(2));
+    }
     let Some(way) = Way::of(&compiled.mechanism, solution) else { return Vec::new() };
     let each = |parts: usize| {
         let every = STEPS.div_ceil(parts);
@@ -30,6 +36,24 @@ pub fn turn_in(compiled: &Compiled, solution: &Solution, count: usize) -> Vec<Po
     // over whole turns the last position is the first and left out
     let (poses, is_closed) = each(count.max(2));
     if is_closed { poses } else { each(count.max(2) - 1).0 }
+}
+
+/// A motion under loads at instants that are equally far apart.
+fn in_time(compiled: &Compiled, count: usize) -> Vec<Pose> {
+    let mut mechanism = compiled.mechanism.clone();
+    if let Some(simulation) = &mut mechanism.simulation {
+        simulation.steps = Some(count - 1);
+    }
+    mechanism.finds.clear();
+    mechanism.expects.clear();
+    mechanism.cycles.clear();
+    mechanism.criticals.clear();
+    mechanism.powers = None;
+    // a run that is ended by a condition ends there
+    mechanism.events.retain(|event| event.ends);
+    let plan = plan(&mechanism, &compiled.structure);
+    let model = Model { mechanism: &mechanism, structure: &compiled.structure, plan: &plan };
+    solve(&model).map(|solution| solution.poses).unwrap_or_default()
 }
 
 /// A way of the only drive.

@@ -191,6 +191,20 @@ fn an_animation_has_the_frames_that_are_wanted() {
 }
 
 #[test]
+fn an_animation_follows_a_motion_under_loads() {
+    let text = include_str!("../../examples/simulation/double-pendulum.mech");
+    let folder = Folder::new("draw-motion").with("a.mech", text);
+    let out = assur(&folder, &["draw", "a.mech", "animation", "--frames", "4"]);
+    assert_eq!(out.status, 0, "{}", out.stderr);
+    // the last frame is at 3 s, where the first rod is at 0.44533 rad: the page has steps of a tenth of a degree
+    let steps = out.stdout.split_once(r#"["one","°",1,["#).and_then(|(_, rest)| rest.split_once(']'));
+    let steps: Vec<i64> =
+        steps.map(|s| s.0.split(',').filter_map(|x| x.parse().ok()).collect()).unwrap_or_default();
+    assert_eq!((steps.len(), steps.iter().sum::<i64>()), (4, 255));
+    assert!(out.stdout.contains(r#"["t"," s""#) && out.stdout.contains("t = 0.000 s"));
+}
+
+#[test]
 fn an_animation_is_a_page_or_a_picture() {
     let folder = Folder::new("draw-animation").with("a.mech", &one());
     let out = assur(&folder, &["draw", "a.mech", "animation", "-o", "a.svg"]);

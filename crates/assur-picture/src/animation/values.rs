@@ -5,6 +5,7 @@ use crate::plot::Curves;
 use crate::scene::Scene;
 use assur_model::model::Display;
 use assur_solve::solve::DriveValue;
+use assur_text::units::Dimension;
 
 /// Digits of the greatest number.
 const DIGITS: i32 = 4;
@@ -25,7 +26,7 @@ pub struct Column {
 
 /// The numbers of all frames, in the order in which they are said.
 pub fn columns(frames: &[Scene<'_>], curves: Option<&Curves>) -> Vec<Column> {
-    let mut all = drives(frames);
+    let mut all: Vec<Column> = time(frames).into_iter().chain(drives(frames)).collect();
     let Some(curves) = curves else { return all };
     let drive = |frame: &Scene<'_>| match frame.pose.drives.first() {
         Some(DriveValue::Scalar(x)) => *x,
@@ -42,6 +43,14 @@ pub fn columns(frames: &[Scene<'_>], curves: Option<&Curves>) -> Vec<Column> {
         all.extend(named.map(|(name, display)| Column::of(name, display, &values)));
     }
     all
+}
+
+/// The instants of a motion under loads.
+fn time(frames: &[Scene<'_>]) -> Option<Column> {
+    let mechanism = frames.first()?.mechanism();
+    mechanism.simulation.as_ref()?;
+    let times: Vec<Option<f64>> = frames.iter().map(|frame| Some(frame.solved.state.motion.time)).collect();
+    Some(Column::of("t", &mechanism.display_of(Dimension::TIME), &times))
 }
 
 /// Where the drives are; of driven points both coordinates.
