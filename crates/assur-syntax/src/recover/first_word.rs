@@ -177,7 +177,8 @@ fn synonym(case: &Case<'_>, word: &str) -> Option<SyntaxError> {
 }
 
 /// Words that other programs have for the instants of a motion.
-const OF_A_RUN: &[&str] = &["output", "step", "timestep", "dt", "t_end", "tend", "tstop", "tspan", "sampling"];
+const OF_A_RUN: &[&str] =
+    &["output", "step", "timestep", "dt", "t_end", "tend", "tstop", "tspan", "sampling"];
 
 /// Words that ask for a drawing.
 const DRAWINGS: &[&str] = &["plot", "draw", "graph", "chart", "animate", "figure"];

@@ -78,12 +78,14 @@ pub(super) fn run(
         wakes: wakes(mechanism),
         kinds: Kinds::default(),
         measures,
+        longest: None,
     };
     let mut method = Dop853::new(allowed.clone());
     if going.wakes && equations.mode.is_some() {
         // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
         let steps = if measures { 0.7 * AT_REST } else { AT_REST };
-        method.progress_mut().longest = Some((last - first) / steps);
+        going.longest = Some((last - first) / steps);
+        method.progress_mut().longest = going.longest;
     }
     let mut ended = match method.start(equations, first, &y, last) {
         Ok(()) => going.integrate(equations, &mut method, false),
@@ -163,6 +165,8 @@ struct Going<'m, 'o> {
     /// The greatest magnitudes of each kind.
     kinds: Kinds,
     measures: bool,
+    /// No step is longer, whatever turns.
+    longest: Option<f64>,
 }
 
 impl Going<'_, '_> {
@@ -353,7 +357,7 @@ impl Going<'_, '_> {
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) -> Result<(), Undefined> {
-        if !self.watch.looks_within() {
+        if !self.watch.comes_again {
             return Ok(());
         }
         let (from, to) = (method.previous_t(), method.t());
@@ -364,7 +368,9 @@ impl Going<'_, '_> {
             method.shorten(equations, from + (to - from) * (TURN / turned))?;
         }
         let fastest = equations.fastest(method.t(), method.y());
-        method.progress_mut().longest = (fastest > 0.0).then(|| TURN / fastest);
+        let turning = if fastest > 0.0 { TURN / fastest } else { f64::INFINITY };
+        let longest = self.longest.unwrap_or(f64::INFINITY).min(turning);
+        method.progress_mut().longest = (longest < f64::INFINITY).then_some(longest);
         Ok(())
     }
 }
