@@ -32,6 +32,8 @@ pub fn freed(seed: u64) -> Draft {
         drive.acceleration = None;
         if draft.random.chance(0.2) && i == 0 {
             drive.speed = Some(Expr::number(0.0));
+            // at rest it may hold
+            m.loads.retain(|load| !load.is_against_motion());
         }
     }
     draft
