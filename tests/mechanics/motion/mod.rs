@@ -24,12 +24,16 @@ pub fn freed(seed: u64) -> Draft {
     let m = &mut draft.mechanism;
     m.balances.clear();
     let drives = m.drives.len();
+    // against the motion of several coordinates nothing is solved yet
+    m.loads.retain(|load| drives == 1 || !load.is_against_motion());
     let prescribed = if drives > 1 && draft.random.chance(0.3) { draft.random.below(drives) } else { drives };
     for (i, drive) in m.drives.iter_mut().enumerate().filter(|(i, _)| *i != prescribed) {
         drive.free = true;
         drive.acceleration = None;
         if draft.random.chance(0.2) && i == 0 {
             drive.speed = Some(Expr::number(0.0));
+            // at rest it may hold
+            m.loads.retain(|load| !load.is_against_motion());
         }
     }
     draft

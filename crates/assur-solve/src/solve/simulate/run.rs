@@ -365,7 +365,7 @@ impl Going<'_, '_> {
         equations: &mut Equations<'_, '_>,
         method: &mut M,
     ) -> Result<(), Undefined> {
-        if !self.watch.looks_within() {
+        if !self.watch.comes_again {
             return Ok(());
         }
         let (from, to) = (method.previous_t(), method.t());

@@ -6,7 +6,7 @@ use super::rubbing::Mode;
 use crate::math::chebyshev::{NODES, Nodes};
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
-use crate::model::{Cycle, CycleFunction, Event, Expr, Level, Mechanism};
+use crate::model::{Cycle, CycleFunction, Event, Expr, Level, Mechanism, PairKind, Query};
 
 /// Events nearer to each other than this part of the run happen at once.
 pub(super) const AT_ONCE: f64 = 1e-12;
@@ -17,6 +17,8 @@ pub(super) struct Watch<'m> {
     functions: Vec<Function<'m>>,
     /// Something looked at depends on accelerations or forces.
     deep: bool,
+    /// Something looked at may come again with the turns of a body, however smooth its speed is.
+    pub comes_again: bool,
     nodes: Nodes,
     /// Instants of every event, s.
     pub times: Vec<Vec<f64>>,
@@ -61,12 +63,16 @@ impl<'m> Watch<'m> {
         let functions: Vec<Function<'m>> = asked.collect();
         let events = mechanism.events.iter().map(|event| &event.value);
         let all = events.chain(functions.iter().map(|f| &f.cycle.expr));
-        let deep = all.into_iter().any(|expr| is_deep(mechanism, expr));
+        let all: Vec<&Expr> = all.collect();
+        let deep = all.iter().any(|expr| is_deep(mechanism, expr));
+        let comes_again =
+            (!all.is_empty() && is_linkage(mechanism)) || all.iter().any(|expr| comes_again(mechanism, expr));
         let count = mechanism.events.len();
         Self {
             events: &mechanism.events,
             functions,
             deep,
+            comes_again,
             nodes: Nodes::new(),
             times: vec![Vec::new(); count],
             passed: vec![None; count],
@@ -74,11 +80,6 @@ impl<'m> Watch<'m> {
             length: end - begin,
             begin,
         }
-    }
-
-    /// Whether anything is looked at within the steps.
-    pub const fn looks_within(&self) -> bool {
-        !self.events.is_empty() || !self.functions.is_empty()
     }
 
     /// The first events within the last step.
@@ -214,6 +215,36 @@ impl<'m> Watch<'m> {
         };
         self.functions.iter().map(|f| (value(f), scale(f))).collect()
     }
+}
+
+/// Whether links join moving links: then rates go with angles.
+fn is_linkage(mechanism: &Mechanism) -> bool {
+    let mut joined = vec![false; mechanism.links.len()];
+    let pairs = mechanism.pairs.iter().filter(|pair| !matches!(pair.kind, PairKind::Transmission(_)));
+    let mut links = pairs.flat_map(|pair| pair.kind.links()).filter(|link| link.index() > 0);
+    links.any(|link| std::mem::replace(&mut joined[link.index()], true))
+}
+
+/// Whether a value is of anything but speeds, angles and their sums and products.
+fn comes_again(mechanism: &Mechanism, expr: &Expr) -> bool {
+    let mut again = false;
+    expr.parts(&mut |part| match part {
+        Expr::Query(query) => {
+            again |= !matches!(
+                query,
+                Query::Omega(_)
+                    | Query::Alpha(_)
+                    | Query::Angle(_)
+                    | Query::Time
+                    | Query::KineticEnergy
+                    | Query::LoadPower(_)
+            );
+        }
+        Expr::Quantity(id) => again |= comes_again(mechanism, &mechanism.quantities[id.index()].expr),
+        Expr::Call(..) | Expr::Curve(..) => again = true,
+        _ => {}
+    });
+    again
 }
 
 /// Whether a value depends on accelerations or forces.
