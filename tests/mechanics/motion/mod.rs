@@ -110,10 +110,7 @@ fn accelerations_are_those_of_all_bodies_at_once() {
             break;
         }
         let draft = freed(seed);
-        // at rest a brake holds, or acts against the motion that begins: the examples of brakes hold that to closed forms
-        let rests = draft.mechanism.drives.iter().any(|d| d.free && d.speed == Some(Expr::number(0.0)));
-        let braked = draft.mechanism.loads.iter().any(Load::is_against_motion);
-        if (draft.mechanism.drives.len() == 1 && seed % 3 > 0) || (rests && braked) {
+        if draft.mechanism.drives.len() == 1 && seed % 3 > 0 {
             continue;
         }
         match missed(&draft) {

@@ -17,6 +17,8 @@ use crate::solve::note::Note;
 const FINER: f64 = 0.1;
 /// The tolerance of the first run over the wanted accuracy: errors of smooth motions are far below their tolerance.
 const LOOSER: f64 = 10.0;
+/// What two runs differ by is an estimate: so much of the accuracy it may take.
+const SURE: f64 = 0.5;
 /// Two runs may agree by chance: the error is not said to be less than this part of the finer one's tolerance.
 const LEAST: f64 = 0.2;
 /// Above this tolerance two runs know little of each other.
@@ -95,7 +97,7 @@ pub(crate) fn trajectory(
         let mut compared = Compared::of(&mut equations(&state), &coarse, &fine);
         compared.error = compared.error.max(LEAST * FINER * tolerance);
         let out_of_reach = tolerance * FINER <= FINEST;
-        if compared.error <= within || out_of_reach {
+        if compared.error <= SURE * within || out_of_reach {
             let ended = fine.stopped.take().or_else(|| {
                 let halt = Halt::Accuracy { wanted: within, reached: compared.error };
                 (compared.error > within).then_some((fine.end, halt))
