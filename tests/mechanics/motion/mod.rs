@@ -9,7 +9,7 @@ use crate::support::generate;
 use crate::support::reference::{Rates, Reference};
 use crate::support::run::{Run, scalar, vector};
 use assur::internals::math::Vec2;
-use assur::internals::model::{Expr, LinkId, Load, PointRef, Query};
+use assur::internals::model::{Expr, LinkId, PointRef, Query};
 use nalgebra::DMatrix;
 use newton_euler::{Bodies, followed};
 
