@@ -220,6 +220,13 @@ impl Going<'_, '_> {
             let here = method.t() + AT_ONCE * (last - self.begin);
             let happened = happened.filter(|h| h.time <= here);
             let turned = turned.is_some_and(|t| t <= method.t());
+            let begun = self.watch.counts();
+            self.ended_by = self.watch.look(equations, method, happened);
+            let done = self.ended_by.is_some() || method.t() >= last;
+            // within the step it moves as before
+            if !self.keep_within(equations, method) {
+                return Ended::Halted(equations.halt());
+            }
             let mut y = Vec::new();
             if turned {
                 y.extend_from_slice(method.y());
@@ -233,9 +240,9 @@ impl Going<'_, '_> {
                 }
                 self.note_rest(equations, method.t());
             }
-            let begun = self.watch.counts();
-            self.ended_by = self.watch.look(equations, method, happened);
-            let done = self.ended_by.is_some() || method.t() >= last;
+            if equations.mode == Some(Mode::Resting) {
+                self.watch.rests();
+            }
             if !self.keep(equations, method, (&begun, done)) {
                 return Ended::Halted(equations.halt());
             }
@@ -314,7 +321,17 @@ impl Going<'_, '_> {
         }
     }
 
-    /// Keeps all that is wanted of the last step; `begun` counts the events before it.
+    /// Keeps what is wanted before the end of the last step.
+    fn keep_within<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &mut M) -> bool {
+        let mut kept = true;
+        while let Some(output) = self.outputs.known.get(self.next).filter(|output| output.0 < method.t()) {
+            kept &= self.recorder.keep(equations, method, *output);
+            self.next += 1;
+        }
+        kept
+    }
+
+    /// Keeps all that is wanted at the end of the last step; `begun` counts the events before it.
     fn keep<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,
