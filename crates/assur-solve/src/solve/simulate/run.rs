@@ -19,6 +19,9 @@ const DEAD: f64 = 1e-6;
 const LOOKED_AT: usize = 20_000;
 /// What is looked at within a step turns with the bodies: none turns by more than this, rad, or what comes again would be lost.
 const TURN: f64 = std::f64::consts::PI;
+/// Where something else than the error bounds the steps, those of the finer run are shorter by this: equal ones would say
+/// nothing of their error.
+const SHORTER: f64 = 0.7;
 /// So many are never done.
 const ENDLESS: f64 = 2e7;
 
@@ -57,7 +60,8 @@ pub(super) fn run(
     measures: bool,
 ) -> Run {
     let y = equations.start();
-    if rubs(equations) {
+    // of several coordinates each load acts against the motion there is
+    if equations.order() == 1 && rubs(equations) {
         equations.mode = Some(Mode::Resting);
     }
     let allowed = allowed(equations, tolerance, last - first);
@@ -83,7 +87,7 @@ pub(super) fn run(
     let mut method = Dop853::new(allowed.clone());
     if going.wakes && equations.mode.is_some() {
         // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
-        let steps = if measures { 0.7 * AT_REST } else { AT_REST };
+        let steps = if measures { SHORTER * AT_REST } else { AT_REST };
         going.longest = Some((last - first) / steps);
         method.progress_mut().longest = going.longest;
     }
@@ -97,6 +101,10 @@ pub(super) fn run(
     let (mut counts, mut end, mut name) = (method.counts(), method.t(), Method::Dop853);
     if matches!(ended, Ended::Stiff) {
         let mut implicit = Radau::new(&allowed);
+        if !measures {
+            going.longest = Some(SHORTER * outputs.longest_gap(last - first));
+            implicit.progress_mut().longest = going.longest;
+        }
         ended = match implicit.start(equations, method.t(), method.y(), last) {
             Ok(()) => going.integrate(equations, &mut implicit, true),
             Err(Undefined) => Ended::Halted(equations.halt()),
@@ -381,11 +389,12 @@ impl Going<'_, '_> {
         let before = equations.fastest_accepted();
         let after = equations.fastest(to, method.y());
         let turned = (to - from) * before.max(after);
-        if turned > TURN {
-            method.shorten(equations, from + (to - from) * (TURN / turned))?;
+        let most = if self.measures { TURN } else { SHORTER * TURN };
+        if turned > most {
+            method.shorten(equations, from + (to - from) * (most / turned))?;
         }
         let fastest = equations.fastest(method.t(), method.y());
-        let turning = if fastest > 0.0 { TURN / fastest } else { f64::INFINITY };
+        let turning = if fastest > 0.0 { most / fastest } else { f64::INFINITY };
         let longest = self.longest.unwrap_or(f64::INFINITY).min(turning);
         method.progress_mut().longest = (longest < f64::INFINITY).then_some(longest);
         Ok(())

@@ -21,6 +21,15 @@ pub(super) struct Outputs {
     pub prints_events: bool,
 }
 
+impl Outputs {
+    /// The longest time between two instants that are known beforehand, s, in a run of this length.
+    pub fn longest_gap(&self, length: f64) -> f64 {
+        let gaps = self.known.windows(2).map(|two| two[1].0 - two[0].0);
+        let longest = gaps.fold(0.0, f64::max);
+        if longest > 0.0 { longest } else { length }
+    }
+}
+
 /// The instants that are printed and those of expectations.
 pub(super) fn outputs(mechanism: &Mechanism, simulation: &Simulation) -> Outputs {
     let printed = (0..simulation.instants()).map(|i| (simulation.instant(i), Origin::Printed));

@@ -17,6 +17,8 @@ use crate::solve::note::Note;
 const FINER: f64 = 0.1;
 /// The tolerance of the first run over the wanted accuracy: errors of smooth motions are far below their tolerance.
 const LOOSER: f64 = 10.0;
+/// A looser tolerance makes steps so long that what two runs differ by says nothing of their error.
+const LOOSEST: f64 = 1e-5;
 /// Below this relative tolerance the digits of the numbers end.
 const FINEST: f64 = 2e-15;
 /// Where the coarser run misses the accuracy by more than this, the next pair starts anew.
@@ -82,7 +84,7 @@ pub(crate) fn trajectory(
     let equations =
         |state: &State| Equations::new(model, statics, rates, first, simulation.from, (state, &angles));
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
-    let mut tolerance = (LOOSER * within).min(0.1);
+    let mut tolerance = (LOOSER * within).min(LOOSEST);
     let mut spent = 0;
     let mut coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
     loop {
