@@ -5,12 +5,10 @@ use super::equations::Equations;
 use super::records::{Origin, Recorder, Records, within_step};
 use super::report::{Energy, Method};
 use super::rubbing::{Mode, rubs, wakes};
-use super::setup::Outputs;
+use super::setup::{Outputs, allowed};
 use super::watch::{AT_ONCE, Watch};
 use crate::math::ode::event::first_crossing;
-use crate::math::ode::{Counts, Dop853, Integrator, Radau, Step, Stopped, System, Tolerance, Undefined};
-use crate::model::DriveTarget;
-use crate::position::{extent, turns};
+use crate::math::ode::{Counts, Dop853, Integrator, Radau, Step, Stopped, System, Undefined};
 use crate::solve::failure::Halt;
 
 /// Below this |σ| of a group the run ends before its dead position is in the way of the digits.
@@ -302,8 +300,9 @@ impl Going<'_, '_> {
     /// Where, in the last step, a coordinate that rubs comes to rest or leaves it.
     fn turning<M: Integrator<f64>>(&self, equations: &mut Equations<'_, '_>, method: &mut M) -> Option<f64> {
         let step = (method.previous_t(), method.t());
+        let mode = equations.mode?;
         let mut y = method.y().to_vec();
-        match equations.mode? {
+        match mode {
             Mode::Moving(sense) => {
                 let begins_at_rest = (method.previous_y()[1] == 0.0).then_some(true);
                 let rate = |t: f64| {
@@ -406,20 +405,4 @@ impl Going<'_, '_> {
 fn is_endless<M: Integrator<f64>>(method: &M, first: f64, last: f64) -> bool {
     let steps = method.counts().steps;
     steps >= LOOKED_AT && steps as f64 * (last - first) > ENDLESS * (method.t() - first)
-}
-
-/// The errors allowed: of coordinates absolute, since angles and places are read off them whatever their turns; of rates
-/// relative, and where they pass zero by what would move a coordinate in the time of the run. The work is not judged.
-fn allowed(equations: &Equations<'_, '_>, tolerance: f64, length: f64) -> Tolerance<f64> {
-    let model = equations.model;
-    let scale = |&drive: &usize| {
-        let drive = &model.mechanism.drives[drive];
-        let lengths = !matches!(drive.target, DriveTarget::Point(..)) && !turns(model, drive);
-        if lengths { extent(model) } else { 1.0 }
-    };
-    let scales: Vec<f64> = equations.reduced.free().iter().map(scale).collect();
-    let coordinates = scales.iter().map(|scale| (0.0, tolerance * scale));
-    let rates = scales.iter().map(|scale| (tolerance, tolerance * scale / length));
-    let each: Vec<(f64, f64)> = coordinates.chain(rates).chain([(0.0, f64::MAX)]).collect();
-    Tolerance::each(&each)
 }
