@@ -17,7 +17,7 @@ fn examples() -> Vec<Source> {
     paths.retain(|p| p.extension().is_some_and(|e| e == "mech"));
     paths.sort();
     let name = |p: &Path| p.file_stem().unwrap().to_string_lossy().into_owned();
-    paths.iter().map(|p| Source::new(&name(p), std::fs::read_to_string(p).unwrap())).collect()
+    paths.iter().map(|p| Source::new(name(p), std::fs::read_to_string(p).unwrap())).collect()
 }
 
 fn run(source: &Source, within: f64) -> Solved {
