@@ -31,10 +31,7 @@ struct AllBodies {
 fn unpacked(y: &[f64]) -> (Vec<Frame>, Vec<Rates>) {
     let (q, v) = y.split_at(y.len() / 2);
     let mut frames = vec![Frame::GROUND];
-    frames.extend(
-        q.chunks_exact(3)
-            .map(|q| Frame { p: Vec2::new(q[0], q[1]), u: Vec2::new(libm::cos(q[2]), libm::sin(q[2])) }),
-    );
+    frames.extend(q.chunks_exact(3).map(|q| Frame { p: Vec2::new(q[0], q[1]), u: Vec2::direction(q[2]) }));
     let mut rates = vec![Rates::default()];
     rates.extend(v.chunks_exact(3).map(|v| Rates {
         v: Vec2::new(v[0], v[1]),

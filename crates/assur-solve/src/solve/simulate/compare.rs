@@ -30,7 +30,7 @@ impl Compared {
         let (coarse, fine) = (&coarse_run.records, &fine_run.records);
         let mut kinds = coarse_run.kinds.clone();
         let mut bodies: Vec<BodyState> = Vec::new();
-        let mut forces: Vec<(f64, f64, f64)> = Vec::new();
+        let mut forces: Vec<Efforts> = Vec::new();
         let both = coarse.count.min(fine.count);
         for index in 0..both {
             equations.place(
@@ -49,7 +49,7 @@ impl Compared {
                 fine.stand(index),
             );
             kinds.bodies(&bodies, &equations.trial.motion.bodies);
-            kinds.forces(&forces, efforts(equations));
+            kinds.forces(forces.iter().copied().zip(efforts(equations)));
         }
         // what only one of them reached is not known
         let events = coarse_run.events.iter().zip(&fine_run.events);
@@ -75,8 +75,11 @@ impl Compared {
     }
 }
 
-/// Reactions: both components and the couple.
-fn efforts<'e>(equations: &'e Equations<'_, '_>) -> impl Iterator<Item = (f64, f64, f64)> + 'e {
+/// Both components of a reaction and its couple.
+type Efforts = (f64, f64, f64);
+
+/// Reactions, where they are asked for.
+fn efforts<'e>(equations: &'e Equations<'_, '_>) -> impl Iterator<Item = Efforts> + 'e {
     let asked = equations.model.plan.effects.forces;
     let reactions = equations.trial.forces.reactions.iter().filter(move |_| asked);
     reactions.map(|r| (r.force.x, r.force.y, r.couple))
@@ -101,9 +104,7 @@ impl Kinds {
     pub fn measure(&mut self, equations: &Equations<'_, '_>) {
         let bodies = &equations.trial.motion.bodies;
         self.bodies(bodies, bodies);
-        for own in efforts(equations) {
-            self.forces(&[own], std::iter::once(own));
-        }
+        self.forces(efforts(equations).zip(efforts(equations)));
     }
 
     fn bodies(&mut self, coarse: &[BodyState], fine: &[BodyState]) {
@@ -117,8 +118,9 @@ impl Kinds {
         }
     }
 
-    fn forces(&mut self, coarse: &[(f64, f64, f64)], fine: impl Iterator<Item = (f64, f64, f64)>) {
-        for (a, b) in coarse.iter().zip(fine) {
+    /// The same efforts of both runs.
+    fn forces(&mut self, both: impl Iterator<Item = (Efforts, Efforts)>) {
+        for (a, b) in both {
             self.look(6, libm::hypot(a.0 - b.0, a.1 - b.1), libm::hypot(b.0, b.1));
             self.look(7, (a.2 - b.2).abs(), b.2.abs());
         }

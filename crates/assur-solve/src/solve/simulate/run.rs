@@ -5,12 +5,10 @@ use super::equations::Equations;
 use super::records::{Origin, Recorder, Records, within_step};
 use super::report::{Energy, Method};
 use super::rubbing::{Mode, rubs, wakes};
-use super::setup::Outputs;
+use super::setup::{Outputs, allowed};
 use super::watch::{AT_ONCE, Watch};
 use crate::math::ode::event::first_crossing;
-use crate::math::ode::{Counts, Dop853, Integrator, Radau, Step, Stopped, System, Tolerance, Undefined};
-use crate::model::DriveTarget;
-use crate::position::{extent, turns};
+use crate::math::ode::{Counts, Dop853, Integrator, Radau, Step, Stopped, System, Undefined};
 use crate::solve::failure::Halt;
 
 /// Below this |σ| of a group the run ends before its dead position is in the way of the digits.
@@ -19,6 +17,9 @@ const DEAD: f64 = 1e-6;
 const LOOKED_AT: usize = 20_000;
 /// What is looked at within a step turns with the bodies: none turns by more than this, rad, or what comes again would be lost.
 const TURN: f64 = std::f64::consts::PI;
+/// Where something else than the error bounds the steps, those of the finer run are shorter by this: equal ones would say
+/// nothing of their error.
+const SHORTER: f64 = 0.7;
 /// So many are never done.
 const ENDLESS: f64 = 2e7;
 
@@ -57,7 +58,8 @@ pub(super) fn run(
     measures: bool,
 ) -> Run {
     let y = equations.start();
-    if rubs(equations) && equations.order() == 1 {
+    // of several coordinates each load acts against the motion there is
+    if equations.order() == 1 && rubs(equations) {
         equations.mode = Some(Mode::Resting);
     }
     let allowed = allowed(equations, tolerance, last - first);
@@ -76,14 +78,14 @@ pub(super) fn run(
         ended_by: None,
         rests: if equations.mode == Some(Mode::Resting) { vec![(first, None)] } else { Vec::new() },
         wakes: wakes(mechanism),
-        longest: None,
         kinds: Kinds::default(),
         measures,
+        longest: None,
     };
     let mut method = Dop853::new(allowed.clone());
     if going.wakes && equations.mode.is_some() {
         // at rest nothing bounds the steps; two runs of equal steps would say nothing of their error
-        let steps = if measures { 0.7 * AT_REST } else { AT_REST };
+        let steps = if measures { SHORTER * AT_REST } else { AT_REST };
         going.longest = Some((last - first) / steps);
         method.progress_mut().longest = going.longest;
     }
@@ -98,8 +100,7 @@ pub(super) fn run(
     if matches!(ended, Ended::Stiff) {
         let mut implicit = Radau::new(&allowed);
         if !measures {
-            // steps that end at the instants wanted are the same for any tolerance: two runs would say nothing of their error
-            going.longest = outputs.closest().map(|apart| 0.5 * apart);
+            going.longest = Some(SHORTER * outputs.longest_gap(last - first));
             implicit.progress_mut().longest = going.longest;
         }
         ended = match implicit.start(equations, method.t(), method.y(), last) {
@@ -167,11 +168,11 @@ struct Going<'m, 'o> {
     rests: Vec<(f64, Option<f64>)>,
     /// Something changes while it rests.
     wakes: bool,
-    /// No step is longer, s, whatever turns.
-    longest: Option<f64>,
     /// The greatest magnitudes of each kind.
     kinds: Kinds,
     measures: bool,
+    /// No step is longer, whatever turns.
+    longest: Option<f64>,
 }
 
 impl Going<'_, '_> {
@@ -225,9 +226,16 @@ impl Going<'_, '_> {
             let here = method.t() + AT_ONCE * (last - self.begin);
             let happened = happened.filter(|h| h.time <= here);
             let turned = turned.is_some_and(|t| t <= method.t());
-            let mut y = [0.0; 3];
+            let begun = self.watch.counts();
+            self.ended_by = self.watch.look(equations, method, happened);
+            let done = self.ended_by.is_some() || method.t() >= last;
+            // within the step it moves as before
+            if !self.keep_within(equations, method) {
+                return Ended::Halted(equations.halt());
+            }
+            let mut y = Vec::new();
             if turned {
-                y.copy_from_slice(method.y());
+                y.extend_from_slice(method.y());
                 y[1] = 0.0;
                 let chosen = match equations.mode {
                     Some(Mode::Resting) => equations.leave(method.t(), &y),
@@ -238,9 +246,9 @@ impl Going<'_, '_> {
                 }
                 self.note_rest(equations, method.t());
             }
-            let begun = self.watch.counts();
-            self.ended_by = self.watch.look(equations, method, happened);
-            let done = self.ended_by.is_some() || method.t() >= last;
+            if equations.mode == Some(Mode::Resting) {
+                self.watch.rests();
+            }
             if !self.keep(equations, method, (&begun, done)) {
                 return Ended::Halted(equations.halt());
             }
@@ -294,8 +302,7 @@ impl Going<'_, '_> {
     fn turning<M: Integrator<f64>>(&self, equations: &mut Equations<'_, '_>, method: &mut M) -> Option<f64> {
         let step = (method.previous_t(), method.t());
         let mode = equations.mode?;
-        let mut y = [0.0; 3];
-        y.copy_from_slice(method.y());
+        let mut y = method.y().to_vec();
         match mode {
             Mode::Moving(sense) => {
                 let begins_at_rest = (method.previous_y()[1] == 0.0).then_some(true);
@@ -322,7 +329,17 @@ impl Going<'_, '_> {
         }
     }
 
-    /// Keeps all that is wanted of the last step; `begun` counts the events before it.
+    /// Keeps what is wanted before the end of the last step.
+    fn keep_within<M: Integrator<f64>>(&mut self, equations: &mut Equations<'_, '_>, method: &mut M) -> bool {
+        let mut kept = true;
+        while let Some(output) = self.outputs.known.get(self.next).filter(|output| output.0 < method.t()) {
+            kept &= self.recorder.keep(equations, method, *output);
+            self.next += 1;
+        }
+        kept
+    }
+
+    /// Keeps all that is wanted at the end of the last step; `begun` counts the events before it.
     fn keep<M: Integrator<f64>>(
         &mut self,
         equations: &mut Equations<'_, '_>,
@@ -372,12 +389,14 @@ impl Going<'_, '_> {
         let before = equations.fastest_accepted();
         let after = equations.fastest(to, method.y());
         let turned = (to - from) * before.max(after);
-        if turned > TURN {
-            method.shorten(equations, from + (to - from) * (TURN / turned))?;
+        let most = if self.measures { TURN } else { SHORTER * TURN };
+        if turned > most {
+            method.shorten(equations, from + (to - from) * (most / turned))?;
         }
         let fastest = equations.fastest(method.t(), method.y());
-        let turning = (fastest > 0.0).then(|| TURN / fastest);
-        method.progress_mut().longest = turning.into_iter().chain(self.longest).reduce(f64::min);
+        let turning = if fastest > 0.0 { most / fastest } else { f64::INFINITY };
+        let longest = self.longest.unwrap_or(f64::INFINITY).min(turning);
+        method.progress_mut().longest = (longest < f64::INFINITY).then_some(longest);
         Ok(())
     }
 }
@@ -387,20 +406,4 @@ impl Going<'_, '_> {
 fn is_endless<M: Integrator<f64>>(method: &M, first: f64, last: f64) -> bool {
     let steps = method.counts().steps;
     steps >= LOOKED_AT && steps as f64 * (last - first) > ENDLESS * (method.t() - first)
-}
-
-/// The errors allowed: of coordinates absolute, since angles and places are read off them whatever their turns; of rates
-/// relative, and where they pass zero by what would move a coordinate in the time of the run. The work is not judged.
-fn allowed(equations: &Equations<'_, '_>, tolerance: f64, length: f64) -> Tolerance<f64> {
-    let model = equations.model;
-    let scale = |&drive: &usize| {
-        let drive = &model.mechanism.drives[drive];
-        let lengths = !matches!(drive.target, DriveTarget::Point(..)) && !turns(model, drive);
-        if lengths { extent(model) } else { 1.0 }
-    };
-    let scales: Vec<f64> = equations.reduced.free().iter().map(scale).collect();
-    let coordinates = scales.iter().map(|scale| (0.0, tolerance * scale));
-    let rates = scales.iter().map(|scale| (tolerance, tolerance * scale / length));
-    let each: Vec<(f64, f64)> = coordinates.chain(rates).chain([(0.0, f64::MAX)]).collect();
-    Tolerance::each(&each)
 }

@@ -1,9 +1,11 @@
-//! What a run starts from: the instants wanted and the first position.
+//! What a run starts from: the instants wanted, the first position and the errors allowed.
 
+use super::equations::Equations;
 use super::records::Origin;
 use crate::answer::first_angles;
-use crate::model::{At, Mechanism, Occasion, Simulation};
-use crate::position::{DriveValue, Model, State};
+use crate::math::ode::Tolerance;
+use crate::model::{At, DriveTarget, Mechanism, Occasion, Simulation};
+use crate::position::{DriveValue, Model, State, extent, turns};
 use crate::solve::assemble::assemble;
 use crate::solve::failure::Failure;
 use crate::solve::inputs::Rates;
@@ -22,10 +24,11 @@ pub(super) struct Outputs {
 }
 
 impl Outputs {
-    /// How far the nearest two of the instants that are known beforehand are apart, s.
-    pub fn closest(&self) -> Option<f64> {
-        let apart = self.known.windows(2).map(|pair| pair[1].0 - pair[0].0).filter(|apart| *apart > 0.0);
-        apart.reduce(f64::min)
+    /// The longest time between two instants that are known beforehand, s, in a run of this length.
+    pub fn longest_gap(&self, length: f64) -> f64 {
+        let gaps = self.known.windows(2).map(|two| two[1].0 - two[0].0);
+        let longest = gaps.fold(0.0, f64::max);
+        if longest > 0.0 { longest } else { length }
     }
 }
 
@@ -60,4 +63,20 @@ pub(super) fn assembled(
     let state = assemble(model, state)?;
     let angles = first_angles(model, &state);
     Ok((state, angles))
+}
+
+/// The errors allowed: of coordinates absolute, since angles and places are read off them whatever their turns; of rates
+/// relative, and where they pass zero by what would move a coordinate in the time of the run. The work is not judged.
+pub(super) fn allowed(equations: &Equations<'_, '_>, tolerance: f64, length: f64) -> Tolerance<f64> {
+    let model = equations.model;
+    let scale = |&drive: &usize| {
+        let drive = &model.mechanism.drives[drive];
+        let lengths = !matches!(drive.target, DriveTarget::Point(..)) && !turns(model, drive);
+        if lengths { extent(model) } else { 1.0 }
+    };
+    let scales: Vec<f64> = equations.reduced.free().iter().map(scale).collect();
+    let coordinates = scales.iter().map(|scale| (0.0, tolerance * scale));
+    let rates = scales.iter().map(|scale| (tolerance, tolerance * scale / length));
+    let each: Vec<(f64, f64)> = coordinates.chain(rates).chain([(0.0, f64::MAX)]).collect();
+    Tolerance::each(&each)
 }

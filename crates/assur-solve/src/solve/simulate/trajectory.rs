@@ -21,8 +21,8 @@ const LOOSER: f64 = 10.0;
 const SURE: f64 = 0.5;
 /// Two runs may agree by chance: the error is not said to be less than this part of the finer one's tolerance.
 const LEAST: f64 = 0.2;
-/// Above this tolerance two runs know little of each other.
-const LOOSEST: f64 = 1e-4;
+/// A looser tolerance makes steps so long that what two runs differ by says nothing of their error.
+const LOOSEST: f64 = 1e-5;
 /// Below this relative tolerance the digits of the numbers end.
 const FINEST: f64 = 2e-15;
 /// Where the coarser run misses the accuracy by more than this, the next pair starts anew.
@@ -88,7 +88,7 @@ pub(crate) fn trajectory(
     let equations =
         |state: &State| Equations::new(model, statics, rates, first, simulation.from, (state, &angles));
     let within = simulation.within.unwrap_or(Simulation::WITHIN);
-    let mut tolerance = (LOOSER * within).min(LOOSEST.max(within));
+    let mut tolerance = (LOOSER * within).min(LOOSEST);
     let mut spent = 0;
     let mut coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
     loop {

@@ -2,7 +2,6 @@
 
 use super::equations::Equations;
 use super::records::within_step;
-use super::rubbing::Mode;
 use crate::math::chebyshev::{NODES, Nodes};
 use crate::math::ode::Integrator;
 use crate::math::ode::event::{Crossing, first_crossing};
@@ -133,6 +132,11 @@ impl<'m> Watch<'m> {
         if known { equations.value(expr) } else { f64::NAN }
     }
 
+    /// From here nothing moves: what is zero stays so and was not passed.
+    pub fn rests(&mut self) {
+        self.passed.fill(None);
+    }
+
     /// How often every event has happened.
     pub fn counts(&self) -> Vec<usize> {
         self.times.iter().map(Vec::len).collect()
@@ -150,7 +154,7 @@ impl<'m> Watch<'m> {
         let mut ends = None;
         for (index, rising) in happened.into_iter().flat_map(|h| h.events) {
             // at rest a value stays where it is
-            self.passed[index] = Some(rising).filter(|_| equations.mode != Some(Mode::Resting));
+            self.passed[index] = Some(rising);
             self.times[index].push(method.t());
             if self.events[index].ends {
                 ends = ends.or(Some(index));
