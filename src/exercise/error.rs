@@ -3,7 +3,7 @@
 use miette::Diagnostic;
 use thiserror::Error;
 
-use assur_model::model::Expect;
+use assur_model::model::{At, Expect};
 use assur_solve::message::SolveError;
 use assur_solve::solve::{Pose, PoseOrigin};
 use assur_text::diagnostic::did_you_mean;
@@ -131,7 +131,10 @@ impl ExpectError {
     }
 
     pub(super) fn no_solution(expect: &Expect) -> Self {
-        let why = Some("the file has no pose".to_owned());
+        let why = Some(match expect.at {
+            Some(At::Time(_) | At::Occasion(_)) => "the motion ends before this instant".to_owned(),
+            _ => "the file has no pose".to_owned(),
+        });
         Self::NoValue { text: expect.text.clone(), pose: String::new(), why, span: expect.span, help: None }
     }
 

@@ -9,6 +9,8 @@ use crate::solve::Halt;
 use crate::source::Span;
 use crate::units::Dimension;
 
+/// Two runs that differ by more say nothing of the motion.
+const NOTHING: f64 = 0.05;
 /// Steps of a run at most.
 const MOST_STEPS: usize = 1_000_000;
 
@@ -29,12 +31,7 @@ pub(super) fn halted(model: &Model<'_>, time: f64, halt: &Halt) -> SolveError {
             SimulateError::NoValue { time, labels: loads.collect() }
         }
         Halt::TooManySteps => SimulateError::TooManySteps { most: MOST_STEPS, time, end, span },
-        Halt::Accuracy { wanted, reached } => SimulateError::Accuracy {
-            reached: power(*reached),
-            wanted: power(*wanted),
-            enough: power(enough(*reached)),
-            span,
-        },
+        Halt::Accuracy { wanted, reached } => accuracy(*wanted, *reached, span),
     })
 }
 
@@ -44,9 +41,31 @@ pub(super) fn never_ended(model: &Model<'_>, event: usize, time: f64) -> SolveEr
     SolveError::Simulate(SimulateError::NeverEnded { time: with_unit(model, time, Dimension::TIME), span })
 }
 
+fn accuracy(wanted: f64, reached: f64, span: Span) -> SimulateError {
+    let known = reached < NOTHING;
+    let wanted = power(wanted);
+    let (known, help) = if known {
+        let enough = power(enough(reached));
+        (
+            format!(
+                "the motion is known to {} of the greatest of its kind; wanted was {wanted}",
+                power(reached)
+            ),
+            format!("write `within {enough}`: the numbers have no more digits"),
+        )
+    } else {
+        (
+            format!("runs of different tolerance do not agree, so that the motion is not known to {wanted}"),
+            "let `simulate` end earlier, or look for an instant from which the motion may go on in two ways"
+                .to_owned(),
+        )
+    };
+    SimulateError::Accuracy { known, help, span }
+}
+
 /// An accuracy in words of a file.
 fn power(x: f64) -> String {
-    if x.is_finite() { format!("{x:.1e}").replace(".0e", "e") } else { "nothing".into() }
+    format!("{x:.1e}").replace(".0e", "e")
 }
 
 /// A power of ten above twice an error.

@@ -78,18 +78,14 @@ pub enum SimulateError {
         span: Span,
     },
     /// The wanted accuracy is not reached.
-    #[error("the motion is known to {reached} of the greatest of its kind; wanted was {wanted}")]
-    #[diagnostic(
-        code(mech::simulate::tolerance),
-        help("write `within {enough}`: the numbers have no more digits")
-    )]
+    #[error("{known}")]
+    #[diagnostic(code(mech::simulate::tolerance))]
     Accuracy {
-        /// The error that is estimated.
-        reached: String,
-        /// The wanted one.
-        wanted: String,
+        /// The error that is estimated, and the wanted one.
+        known: String,
         /// What can be kept.
-        enough: String,
+        #[help]
+        help: String,
         /// The statement `simulate`.
         #[label("not reached")]
         span: Span,
