@@ -92,34 +92,29 @@ pub(crate) fn trajectory(
     let mut spent = 0;
     let mut coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
     loop {
+        if matches!(coarse.stopped, Some((_, Halt::TooManySteps))) {
+            // a finer run takes more
+            let compared = Compared { error: 1.0, worst: "positions" };
+            let report = report(model.mechanism, within, spent, &compared, &coarse);
+            return Ok(ended(coarse, report, (equations(&state).first, simulation.from, state)));
+        }
         let mut fine = run(&mut equations(&state), tolerance * FINER, &outputs, span, false);
         spent += coarse.counts.evaluations;
         let mut compared = Compared::of(&mut equations(&state), &coarse, &fine);
         compared.error = compared.error.max(LEAST * FINER * tolerance);
         let out_of_reach = tolerance * FINER <= FINEST;
         if compared.error <= SURE * within || out_of_reach {
-            let ended = fine.stopped.take().or_else(|| {
-                let halt = Halt::Accuracy { wanted: within, reached: compared.error };
-                (compared.error > within).then_some((fine.end, halt))
-            });
+            let halt = Halt::Accuracy { wanted: within, reached: compared.error };
+            let missed = (compared.error > within).then_some((fine.end, halt));
+            fine.stopped = fine.stopped.or(missed);
             let report = report(model.mechanism, within, spent, &compared, &fine);
-            let ended = ended.map(|(time, halt)| Cause::Halted { time, halt }.into());
-            let first = equations(&state).first;
-            let (records, from) = (fine.records, simulation.from);
-            return Ok(Trajectory {
-                records,
-                handed_out: 0,
-                functions: fine.functions,
-                report,
-                first,
-                from,
-                start: state,
-                ended,
-            });
+            return Ok(ended(fine, report, (equations(&state).first, simulation.from, state)));
         }
         let missed = compared.error / within;
         if missed > FAR {
-            tolerance = (tolerance / missed).max(FINEST / FINER);
+            // of runs that do not agree at all nothing is known
+            let factor = if missed.is_finite() { missed } else { 1.0 / (FINER * FINER) };
+            tolerance = (tolerance / factor).max(FINEST / FINER);
             spent += fine.counts.evaluations;
             coarse = run(&mut equations(&state), tolerance, &outputs, span, true);
         } else {
@@ -128,6 +123,17 @@ pub(crate) fn trajectory(
             coarse = Run { kinds, ..fine };
         }
     }
+}
+
+/// What a run has found, with what its drives say at the first instant, s, and its assembly there.
+fn ended(
+    run: Run,
+    report: SimulationReport,
+    (first, from, start): (Vec<DriveInput>, f64, State),
+) -> Trajectory {
+    let ended = run.stopped.map(|(time, halt)| Cause::Halted { time, halt }.into());
+    let (records, functions) = (run.records, run.functions);
+    Trajectory { records, handed_out: 0, functions, report, first, from, start, ended }
 }
 
 fn report(
