@@ -7,6 +7,7 @@
 mod compare;
 mod drives;
 mod equations;
+mod going;
 mod poses;
 mod records;
 mod report;
