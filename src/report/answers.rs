@@ -99,7 +99,7 @@ impl<'a> Answers<'a> {
         self.model.mechanism.finds.iter().any(|f| matches!(f.kind, FindKind::Reactions))
     }
 
-    /// The drives whose values stand beside the answers: where a motion follows from the loads, the instants do.
+    /// The drives whose values are printed with the answers: none where a motion follows from the loads, since the instants are.
     pub(super) fn shown_drives(&self) -> impl Iterator<Item = (usize, &'a Drive)> + use<'a> {
         let mechanism = self.model.mechanism;
         mechanism.drives.iter().enumerate().filter(|_| mechanism.simulation.is_none())

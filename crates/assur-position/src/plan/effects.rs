@@ -1,6 +1,8 @@
 //! The effects that a file calls for. An effect that nothing calls for has no step in the plan.
 
-use crate::model::{Expr, FindKind, Level, LoadId, Mechanism, PairKind, QuantityId, Query, Relation};
+use crate::model::{
+    Expr, FindKind, Level, LoadId, Mechanism, PairKind, QuantityId, Query, Relation, TransmissionKind,
+};
 
 /// What is computed at every position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,7 +60,7 @@ impl Effects {
         let simulated = mechanism.simulation.is_some();
         let rubs = mechanism.pairs.iter().any(|p| p.friction.is_some_and(|f| f.is_some()));
         // where the motion follows from the loads, friction takes part in it
-        let forces = wanted.forces || (simulated && (rubs || loses(mechanism)));
+        let forces = wanted.forces || (simulated && (rubs || loses(mechanism) || may_open(mechanism)));
         let loaded = forces || simulated;
         let inertia = loaded && timed && has_mass && !mechanism.ignore_inertia;
         let friction = forces && moving && rubs;
@@ -141,6 +143,15 @@ impl Effects {
         let computed = self.computed();
         Self::declared(mechanism).computed().into_iter().filter(|name| !computed.contains(name)).collect()
     }
+}
+
+/// Whether a contact or a rope holds only as long as it presses or pulls.
+fn may_open(mechanism: &Mechanism) -> bool {
+    mechanism.pairs.iter().any(|p| match &p.kind {
+        PairKind::Contact { .. } => true,
+        PairKind::Transmission(t) => t.kind == TransmissionKind::Rope,
+        _ => false,
+    })
 }
 
 /// Whether a transmission has an efficiency.

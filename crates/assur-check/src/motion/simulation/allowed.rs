@@ -3,7 +3,7 @@
 use crate::error::SimulateError;
 use crate::expr::context::Context;
 use crate::motion::drive::{count, moves};
-use assur_model::model::{BalanceKind, Pair, PairKind, Positions};
+use assur_model::model::{BalanceKind, DriveTarget, Pair, PairKind, Positions};
 use assur_syntax::document::Statement;
 use assur_text::source::Span;
 
@@ -47,6 +47,11 @@ fn positions(cx: &mut Context<'_>, simulate: Span) {
             found.push((format!("the sweep of `{}`", drive.name), help, drive.span));
         }
     }
+    for drive in cx.builder.mech.drives.iter().filter(|d| d.sense.is_some()) {
+        let help =
+            format!("give `{}` a speed after `at`; without one and without a sense it rests", drive.name);
+        found.push((format!("the sense of `{}`, which has no speed,", drive.name), help, drive.span));
+    }
     for pose in &cx.builder.mech.poses {
         let help = "ask for an instant: `expect … at time = 0.5 s`".to_owned();
         found.push((format!("the pose `{}`", pose.name), help, pose.span));
@@ -88,7 +93,9 @@ fn not_solved_yet(cx: &mut Context<'_>) {
         pairs().filter(rubs).map(|pair| ("friction in a motion of several free coordinates", pair.span));
     let losing =
         pairs().filter(loses).map(|pair| ("losses in a motion of several free coordinates", pair.span));
-    for (what, span) in rubbing.chain(losing).collect::<Vec<_>>() {
+    let points = cx.builder.mech.drives.iter().filter(|d| matches!(d.target, DriveTarget::Point(..)));
+    let points = points.map(|drive| ("a point that is driven in a motion under loads", drive.span));
+    for (what, span) in rubbing.chain(losing).chain(points).collect::<Vec<_>>() {
         cx.builder.unsupported(what, span);
     }
 }

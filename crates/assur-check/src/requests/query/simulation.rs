@@ -7,7 +7,7 @@ use crate::names::suggestion::suggestion;
 use crate::values::fold;
 use crate::values::typed::{Type, Typed};
 use assur_model::model::{BinaryOp, Expr, Query};
-use assur_syntax::document::{ExprKind, Name};
+use assur_syntax::document::{ExprKind, Name, SpringSite, Statement};
 use assur_text::language::Function;
 use assur_text::source::{Span, Spanned};
 use assur_text::units::Dimension;
@@ -66,6 +66,11 @@ impl Context<'_> {
     /// `kinetic_energy()`, `potential_energy()`, and their sum.
     fn energy(&mut self, call: Call<'_>, parts: &[Query]) -> Option<Typed> {
         self.arguments(call, 0, 0)?;
+        let in_hinge =
+            |s: &Statement| matches!(s, Statement::Spring(s) if matches!(s.site, SpringSite::Pair(_)));
+        if parts.contains(&Query::PotentialEnergy) && self.doc.statements.iter().any(|s| in_hinge(&s.node)) {
+            self.builder.unsupported("the potential energy of a spring in a hinge", call.span);
+        }
         let mut parts = parts.iter().map(|query| Expr::Query(*query));
         let first = parts.next()?;
         let sum = parts.fold(first, |sum, part| fold::binary(BinaryOp::Add, sum, part));
