@@ -111,7 +111,7 @@ impl Drawing<'_> {
         let pages = solved.map_or_else(Vec::new, |solved| {
             Pages { drawing: self, source, document, solved: &solved, row: &row }.all(&mut problems)
         });
-        (pages, row.told(problems))
+        (pages, row.reported(problems))
     }
 
     /// With an error of the command line or of the output.

@@ -39,7 +39,7 @@ impl DrawnRow {
     }
 
     /// What was found, with the row for which it holds.
-    pub fn told(&self, problems: Problems) -> Problems {
+    pub fn reported(&self, problems: Problems) -> Problems {
         if self.words.is_empty() { problems } else { ForRow::all(problems, &self.words, self.span) }
     }
 }
